@@ -76,7 +76,7 @@ class Bodies:
         letter = self._letter(body.name)
         line = self.sheet.write(Words(f"{body.name}, like {first}:  "), Name(letter), " = ", Name(self._letter(first)),
                                 settles=letter, node=node, uses=[self._lines[first]],
-                                joined=self._likened == self.sheet.last)
+                                joined=self.sheet.last in (self._likened, self._lines[first]))
         self._likened = line
         return EnergyPart(letter, node, line)
 

@@ -13,10 +13,14 @@ from vibcli.report.steps.step import WorkedSolution, momentum, number, slope_by
 from vibcli.report.steps.turning import TurningFrames
 from vibcli.report.steps.written_out import WrittenOut
 from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
+
+LENGTH, TURN = (("m_e", "kg"), ("k_e", "N/m")), (("J_e", "kg·m²"), ("k_e", "N·m/rad"))     # factors of q̈ and q, their units
+LONG = 20       # letters of such a factor, beyond which it has one of its own
 
 
 class Derivation:
@@ -43,10 +47,31 @@ class Derivation:
         if self._driven(turning.names):
             energies = self._driven_energies(T, V, Phi, acting, (M, C, G, K))
             return self._lagrange(M, C, G, K, [part.line for part in (*T, *V, *Phi)], energies)
+        short, (M, K) = self._shortened(M, K)
         sums = [self._sum("T", T, self.about.squared(M, self.scene.v)),
                 self._sum("V", V, self.about.squared(K, self.scene.q), rest),
                 self._sum("Phi", Phi, self.about.squared(slowed, self.scene.v))]
-        return self._lagrange(M, C, G, K, [line for line in sums if line])
+        return self._lagrange(M, C, G, K, [line for line in (*short, *sums) if line], at_once=bool(short))
+
+    def _shortened(self, *matrices):
+        """Numbers of lines, and M and K: of one degree, where coefficients at a place have letters, a letter for each
+        that is long; not of what goes out in variants, which asks for M and K themselves."""
+        about, name = self.about, self.names[0]
+        if len(self.names) > 1 or not about.abbreviates or self.problem.spec.get("variants") is not None:
+            return [], matrices
+        kinds = LENGTH if self.problem.system.dimension(name) else TURN
+        lines, found = [], []
+        for matrix, (wanted, unit) in zip(matrices, kinds, strict=True):
+            node = matrix.get((0, 0))
+            if node is not None and letters(node) > LONG:
+                letter, value = self.sheet.letter(wanted), about.value(node)
+                lines.append(self.sheet.write(*([] if lines else [Words("for short:  ")]), Name(letter), " = ", node,
+                                              *number(value, unit), settles=letter, node=node, value=value, unit=unit,
+                                              joined=bool(lines)))
+                about.know(about.letter(letter), value)
+                matrix = {(0, 0): about.letter(letter)}
+            found.append(matrix)
+        return lines, found
 
     def _driven(self, turning):
         """Is something driven, but for frames that turn steadily?"""
@@ -132,20 +157,21 @@ class Derivation:
         return self.sheet.write(Name(letter), " = ", *several, " = " * bool(several), node, *why, settles=letter,
                                 node=node, uses=[*uses, rest])
 
-    def _lagrange(self, M, C, G, K, uses, driven=None) -> SmallEquations:
+    def _lagrange(self, M, C, G, K, uses, driven=None, at_once=False) -> SmallEquations:
         drive = drive_of(self.problem)
         lines = []
         for i, name in enumerate(self.names):
             if len(self.names) == 1:
-                self._derivatives(i, name, M, C, K, uses, driven)
+                self._derivatives(i, name, M, C, K, uses, driven, at_once)
             node = left(self.scene, (M, C, G, K), i)
             head = () if len(self.names) == 1 else (Name(name), Words(":  "))
             lines.append(self.sheet.write(*head, node, " = ", drive.get(i, self.scene.table.zero),
                                           settles=f"equation[{name}]", node=node, uses=uses))
         return SmallEquations(M, C, G, K, drive, lines)
 
-    def _derivatives(self, i, name, M, C, K, uses, driven):
-        """∂T/∂q̇, its rate, ∂V/∂q and ∂Φ/∂q̇ of one degree of freedom; `driven`: T, V and Φ of one that is."""
+    def _derivatives(self, i, name, M, C, K, uses, driven, at_once):
+        """∂T/∂q̇, its rate, ∂V/∂q and ∂Φ/∂q̇ of one degree of freedom, those of V and Φ in the same line where
+        `at_once`; `driven`: T, V and Φ of one that is."""
         scene = self.scene
         if driven is None:
             p, change, spring, damper = (row(scene, matrix, i, symbols) for matrix, symbols in (
@@ -158,4 +184,4 @@ class Derivation:
         if M:
             self.sheet.write(*momentum(self.sheet, name, p, change, "0"), uses=uses)
         damped = [Words(",  "), *slope_by(self.sheet, "Phi", name + "'"), " = ", damper] if C else []
-        self.sheet.write(*slope_by(self.sheet, "V", name), " = ", spring, *damped, uses=uses)
+        self.sheet.write(*slope_by(self.sheet, "V", name), " = ", spring, *damped, uses=uses, joined=at_once)
