@@ -83,9 +83,8 @@ def _still(configuration: "Configuration", signal: "SignalName", given: MemberIn
     kept = inputs if modal.member_damping is None else None
     system = MemberSystem(dynamic_matrix(elements, pieces, size, spread_inputs(configuration, given.weights), kept),
                           inputs, given, output)
-    if modal.poles_of_responses is None:
-        modal.poles_of_responses = _of_scene(modal, kept)
-    return MemberTransfer(system, Marks(modal, system.shared(), modal.poles_of_responses), order)
+    poles = modal.once("poles of responses", lambda: _of_scene(modal, kept))
+    return MemberTransfer(system, Marks(modal, system.shared(), poles), order)
 
 
 def _of_scene(modal, kept):

@@ -39,11 +39,16 @@ class ModalAnalysis:
         self.numeric, self.system, self.spec = configuration.numeric, configuration.system, configuration.spec
         self.work, self.costs = configuration.work, configuration.costs
         self._results, self._scales, self._fields = {}, {}, {}
-        self.poles_of_responses: Any = None     # a MemberTransfer, once one of members has been asked for
 
     @cached_property
     def scene(self) -> "Scene":
         return self.system.scene
+
+    def once(self, what: str, find: Callable[[], Any]) -> Any:
+        """What `find()` gives, found once of these modes."""
+        if what not in self._results:
+            self._results[what] = find()
+        return self._results[what]
 
     @Stage
     def modes(self) -> Modes:
