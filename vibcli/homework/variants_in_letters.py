@@ -53,7 +53,7 @@ class _Expressions:
     """What was found of a Problem in letters, to be put in at other values."""
 
     def __init__(self, problem: "Problem"):
-        self.problem, self.others = problem, OtherValues(problem)
+        self.problem, self.others = problem, OtherValues(problem, in_letters=True)
         self._at_drawn: list[tuple[float, float] | None] = []
 
     def at(self, values: "Mapping[str, GivenValue]") -> "Problem | None":

@@ -37,7 +37,7 @@ class WorkedVariants:
                 return found
         self.alone += 1
         problem = self._document.anew(values)
-        others = OtherValues(problem)
+        others = OtherValues(problem, in_letters=True)
         if len(self._told) < MOST and others.shares:
             self._told.append(others)
         return worked(problem)

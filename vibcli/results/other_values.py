@@ -46,10 +46,11 @@ class _Values(NamedTuple):
 
 
 class OtherValues:
-    """The Problems of a scene at other values, that share its derivation."""
+    """The Problems of a scene at other values, that share its derivation; `in_letters`: where letters stay, too, for
+    who then looks whether all is written alike."""
 
-    def __init__(self, problem: Problem):
-        self.problem, self._decisions = problem, Decisions()
+    def __init__(self, problem: Problem, in_letters: bool = False):
+        self.problem, self._decisions, self._in_letters = problem, Decisions(), in_letters
         self._systems = problem.system, MechanicalSystem(problem.spec, watched=self._decisions.watched)
         self._opened: dict[str, tuple | None] = {}
 
@@ -114,10 +115,16 @@ class OtherValues:
         try:
             found, watched = map(parts, self._systems)
             scenes = zip(forms(found), forms(watched), strict=True)
-            alike = all(_closed_form(one[0]) and structure(*one) == structure(*other) for one, other in scenes)
+            alike = all(self._closed_form(one[0]) and structure(*one) == structure(*other) for one, other in scenes)
         except (SpecError, PhysicsError, ArithmeticError, TypeError, ValueError):
             return None
         return found if alike else None
+
+    def _closed_form(self, scene):
+        """Is a scene nothing but expressions of its parameters?"""
+        table = scene.table
+        return not (table.functions or table.records or table.definitions or
+                    (scene.parameters.free and not self._in_letters))
 
 
 def _shareable(spec):
@@ -129,12 +136,6 @@ def _parts(system):
     if system.settled is not None and not statics_tells(system.settled.configuration.scene):
         raise PhysicsError("a search finds the tensions of members")
     return {"settled": None} | {part: getattr(system, part) for part in PARTS}
-
-
-def _closed_form(scene):
-    """Is a scene nothing but expressions of its parameters?"""
-    table = scene.table
-    return not (table.functions or table.records or table.definitions)
 
 
 def _with(spec, settings):
