@@ -60,10 +60,11 @@ def check(problem: "Problem", root: "Mapping | None" = None) -> list[Verdict]:
 
 
 def verdicts_of(problem: "Problem", answers: "Iterable[Answer]", case: str | None = None,
-                root: "Mapping | None" = None, remarks: bool = True) -> list[Verdict]:
+                root: "Mapping | None" = None, remarks: bool = True,
+                instances: Instances | None = None) -> list[Verdict]:
     """The Verdicts of some answers of a scene, or of a case of it; root: its document, that of the case; remarks: with
-    the known mistakes that lead to what differs."""
-    instances = Instances(problem)
+    the known mistakes that lead to what differs; instances: those of the scene, where they are known."""
+    instances = instances or Instances(problem)
     return [_verdict(instances, answer, case, root, remarks) for answer in answers]
 
 

@@ -4,6 +4,8 @@ from collections.abc import Iterable
 from hashlib import blake2b
 from typing import TYPE_CHECKING
 
+from vibcli.homework.variants_in_letters import VariantsInLetters
+from vibcli.reader.variants import stays_in_letters
 from vibcli.results.variants import Place, Variants
 
 if TYPE_CHECKING:
@@ -17,6 +19,8 @@ def candidates(problem: "Problem", rules: "VariantRules", settle: "Callable[[Pro
                places: Iterable[Place] | None = None) -> Variants:
     """The Variants of a scene over the grid of its rules, or at some places of it."""
     wanted = sampled(rules) if places is None else list(places)
+    if not problem.spec.choices and stays_in_letters(problem.spec, rules.axes):
+        return VariantsInLetters(problem, rules.axes, settle, wanted)
     return Variants(problem, rules.axes, settle, wanted)
 
 

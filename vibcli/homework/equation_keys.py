@@ -100,7 +100,7 @@ class EquationKey(AnswerKey):
         except (SpecError, PhysicsError):
             return None
 
-    def equal(self, problem: "Problem", found: "Terms", wrong: "Sequence[Terms]") -> list[bool]:
+    def equal(self, problem: "Problem", found: "Terms", wrong: "Sequence[Terms]", instances: Any = None) -> list[bool]:
         """Does each of what mistakes give equal the key?"""
         return [alike(found, one, ROUTES) for one in wrong]
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.base.named_tuple import NamedTuple
+from vibcli.check.instances import Instances
 from vibcli.check.verdicts import expected_node, verdicts_of
 from vibcli.homework.gates import Wrong
 from vibcli.homework.in_letters import answer_of, expression_of, put_in, text_in_letters, text_of_node
@@ -136,10 +137,11 @@ class FormulaKey(AnswerKey):
         text = f"{factor}*({found})^({power})"
         return language(expected_node(scene, answer_of(text, scene.spec, self.asked)))
 
-    def equal(self, problem: "Problem", found: str, wrong: Sequence[str]) -> list[bool]:
+    def equal(self, problem: "Problem", found: str, wrong: Sequence[str],
+              instances: Instances | None = None) -> list[bool]:
         """Does each of what mistakes give equal the key? RuntimeError, a fault of ours, where this is not what numbers
         in place of the letters give."""
-        agree = self.agree(problem, [found, *wrong])
+        agree = self.agree(problem, [found, *wrong], instances)
         if not agree[0]:
             raise self._differs(found)
         return agree[1:]
@@ -161,18 +163,20 @@ class FormulaKey(AnswerKey):
         if not self.agree(fresh, [one.text])[0]:
             raise self._differs(f"{one.text} at {at}")
 
-    def agree(self, problem: "Problem", texts: Sequence[str]) -> list[bool]:
+    def agree(self, problem: "Problem", texts: Sequence[str], instances: Instances | None = None) -> list[bool]:
         """Does each text equal what is asked?"""
-        return agreements(problem, [(self.asked, answer_of(text, problem.spec, self.asked)) for text in texts])
+        return agreements(problem, [(self.asked, answer_of(text, problem.spec, self.asked)) for text in texts],
+                          instances)
 
     def _differs(self, found):
         return RuntimeError(f"two ways to {self.text} differ: numbers in place of the letters do not give {found}")
 
 
-def agreements(problem: "Problem", pairs: "Iterable[tuple[Expression, Expression]]") -> list[bool]:
+def agreements(problem: "Problem", pairs: "Iterable[tuple[Expression, Expression]]",
+               instances: Instances | None = None) -> list[bool]:
     """Does each expected expression equal what is asked, as `check` compares them? Sure alone counts."""
     answers = [Answer(asked, expected, None) for asked, expected in pairs]
-    return [one.agrees is True for one in verdicts_of(problem, answers, remarks=False)]
+    return [one.agrees is True for one in verdicts_of(problem, answers, remarks=False, instances=instances)]
 
 
 def _factor(number):

@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from vibcli.base.errors import NotInLetters, Where
+from vibcli.base.errors import NotInLetters, PhysicsError, Where
 from vibcli.inverse.letters import expression_in_letters, state_function
 from vibcli.language.document.nodes import Scalar
 from vibcli.language.reader import Expression
@@ -22,9 +22,21 @@ AN_EQUATION = "m*x'' + k*x = 0"
 
 def node_in_letters(problem: "Problem", asked: Expression) -> "Node":
     """What is asked, as an expression of letters, of an equation its left side; NotInLetters where there is none."""
-    of_state = kind_of(problem.spec, asked.tree) in OF_STATE
-    node = state_function(problem, asked.tree) if of_state else expression_in_letters(problem, asked)
-    return put_in(problem, node)
+    if asked.text not in problem.lettered:
+        problem.lettered[asked.text] = asked, _derived(problem, asked)
+    _, found = problem.lettered[asked.text]
+    if isinstance(found, PhysicsError):
+        raise found
+    return put_in(problem, found)
+
+
+def _derived(problem, asked):
+    """The node of what is asked, with letters for all parameters, or why there is none."""
+    try:
+        of_state = kind_of(problem.spec, asked.tree) in OF_STATE
+        return state_function(problem, asked.tree) if of_state else expression_in_letters(problem, asked)
+    except PhysicsError as refusal:
+        return refusal
 
 
 def put_in(problem: "Problem", node: "Node") -> "Node":

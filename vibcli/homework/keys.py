@@ -127,8 +127,8 @@ class AnswerKey(NamedTuple):
         except (SpecError, PhysicsError):
             return None
 
-    def equal(self, problem: "Problem", found: Any, wrong: Sequence[Any]) -> list[bool]:
-        """Does each of what mistakes give equal the key?"""
+    def equal(self, problem: "Problem", found: Any, wrong: Sequence[Any], instances: Any = None) -> list[bool]:
+        """Does each of what mistakes give equal the key? instances: the Instances of a scene in letters."""
         return [is_same(found[0], one) for one in wrong]
 
     def is_mistaken_so(self, problem: "Problem", one: Any, wrong: Any, again: Any) -> bool:

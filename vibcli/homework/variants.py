@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.base.named_tuple import NamedTuple
+from vibcli.check.instances import Instances
 from vibcli.homework.asked_keys import key_of
 from vibcli.homework.bands import KeyBand
 from vibcli.homework.candidates import candidates
@@ -194,9 +195,10 @@ def _equal(keys, solved) -> "dict[Place, set[tuple[str, str]]]":
     found = {}
     for place, one in solved.items():
         found[place] = here = set()
+        instances = None if one.problem is None else Instances(one.problem)
         for i, key in enumerate(keys):
             given = {name: values[i] for name, values in one.wrong.items() if values[i] is not None}
-            flags = key.equal(one.problem, one.found[i], list(given.values()))
+            flags = key.equal(one.problem, one.found[i], list(given.values()), instances)
             here.update((name, key.text) for name, flag in zip(given, flags, strict=True) if flag)
     return found
 

@@ -37,16 +37,15 @@ class WorkedVariants:
                 return found
         self.alone += 1
         problem = self._document.anew(values)
-        lines = worked(problem)
-        others = OtherValues(problem)
+        others = OtherValues(problem, in_letters=True)
         if len(self._told) < MOST and others.shares:
             self._told.append(others)
-        return lines
+        return worked(problem)
 
     def _along(self, one, values):
         """The lines by the expressions of a variant that was told; None where they would be written otherwise."""
         problem = one.at(settings_of(values))
-        if problem is None:
+        if problem is None or not one.written_alike(problem):
             return None
         lines = worked(problem)
         return lines if one.written_alike(problem) else None

@@ -137,12 +137,24 @@ class ConditionSystem:
     def settle_scales(self, places: Sequence[list[float]]) -> None:
         """Where one side is zero at each place, this one or that, as of one force that turns round, the misfit is
         relative to the usual size of the other."""
-        found = [measured for measured in map(self.measured, places) if measured is not None]
+        found = []
+        for measured in map(self.measured, places):
+            if measured is not None:
+                found.append(measured)
+            if found and self._is_plain and all(pairs and pairs[0][0] and pairs[0][1] for pairs in found[-1]):
+                return
         for i in range(len(self.conditions)):
             pairs = [measured[i][0] for measured in found if measured[i]]
             if pairs and not any(left and right for left, right in pairs):
                 sizes = sorted(abs(left) + abs(right) for left, right in pairs)
                 self.scales[i] = sizes[len(sizes) // 2]
+
+    @property
+    def _is_plain(self):
+        """Are all conditions equations of quantities where the scene rests as it is drawn, so that nothing else is
+        learnt where they are measured?"""
+        return not any(one.word for one in self.conditions) and (
+            self.problem.system.is_linear or self.problem.symbolic.balanced_as_drawn)
 
     def residual(self, values: Sequence[Fraction]) -> float:
         """The largest misfit in a scene built anew with these values; PhysicsError where it has no such answer."""

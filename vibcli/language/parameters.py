@@ -12,7 +12,7 @@ from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.literals import LARGEST, RANGE, SMALLEST
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.rationals import bits
-from vibcli.symbolic.semantics import literal_unit, lower
+from vibcli.symbolic.semantics import is_factor, literal_unit, lower
 from vibcli.symbolic.syntax import Call, ExpressionError, Number, Power, Product, Sum, whole_literal
 
 if TYPE_CHECKING:
@@ -27,13 +27,15 @@ if TYPE_CHECKING:
 WIDEST = 4096       # bits
 
 
-def alike(record: Record, tree: Any, scalar: Any) -> Record | None:
+def alike(record: Record, tree: Any, scalar: Any, free_numbers: bool | str = False) -> Record | None:
     """The Record of a parameter with another literal of the same sign and kind of unit, so that nothing else of the
-    scene is read otherwise; None where that is not so."""
+    scene is read otherwise; None where that is not so. free_numbers: as in a DimensionCheck of the scene."""
     if "value" not in record:
         return None
     was, (tree, scalar) = record["value"].tree, _in_unit(record, tree, scalar)
     if not all(isinstance(one, Number) and one.value > 0 for one in (was, tree)) or _kind(was) != _kind(tree):
+        return None
+    if free_numbers and is_factor(was, free_numbers) != is_factor(tree, free_numbers):
         return None
     value = Expression(scalar, tree, record["value"].unit, record["value"].dimension)
     return record.with_values({**record, "value": value})

@@ -61,7 +61,7 @@ def _differs(one):
 def _under(system, tensions):
     """The Configuration under {member: [N of each piece]}."""
     exact = {name: [Fraction(x) for x in pieces] for name, pieces in tensions.items()}
-    return Configuration(NumericSystem(type(system)(system.spec, system.given, system.work, tensions=exact)))
+    return Configuration(NumericSystem(system.under(exact)))
 
 
 def _search(system, first, open_ones):

@@ -41,6 +41,10 @@ class MechanicalSystem:
         """The same scene drawn anew with these values alone for its symbols."""
         return MechanicalSystem(self.spec, given, self.work, self.released)
 
+    def under(self, tensions: "Mapping[str, list[Fraction]]") -> "MechanicalSystem":
+        """The same scene under tensions of its members."""
+        return MechanicalSystem(self.spec, self.given, self.work, tensions=tensions, watched=self._watched)
+
     @cached_property
     def preloaded(self) -> "MechanicalSystem | None":
         """The system under the force that lets go at t = 0; None where none does."""

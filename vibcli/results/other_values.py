@@ -20,6 +20,7 @@ from vibcli.mechanics.numeric_system import NumericSystem
 from vibcli.mechanics.system import MechanicalSystem
 from vibcli.results.problem import Problem
 from vibcli.results.variants import structure
+from vibcli.scene.member_tensions import statics_tells
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.watched_numbers import Decisions
 
@@ -45,10 +46,11 @@ class _Values(NamedTuple):
 
 
 class OtherValues:
-    """The Problems of a scene at other values, that share its derivation."""
+    """The Problems of a scene at other values, that share its derivation; `in_letters`: where letters stay, too, for
+    who then looks whether all is written alike."""
 
-    def __init__(self, problem: Problem):
-        self.problem, self._decisions = problem, Decisions()
+    def __init__(self, problem: Problem, in_letters: bool = False):
+        self.problem, self._decisions, self._in_letters = problem, Decisions(), in_letters
         self._systems = problem.system, MechanicalSystem(problem.spec, watched=self._decisions.watched)
         self._opened: dict[str, tuple | None] = {}
 
@@ -69,7 +71,7 @@ class OtherValues:
     def written_alike(self, problem: Problem) -> bool:
         """Is each R − r that was written until now, in the scene or what followed, written so at the values of one of
         the Problems, too?"""
-        values, signs = problem.numeric.floats, self.problem.scene.table.signs
+        values, signs = problem.scene.sample, self.problem.scene.table.signs
         return all(signs[total] == (value < 0) for total, value in _known_of(signs, values))
 
     def _values(self, settings):
@@ -79,7 +81,7 @@ class OtherValues:
             return None
         parameters = Parameters(spec, scene.table, scene.parameters, settings.keys() & spec.parameters.keys())
         try:
-            sample = parameters.values(Floats)
+            sample = parameters.values(Floats, {name: scene.sample[name] for name in parameters.free})
         except SpecError:
             return None
         changed = frozenset(name for name, value in sample.items() if value != scene.sample[name])
@@ -95,8 +97,7 @@ class OtherValues:
         """{part: what it is} of what is shared; None where nothing can be."""
         if not _shareable(self.problem.spec):
             return None
-        return self._both(lambda system: {part: getattr(system, part) for part in PARTS},
-                          lambda known: [(known["scene"], known["linearisation"])])
+        return self._both(_parts, lambda known: [(known["scene"], known["linearisation"])])
 
     def _shared(self, values, part):
         """(scene, Linearisation, that without excitation) of a scene with what drives it as coordinates; None where it
@@ -114,28 +115,34 @@ class OtherValues:
         try:
             found, watched = map(parts, self._systems)
             scenes = zip(forms(found), forms(watched), strict=True)
-            alike = all(_closed_form(one[0]) and structure(*one) == structure(*other) for one, other in scenes)
+            alike = all(self._closed_form(one[0]) and structure(*one) == structure(*other) for one, other in scenes)
         except (SpecError, PhysicsError, ArithmeticError, TypeError, ValueError):
             return None
         return found if alike else None
 
+    def _closed_form(self, scene):
+        """Is a scene nothing but expressions of its parameters?"""
+        table = scene.table
+        return not (table.functions or table.records or table.definitions or
+                    (scene.parameters.free and not self._in_letters))
+
 
 def _shareable(spec):
-    return not any(one.choices or one.free_numbers or one.members for one in (spec, *spec.cases.values()))
+    return not any(one.choices for one in (spec, *spec.cases.values()))
 
 
-def _closed_form(scene):
-    """Is a scene nothing but expressions of its parameters?"""
-    table = scene.table
-    return scene.loops is None and not (scene.pieces or scene.parameters.free or table.functions or table.records
-                                        or table.definitions)
+def _parts(system):
+    """{part: what it is} of a system as it was read; None where a search finds the tensions under which it rests."""
+    if system.settled is not None and not statics_tells(system.settled.configuration.scene):
+        raise PhysicsError("a search finds the tensions of members")
+    return {"settled": None} | {part: getattr(system, part) for part in PARTS}
 
 
 def _with(spec, settings):
     """The Spec with other values, in its cases too; None where it would be read otherwise."""
     parameters = dict(spec.parameters)
     for name in settings.keys() & parameters.keys():
-        found = alike(parameters[name], *settings[name])
+        found = alike(parameters[name], *settings[name], spec.free_numbers)
         if found is None:
             return None
         parameters[name] = found

@@ -63,6 +63,7 @@ class Problem:
         self.digits = digits
         self._cases, self._curves, self._limits = {}, {}, {}
         self.measured: dict[str, tuple[float, float]] = {}     # {quantity as it is written: (value, error)}
+        self.lettered: dict[str, tuple[Any, Any]] = {}         # {the same: (its Expression, its node or why none)}
 
     @cached_property
     def scene(self) -> "Scene":

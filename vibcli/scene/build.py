@@ -41,7 +41,7 @@ def _drawn(spec, given, start, variant, watched=None):
     """The Scene of the first attempt in which the drawing fits together."""
     for attempt in range(start, start + ATTEMPTS):
         try:
-            builder = Builder(spec, given, attempt, variant, _tensions(spec, given, attempt, variant),
+            builder = Builder(spec, given, attempt, variant, _tensions(spec, given, attempt, variant, watched),
                               watched)
         except SpecError:   # a parameter that this sample leaves without value
             if attempt == start + ATTEMPTS - 1:
@@ -59,13 +59,13 @@ def _drawn(spec, given, start, variant, watched=None):
     return scene
 
 
-def _tensions(spec, given, attempt, variant):
+def _tensions(spec, given, attempt, variant, watched):
     """{name: tension of each piece} of the beams and strings in the plane, as statics finds it; empty where none is."""
     if variant.stretched or not has_tensions(spec):
         return {}
     from vibcli.scene.member_tensions import tensions, under
 
-    found = tensions(_drawn(spec, given, attempt, Variant(multipliers=True, stretched=True)))
+    found = tensions(_drawn(spec, given, attempt, Variant(multipliers=True, stretched=True), watched))
     return under(found, variant.tensions) if variant.tensions else found
 
 

@@ -4,11 +4,12 @@ A step from a known position is taken whole where Newton's steps contract fast, 
 keeps its sign. So a linkage does not jump from one way of closing to another, nor pass a dead centre.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression_graph import reachable
 
 if TYPE_CHECKING:
     import mpmath
@@ -21,19 +22,25 @@ ALONG = 1e-14       # of its size: what is left of a step
 
 
 class Loops:
-    """Conditions G = 0 in the plain symbols of coordinates, unknowns z, slopes ∂G/∂z, and the size of each unknown."""
+    """Conditions G = 0 in the plain symbols of coordinates, unknowns z, slopes ∂G/∂z in one list, row by row, and the
+    size of each unknown."""
 
-    __slots__ = ("conditions", "names", "sizes", "slopes")
+    __slots__ = ("_used", "conditions", "names", "sizes", "slopes")
 
-    def __init__(self, unknowns: "Sequence[Node]", conditions: "Sequence[Node]", partial: "Sequence[list[Node]]",
+    def __init__(self, names: Sequence[str], conditions: "Sequence[Node]", slopes: "Sequence[Node]",
                  sizes: Sequence[float]):
-        self.names, self.conditions, self.sizes = [z.name for z in unknowns], conditions, sizes
-        self.slopes = [node for row in partial for node in row[:len(unknowns)]]
+        self.names, self.conditions, self.slopes, self.sizes = list(names), conditions, slopes, sizes
+        self._used = {node.name for node in reachable([*conditions, *slopes]) if node.op == "symbol"}
+
+    def with_sizes(self, unit_of: "Callable[[str], float]") -> "Loops":
+        """The same with other sizes, unit_of(unknown)."""
+        return Loops(self.names, self.conditions, self.slopes, list(map(unit_of, self.names)))
 
     def followed(self, start: Mapping[str, float], target: Mapping[str, float]) -> dict[str, float]:
         """{name: float} of `target` ({name: float}) with z, along the straight path from the position `start`; None
         where the loops cannot follow. What `start` leaves open, as a drawn position that is driven away from at once,
         is closed on the way."""
+        start, target = self._in_floats(start), self._in_floats(target)
         n, gaps = len(self.names), evaluate(self.conditions, Floats, start)
         moving = [name for name in target if name not in self.names and target[name] != start.get(name, target[name])]
         here, done, step, sense = dict(start), 0.0, 1.0, self._sense(start)
@@ -52,6 +59,10 @@ class Loops:
             return here
         polished = {**target, **{name: here[name] for name in self.names}}
         return polished if self._closed(polished, n) else None
+
+    def _in_floats(self, values):
+        """The values with those on which the conditions hang taken as they are."""
+        return {name: float(value) if name in self._used else value for name, value in values.items()}
 
     def _sense(self, values):
         """The sign of det ∂G/∂z: it changes where the loops are singular."""
@@ -77,7 +88,7 @@ class Loops:
                 return False
             for name, change in zip(self.names, step, strict=True):
                 values[name] += float(change)
-            size = float(np.max(np.abs(step) / self.sizes))
+            size = float(np.max(np.abs(step) / np.array(self.sizes, float)))
             if size <= 1e-16:
                 return True
             if before is not None and size > CONTRACTION * before:

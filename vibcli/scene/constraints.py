@@ -166,7 +166,8 @@ def _implicit(scene, nodes, waiting, values, left, at_rest):
     for other, node in values.items():
         values[other] = substitute([node], symbols)[0]
     values.update(symbols)
-    return Loops(waiting, nodes, partial, [scene.unit_of(z.name) for z in waiting])
+    return Loops([z.name for z in waiting], nodes, [node for row in partial for node in row[:len(waiting)]],
+                 [scene.unit_of(z.name) for z in waiting])
 
 
 def solved(rows: "Sequence[list[Node]]", n: int, numbers: Callable) -> "list[list[Node]]":

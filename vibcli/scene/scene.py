@@ -117,8 +117,12 @@ class Scene:
         """The same by its expressions with other values, at which all would be drawn alike."""
         setting = self.setting._replace(spec=spec, parameters=parameters, sample=sample,
                                         draw=partial(self.setting.draw.func, spec, {}))
-        return self.with_parts(setting=setting,
-                               still=self.still and self.still.with_other_values(spec, parameters, sample))
+        found = self.with_parts(setting=setting,
+                                still=self.still and self.still.with_other_values(spec, parameters, sample))
+        if self.loops is None:
+            return found
+        loops = self.loops.with_sizes(found.unit_of)
+        return found.with_parts(closure=Closure(loops, self.dependent, self.freedom))
 
     def replaced(self, values: Any, **parts: Any) -> "Scene":
         """With other parts, and symbols replaced in every expression, {symbol: node}."""

@@ -24,6 +24,11 @@ def literal_unit(chain: Sequence[UnitPower]) -> "Unit":
     return units.combine(tuple((name, power) for name, power, _, _ in chain))
 
 
+def is_factor(tree: Any, free_numbers: bool | str) -> bool:
+    """Is a bare number of a scene without units a factor, and no quantity?"""
+    return tree.value < 10 and tree.value.denominator == 1 and free_numbers != ALL_NUMBERS
+
+
 class DimensionCheck(NamedTuple):
     """The dimension of trees, given `of(name, primes)`, that of a name, and `quantity(tree)`, that of a quantity (None:
     any); every misfit is raised as an ExpressionError, which quotes the text. `free_numbers`: the scene uses no units
@@ -45,8 +50,7 @@ class DimensionCheck(NamedTuple):
     def _number(self, tree):
         if tree.units:
             return literal_unit(tree.units).dimension
-        small = tree.value < 10 and tree.value.denominator == 1 and self.free_numbers != ALL_NUMBERS
-        if not tree.value or (self.free_numbers and not small):
+        if not tree.value or (self.free_numbers and not is_factor(tree, self.free_numbers)):
             return ANY
         return units.NONE
 

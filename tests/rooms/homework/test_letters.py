@@ -8,6 +8,8 @@ import pytest
 
 from vibcli.api.source import problem_of, text_source
 from vibcli.cli import run
+from vibcli.homework.asked_keys import key_of
+from vibcli.homework.candidates import candidates
 from vibcli.homework.document import SceneDocument
 from vibcli.homework.formula_keys import FormulaKey
 from vibcli.homework.gates import Wrong
@@ -17,6 +19,11 @@ from vibcli.homework.marked_expressions import typed
 from vibcli.homework.marks import Marker
 from vibcli.homework.terms import alike
 from vibcli.homework.variants import read_anew, solve_variants
+from vibcli.homework.worked_variants import WorkedVariants
+from vibcli.report.blocks import Document
+from vibcli.report.formats.typst import render
+from vibcli.report.sections.steps import section_of
+from vibcli.report.steps.worked import worked
 
 ROD = """title: A rod on a spring
 question: A rod of mass {m} hangs from a pin; a spring {k} acts at {a} from it, and the rod is {n} times as long.
@@ -72,6 +79,44 @@ def test_expressions_are_those_of_the_closed_form():
                 assert number(given[name], m=m, k=k, a=a) == pytest.approx(value, rel=1e-12), name
         assert equation.text.endswith(" = 0") and "n" not in equation.text
         assert omega.figures == "exact"
+
+
+BLOCKS = """title: Two blocks apart
+question: Blocks of mass {m}, one on a spring {k}, the other, {r} times as heavy, on one {s} times as stiff.
+parameters: {m: , k: , r: 2, s: 3}
+bodies: {one: {mass: m, slide: x1}, two: {mass: r*m, slide: x2}}
+springs: {a: {k: k, stretch: x1}, b: {k: s*k, stretch: x2}}
+variants: {parameters: {r: [2, 3, 7], s: [3, 4, 5]}, ask: {"omega[1]": , "equation[x2]": }}
+"""
+
+
+@pytest.mark.parametrize(("text", "least"), [(ROD, 3), (BLOCKS, 7)])
+def test_expressions_are_found_once_and_put_in(text, least):
+    """Where modes change places, s/r < 1 or > 1, they are found anew, and are those of the scene read anew."""
+    source = text_source(text)
+    problem, document = problem_of(source), SceneDocument.of(source.node, source.file, None)
+    rules = problem.spec.get("variants")
+    variants = candidates(problem, rules, lambda one: one)
+    keys = [key_of(problem.spec, one) for one in rules.ask]
+    count = 0
+    for place, scene in variants:
+        fresh = document.anew(variants.values_at(place))
+        found, wanted = ([key.found(one) for key in keys] for one in (scene, fresh))
+        assert found == wanted, place
+        count += 1
+    assert least <= variants.sharing < count
+
+
+def test_worked_solutions_in_letters_go_along_one_path():
+    source = text_source(ROD)
+    document = SceneDocument.of(source.node, source.file, None)
+    lines = WorkedVariants(document)
+    for one in solved(ROD).accepted:
+        fresh = worked(document.anew(one.values))
+        along, anew = (render([Document("", None, (), tuple(section_of(each)))], None)
+                       for each in (lines.lines(one.values), fresh))
+        assert along == anew
+    assert lines.alone == 1
 
 
 def test_a_mistake_that_is_the_key_rejects_and_one_that_always_is_is_left_out():

@@ -11,6 +11,7 @@ from vibcli.check.verdicts import check
 from vibcli.cli import run
 from vibcli.inverse import search, settled
 from vibcli.inverse.admissible_ranges import admissible, natural_scale
+from vibcli.inverse.conditions import ConditionSystem
 from vibcli.language.document.nodes import Scalar
 from vibcli.language.reader import Expression
 from vibcli.notation.scene_language import language
@@ -725,3 +726,14 @@ def test_damping_lowers_the_load_at_which_flutter_begins():
     for c in (0.01, 0.1, 1.0):
         text = scene(ZIEGLER, f"{COLUMN}, c: {c} N*m*s", "P: stability limit", dampers=JOINTS)
         assert values(settled(problem(text)), "P")[0] == pytest.approx(10 * (41 / 28 + c * c / 20), rel=1e-10)
+
+
+def test_scales_are_settled_at_the_first_place_that_tells(monkeypatch):
+    """Where both sides of an equation are there at one place, no other is looked at: one before the search, one at its
+    solution."""
+    places, measure = [], ConditionSystem._measure
+    monkeypatch.setattr(ConditionSystem, "_measure", lambda self, one: places.append(one) or measure(self, one))
+    found = settled(problem(
+        "parameters: {m: 2 kg, k: 800 N/m, c: }\nbodies: {b: {mass: m, slide: x}}\nsprings: {s: {k: k, stretch: x}}\n"
+        "dampers: {d: {c: c, stretch: x}}\nchoose: {c: \"zeta[1] = 0.1\"}\n"))
+    assert found.choice.value("c", 1) == 8.0 and len(places) == 2
