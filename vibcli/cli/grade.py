@@ -154,10 +154,11 @@ def _shown(marks: "Sequence[AnswerMark]") -> str:
 
 def _off(one):
     """How far a wrong number lies from its key, and how far it may; '' of others."""
+    from vibcli.notation.as_printed import as_printed
     from vibcli.notation.numbers import figure
 
     if one.off is None or abs(one.off) <= one.band:
         return ""
     texts = [(figure(abs(one.off), digits=digits), figure(one.band, digits=digits)) for digits in DIGITS]
     off, band = next((pair for pair in texts if pair[0] != pair[1]), texts[-1])
-    return f"off by {'−' if one.off < 0 else '+'}{off} {one.unit}".rstrip() + f", allowed ± {band}"
+    return f"off by {'−' if one.off < 0 else '+'}{off} {as_printed(one.unit)}".rstrip() + f", allowed ± {band}"
