@@ -8,6 +8,7 @@ from vibcli.base.spelling import nearest
 from vibcli.homework import MISSING, RIGHT, UNREADABLE, WRONG
 from vibcli.homework.given_answers import GivenAnswer, read_answer
 from vibcli.homework.reasons import of_number
+from vibcli.notation.as_printed import as_printed
 from vibcli.notation.numbers import figure
 
 if TYPE_CHECKING:
@@ -43,7 +44,7 @@ class AnswerMark(NamedTuple):
             return ""
         texts = [(figure(abs(self.off), digits=digits), figure(self.band, digits=digits)) for digits in DIGITS]
         off, band = next((pair for pair in texts if pair[0] != pair[1]), texts[-1])
-        return f"off by {'−' if self.off < 0 else '+'}{off} {self.unit}".rstrip() + f", allowed ± {band}"
+        return f"off by {'−' if self.off < 0 else '+'}{off} {as_printed(self.unit)}".rstrip() + f", allowed ± {band}"
 
 
 class Marker:

@@ -7,7 +7,9 @@ from support.scenes import kept_problem_of
 
 from vibcli.homework.wording import question_in_words, signal_in_words
 from vibcli.notation.as_printed import as_printed
+from vibcli.report.blocks import Document
 from vibcli.report.document import Report
+from vibcli.report.formats import html, typst
 
 PROBLEMS = Path(__file__).parents[3] / "problems"
 
@@ -28,6 +30,11 @@ def test_letters_of_a_question_are_greek_and_its_values_unbroken():
     assert len(found) == len(whole) and "Y sin(Ω t), Y = " in "".join(found) and "Omega" not in "".join(found)
     values = [(one, other) for one, other in zip(whole, found, strict=True) if "\N{NO-BREAK SPACE}" in other]
     assert len(values) >= 4 and all(one == other.replace("\N{NO-BREAK SPACE}", " ") for one, other in values)
+
+
+def test_what_is_unbroken_stays_so_in_print():
+    assert typst.escaped("a film 0.05\N{NO-BREAK SPACE}N·s/m *") == "a film 0.05~N·s/m \\*"
+    assert "0.05\N{NO-BREAK SPACE}N·s/m" in html.render([Document("a", None, ("0.05\N{NO-BREAK SPACE}N·s/m",), ())])
 
 
 def test_micro():
