@@ -31,6 +31,13 @@ PULLED = f"""
 parameters: {{L: 1 m, N: 5 kN}}
 beams: {{b: {{length: L, {BEAM}, left: clamped, preload: N}}}}
 """
+CART = f"""
+parameters: {{L: 1 m, M: 2 kg, k: 3 kN/m}}
+bodies: {{cart: {{mass: M, slide: PLACE}}}}
+springs: {{s: {{between: [ground, cart], k: k}}}}
+beams: {{mast: {{length: L, {BEAM}, left: clamped, right: {{pinned: cart}}}}}}
+"""                             # where the body moves by x the place along the mast is another letter
+ITS_PLACE = CART.replace("PLACE", "x")
 BAR = """
 points: {tip: {body: rod, at: 2 m}}
 springs: {above: {k: 200 N/m, between: [tip, [2 m, 3 m]]}, beyond: {k: 50 N/m, between: [tip, [5 m, 0]]}}
@@ -53,6 +60,10 @@ bars: {rod: {from: [0, 0], to: [2 m, 0], EA: 500 N, mass_per_length: 2 kg/m, lef
                "T = ½·∫μ·(∂u/∂t)²·dx"]),
     (HELD, ["at x = L/2: [1000·∂³u/∂x³] = −1000·∂³u/∂x³ of arm at x = 0, "
             "[1000·∂²u/∂x²] = −1000·∂²u/∂x² of arm at x = 0"]),
+    (ITS_PLACE, ["1000·∂⁴u/∂ξ⁴ + 3·∂²u/∂t² = 0", "at ξ = 0: u = 0, ∂u/∂ξ = 0", "at ξ = L: u = x, 1000·∂²u/∂ξ² = 0",
+                 "x: M·ẍ + k·x = 1000·∂³u/∂ξ³ of mast at ξ = L", "½·∫3·(∂u/∂t)²·dξ", "ξ counts from the left end"]),
+    (CART.replace("PLACE", "y"), ["at x = L: u = y, 1000·∂²u/∂x² = 0"]),
+    (ITS_PLACE.replace("L: 1 m", "L: 1 m, xi: {value: 1, unused: allowed}"), ["at s = L: u = x, 1000·∂²u/∂s² = 0"]),
     (PULLED, ["at x = L: 1000·∂³u/∂x³ − N·∂u/∂x = 0, 1000·∂²u/∂x² = 0"]),
 ])
 def test_forces_on_stations_balance(tmp_path, capsys, scene, told):
@@ -63,6 +74,18 @@ def test_forces_on_stations_balance(tmp_path, capsys, scene, told):
     assert not ended.value.code
     printed = " ".join(capsys.readouterr().out.split())
     assert [text for text in told if text not in printed] == []
+
+
+def test_steps_tell_the_place_by_another_letter_than_a_coordinate(tmp_path, capsys):
+    path = tmp_path / "scene.yaml"
+    path.write_text("title: one" + ITS_PLACE + "\nfind: [{modes: 1}]\n")
+    with pytest.raises(SystemExit) as ended:
+        main(["solve", str(path), "--steps"])
+    printed = " ".join(capsys.readouterr().out.split())
+    assert not ended.value.code
+    assert all(text in printed for text in (
+        "u(ξ, t): displacement of mast at ξ, counted from its left end", "motion of an element dξ: ", "X(ξ)·sin(ω·t + ε)",
+        "at ξ = L: u = x", "X = C₁·(cosh βξ − cos βξ) + C₂·(sinh βξ − sin βξ)")) and "∂x" not in printed
 
 
 @pytest.mark.parametrize("more, told", [("", "cos βL = 0"), (", preload: EI/L^2", "cos βL = 0"), (

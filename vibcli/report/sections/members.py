@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.report.blocks import Factor, Heading, Line, Name, Section, Words, equations, line, paragraph, section
+from vibcli.report.place_letter import by_letter, lines_by_letter, place_letter, words_by_letter
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
 
@@ -32,7 +33,7 @@ def member_equations(problem: "Problem") -> Iterator[Section]:
     M, C, _, K = problem.symbolic.discrete_matrices
     blocks: list = []
     own: dict = {}
-    remark = REMARK
+    remark, letter = REMARK, place_letter(scene)
     for name, member in scene.members.items():
         pieces = [piece for piece in form.pieces if piece.owner == name]
         own |= {scene.q.index(node): (member, part) for station in member.stations
@@ -41,11 +42,13 @@ def member_equations(problem: "Problem") -> Iterator[Section]:
             conditions = list(station_conditions(member, form.pieces, (M, C, K), scene))
             if any(part.endswith(RIGHT) for one in conditions for part in one.parts if type(part) is str):
                 remark = REMARK + SIDES
-            blocks += [Heading(f"{name}:"), equations([*differential(pieces, _letter(member)), *conditions])]
+            blocks += [Heading(f"{name}:"), equations(lines_by_letter([
+                *differential(pieces, _letter(member)), *conditions], letter))]
     others = [i for i in range(len(scene.q)) if i not in own]
     if others:
-        blocks += [Heading("what they carry:"), equations(carried(i, form.pieces, (M, C, K), scene) for i in others)]
-    yield from section("Equations of free vibration", *blocks, paragraph(remark, hang=4),
+        blocks += [Heading("what they carry:"), equations(lines_by_letter([
+            carried(i, form.pieces, (M, C, K), scene) for i in others], letter))]
+    yield from section("Equations of free vibration", *blocks, paragraph(words_by_letter(remark, letter), hang=4),
                        paragraph(DAMPED) if problem.spec.get("damping") is not None else None)
 
 
@@ -105,18 +108,17 @@ def frequency_equation(problem: "Problem", _: "Report") -> Iterator[Section]:
     from vibcli.analyses.closed_form.member_frequencies import frequency_equations
 
     found = [one for one in frequency_equations(problem.symbolic) if one is not None]
-    several = len(problem.scene.members) > 1
-    blocks = [equations([*_solved(problem, one, Words(", ".join(one.members)) if several else None),
-                         *_orthogonality(problem, one)]) for one in found]
+    several, letter = len(problem.scene.members) > 1, place_letter(problem.scene)
+    blocks = [equations(lines_by_letter([*_solved(problem, one, Words(", ".join(one.members)) if several else None),
+                                        *_orthogonality(problem, one)], letter)) for one in found]
     undamped = " (of the undamped system)" if _damped(problem) else ""
     yield from section("Frequency equation" + "s" * (len(found) > 1) + undamped, *blocks)
 
 
 def _damped(problem):
     """Does anything damp, which the equation leaves out?"""
-    symbolic = problem.symbolic
-    return bool(symbolic.discrete_matrices[1] or problem.spec.get("damping") is not None or
-                any(not placed.piece.drag.is_zero for placed in symbolic.linearisation.pieces))
+    return bool(problem.symbolic.discrete_matrices[1] or problem.spec.get("damping") is not None or
+                any(not placed.piece.drag.is_zero for placed in problem.symbolic.linearisation.pieces))
 
 
 def _solved(problem, found, label):
@@ -192,7 +194,7 @@ def _frequency(found):
 
 
 def member_energies(problem: "Problem", kind: str) -> list:
-    """What members add to T and V, as integrals along each: parts of a formula, each after a plus."""
+    """What members add to T and V, as integrals along each: parts of a formula."""
     form = problem.symbolic.linearisation if problem.symbolic.linearisable else problem.system.linearisation
 
     def integrand(placed):
@@ -201,14 +203,13 @@ def member_energies(problem: "Problem", kind: str) -> list:
                 "V": [(piece.bending, f"(∂²{u}/∂x²)²"), *((along, f"{x}(∂{u}/∂x)²") for along, x in _tension(placed)),
                       (piece.foundation, f"{u}²")]}[kind]
 
-    found = _integrals(form.pieces, integrand)
+    found, parts = _integrals(form.pieces, integrand), []
     several = len({owner for owner, *_ in found}) > 1
-    parts: list = []
     for owner, inner, where in found:
         long = len(inner) > 3
         parts += [" + ½·∫(" if long else " + ½·∫", *inner, ")·d" if long else "·d", "x",
                   *([Words(f" ({owner})")] if several else []), *where]
-    return parts
+    return list(by_letter(parts, place_letter(problem.scene)))
 
 
 def _integrals(pieces, integrand):

@@ -11,6 +11,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.notation.numbers import figure
 from vibcli.notation.plain import GREEK, lowered
 from vibcli.report.blocks import Factor, Name, WithNumbers, Words
+from vibcli.report.place_letter import by_letter, place_letter
 from vibcli.report.sections.members import SIMPLE, carried, differential, station_conditions
 from vibcli.report.steps.ends import Ends
 from vibcli.report.steps.held import HINT
@@ -47,6 +48,12 @@ class MemberSteps:
 
     def write(self) -> None:
         """Write down all steps."""
+        before, letter = len(self.sheet.steps), place_letter(self.scene)
+        self._write()
+        self.sheet.steps[before:] = [one._replace(parts=by_letter(one.parts, letter))
+                                     for one in self.sheet.steps[before:]]
+
+    def _write(self):
         found = [] if self.scene.loops is not None else frequency_equations(self.problem.symbolic)
         own = {node for member in self.scene.members.values() for station in member.stations
                for node in member.motions(station)}
