@@ -8,6 +8,7 @@ import pytest
 from support.imported import imported, modules
 
 import vibcli
+from vibcli.bench.scenes import TWO_DRIVEN
 
 PACKAGE = Path(vibcli.__file__).parent
 PROBLEMS = PACKAGE.parent / "problems"
@@ -170,6 +171,28 @@ def test_frequencies_of_a_mass_on_a_spring_import_what_they_use(tmp_path):
     assert {room for _, room, *_ in own} <= ROOMS_OF_FREQUENCIES
     assert names & BESIDE_FREQUENCIES == set()
     assert len(own) <= MODULES_OF_FREQUENCIES
+
+
+BESIDE_RESPONSE = {f"vibcli.{name}" for name in (
+    "analyses.excitation.periods", "analyses.excitation.tabulated", "analyses.modal.massless_coordinates",
+    "analyses.transient.single_degree", "analyses.transient.zeros", "mechanics.energies",
+    "mechanics.equilibrium.dry_friction", "mechanics.inputs_outputs.inputs", "mechanics.lagrange", "mechanics.signals",
+    "mechanics.support_forces", "quantities.frequency_response", "report.sections.equations_of_motion",
+    "report.sections.mode_tables", "symbolic.delta_functions")}
+MODULES_OF_MOTIONS = {"response": 216, "frf": 174}      # to be lowered whenever they are fewer
+
+
+@pytest.mark.parametrize("command", MODULES_OF_MOTIONS)
+def test_forced_motions_of_two_masses_import_what_they_use(tmp_path, command):
+    path = tmp_path / "driven.yaml"
+    path.write_text(TWO_DRIVEN)
+    code, names = imported(command, path)
+    assert code == 0
+    assert len([name for name in names if name.startswith("vibcli.")]) <= MODULES_OF_MOTIONS[command]
+    assert not {name.partition(".")[0] for name in names} & {"scipy", "sympy", "matplotlib", "mpmath"}
+    if command == "response":
+        assert names & BESIDE_RESPONSE == set()
+        assert not {name for name in names if name.startswith("vibcli.analyses.frequency_response.")}
 
 
 def test_a_scene_to_start_from_is_a_copied_file():

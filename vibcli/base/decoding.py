@@ -63,7 +63,7 @@ def place(text: Any, index: int, file: str, width: int = 1) -> Where:
 
 def cleaned(text: str) -> str:
     """The text with a stand-in for every control, bidirectional and invisible character; lines stay."""
-    return forbidden().sub(STAND_IN, text).replace("\r", STAND_IN)
+    return (text if prints(text) else forbidden().sub(STAND_IN, text)).replace("\r", STAND_IN)
 
 
 def on_one_line(text: str) -> str:

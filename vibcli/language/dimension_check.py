@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from vibcli.language.spec import Spec
 
 TIMED = ("impulse", "square", "sawtooth")
-_APART = re.compile(r"(?<![\w.])(\d+(?:\.\d+)?(?:[eE][+-]?\d+)?)\s*([*/])\s*$")     # a number and an operator
+APART = r"(?<![\w.])(\d+(?:\.\d+)?(?:[eE][+-]?\d+)?)\s*([*/])\s*$"     # a number and an operator
 UNIT_DUE = "write the unit:"
 NO_NUMBERS = ("nan", "inf", "infinity", "null", "none", "true", "false", "yes", "no", "on", "off")
 
@@ -177,7 +177,7 @@ def _misplaced_unit(expression, name, start, names):
     text = opened(expression.text, start)
     if text is not None:
         return f"unknown name '{name}'", f"units take brackets for exponents alone: write {text}"
-    apart = _APART.search(expression.text, 0, start)
+    apart = re.compile(APART).search(expression.text, 0, start)
     if apart is None or near(name, names):
         return None
     written = f"{apart[1]} {name}" + "^-1" * (apart[2] == "/")

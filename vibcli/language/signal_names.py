@@ -6,7 +6,7 @@ from functools import lru_cache
 from vibcli.base.named_tuple import NamedTuple
 
 LEFT_OF = "⁻"       # behind a place: the value on its left, where it jumps; of signals that the program itself asks for
-_SIGNAL = re.compile(r"([^.'(]*)(?:\.([^'(]*))?('*)(?:\((.+)\))?('*)", re.DOTALL)
+SIGNAL = r"(?s)([^.'(]*)(?:\.([^'(]*))?('*)(?:\((.+)\))?('*)"
 
 
 class SignalName(NamedTuple):
@@ -43,7 +43,7 @@ class SignalName(NamedTuple):
 @lru_cache(maxsize=4096)
 def signal_name(text: str) -> SignalName:
     """The SignalName of a text; primes may stand after the place too, as in the names of velocities."""
-    found = _SIGNAL.fullmatch(text)
+    found = None if text.isidentifier() else re.compile(SIGNAL).fullmatch(text)
     if found is None:
         return SignalName(text)
     name, part, before, place, after = found.groups("")

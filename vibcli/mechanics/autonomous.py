@@ -13,7 +13,6 @@ from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.linearisation import Linearisation, at_position, residual_terms
 from vibcli.mechanics.linearise import expanded_terms, load_at_rest, row_of, without_time
 from vibcli.mechanics.numeric_linearisation import in_numbers
-from vibcli.symbolic.delta_functions import at_impulses
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import collected
@@ -142,7 +141,11 @@ def excitation(scene: "Scene", form: Linearisation, position: "Mapping[Node, Nod
 def _negative(scene, terms):
     """−Σ terms, with f·δ(t − t₁) as f(t₁)·δ(t − t₁)."""
     total = scene.table.sum(*((term, -ONE) for term in terms))
-    return at_impulses(total, scene.time) if "impulse" in scene.table.called else total
+    if "impulse" not in scene.table.called:
+        return total
+    from vibcli.symbolic.delta_functions import at_impulses
+
+    return at_impulses(total, scene.time)
 
 
 def _whole(scene, node):

@@ -109,6 +109,11 @@ class FactoredSystem:
         """The same as arrays of floats."""
         return [_as_array(entries, self.n) for entries in self.matrices()]
 
+    def coefficients(self):
+        """(M, C + G, K) as arrays of floats: what stands before q̈, q̇ and q."""
+        M, C, G, K = self.arrays()
+        return M, C + G, K
+
     def stiffness_array(self):
         """K assembled, as an array of floats."""
         return _as_array(self.stiffness(), self.n)

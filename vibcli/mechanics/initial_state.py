@@ -57,8 +57,6 @@ class InitialState:
 def at_rest(configuration: "Configuration") -> dict[str, float]:
     """{coordinate: value} where a motion starts at rest: in the equilibrium without friction; where none is reached, as
     nothing holds the scene, as drawn or where `equilibrium:` says; else as drawn if friction holds it there."""
-    from vibcli.mechanics.equilibrium.dry_friction import holds
-
     if configuration.falls:
         return configuration.numeric.start()
     try:
@@ -66,6 +64,8 @@ def at_rest(configuration: "Configuration") -> dict[str, float]:
     except PhysicsError as error:
         if configuration.system.sticking is None:
             raise
+        from vibcli.mechanics.equilibrium.dry_friction import holds
+
         if not holds(configuration.numeric, configuration.system.sticking, configuration.numeric.drawn_floats):
             raise PhysicsError(f"without friction {error.message}; friction does not hold it as drawn either",
                                "give the start of every coordinate under `initial`: "

@@ -1,7 +1,6 @@
 """Numbers of frequency responses: their values at a frequency, peaks, half-power points, fixed points."""
 
 import cmath
-from math import pi, tau
 
 from vibcli.base import units
 from vibcli.base.errors import LostDigits, PhysicsError
@@ -9,14 +8,9 @@ from vibcli.quantities.dimensions import checker
 from vibcli.quantities.precise_numbers import found_response, settled_on_curve, settled_response
 from vibcli.quantities.quantity import COMPLEX, ROUNDING, Declaration, one
 from vibcli.quantities.signal_dimensions import input_dimension, output_dimension
+from vibcli.results.signal_features import wrapped
 
 MODAL = 1e-10      # relative, of the residues of a sum of modes
-
-
-def wrapped(angle: float) -> float:
-    """The angle in (−π, π]."""
-    angle = -((-angle + pi) % tau - pi) + 0.0
-    return pi if angle == -pi else angle
 
 
 def _frf(problem, tree, args):

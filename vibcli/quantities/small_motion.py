@@ -7,7 +7,6 @@ from math import cos, pi, sin, tau
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
-from vibcli.quantities.frequency_response import wrapped
 from vibcli.quantities.quantity import EXACT
 from vibcli.results import feature_errors, signal_features, steady_features
 from vibcli.results.envelope import Envelope
@@ -56,12 +55,13 @@ def _signed(X):
 def phase(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> "Measured":
     signal = _linear(problem, tree)
     if not signal_features.kept_up(signal):
-        return wrapped(signal_features.from_the_start(signal).phase), lambda: feature_errors.phase(signal)
+        free = signal_features.from_the_start(signal)
+        return signal_features.wrapped(free.phase), lambda: feature_errors.phase(signal)
     found = steady_features.harmonics(signal)
     if len(found) != 1:
         raise PhysicsError(f"this steady state has no one phase: it holds {len(found) or 'no'} harmonics",
                            "ask for max(steady(x)), or its value at a time")
-    return wrapped(-cmath.phase(found[0][1]) - 0.5 * pi), lambda: feature_errors.phase(signal)
+    return signal_features.wrapped(-cmath.phase(found[0][1]) - 0.5 * pi), lambda: feature_errors.phase(signal)
 
 
 def harmonic(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> "Measured":

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 from vibcli.analyses.excitation.linear_output import LinearOutput, combined
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signals import ENERGIES
-from vibcli.mechanics.signals import energy
 from vibcli.results.given_start import check_start
 from vibcli.results.response import Response
 from vibcli.results.signals import Closing, ComposedSignal, LinearSignal
@@ -96,9 +95,7 @@ class SmallResponse(Response):
     @cached_property
     def matrices(self):
         """M, C + G, K as arrays."""
-        from vibcli.analyses.frequency_response.transfer_function import system
-
-        return system(self.problem.configuration)
+        return self.problem.configuration.linear_system.coefficients()
 
     def forcing(self, direct: Any = ()):
         """The Forcing of the coordinates; `direct`: nodes of the time on further channels."""
@@ -188,6 +185,8 @@ class SmallResponse(Response):
         if isinstance(part, QuantityRef):
             return self._named(parts, text, (part,))
         if name in ENERGIES and name not in problem.spec.coordinates:
+            from vibcli.mechanics.signals import energy
+
             return self._at_states(parts, energy(problem.scene, name, primes))
         if is_quadratic(name):
             total = table.zero

@@ -2,7 +2,7 @@
 x = A e^{−δt} cos(ω_d t − φ), beside what the loads that do not oscillate add."""
 
 from cmath import rect
-from math import tau
+from math import pi, tau
 from typing import TYPE_CHECKING
 
 from vibcli.analyses.excitation.forcing import oscillates
@@ -15,6 +15,12 @@ if TYPE_CHECKING:
 
 ALONE = 1e-10       # amplitude of another vibration, relative to the largest, that counts as none
 UNDYING = 1e-13     # decay, relative to the angular frequency, that counts as none
+
+
+def wrapped(angle: float) -> float:
+    """The angle in (−π, π]."""
+    angle = -((-angle + pi) % tau - pi) + 0.0
+    return pi if angle == -pi else angle
 
 
 def kept_up(signal: "LinearSignal") -> bool:

@@ -8,13 +8,12 @@ from typing import TYPE_CHECKING, Any
 from vibcli.analyses.excitation.exponential_polynomials import added, convolved, shifted
 from vibcli.analyses.excitation.forcing import Forcing, Irregular, Segment, Wave, task_of
 from vibcli.analyses.excitation.impulses import blows_of, nearest
-from vibcli.analyses.excitation.periods import common_period, shortest
 from vibcli.analyses.excitation.piecewise_linear import Instant, Periodic
 from vibcli.analyses.excitation.rounding import Floating
-from vibcli.analyses.excitation.tabulated import TabulatedFunction
 from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
+    from vibcli.analyses.excitation.tabulated import TabulatedFunction
     from vibcli.base.work import Work
 
 NEAR = 1e-6
@@ -28,7 +27,7 @@ class WaveGroup:
 
     __slots__ = ("channel", "end", "exponent", "gates", "instants", "places", "ps", "wave")
 
-    def __init__(self, channel: int, gates: Sequence[Periodic | TabulatedFunction], wave: Sequence[Fraction | int],
+    def __init__(self, channel: int, gates: "Sequence[Periodic | TabulatedFunction]", wave: Sequence[Fraction | int],
                  terms: Sequence[tuple[Fraction | None, tuple[Fraction, ...]]], numbers: type[Any]):
         self.channel, self.gates, self.wave = channel, gates, wave
         self.exponent = numbers.complex(numbers.number(wave[0]), numbers.number(wave[1]))
@@ -83,6 +82,8 @@ def _forcing(groups, channels, numbers, work):
         cuts, lasting = _cuts(spans)
         if not any(group.gates for group, _ in lasting):
             return Forcing(channels, _pieces(groups, cuts, None, 0, numbers, task))
+    from vibcli.analyses.excitation.periods import common_period, shortest
+
     try:
         period = common_period([group for group, _ in lasting], numbers)
     except PhysicsError as refusal:
@@ -108,8 +109,12 @@ def _count(spans):
 
 def _lengthy(groups):
     """Do they hold so many samples of records that these are not looked at one by one?"""
-    gates = {gate for group in groups for gate in group.gates if isinstance(gate, TabulatedFunction)}
-    return sum(map(len, gates)) >= LENGTHY
+    gates = {gate for group in groups for gate in group.gates}
+    if not gates:
+        return False
+    from vibcli.analyses.excitation.tabulated import TabulatedFunction
+
+    return sum(len(gate) for gate in gates if isinstance(gate, TabulatedFunction)) >= LENGTHY
 
 
 def _up_to(groups, cuts, lasting, until, longest, numbers, work):

@@ -20,7 +20,6 @@ from vibcli.analyses.excitation.exponential_polynomials import (
     smooth_pieces,
     wave,
 )
-from vibcli.analyses.excitation.tabulated import TabulatedFunction
 
 ONE = Fraction(1)
 
@@ -171,6 +170,8 @@ def _record(here, samples, order, numbers):
     if order > 2 or (order == 2 and samples.jumps):
         raise NotSaid("this is the rate of an impulse: what moves jumps, and has no acceleration there")
     if a:
+        from vibcli.analyses.excitation.tabulated import TabulatedFunction
+
         return gate(TabulatedFunction(samples, a, b, order, numbers))
     return constant(numbers.exact(samples.at(numbers.number(b), order)))
 

@@ -152,16 +152,10 @@ def transfer(configuration: "Configuration", signal: str, driven_by: str, order:
         return member_transfer(configuration, signal_name(signal), driven_by, order, modal)
     row, chosen = linear_row(configuration, signal), named_input(configuration, driven_by)
     n = len(configuration.scene.q)
-    M, C, K = system(configuration)
+    M, C, K = configuration.linear_system.coefficients()
     b = _dense(input_columns(configuration, chosen), n)
     c = _dense((row.q, row.v, row.a), n)
     return TransferFunction(M, C, K, b, c, np.array(direct_part(row, chosen)), order, modal)
-
-
-def system(configuration: "Configuration"):
-    """(M, C + G, K) of the small oscillations as arrays."""
-    M, C, G, K = configuration.linear_system.arrays()
-    return M, C + G, K
 
 
 def _dense(parts, n):

@@ -14,7 +14,6 @@ import numpy as np
 
 from vibcli.analyses.modal.damped_in_modal_coordinates import ModalDamping
 from vibcli.analyses.modal.damped_modes import DampedMode, collected
-from vibcli.analyses.modal.massless_coordinates import MassiveSystem
 from vibcli.analyses.modal.method import (
     ENCLOSED,
     FIRST_ORDER,
@@ -143,6 +142,8 @@ class CertifiedEigenvalues:
 
                 self.system = Follower(data, self.scale, None, goal, deep)
             elif form == FIRST_ORDER:
+                from vibcli.analyses.modal.massless_coordinates import MassiveSystem
+
                 self.system = MassiveSystem(data, self.scale, zeros, goal, deep)
             else:
                 self.system = self._modal(elements, data, goal, deep, zeros, unit)

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vibcli.analyses.transient.modal_block import ModalBlock, apart
-from vibcli.analyses.transient.single_degree import one_degree, pair, poles_of_mode
 from vibcli.analyses.transient.static_condensation import whole
 from vibcli.base.errors import PhysicsError
 from vibcli.numerics.components import components
@@ -64,6 +63,8 @@ def check_inertia(M: np.ndarray, heavy: Any) -> None:
 
 def _coupled(M, C, K, rigid):
     if len(M) == 1:
+        from vibcli.analyses.transient.single_degree import one_degree
+
         return [one_degree(M[0, 0], C[0, 0], K[0, 0])]
     from vibcli.analyses.transient.complex_modes import general
 
@@ -83,6 +84,8 @@ def modal(M: np.ndarray, C: np.ndarray, modes: "Sequence[Mode]") -> list[ModalBl
 
 
 def _mode(mode, c, shape, momentum):
+    from vibcli.analyses.transient.single_degree import pair, poles_of_mode
+
     slow, fast = poles_of_mode(float(mode.omega or 0.0), float(mode.growth_rate or 0.0), c / 2)
     if abs(slow.imag) <= FLAT * abs(slow):
         return pair(slow, fast, shape, momentum, shape)._replace(accuracy=float(mode.error))

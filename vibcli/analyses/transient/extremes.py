@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vibcli.analyses.transient.isolating_intervals import EPSILON, LEVELS, MOST, refused
+from vibcli.analyses.transient.isolating_intervals import EPSILON, LEVELS, MOST, PARTS, Cells, refused
 from vibcli.analyses.transient.segments_held import highest
 
 if TYPE_CHECKING:
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from vibcli.base.work import Task, Work
 
 FINE = 1e-6
+MANY, MOST_PARTS = 250, 64      # stretches that take little longer than one: so many are made of few, so many of each
 
 
 def extreme(pieces: Any, output: "LinearOutput", start: float, end: float, sense: str,
@@ -85,7 +86,8 @@ class ExtremeSearch:
 
     def _along(self, curve, task):
         """The tops of one curve."""
-        self.left = [(np.inf, 0, curve.first_cells())]
+        cells = curve.first_cells()
+        self.left = [(np.inf, 0, cells.divided(_parts(cells, 1)))]
         while self.left:
             most, level, cells = max(self.left, key=lambda part: part[0])
             task.step(steps=curve.steps(cells))
@@ -127,7 +129,8 @@ class ExtremeSearch:
         if level + 1 == LEVELS or not (room > FINE * self.scale).any():
             self._narrow(curve, cells)
         else:
-            self.left += [(most[part].max(), level + 1, some) for part, some in curve.batches(cells)]
+            self.left += [(most[part].max(), level + 1, some) for part, some in curve.batches(
+                cells, _parts(cells, PARTS))]
 
     def _narrow(self, curve, cells):
         """The peaks within the cells."""
@@ -148,3 +151,8 @@ class ExtremeSearch:
         if np.isfinite(more):
             known += f", and none is {'above' if self.sign > 0 else 'below'} it by more than {1.05 * more:.2g}"
         return refused(task, known)
+
+
+def _parts(cells: Cells, least: int) -> int:
+    """In how many parts each of the cells is divided: the fewer they are, the more."""
+    return min(max(least, MANY // max(1, len(cells))), MOST_PARTS)

@@ -106,11 +106,11 @@ class BoundedOutput:
         """The steps that looking at the cells takes."""
         return len(cells) * self.count / STEP
 
-    def batches(self, cells: Cells) -> list[tuple[slice, Cells]]:
+    def batches(self, cells: Cells, parts: int = PARTS) -> list[tuple[slice, Cells]]:
         """[(slice of the cells, Cells of its parts)] of all the cells divided."""
-        many = max(1, BATCH * STEP // (PARTS * self.count or 1))
-        parts = [slice(i, i + many) for i in range(0, len(cells), many)]
-        return [(part, cells.where(part).divided(PARTS)) for part in parts]
+        many = max(1, BATCH * STEP // (parts * self.count or 1))
+        slices = [slice(i, i + many) for i in range(0, len(cells), many)]
+        return [(part, cells.where(part).divided(parts)) for part in slices]
 
     def turns(self, cells: Cells) -> np.ndarray:
         """The zero of the slope in each cell."""

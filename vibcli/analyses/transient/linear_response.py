@@ -12,7 +12,6 @@ from vibcli.analyses.transient.decoupling import spectrum
 from vibcli.analyses.transient.extremes import extreme
 from vibcli.analyses.transient.pieces import Pieces, followed
 from vibcli.analyses.transient.static_condensation import condensed
-from vibcli.analyses.transient.zeros import zeros
 from vibcli.base.errors import PhysicsError
 from vibcli.base.work import Work
 
@@ -86,6 +85,8 @@ class LinearMotion:
 
     def zeros(self, output: "LinearOutput", start: float, end: float) -> np.ndarray:
         """All times from `start` to `end` where the output passes or touches zero, ascending."""
+        from vibcli.analyses.transient.zeros import zeros
+
         return zeros(self.pieces(end), output, start, end, self.work)
 
     def final(self, output: "LinearOutput") -> float:

@@ -12,7 +12,6 @@ from vibcli.language.signal_names import signal_name
 from vibcli.language.signals import ENERGIES, is_load
 from vibcli.mechanics.inputs_outputs.displacements import displacement
 from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction, combined, rate
-from vibcli.mechanics.support_forces import on_the_ground, weighted_rates
 from vibcli.symbolic.evaluation import evaluate
 
 if TYPE_CHECKING:
@@ -42,6 +41,8 @@ def _row(configuration, text):
     if is_quadratic(text):
         raise PhysicsError(f"'{text}' is quadratic in the motion: it is not linear", _instead(configuration, text))
     if name == "ground":
+        from vibcli.mechanics.support_forces import on_the_ground
+
         return on_the_ground(opened, signal)
     node = displacement(scene, text)
     if node is not None:
@@ -51,6 +52,8 @@ def _row(configuration, text):
                            "ask for a place where something is attached")
     if is_load(configuration.spec, text):
         return opened.rows([term.force(scene) for term in scene.terms_of(name, "forces")])[0]
+    from vibcli.mechanics.support_forces import weighted_rates
+
     if rates := weighted_rates(opened, name):
         return combined(rates)
     force = scene.force_of(name)
@@ -80,6 +83,8 @@ def products(configuration: "Configuration", text: str) -> list[tuple[float, lis
         forces, places = opened.rows([term.weight for term in terms]), opened.rows([term.s for term in terms])
         return [(1.0, [force, rate(place, scene)]) for force, place in zip(forces, places, strict=True)]
     if part == "power":
+        from vibcli.mechanics.support_forces import weighted_rates
+
         return [(weight, [row, row]) for weight, row in weighted_rates(opened, name)]
     terms = scene.terms_of(name, "springs")
     stiffnesses = evaluate([term.weight for term in terms], opened.arithmetic, opened.values)

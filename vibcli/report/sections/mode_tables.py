@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.notation.numbers import figure, rounded_up
 from vibcli.report.blocks import Name, Paragraph, TableBlock, maths, paragraph
+from vibcli.report.sections.too_long import passed_over, places_told
 
 if TYPE_CHECKING:
     from vibcli.analyses.modal.damped_modes import DampedMode
@@ -18,7 +19,6 @@ ZERO_MODES = {"free": "rigid-body mode", "held": "no linear restoring force", "f
 GROWING = {"divergence": "unstable: grows", "flutter": "flutter: grows"}
 NOTHING = 1e-12      # of an amplitude in a shape of which one is 1
 MANY, LONGEST = 8, 12       # modes in columns; else amplitudes of a shape, and shapes
-TALL, TOLD = 200, 40        # coordinates, a row each; else so many of them
 
 
 def repeated(modes: "Sequence[Mode]") -> dict[int, str]:
@@ -99,13 +99,3 @@ def shapes(names: Sequence[str], numbers: Sequence[int], found: Sequence[list[co
     names = list(names)
     rows = [(maths(Name(names[i])), *(write(shape[i]) for shape in found)) for i in places_told(len(names))]
     return [TableBlock(("", *(f"mode {i}" for i in numbers)), tuple(rows)), passed_over(len(rows), len(names))]
-
-
-def places_told(count: int) -> list[int]:
-    """The numbers of the coordinates that are told of so many: evenly spread ones of very many, both ends included."""
-    return list(range(count)) if count <= TALL else [i * (count - 1) // (TOLD - 1) for i in range(TOLD)]
-
-
-def passed_over(told: int, count: int) -> Paragraph | None:
-    """What is said where not all of so many coordinates are told."""
-    return paragraph(f"{told} of {count} coordinates, evenly spread; --json tells all") if told < count else None

@@ -7,8 +7,7 @@ from vibcli.base import units
 from vibcli.base.enumeration import listed
 from vibcli.language.record_calls import own
 from vibcli.report.blocks import Definition, Definitions, Name, Paragraph, Section, maths, paragraph, section, separated
-from vibcli.report.sections.mode_tables import passed_over, places_told
-from vibcli.report.sections.too_long import brief
+from vibcli.report.sections.too_long import brief, passed_over, places_told
 
 if TYPE_CHECKING:
     from fractions import Fraction

@@ -180,12 +180,15 @@ def _start(problem, motion, drive):
 
 def _drive(problem, motion):
     """What stands on the right of M q̈ + C q̇ + K q = Q(t), and what of it the left side lacks."""
-    from vibcli.report.sections.equations_of_motion import left_out
-
     if len(motion.drive) > MOST_LINES:
-        return paragraph(f"driven at {len(motion.drive)} coordinates"), None
-    return blocks.equations(line("Q = ", node, label=Name(problem.scene.coordinates[i]))
-                            for i, node in motion.drive.items()), left_out(problem)
+        return [paragraph(f"driven at {len(motion.drive)} coordinates")]
+    told = [blocks.equations(line("Q = ", node, label=Name(problem.scene.coordinates[i]))
+                             for i, node in motion.drive.items())]
+    if problem.symbolic.left_out:
+        from vibcli.report.sections.equations_of_motion import left_out
+
+        told.append(left_out(problem))
+    return told
 
 
 def _extremes(asked, until, digits):

@@ -71,7 +71,7 @@ def _left_out(signal):
 
 def phase_in(convention: str, X: complex) -> float:
     """The phase of Re X e^{iΩt} as the convention counts it, in (−π, π]."""
-    from vibcli.quantities.frequency_response import wrapped
+    from vibcli.results.signal_features import wrapped
 
     _, sign, turn = PHASES[convention]
     return wrapped(sign * (-cmath.phase(X) + turn * math.tau))

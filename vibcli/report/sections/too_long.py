@@ -1,13 +1,14 @@
-"""Expressions that are too long to read."""
+"""What is too long to read: expressions, and lists of very many coordinates."""
 
 from typing import TYPE_CHECKING
 
-from vibcli.report.blocks import Words
+from vibcli.report.blocks import Paragraph, Words, paragraph
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 LONGEST = 2400
+TALL, TOLD = 200, 40        # coordinates, a row each; else so many of them
 
 
 def brief(node: "Node", whole: str = "; see --json"):
@@ -16,3 +17,13 @@ def brief(node: "Node", whole: str = "; see --json"):
 
     size = len(plain(node))
     return node if size <= LONGEST else Words(f"(an expression of {size} characters{whole})")
+
+
+def places_told(count: int) -> list[int]:
+    """The numbers of the coordinates that are told of so many: evenly spread ones of very many, both ends included."""
+    return list(range(count)) if count <= TALL else [i * (count - 1) // (TOLD - 1) for i in range(TOLD)]
+
+
+def passed_over(told: int, count: int) -> Paragraph | None:
+    """What is said where not all of so many coordinates are told."""
+    return paragraph(f"{told} of {count} coordinates, evenly spread; --json tells all") if told < count else None

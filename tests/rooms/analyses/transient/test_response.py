@@ -9,6 +9,7 @@ from support.responses import EPS, FREE, STEP, case, chain, errors, one, q, rate
 from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
 from vibcli.analyses.excitation.linear_output import LinearOutput
 from vibcli.analyses.transient.exponential_differences import differences
+from vibcli.analyses.transient.extremes import ExtremeSearch
 from vibcli.analyses.transient.high_precision import precise_value, precise_values
 from vibcli.analyses.transient.linear_response import linear_motion
 from vibcli.base.errors import PhysicsError
@@ -260,3 +261,13 @@ def test_modes_that_are_known_replace_those_of_the_matrices():
         exact = precise_value(np.eye(4).tolist(), C.tolist(), [[int(x) for x in row] for row in K], motion.forcing,
                               motion.q0, motion.v0, q(3), 5.0, 20)
         assert abs(motion.values(q(3), [5.0])[0] - exact) <= 1e-14
+
+
+def test_an_extreme_is_found_in_few_looks(monkeypatch):
+    """Many stretches of time take little longer than one: so there are many in each look."""
+    looks, look = [], ExtremeSearch._look
+    monkeypatch.setattr(ExtremeSearch, "_look", lambda *given: looks.append(len(given[-1])) or look(*given))
+    t, x = one(1.0, 0.6, 9.0, FREE, 1.0).extreme(q(0), 0.0, 40.0, "min")
+    turn = math.pi / math.sqrt(8.91)
+    assert abs(t - turn) <= 1e-7 and abs(x + math.exp(-0.3 * turn)) <= 4 * EPS
+    assert len(looks) <= 4 and max(looks) <= 500
