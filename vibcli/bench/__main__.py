@@ -3,6 +3,7 @@
 import json
 import sys
 from importlib import import_module
+from resource import RUSAGE_CHILDREN, RUSAGE_SELF, getrusage
 from time import perf_counter
 from typing import Any
 
@@ -23,18 +24,23 @@ def main(quick: bool, as_json: bool, only: tuple[str, ...], slow: bool):
     """Processor time, memory, growth and accuracy of vibcli against baselines measured in the same run."""
     rows: list[Any] = []
     for part in [*(only or PARTS), *["lagranges_method"] * slow]:
-        start = perf_counter()
+        start, spent = perf_counter(), _processor()
         try:
             measured(part, FEW if quick else RUNS, rows)
         except KeyboardInterrupt:
             rows.append(Failure(part, "interrupted, and the parts after it"))
             break
-        click.echo(f"{part}: {perf_counter() - start:.0f} s", err=True)
+        click.echo(f"{part}: {perf_counter() - start:.0f} s, {_processor() - spent:.0f} s of the processor", err=True)
     if as_json:
         click.echo(json.dumps([row.data() for row in rows], indent=1, ensure_ascii=False))
     else:
         click.echo(aligned([HEAD, *(row.cells() for row in rows)]))
     sys.exit(int(not all(row.kept for row in rows)))
+
+
+def _processor():
+    """Seconds of this process and of those that it waited for."""
+    return sum(found.ru_utime + found.ru_stime for found in map(getrusage, (RUSAGE_SELF, RUSAGE_CHILDREN)))
 
 
 def measured(part: str, runs: int, rows: list[Any]) -> None:

@@ -7,7 +7,7 @@ import click
 
 from vibcli.base.diagnostics import escaped
 from vibcli.base.enumeration import amount
-from vibcli.base.rules import INVALID, UNCERTAIN
+from vibcli.base.rules import DIFFERS, INVALID, UNCERTAIN, UNSOLVED
 from vibcli.cli.checking.found import CheckedAnswer, CheckedFile, findings
 from vibcli.cli.common import show_diagnostics, show_fault
 
@@ -65,14 +65,16 @@ def tell_in_short(found: CheckedFile) -> None:
 
 def summary(found: Sequence[CheckedFile]) -> str:
     """How many answers agree, and what does not."""
-    answers = [answer for one in found for answer in one.answers]
-    agree, uncertain = sum(not one.rule for one in answers), sum(one.rule == UNCERTAIN for one in answers)
-    differ, failed = len(answers) - agree - uncertain, sum(one.failed for one in found)
+    rules = [answer.rule for one in found for answer in one.answers]
+    agree, differ, uncertain, unsolved = map(rules.count, ("", DIFFERS, UNCERTAIN, UNSOLVED))
+    failed = sum(one.failed for one in found)
     parts = [f"{amount(agree, 'answer')} agree" + "s" * (agree == 1)]
     if differ:
         parts.append(f"{differ} differ" + "s" * (differ == 1))
     if uncertain:
         parts.append(f"{uncertain} {'is' if uncertain == 1 else 'are'} uncertain")
+    if unsolved:
+        parts.append(f"{unsolved} cannot be found")
     if failed:
         parts.append(f"{amount(failed, 'file')} could not be checked")
     kept = sum(one.cached for one in found)

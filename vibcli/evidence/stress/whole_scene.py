@@ -13,7 +13,8 @@ from typing import Any
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.evidence.stress.rewritten import in_parallel, power_of_two, reordered, scaled, with_numbers
+from vibcli.evidence.stress.mirrored import NotDrawn, mirrored, turned_round
+from vibcli.evidence.stress.rewritten import OF_ELEMENTS, in_parallel, power_of_two, reordered, scaled, with_numbers
 from vibcli.evidence.stress.shaken import BROKEN, EQUAL, REFUSED, WITHIN, Shake
 from vibcli.quantities.dimensions import asked_dimension, dimension_of
 from vibcli.quantities.expression import bounded
@@ -24,6 +25,8 @@ from vibcli.symbolic.syntax import ExpressionError, QuantityRef
 
 RATE = {"s": -1}
 NONE = 0, 0, 0
+WORD = re.compile(r"[^\W\d]\w*")
+SENSED = re.compile(r"\b(arg|phase|ritz|rayleigh|[MCKG])\b|\.(?=[^\W\d])")      # what hangs on the sense of coordinates
 OF_ORDER = re.compile(r"\bmode(_d)?\[")         # shapes in which the first coordinate is 1, whichever that is
 
 
@@ -50,7 +53,7 @@ def _of_units(length: int, mass: int, time: int) -> SceneLaw:
 
 
 LAWS = (_of_units(1, 0, 0), _of_units(0, 1, 0), _of_units(0, 0, 1), SceneLaw("elements reordered", reordered),
-        SceneLaw("springs as two in parallel", in_parallel))
+        SceneLaw("springs as two in parallel", in_parallel), SceneLaw("mirrored", mirrored))
 
 
 def shaken_as_a_whole(problem: Problem, remade: Callable[[Callable], Problem]) -> Iterator[Shake]:
@@ -59,17 +62,28 @@ def shaken_as_a_whole(problem: Problem, remade: Callable[[Callable], Problem]) -
     for law in LAWS:
         if law.change is in_parallel and not problem.spec.get("springs"):
             continue
+        turned: set[str] = set()
         try:
             if law.powers != NONE and problem.spec.free_numbers:
                 raise PhysicsError("its numbers have no units: nobody says how they change")
-            other = remade(law.change)
+            other = remade(partial(_changed, law, turned))
+        except NotDrawn:
+            continue
         except (PhysicsError, SpecError) as error:
             yield Shake(law.name, 0, 0.0, REFUSED, getattr(error, "message", "") or error.diagnostics[0].message)
             continue
         for what, numbers in known.items():
-            told = {key: one for key, one in numbers.items() if _is_told(key, law, problem)}
+            told = {key: one for key, one in numbers.items() if _is_told(key, law, problem, turned)}
             if told:
-                yield _shake(problem, other, law, what, told)
+                yield _shake(problem, other, law, what, {
+                    key: one._replace(value=-one.value) if key in turned else one for key, one in told.items()})
+
+
+def _changed(law, turned, top):
+    """The document changed; `turned` holds the coordinates then that have the other sign in it."""
+    if law.change is mirrored:
+        turned |= turned_round(top)
+    return law.change(top)
 
 
 def _found(find, problem):
@@ -105,8 +119,11 @@ def _back(one, law):
     return Bounded(one.value / factor, one.error / factor, one.dimension)
 
 
-def _is_told(key, law, problem):
-    """Where springs are two, what is asked of one by its name is another thing."""
+def _is_told(key, law, problem, turned):
+    """Where springs are two, what is asked of one by its name is another thing; what has a sense is in a mirror."""
+    if law.change is mirrored and key not in problem.scene.coordinates:
+        named = {name for kind in OF_ELEMENTS for name in problem.spec.get(kind) or ()} | turned
+        return named.isdisjoint(WORD.findall(key)) and not SENSED.search(key)
     return law.change is not in_parallel or not any(
         re.search(rf"\b{re.escape(name)}[.\]]", key) for name in problem.spec.get("springs") or ())
 

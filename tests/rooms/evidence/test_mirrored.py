@@ -1,0 +1,69 @@
+"""Scenes seen in a mirror: they rest and swing as before, and a sense that is forgotten is seen."""
+
+import pytest
+from rooms.evidence.test_stress import scene_read_again
+from rooms.evidence.test_whole_scene import CHAIN, shaken
+
+from vibcli.base.errors import PhysicsError
+from vibcli.evidence.stress import mirrored, whole_scene
+from vibcli.evidence.stress.shaken import BROKEN, EQUAL, REFUSED, WITHIN
+from vibcli.language.document.nodes import Mapping, Scalar, Sequence
+
+SCENE = {
+    "parameters": {"g": "9.81 m/s^2", "w": "0.35 m"}, "gravity": "g",
+    "points": {"P": {"body": "cart", "at": ["w", "0 m"]}},
+    "bodies": {"cart": {"mass": "2 kg", "at": ["0 m", "0 m"], "slide": {"by": "x", "along": ["2", "1"]}},
+               "arm": {"shape": "rod", "mass": "1 kg", "from": ["w", "0 m"], "to": ["w + 0.2 m", "-0.6 m"],
+                       "pin": {"at": "P", "by": "phi"}},
+               "bob": {"mass": "0.5 kg", "at": ["1.1 m", "0.2 m"], "move": ["u", "v"]}},
+    "springs": {"left": {"k": "300 N/m", "between": [["-0.8 m", "0.1 m"], "cart"], "free_length": "0.6 m"},
+                "twist": {"torsion": "2 N*m", "between": ["cart", "arm"]},
+                "right": {"k": "80 N/m", "between": [["1.9 m", "0.9 m"], "bob"], "free_length": "0.4 m"},
+                "cross": {"k": "50 N/m", "between": ["P", "bob"], "free_length": "0.3 m"}},
+    "dampers": {"loss": {"c": "3 N*s/m", "between": [["0 m", "-1 m"], "bob"]}},
+    "forces": {"F": {"at": "bob", "force": ["2 N + 1 N*sin(3 rad/s*t)", "0.5 N"]},
+               "M": {"body": "arm", "moment": "0.7 N*m + 0.1 N*m*cos(2 rad/s*t)"}},
+    "initial": {"phi": "0.3 rad", "u'": "0.2 m/s"}, "motion": "small",
+    "answers": {"omega[1]": "1 rad/s", "x(0.5 s)": "1 cm", "phi(0.5 s)": "0.1 rad", "max(v)": "1 cm", "T(1 s)": "1 J"}}
+
+
+def seen(scene):
+    return {change: one for change, one in shaken(scene).items() if change.startswith("mirrored")}
+
+
+def test_it_rests_and_swings_as_before():
+    found = seen(SCENE)
+    assert {change: one.verdict for change, one in found.items() if one.verdict not in (EQUAL, WITHIN)} == {}
+    assert {change: one.compared for change, one in found.items()} == {
+        "mirrored: rest": 4, "mirrored: modes": 8, "mirrored: answers": 4}
+
+
+@pytest.mark.parametrize("forgotten", ["load", "start", "body", "connection"])
+def test_a_sense_that_is_forgotten_is_seen(forgotten, monkeypatch):
+    plain = {"start": lambda self, name, node: node}.get(forgotten, lambda self, record: record)
+    monkeypatch.setattr(mirrored._Sections, forgotten, plain)
+    monkeypatch.setattr(whole_scene, "LAWS", whole_scene.LAWS[-1:])
+    assert BROKEN in {one.verdict for one in seen(SCENE).values()}
+
+
+def test_what_is_not_drawn_is_left_out_and_what_is_not_known_refused_by_its_name():
+    assert seen(CHAIN) == {}
+    top = scene_read_again(SCENE)[1]
+    with pytest.raises(PhysicsError, match="what 'constraints' is in a mirror"):
+        mirrored.mirrored(Mapping(None, {**top.entries, "constraints": (Scalar("constraints", None), Mapping(None))}))
+    unbalanced = {**SCENE, "forces": {"F": {"at": "bob", "unbalance": "0.1 kg*m", "speed": "3 rad/s"}}}
+    assert seen(unbalanced)["mirrored"].verdict == REFUSED and "unbalance" in seen(unbalanced)["mirrored"].why
+
+
+@pytest.mark.parametrize(("text", "expected"), [
+    ("L*sin(phi) + phi'", "-(L*sin((-phi))) -((-phi'))"), ("phi0 - b.phi", "-(phi0) +(b.phi)"), ("0", "-(0)"),
+    ("-2 N + 1e-3*(a - b) - k*-x^-2", "-(-2 N) -(1e-3*(a - b)) +(k*-x^-2)")])
+def test_coordinates_have_the_other_sign_in_expressions(text, expected):
+    assert mirrored._Sections(frozenset({"phi", "u"})).negative(Scalar(text, None)).text == expected
+
+
+def test_places_and_directions_point_the_other_way():
+    place = Sequence(None)
+    place.items.extend([Scalar("w", None), Scalar("u + 2 m", None)])
+    found = mirrored._Sections(frozenset({"u"})).vector(place)
+    assert [one.text for one in found.items] == ["-(w)", "(-u) + 2 m"]
