@@ -39,6 +39,13 @@ def pytest_collection_modifyitems(items):
             met.add(test)
 
 
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config, log):
+    from support.distribution import Together
+
+    return Together(config, log)
+
+
 def pytest_collection_finish():
     gc.collect()
     gc.freeze()

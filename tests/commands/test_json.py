@@ -8,8 +8,9 @@ from pathlib import Path
 
 import pytest
 from support.motions import DOUBLE
+from support.scenes import kept_problem_of
 
-from vibcli.cli import run
+from vibcli.cli import common, run
 
 PROBLEMS = sorted((Path(__file__).parents[2] / "problems").glob("*/*.yaml"))
 EQUATIONS = ["coordinate", "text", "latex", "linear_text", "linear_latex", "left_out"]
@@ -187,7 +188,8 @@ def test_keys(ask, command, text):
 
 @pytest.mark.parametrize("path", [path for path in PROBLEMS[::3] if path.stem not in PRESCRIBED],
                          ids=lambda path: path.stem)
-def test_every_problem_is_well_formed(ask, path):
+def test_every_problem_is_well_formed(ask, path, monkeypatch):
+    monkeypatch.setattr(common, "problem_in", lambda source, settings, patience: kept_problem_of(path))
     data = ask(path)
     well_formed(data, "solve")
     for case in data.get("cases", {}).values():

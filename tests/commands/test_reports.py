@@ -10,10 +10,9 @@ from shutil import which
 
 import pytest
 from support.imported import modules
-from support.scenes import problem
+from support.scenes import kept_problem_of, problem
 
 from vibcli.cli import run
-from vibcli.cli.common import load
 from vibcli.notation.latex import latex
 from vibcli.notation.latex_text import escaped
 from vibcli.notation.mathml import mathml
@@ -184,7 +183,7 @@ def test_the_sample_is_wide():
 
 @pytest.mark.parametrize("path", SAMPLE, ids=lambda path: path.stem)
 def test_problems_in_every_format(path):
-    found = load(str(path))
+    found = kept_problem_of(path)
     documents = [document(part, [*EVERYTHING, *(word for word in ON_REQUEST if word in part.spec.get("find", INSIGHT))])
                  for part in (found, *map(found.case, found.spec.cases)) if not part.spec.choices]
     for kind in FORMATS:

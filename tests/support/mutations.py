@@ -6,7 +6,8 @@
 import argparse
 import random
 from collections import Counter
-from pathlib import Path
+
+from support.shipped_variants import WITH_VARIANTS
 
 from vibcli.api.source import file_source, problem_of
 from vibcli.base.errors import PhysicsError, SpecError
@@ -14,10 +15,6 @@ from vibcli.homework.document import SceneDocument
 from vibcli.homework.gates import Wrong
 from vibcli.homework.variants import read_anew, solve_variants
 from vibcli.language.given_values import giver, number_and_unit
-
-PROBLEMS = Path(__file__).parents[2] / "problems"
-WITH_VARIANTS = [path for path in sorted(PROBLEMS.glob("*/*.yaml"))
-                 if "\nvariants:" in path.read_text(encoding="utf-8")]
 
 
 def some_of(path, count):

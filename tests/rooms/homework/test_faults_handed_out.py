@@ -3,7 +3,8 @@
 import random
 
 import pytest
-from support.mutations import MUTATIONS, WITH_VARIANTS, is_noticed, mistakes_swapped, mutated, some_of
+from support.mutations import MUTATIONS, is_noticed, mistakes_swapped, mutated, some_of
+from support.shipped_variants import WITH_VARIANTS
 
 SOME = "bell_crank_dashpot", "torsiograph_on_a_shaft", "quarter_car_damped", "string_with_a_bead"
 

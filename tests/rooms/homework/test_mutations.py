@@ -3,7 +3,7 @@
 import random
 
 import pytest
-from support.mutations import WITH_VARIANTS
+from support.shipped_variants import WITH_VARIANTS
 
 from vibcli.api.source import file_source, problem_of
 from vibcli.homework import solved as solving

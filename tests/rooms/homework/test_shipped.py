@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from support.shipped_variants import PROBLEMS, WITH_VARIANTS, kept_variants_of
 from support.students import Students, rounded
 
 from vibcli.api.source import file_source, problem_of
@@ -23,10 +24,7 @@ from vibcli.report.formats.typst import render
 from vibcli.report.sections.steps import section_of
 from vibcli.results.variants import with_given
 
-PROBLEMS = Path(__file__).parents[3] / "problems"
-WITH_VARIANTS = [path for path in sorted(PROBLEMS.glob("*/*.yaml"))
-                 if "\nvariants:" in path.read_text(encoding="utf-8")]
-SOME, STUDENTS, MANY, WORKED = 12, 500, 2000, 3
+STUDENTS, MANY, WORKED = 500, 2000, 3
 UNTOLD = {("roller_let_go_overdamped", "x(0 s)"), ("three_discs_on_fixed_shaft", "dunkerley"),
           ("three_storeys_on_shaking_ground", "amplitude(c1.force)"),
           ("pendulum_that_swings_widely", "backbone[1](phi)(90 deg)"), ("ring_on_five_spokes", "stiffness[hub].max")}
@@ -40,16 +38,12 @@ def test_how_many_there_are():
 
 @pytest.mark.parametrize("path", WITH_VARIANTS, ids=lambda path: path.stem)
 def test_variants_of_a_problem(path):
-    source = file_source(path)
-    problem = problem_of(source)
+    _, problem, document, found = kept_variants_of(path)
     rules = problem.spec.get("variants")
     assert rules.candidates >= 200 and not set(rules.without) - {"told"}
-    problem = problem.with_spec(problem.spec.with_sections(variants=rules._replace(sample=SOME)))
-    document = SceneDocument.of(source.node, source.file, None)
-    found = solve_variants(problem, document)
-    looked_at = sampled(problem.spec.get("variants"))
-    assert len(found.accepted) + len(found.rejected) == SOME == len(looked_at)
-    assert len(found.accepted) >= 0.8 * SOME and found.reread == len(found.accepted)
+    looked_at = sampled(rules)
+    assert len(found.accepted) + len(found.rejected) == rules.sample == len(looked_at)
+    assert len(found.accepted) >= 0.8 * rules.sample and found.reread == len(found.accepted)
     for one in found.accepted:
         for key in one.keys:
             assert 0 < key.band.width <= 0.02 * abs(key.value) and key.error <= 0.1 * key.band.width

@@ -5,7 +5,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from support.scenes import problem_of, value
+from support.scenes import kept_problem_of, value
 
 from vibcli.base.errors import PhysicsError
 from vibcli.inverse import settled
@@ -61,7 +61,7 @@ def measurable(problem):
 @cache
 def collected(path):
     """Every ninth (parameter, quantity, its number) of a problem in numbers that chooses nothing itself."""
-    problem = problem_of(path)
+    problem = kept_problem_of(path)
     # loops: some seconds for each place that is looked at
     # members: no conditions in letters, and the search alone covers a few decades about one unit
     if problem.numeric.has_free_symbols or problem.scene.loops is not None or problem.scene.pieces:
@@ -74,7 +74,7 @@ def collected(path):
 @pytest.mark.sweep
 @pytest.mark.parametrize("path", PROBLEMS, ids=lambda path: path.stem)
 def test_the_value_is_found_again(path):
-    problem = problem_of(path)
+    problem = kept_problem_of(path)
     for name, quantity, number in collected(path):
         true = problem.numeric.floats[name]
         try:

@@ -6,13 +6,11 @@ from fractions import Fraction
 from pathlib import Path
 
 import pytest
-from support.scenes import problem
+from support.scenes import kept_problem_of, problem
 
 import vibcli
 from vibcli.cli import run
-from vibcli.language.document.document import read
 from vibcli.mechanics.lagrange import equation_of
-from vibcli.reader.read import read_spec
 from vibcli.results.problem import Problem
 from vibcli.scene.displacements import Displacements, stays_bounded
 from vibcli.symbolic.derivatives import gradient
@@ -234,8 +232,7 @@ def test_all_problems(monkeypatch):
         text = path.read_bytes()
         if b"t" not in text or not (b"forces:" in text or b"cos" in text or b"sin" in text):
             continue
-        node, diagnostics = read(text, str(path))
-        found = Problem(read_spec(node, str(path), diagnostics))
+        found = kept_problem_of(path)
         if found.numeric.has_free_symbols or not found.scene.timed or "damping" in found.spec.sections:
             continue        # full equations leave the damping of the whole scene out
         if found.symbolic.equations.refusal or not found.symbolic.equations.full:
