@@ -115,7 +115,8 @@ class SmallResponse(Response):
         from vibcli.analyses.transient.linear_response import linear_motion
 
         found = self.problem.modal.solved(linear_motion, *self.matrices, self.forcing(direct), *self.deviations,
-                                          modes=self.modes, work=self.problem.work, doubt=lambda: self.data_errors)
+                                          modes=self.modes, work=self.problem.work, doubt=lambda: self.data_errors,
+                                          rigid=self.rigid)
         check_start(self.problem, found)
         return found
 
@@ -135,6 +136,17 @@ class SmallResponse(Response):
         if elements.G or elements.circulatory or elements.massless:
             return None
         return self.problem.modal.modes
+
+    @cached_property
+    def rigid(self):
+        """Columns of what moves freely; None where turning frames or circulatory forces make modes complex."""
+        import numpy as np
+
+        elements = self.problem.configuration.linear_system
+        if elements.G or elements.circulatory:
+            return None
+        shapes = [[float(x) for x in mode.shape] for mode in self.problem.modal.modes if mode.rigid]
+        return np.array(shapes).reshape(len(shapes), elements.n).T
 
     @cached_property
     def alone(self):

@@ -13,12 +13,25 @@ from vibcli.analyses.transient.modal_input import blocks
 from vibcli.analyses.transient.refined_subspaces import sharpened
 
 
-def general(M: np.ndarray, C: np.ndarray, K: np.ndarray) -> list[ModalBlock]:
-    """The Blocks of M q̈ + C q̇ + K q = f."""
+def general(M: np.ndarray, C: np.ndarray, K: np.ndarray, rigid: np.ndarray | None = None) -> list[ModalBlock]:
+    """The Blocks of M q̈ + C q̇ + K q = f. rigid: columns of what moves freely, K being symmetric."""
     powers, rate = scaling(M, C, K)
     unit = np.ldexp(1.0, powers)
     M, C, K = (np.ldexp(unit[:, None] * matrix * unit, -lower * rate) for lower, matrix in enumerate((M, C, K)))
-    return [_in_units(block, unit, rate) for block in blocks(M, C, exact_bases(M, C, K))]
+    found = blocks(M, C, exact_bases(M, C, K))
+    if rigid is not None and rigid.size:
+        found = _freely(found, M, C, K, rigid / unit[:, None])
+    return [_in_units(block, unit, rate) for block in found]
+
+
+def _freely(found, M, C, K, rigid):
+    """Blocks that hold as many eigenvalues 0 as what moves freely has."""
+    from vibcli.analyses.transient.rigid_motions import exact, freed
+
+    apart = freed(M, C, K, rigid)
+    if apart is None or exact(found) >= apart.zeros:
+        return found
+    return [apart.back(block) for block in blocks(apart.M, apart.C, exact_bases(apart.M, apart.C, apart.K))]
 
 
 def exact_bases(M: np.ndarray, C: np.ndarray, K: np.ndarray) -> list[tuple[np.ndarray, np.ndarray, bool]]:

@@ -19,26 +19,29 @@ FLAT = 0.1
 
 
 def spectrum(M: np.ndarray, C: np.ndarray, K: np.ndarray, modes: "Sequence[Mode] | None" = None,
-             system: Any = None) -> list[ModalBlock]:
+             system: Any = None, rigid: np.ndarray | None = None) -> list[ModalBlock]:
     """The Blocks of M q̈ + C q̇ + K q = f: of each set of coordinates that nothing couples to others.
 
     modes: undamped modes that replace those of the matrices where damping does not couple them. system: the Condensed
-    of coordinates that have no inertia, or None where all have one.
+    of coordinates that have no inertia, or None where all have one. rigid: columns of what moves freely, K being
+    symmetric.
     """
     check_inertia(M, np.flatnonzero(M.diagonal()) if system is not None else range(len(M)))
     if system is not None:
-        return [whole(block, system) for block in _blocks(system.M, system.C, system.K)]
+        rigid = None if rigid is None else system.places @ rigid
+        return [whole(block, system) for block in _blocks(system.M, system.C, system.K, rigid)]
     if modes is not None:
         found = modal(M, C, modes)
         if found:
             return found
-    return _blocks(M, C, K)
+    return _blocks(M, C, K, rigid)
 
 
-def _blocks(M, C, K):
+def _blocks(M, C, K, rigid=None):
     sets = components((M != 0) | (C != 0) | (K != 0) | ((M != 0) | (C != 0) | (K != 0)).T)
     return [apart(block, places, len(M)) for places in sets
-            for block in _coupled(*(matrix[np.ix_(places, places)] for matrix in (M, C, K)))]
+            for block in _coupled(*(matrix[np.ix_(places, places)] for matrix in (M, C, K)),
+                                  None if rigid is None else rigid[places])]
 
 
 def check_inertia(M: np.ndarray, heavy: Any) -> None:
@@ -59,12 +62,12 @@ def check_inertia(M: np.ndarray, heavy: Any) -> None:
                        hint="give what it moves a mass or inertia")
 
 
-def _coupled(M, C, K):
+def _coupled(M, C, K, rigid):
     if len(M) == 1:
         return [one_degree(M[0, 0], C[0, 0], K[0, 0])]
     from vibcli.analyses.transient.complex_modes import general
 
-    return general(M, C, K)
+    return general(M, C, K, rigid)
 
 
 def modal(M: np.ndarray, C: np.ndarray, modes: "Sequence[Mode]") -> list[ModalBlock]:

@@ -28,13 +28,14 @@ ROUNDING = 1e-12        # of the terms of a sum that is 0
 
 def linear_motion(M: np.ndarray, C: np.ndarray, K: np.ndarray, forcing: "Forcing", q0: np.ndarray, v0: np.ndarray,
                   modes: "Sequence[Mode] | None" = None, work: Work | None = None,
-                  doubt: "Callable[[], DataErrors] | None" = None) -> "LinearMotion":
+                  doubt: "Callable[[], DataErrors] | None" = None,
+                  rigid: np.ndarray | None = None) -> "LinearMotion":
     """The motion of M q̈ + C q̇ + K q = f(t) from q(0) = q0, q̇(0) = v0.
 
     M symmetric positive definite, but for coordinates that have no inertia; C and K any real matrices; forcing:
     segments.Forcing whose first n channels are the generalised forces. modes: undamped modes (modal.Mode) where they
     are known better than the assembled matrices tell. work: what counts its long work. doubt: gives the DataErrors,
-    None: the data are exact.
+    None: the data are exact. rigid: columns of what moves freely, where K is symmetric and they are known.
     """
     M, C, K = (np.array(matrix, float, ndmin=2) for matrix in (M, C, K))
     if not all(np.isfinite(part).all() for part in (M, C, K, q0, v0)):
@@ -42,7 +43,8 @@ def linear_motion(M: np.ndarray, C: np.ndarray, K: np.ndarray, forcing: "Forcing
                            hint="look for a length, an angle or a law that is singular there")
     try:
         system = condensed(M, C, K)
-        return LinearMotion((M, C, K, system), spectrum(M, C, K, modes, system), forcing, q0, v0, work, doubt=doubt)
+        blocks = spectrum(M, C, K, modes, system, rigid)
+        return LinearMotion((M, C, K, system), blocks, forcing, q0, v0, work, doubt=doubt)
     except (OverflowError, ZeroDivisionError):
         raise beyond() from None
 

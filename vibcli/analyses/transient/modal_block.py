@@ -7,6 +7,8 @@ import numpy as np
 
 from vibcli.base.named_tuple import NamedTuple
 
+EPSILON, ROUNDINGS = 2.0**-52, 4
+
 
 class ModalBlock(NamedTuple):
     """ċ = B c + W f with c(0) = P q₀ + R v₀, and its share Re(X c) of the coordinates.
@@ -30,12 +32,16 @@ class ModalBlock(NamedTuple):
         return tuple(map(complex, self.B.diagonal()))
 
     def rows(self, output: Any, order: int) -> np.ndarray:
-        """The order-th derivative of q·δ + v·δ̇ + a·δ̈ is Re(rows · c) and terms of f (markov.py)."""
-        total = np.zeros(len(self.B), complex)
+        """The order-th derivative of q·δ + v·δ̇ + a·δ̈ is Re(rows · c) and terms of f (markov.py).
+
+        What is left by terms that cancel to their last digits is 0: the tension of a shaft that turns freely.
+        """
+        total, size = np.zeros(len(self.B), complex), np.zeros(len(self.B))
         for coefficients in (output.a, output.v, output.q):
-            total = total @ self.B
+            total, size = total @ self.B, size @ np.abs(self.B)
             for i, x in coefficients.items():
-                total = total + x * self.X[i]
+                total, size = total + x * self.X[i], size + np.abs(x * self.X[i])
+        total[np.abs(total) <= ROUNDINGS * EPSILON * size] = 0.0
         return total @ np.linalg.matrix_power(self.B, order)
 
 
