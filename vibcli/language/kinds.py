@@ -4,6 +4,7 @@ A kind reads a document node into a value, or reports what was expected and foun
 as trees; what their names mean and whether their dimensions fit is settled by the reader, once all names are known.
 """
 
+from itertools import pairwise
 from typing import Any
 
 from vibcli.base import units
@@ -190,11 +191,21 @@ class Many(NamedTuple):
         if not isinstance(node, Sequence) or not self.least <= len(node.items) <= self.most:
             if isinstance(node, Sequence):
                 count = {0: "an empty list", 1: "one item"}.get(len(node.items), f"{len(node.items)} items")
-                return reader.report(node.where, f"expected {self.wants}, found {count}")
+                return reader.report(node.where, f"expected {self.wants}, found {count}", self._miscounted(node.items))
             one = isinstance(node, Scalar) and node.text.strip() and isinstance(self.kind, Choice)
             return reader.expected(node, self.wants, f"write [{node.text.strip()[:40]}]" if one else None)
         items = [self.kind.read(item, reader) for item in node.items]
         return None if any(item is None for item in items) else items
+
+    def _miscounted(self, items):
+        """A hint where a comma stands for the point of a decimal, or is forgotten; or None."""
+        texts = [item.text.strip() if isinstance(item, Scalar) else "" for item in items]
+        if len(items) > self.most and any(one.lstrip("+-").isdigit() and other[:1].isdigit() and " " in other
+                                          for one, other in pairwise(texts)):
+            return "decimals are written with a point: 0.5"
+        parts = texts[0].split() if len(texts) == 1 else []
+        return f"put a comma between them: [{', '.join(parts)}]" if (
+            1 < len(parts) == self.least and all(part.isidentifier() for part in parts)) else None
 
     def schema(self):
         return {"type": "array", "items": self.kind.schema(), "minItems": self.least, "maxItems": self.most}

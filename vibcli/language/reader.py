@@ -137,13 +137,21 @@ class Record(dict):
         return Record(self.element, self.name, self.where, values, self.places)
 
 
+def _meant(text: str) -> str:
+    """The hint for what is no name: a value that lost its colon, or the rest of a decimal with a comma."""
+    name, blank, value = text.partition(" ")
+    if plain_name(name).isidentifier() and value[:1].isdigit() and " " in value:
+        return f"put a colon after the name: {name}: {value[:60]}"
+    if blank and name.isdigit():
+        return "decimals are written with a point: 0.5"
+    return "a name starts with a letter, a to z or Greek, and goes on with letters, digits and _, at most 32"
+
+
 def check_name(node: "Scalar", reader: Reader, forbidden: Any = ()) -> str:
     """A name chosen by the writer, Greek letters spelt out; None and a diagnostic where it is not one."""
     name = plain_name(node.text)
     if not name.isidentifier() or not name.isascii() or len(name) > 32:
-        return reader.report(node.where, f"{quoted(node.text)} is not a name",
-                             "a name starts with a letter, a to z or Greek, and goes on with letters, digits and _, at "
-                             "most 32")
+        return reader.report(node.where, f"{quoted(node.text)} is not a name", _meant(node.text))
     if name in forbidden:
         return reader.report(node.where, f"'{node.text}' is a word of the language and cannot be a name here",
                              "choose another name")

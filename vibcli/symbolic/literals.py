@@ -64,6 +64,10 @@ def _unknown_unit(text, match, start, at):
     word = match.group(2)
     meant = None if word == "pi" else unit_meant(word)
     product = f"a product is written with *: {text[start:at]}*{word}"
-    return ExpressionError(match.start(2), len(word), f"'{word}' is not a unit",
-                           f"write {meant}; {product}" if word in TAKEN else
-                           f"did you mean '{meant}'?" if meant else product)
+    hint = product
+    if word in TAKEN:
+        hint = f"write {meant}; {product}"
+    elif meant:
+        close = text[match.start(2) - 1] != " "         # 2k is a product that somebody forgot, 2 kgs a unit
+        hint = (f"{product}; " if close else "") + f"did you mean '{meant}'?"
+    return ExpressionError(match.start(2), len(word), f"'{word}' is not a unit", hint)

@@ -24,6 +24,7 @@ CLOSER = {"[": "]", "{": "}"}
 
 _WORD = re.compile(r"[^\s,\[\]{}:'\"]+|.", re.DOTALL)
 _KEY = re.compile(r"\s*+(?:[?-]\s++)*+([^\s#:][^:]*+):(?:\s|\Z)")  # possessive: takes linear time
+_ENTRY = re.compile(r"[a-z_]+: \S")
 _LONGEST = 300  # characters of a hint that quotes the file
 
 
@@ -121,6 +122,14 @@ def _colon(halt):
     key = _KEY.match(before)
     if key:
         value = (before[key.end() :] + halt.line()[len(before) :]).split(" #")[0].strip()
+        name, brace, first = key[1].partition("{")
+        if brace and name.strip().isidentifier():
+            place = halt.at(halt.index - len(before) + before.index(brace))
+            return (place, f"expected a ':' after {quoted(name.strip())}",
+                    f"write {name.strip()}: {{{first}: {value}"[:_LONGEST])
+        if before[:1].isspace() and _ENTRY.match(value):
+            return (halt.here(), f"found a second ':' in the line of the key {quoted(key[1])}",
+                    f"put braces around its keys, {key[1]}: {{{value}}}"[:_LONGEST])
         mark = "'" if '"' in value or "\\" in value else '"'
         hint = QUOTE_IT if mark in value else f"{QUOTE_IT}, {key[1]}: {mark}{value}{mark}"
         return halt.here(), f"found a second ':' in the line of the key {quoted(key[1])}", hint[:_LONGEST]
