@@ -62,6 +62,36 @@ def test_gears_touch_one_above_the_other_and_their_sizes_are_as_their_radii():
             assert min(wide, high) < 1e-6
 
 
+TRAIN = """
+    parameters: {{J: 2 kg*m^2, kt: 30 N*m}}
+    bodies:
+      one: {{inertia: J, turn: p}}
+      two: {{inertia: J, turn: q}}
+      three: {{inertia: J, turn: r}}
+    springs: {{s: {{torsion: kt, between: [ground, three]}}}}
+    constraints:
+      first: {{{first}: [one, two], radii: [4 cm, 10 cm]}}
+      second: {{{second}: [two, three], radii: [5 cm, 15 cm]{crossed}}}
+"""
+
+
+@pytest.mark.parametrize("first, second, crossed, pairs", [
+    ("gear", "gear", "", [{"one", "two"}, {"two", "three"}]), ("belt", "belt", ", crossed: true", []),
+    ("gear", "belt", "", [{"one", "two"}]), ("belt", "gear", "", [{"two", "three"}])])
+def test_what_a_train_turns_against_each_other_meshes_where_it_gears(first, second, crossed, pairs):
+    scene = scene_of(TRAIN, first=first, second=second, crossed=crossed)
+    assert [{mesh.gear, mesh.mate} for mesh in gears.meshes(scene)] == pairs
+
+
+def test_a_gear_between_two_touches_both():
+    rows = compose.Scenery(scene_of(TRAIN, first="gear", second="gear", crossed="")).rows
+    one, two, three = (places[name] for layout in rows for places in [layout.places] for name in places)
+    for upper, lower, ratio in ((one, two, 2.5), (two, three, 3.0)):
+        assert upper.middle[1] - upper.height == pytest.approx(lower.middle[1] + lower.height)
+        assert lower.height / upper.height == pytest.approx(ratio)
+        assert upper.middle[0] == pytest.approx(lower.middle[0])
+
+
 @pytest.mark.parametrize("ratio", [-0.01, -1.0, -50.0])
 def test_the_smaller_of_two_gears_can_be_seen(ratio):
     sizes = gears.radii(gears.Mesh("a", "b", ratio, False))

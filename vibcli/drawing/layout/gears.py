@@ -29,17 +29,19 @@ class Mesh(NamedTuple):
 
 def meshes(scene: "Scene") -> list[Mesh]:
     """The gears of bodies without a place that are in different rows: each body that expressions of another's
-    coordinate move, and that; what slides is a rack where it looks like a bar."""
+    coordinate move, and that; of those that gears and belts tie the ones that gear; what slides is a rack where it
+    looks like a bar."""
     lumped = {name: body for name, body in scene.bodies.items() if body.lumped is not None}
     rates = {name: _rates(body.lumped[1], scene) for name, body in lumped.items()}
     found: list[Mesh] = []
     racks: set[str] = set()
-    belts = [{name.text for name in record["belt"]} for record in (scene.spec.get("constraints") or {}).values()
-             if "belt" in record]
+    geared, trains = _tied(scene, "gear"), _trains(_tied(scene, "gear", "belt"))
     for name, body in lumped.items():
         for other in lumped:
             ratio = None if other == name else _ratio(rates[other], rates[name])
-            if ratio is None or {name, other} in (*belts, *({mesh.gear, mesh.mate} for mesh in found)):
+            if ratio is None or {name, other} in [{mesh.gear, mesh.mate} for mesh in found]:
+                continue
+            if {name, other} not in geared and any({name, other} <= train for train in trains):
                 continue
             turns = [lumped[one].lumped[0] == "turn" for one in (other, name)]
             if turns == [True, True] and ratio < 0:
@@ -48,6 +50,21 @@ def meshes(scene: "Scene") -> list[Mesh]:
                 racks.add(name)
                 found.append(Mesh(other, name, ratio, True))
     return found
+
+
+def _tied(scene, *kinds):
+    """The pairs of bodies that constraints of some kinds tie."""
+    return [{name.text for name in record[kind]} for record in (scene.spec.get("constraints") or {}).values()
+            for kind in kinds if kind in record]
+
+
+def _trains(pairs):
+    """The sets of bodies that pairs join."""
+    trains: list[set[str]] = []
+    for pair in pairs:
+        met = [train for train in trains if train & pair]
+        trains = [train for train in trains if train not in met] + [pair.union(*met)]
+    return trains
 
 
 def wound(scene: "Scene") -> list[tuple[str, str]]:
@@ -80,6 +97,12 @@ def radii(mesh: Mesh) -> tuple[float, float]:
     """The radii in points of two gears: as their ratio, neither too small to be seen."""
     share = min(1 - LEAST, max(LEAST, 1 / (1 + abs(mesh.ratio))))
     return SUM * (1 - share), SUM * share
+
+
+def sizes(mesh: Mesh) -> dict[str, float]:
+    """The same by the names of both."""
+    one, two = radii(mesh)
+    return {mesh.gear: one, mesh.mate: two}
 
 
 def edges(place: LumpedPlace, angle: float) -> list[Polyline]:

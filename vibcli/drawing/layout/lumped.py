@@ -29,8 +29,11 @@ def layouts(found: Sequence[LumpedRow], sketch: "Sketch", left: float, top: floa
         made.append(_special(row, scene, left, top) or _row(row, sketch, left, top, known))
         mesh, other = _mesh(row, made[:-1], known)
         if mesh is not None:
-            made[-1] = _meshed(made[-1], other, mesh)
-            made[made.index(other)] = _sized(other, mesh.gear if mesh.gear in other.places else mesh.mate, mesh, 1)
+            mate = mesh.gear if mesh.gear in other.places else mesh.mate
+            known_size = other.places[mate].height if other.places[mate].gear == -1 else None
+            made[made.index(other)] = other = _sized(
+                other, mate, known_size or gears.sizes(mesh)[mate], 4 if known_size else 1)
+            made[-1] = _meshed(made[-1], other, mate, mesh)
         heights = [place.height for place in made[-1].places.values()]
         top = made[-1].y - ROOM - (max(heights) if made[-1].kind == "row" else 0.0)
     return made
@@ -78,23 +81,24 @@ def _mesh(row, made, known):
     for mesh in known:
         for layout in made if not mesh.rack else ():
             for upper, lower in ((mesh.gear, mesh.mate), (mesh.mate, mesh.gear)):
-                if upper in layout.places and lower in row.bodies and layout.places[upper].gear != 1:
+                if upper in layout.places and lower in row.bodies and layout.places[upper].gear not in (1, 4):
                     return mesh, layout
     return None, None
 
 
-def _sized(layout, name, mesh, side):
-    """A Layout with a gear as large as its ratio says."""
-    size = gears.radii(mesh)[0 if name == mesh.gear else 1]
+def _sized(layout, name, size, side):
+    """A Layout with a gear of a radius."""
     return layout._replace(places={**layout.places, name: layout.places[name]._replace(height=size, gear=side)})
 
 
-def _meshed(layout, upper, mesh):
-    """A row moved to below another one so that its gear meets the other's."""
-    name, mate = (mesh.mate, mesh.gear) if mesh.mate in layout.places else (mesh.gear, mesh.mate)
-    layout = _sized(layout, name, mesh, -1)
-    dx = upper.places[mate].middle[0] - layout.places[name].middle[0]
-    dy = upper.y - gears.SUM - layout.y
+def _meshed(layout, upper, mate, mesh):
+    """A row moved to below another one so that its gear meets `mate`, the other's, which may mesh with one above."""
+    sizes, above = gears.sizes(mesh), upper.places[mate]
+    (name,) = {*sizes} - {mate}
+    size = above.height * sizes[name] / sizes[mate]
+    layout = _sized(layout, name, size, -1)
+    dx = above.middle[0] - layout.places[name].middle[0]
+    dy = upper.y - above.height - size - layout.y
     places = {key: place._replace(middle=plane.plus(place.middle, (dx, dy))) for key, place in layout.places.items()}
     left, right = (None if x is None else x + dx for x in (layout.left, layout.right))
     return layout._replace(places=places, left=left, right=right, y=layout.y + dy, top=layout.top + dy)
@@ -209,8 +213,8 @@ def _walls(layout):
 
 def label_places(place: LumpedPlace) -> list[tuple[float, float]]:
     """Where the name of a body may stand: in a box, below a disc, beside a gear."""
-    if abs(place.gear) == 1:
-        x, y = place.middle[0], place.middle[1] + 0.6 * place.height * place.gear
+    if place.gear in (-1, 1, 4):
+        x, y = place.middle[0], place.middle[1] + 0.6 * place.height * (place.gear if place.gear != 4 else 0)
         return [(x + side * (place.half + 8), y) for side in (1, -1)]
     return [place.middle if not place.turns else plane.plus(place.middle, (0, -place.height))]
 
@@ -229,6 +233,8 @@ def arrows(layout: Layout, scene: "Scene",
             x += 0.25 * place.half
         if place.gear == -1:            # away from the other gear
             y = place.middle[1] - place.height - 15
+        if place.gear == 4:             # beside it
+            x, y = x + place.half + 16, place.middle[1] - 6
         driven = captions.raw(field, scene).mask == scene.time.mask
         runs = _displacement(body, scene, sketch)
         role = "driven" if driven else "coordinate"

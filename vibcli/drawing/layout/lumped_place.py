@@ -7,7 +7,7 @@ from vibcli.base.named_tuple import NamedTuple
 
 class LumpedPlace(NamedTuple):
     """Where a lumped body stands: its middle, half its width and height, and whether it turns; `gear`: 1 of one with
-    its mate below it, −1 of that, 2 of a rack, 3 of a gear on a rack alone."""
+    its mate below it, −1 of that, 4 of one between two, 2 of a rack, 3 of a gear on a rack alone."""
 
     middle: tuple
     half: float
