@@ -9,6 +9,7 @@ from vibcli.symbolic.node import first_variable
 from vibcli.symbolic.rationals import ONE
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
     from fractions import Fraction
 
     from vibcli.symbolic.node import Node
@@ -78,3 +79,17 @@ def factor_rank(pair: "tuple[Node, Fraction | int]") -> tuple[int, int]:
         deepest = _most_primes(base)
         kind = 4 + deepest if deepest else 3
     return kind, base.index
+
+
+def upright(value: "Fraction | int", node: "Node") -> "tuple[Fraction | int, Sequence[tuple[Node, Fraction | int]]]":
+    """(value, factors) of value times a node, in which −(−a − b)·c is (a + b)·c."""
+    args = node.args if node.op == "product" else ((node, ONE),)
+    turned = [exponent in (1, -1) and _all_negative(base) for base, exponent in args]
+    args = [(-base if turn else base, exponent) for turn, (base, exponent) in zip(turned, args, strict=True)]
+    return value * (-1) ** sum(turned), args
+
+
+def _all_negative(node):
+    """Is it a sum of negative terms alone?"""
+    return node.op == "sum" and node.coefficient <= 0 and all(
+        c * (part.coefficient if part.op == "product" else 1) < 0 for part, c in node.args)

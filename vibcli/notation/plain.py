@@ -1,5 +1,6 @@
 """Expressions as text, m·L²·φ̈/3, in the notation of the field: dots for time derivatives, roots as √(…)."""
 
+import itertools
 import re
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
@@ -7,7 +8,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.numbers import NEGATIVE, added_as_decimal, common_denominator, decimal, shown_as_decimal
-from vibcli.notation.ordering import factor_rank, is_rooted, positive_first, term_rank
+from vibcli.notation.ordering import factor_rank, is_rooted, positive_first, term_rank, upright
 from vibcli.notation.radicals import is_constant, place, split
 from vibcli.symbolic.discontinuous_functions import PULSES
 from vibcli.symbolic.rationals import ONE
@@ -120,7 +121,8 @@ class Notation:
         parts = [(c * part.coefficient if part.op == "product" else c, part) for part, c in terms]
         rooted = sum(is_rooted(part) for part, _ in terms)
         below = common_denominator(node, [value for value, _ in parts])
-        pieces = [(value < 0, self._term(abs(value) * below, part)) for value, part in parts]
+        pieces = [(value < 0, self.product(abs(value) * below, args))
+                  for value, args in itertools.starmap(upright, parts)]
         if node.coefficient:
             place = 0 if all(is_constant(part) for part, _ in node.args) else len(pieces)
             pieces.insert(place, (node.coefficient < 0, self._added_number(node, below)))
@@ -140,7 +142,8 @@ class Notation:
         if node.op == "number":
             return node.coefficient < 0, self.number(abs(node.coefficient))
         if node.op == "product":
-            return node.coefficient < 0, self.product(abs(node.coefficient), node.args)
+            value, args = upright(node.coefficient, node)
+            return value < 0, self.product(abs(value), args)
         return False, self.write(node, 0)
 
     def signed(self, negative: bool, text: str, first: bool = False) -> str:
@@ -154,11 +157,6 @@ class Notation:
 
     def over(self, text: str, below: int) -> str:
         return f"({text})/{below}"
-
-    def _term(self, value, part):
-        if part.op == "product":
-            return self.product(value, part.args)
-        return self.product(value, ((part, ONE),))
 
     def _product(self, node, tightness):
         text = self.added([self._alone(node)])

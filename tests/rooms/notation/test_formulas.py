@@ -117,6 +117,16 @@ def test_reports_are_read_back(path):
             printed.compared_texts(entry["linear_text"], entry["linear_latex"], values)
 
 
+@pytest.mark.parametrize("exponent, wanted", [(1, "c·(a·b + 2)"), (-1, "c/(a·b + 2)"), (2, "c·(a·b + 2)²")])
+def test_a_sum_of_negative_terms_gives_its_sign_away(exponent, wanted):
+    table = Table()
+    a, b, c = map(table.parameter, "abc")
+    node = table.product((-a * b - 2, exponent), (c, 1))
+    assert plain(node).lstrip("−") == wanted
+    assert plain(node).startswith("−") == (exponent != 2)
+    assert plain(-node).startswith("−") == (exponent == 2)
+
+
 def test_what_leads_by_a_quarter_of_a_period_keeps_its_sign():
     table = Table()
     m, k = table.parameter("m"), table.parameter("k")
