@@ -81,7 +81,7 @@ def factor_rank(pair: "tuple[Node, Fraction | int]") -> tuple[int, int]:
     return kind, base.index
 
 
-def upright(value: "Fraction | int", node: "Node") -> "tuple[Fraction | int, Sequence[tuple[Node, Fraction | int]]]":
+def upright(value: Any, node: "Node") -> "tuple[Any, Sequence[tuple[Node, Fraction | int]]]":
     """(value, factors) of value times a node, in which −(−a − b)·c is (a + b)·c."""
     args = node.args if node.op == "product" else ((node, ONE),)
     turned = [exponent in (1, -1) and _all_negative(base) for base, exponent in args]

@@ -6,6 +6,7 @@ import math
 import re
 from itertools import pairwise
 
+import numpy as np
 import pytest
 from support.scenes import problem
 
@@ -98,6 +99,41 @@ def test_two_frequencies_have_each_their_amplitudes(tmp_path):
         X = [(Z[1][1] * load[0] - Z[0][1] * load[1]) / D, (Z[0][0] * load[1] - Z[1][0] * load[0]) / D]
         for name, value in zip(("x1", "x2"), X, strict=True):
             assert of[f"amplitude {order} of {name}"] == pytest.approx(abs(value), rel=1e-12)
+
+
+def test_loads_of_one_frequency_out_of_phase_are_one():
+    text = used(TWO + DAMPED + "forces: {f: {at: a, force: F*sin(w*t + 0.7)}, g: {at: b, force: 2*F*cos(w*t)}}\n")
+    of = {line.settles: line.value for line in worked(problem(text))}
+    Z = [[900 - 2 * 81 + 54j, -600], [-600, 600 - 4 * 81]]
+    X = np.linalg.solve(Z, [5 * cmath.exp(0.7j), 10j])
+    assert [of["amplitude(x1)"], of["amplitude(x2)"]] == pytest.approx(abs(X), rel=1e-12)
+
+
+CAR = """
+parameters: {m: 1200 kg, J: 1800 kg*m^2, k: 30 kN/m, c: 1.5 kN*s/m, Y: 3 cm, W: 16 rad/s}
+points:
+  rear: {at: [-1 m, 0], moves: [0, Y*sin(W*t - 2)]}
+  front: {at: [1.5 m, 0], moves: [0, Y*sin(W*t)]}
+  A: {body: car, at: [-1 m, 0.5 m]}
+  B: {body: car, at: [1.5 m, 0.5 m]}
+bodies: {car: {mass: m, inertia: J, at: [0, 0.5 m], move: [0, y, phi]}}
+springs: {s1: {k: k, between: [rear, A]}, s2: {k: k, between: [front, B]}}
+dampers: {d1: {c: c, between: [rear, A]}, d2: {c: c, between: [front, B]}}
+"""
+
+
+def test_supports_that_are_not_where_they_are_drawn_at_first_are_told_to_the_first_order():
+    """The springs are undeformed where the supports are drawn, not where these are at t = 0."""
+    lines = worked(problem(CAR))
+    assert max(map(len, told(lines))) < 400
+    assert any("from rest" in line for line in told(lines))
+    of = {line.settles: line.value for line in lines}
+    Z, under = np.diag([1200.0, 1800.0]) * -256, np.zeros(2, complex)
+    for x, road in ((-1.0, cmath.exp(-2j)), (1.5, 1.0)):
+        row, leg = np.array([1.0, x]), 30000 + 1500 * 16j
+        Z, under = Z + leg * np.outer(row, row), under + leg * 0.03 * road * row
+    X = np.linalg.solve(Z, under)
+    assert [of["amplitude(y)"], of["amplitude(phi)"]] == pytest.approx(abs(X), rel=1e-9)
 
 
 def test_in_letters_by_cramers_rule():

@@ -18,6 +18,8 @@ from vibcli.symbolic.normal_form import TooLong, expanded, is_zero, textbook
 from vibcli.symbolic.rationals import ONE
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from vibcli.mechanics.symbolic_system import SymbolicSystem
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
@@ -41,7 +43,7 @@ def steady_state(symbolic: "SymbolicSystem", signal: Any) -> Steady:
     scene, n = symbolic.scene, len(symbolic.scene.q)
     rows, direct = outputs(symbolic, signal)
     drive = {**symbolic.excitation, n: direct}
-    acting = {i: waves(scene, node) for i, node in drive.items()}
+    acting = waves_of_all(scene, drive)
     arguments = {argument for found in acting.values() for argument, _ in found}
     if len(arguments) != 1:
         raise NotInLetters("steady states in letters are those of one harmonic" if arguments else
@@ -95,6 +97,37 @@ def waves(scene: "Scene", node: "Node") -> "dict[tuple[Node, str], Node]":
         key = atom.args[0], atom.name
         found[key] = found.get(key, table.zero) + rest
     return found
+
+
+def waves_of_all(scene: "Scene", drive: "Mapping[int, Node]") -> "dict[int, dict[tuple[Node, str], Node]]":
+    """{i: waves} of functions of the time; those of one frequency all by the sine and cosine of one argument, the
+    shortest: sin(Ωt + φ) = cos φ sin Ωt + sin φ cos Ωt."""
+    acting = {i: waves(scene, node) for i, node in drive.items()}
+    groups: list[list[Node]] = []
+    for argument in dict.fromkeys(argument for found in acting.values() for argument, _ in found):
+        rate = gradient(argument)[scene.time]
+        group = next((group for group in groups if is_zero(gradient(group[0])[scene.time] - rate)), None)
+        (groups.append([argument]) if group is None else group.append(argument))
+    base = {argument: min(group, key=lambda one: len(one.args) if one.op == "sum" else 0)
+            for group in groups for argument in group}
+    return {i: _about(scene, found, base) for i, found in acting.items()}
+
+
+def _about(scene, found, base):
+    """Waves by the arguments that stand for theirs."""
+    told, table = {}, scene.table
+    for (argument, wave), node in found.items():
+        ahead = textbook(argument - base[argument])
+        if ahead.is_zero:
+            parts = {wave: node}
+        else:
+            along, across = (table.call(name, ahead) for name in ("cos", "sin"))
+            parts = {"sin": along * node, "cos": across * node} if wave == "sin" else {
+                "cos": along * node, "sin": -across * node}
+        for kind, part in parts.items():
+            key = base[argument], kind
+            told[key] = told.get(key, table.zero) + part
+    return told
 
 
 def _reference(scene, acting):

@@ -68,12 +68,16 @@ class Connections:
 
     def stored(self) -> "Iterator[tuple[EnergyPart, Acting]]":
         """(V, what acts) of each spring and each weight."""
-        for term in self.scene.springs:
-            yield self._spring(term, term.weight)
-        for law in self.scene.laws:
+        for term, still in self._beside("springs"):
+            yield self._spring(term, term.weight, still)
+        for law, still in self._beside("laws"):
             if not law.damper:
-                yield self._spring(law, self._slope(law, law.s, "k", "stiffness"))
+                yield self._spring(law, self._slope(law, still.s, "k", "stiffness"), still)
         yield from self._weights()
+
+    def _beside(self, kind):
+        """[(term, the same as a function of driven displacements)]."""
+        return zip(getattr(self.scene, kind), self.scene.undriven(kind), strict=True)
 
     def _slope(self, law, at, letter, what):
         """The slope of a law at rest, told with a letter of its own."""
@@ -94,9 +98,9 @@ class Connections:
         elements = {**(spec.get("springs") or {}), **(spec.get("dampers") or {})}
         return "N·m" if "torsion" in elements.get(owner, {}) else "N"
 
-    def _spring(self, term, k):
+    def _spring(self, term, k, still):
         about, sheet = self.about, self.sheet
-        small, tension = about.small(term.s), about.tension(term.force(self.scene))
+        small, tension = about.small(term.s), about.tension(still.force(self.scene))
         loaded = not tension.is_zero
         if (like := self._like_another(term, small, tension, k)) is not None:
             return like
@@ -137,7 +141,7 @@ class Connections:
 
     def _exactly(self, small, moves):
         """What a function of the coordinates is, counted from rest, and whether it is what is told of it."""
-        s = textbook(self.about.shifted(small.s) - self.about.rest(small.s, named=False))
+        s = textbook(self.about.shifted(small.s) - self.about.rest(small.still, named=False))
         return s, not small.bends and plain(s) == plain(textbook(moves))
 
     def _turns(self, s):

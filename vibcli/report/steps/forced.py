@@ -29,7 +29,7 @@ TOLD = 3                # harmonics of a periodic wave that have numbers
 def tell_forced(degree: Degree) -> None:
     """What a load keeps up, or its pieces bring about; nothing where that is not told."""
     from vibcli.analyses.closed_form.powers_of_time import are_powers
-    from vibcli.analyses.closed_form.steady_state import waves
+    from vibcli.analyses.closed_form.steady_state import waves_of_all
 
     load = degree.found.drive.get(0)
     if load is None or degree.problem.spec.in_full:
@@ -39,7 +39,7 @@ def tell_forced(degree: Degree) -> None:
         return
     try:
         found: dict = {}
-        for (argument, kind), node in waves(degree.problem.scene, load).items():
+        for (argument, kind), node in waves_of_all(degree.problem.scene, {0: load})[0].items():
             found.setdefault(argument, {})[kind] = node
     except NotInLetters:
         _other(degree, load)
@@ -115,10 +115,11 @@ def _complex_equation(degree, X, steady, line):
 
 def _load(degree, steady):
     """(A, B) of a load A sin + B cos, (B, −A) where cosines are counted from."""
-    from vibcli.analyses.closed_form.steady_state import waves
+    from vibcli.analyses.closed_form.steady_state import waves_of_all
 
     zero = degree.about.table.zero
-    found = {kind: node for (_, kind), node in waves(degree.problem.scene, degree.found.drive[0]).items()}
+    acting = waves_of_all(degree.problem.scene, {0: degree.found.drive[0]})[0]
+    found = {kind: node for (_, kind), node in acting.items()}
     A, B = (textbook(found.get(kind, zero)) for kind in ("sin", "cos"))
     return (A, B) if steady.wave == "sin" else (B, -A)
 

@@ -33,12 +33,12 @@ class Small:
     line needs."""
 
     def __init__(self, about: "AboutRest", s: "Node"):
-        self._about, self.s = about, s
+        self._about, self.s, self.still = about, s, about.undriven.get(s, s)
 
     @cached_property
     def at_rest(self) -> "Node":
         """Its value there."""
-        return self._about.rest(self.s)
+        return self._about.rest(self.still)
 
     @cached_property
     def slopes(self) -> "dict[int, Node]":
@@ -57,12 +57,12 @@ class Small:
 
     @cached_property
     def drive(self) -> "Node":
-        """What of it is a function of the time, counted from t = 0."""
-        return self._about.driven(self.s)
+        """What of it is a function of the time, counted from where nothing is driven to and fro."""
+        return self._about.driven(self.s, self.still)
 
     @cached_property
     def _row(self):
-        return row_of(self.s, self._about.index)
+        return row_of(self.still, self._about.index)
 
     @cached_property
     def _bends(self):
@@ -70,16 +70,21 @@ class Small:
 
 
 class AboutRest:
-    """A problem about its rest. place: {symbol: node} of all coordinates and the time; values: {letter: float} of the
-    letters of places that are known in numbers alone; samples: values of the parameters at which expressions are held
-    against each other."""
+    """A problem about its rest. place: {symbol: node} of all coordinates, the time and driven displacements; values:
+    {letter: float} of the letters of places that are known in numbers alone; samples: values of the parameters at which
+    expressions are held against each other; undriven: {s: the same as a function of driven displacements}."""
 
     order_of_speeds = " to the first order"
 
     def __init__(self, problem: "Problem", place: "Mapping[Node, Node]", values: Mapping[str, float],
                  sheet: WorkedSolution | None = None):
         self.problem, self.scene, self.table = problem, problem.scene, problem.scene.table
-        self.place = {**place, **dict.fromkeys((*self.scene.v, *self.scene.a), self.table.zero)}
+        scene, zero = self.scene, self.table.zero
+        drives = scene.held_drives
+        begun = substitute(list(drives.values()), {scene.time: zero})
+        self.place = {**place, **dict.fromkeys((*scene.v, *scene.a), zero), **dict(zip(drives, begun, strict=True))}
+        self.undriven = {one.s: other.s for kind, terms in scene.shaken.items()
+                         for one, other in zip(getattr(scene, kind), terms, strict=True)}
         self._known, self._sheet, self._named = dict(values), sheet, {}
         self._searched, self._of_letters = bool(values), 0
         self.index = {q: i for i, q in enumerate(self.scene.q)}
@@ -94,12 +99,12 @@ class AboutRest:
         moved = {q: self.place[q] + q for q in self.scene.q if not self.place[q].is_zero and q in gradient(node)}
         return textbook(substitute([node], moved)[0] if moved else node)
 
-    def driven(self, s: "Node") -> "Node":
-        """s(q₀, t) − s(q₀, 0)."""
+    def driven(self, s: "Node", still: "Node") -> "Node":
+        """s(q₀, t) less what it is there while nothing is driven to and fro."""
         if self.scene.time not in gradient(s):
             return self.table.zero
-        still = {symbol: node for symbol, node in self.place.items() if symbol is not self.scene.time}
-        return textbook(self._unrooted(substitute([s], still)[0]) - self.rest(s))
+        place = {symbol: node for symbol, node in self.place.items() if symbol is not self.scene.time}
+        return textbook(self._unrooted(substitute([s], place)[0]) - self.rest(still))
 
     def _begun(self, node):
         """The same with 0 and 1 for steps and ramps of instants that are known to be before or after their begin."""

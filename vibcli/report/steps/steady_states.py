@@ -39,7 +39,7 @@ def tell_steady_states(about: AboutRest, sheet: WorkedSolution, found: SmallEqua
     """Write down what each frequency of the loads keeps up, or what follows loads that grow; nothing where that is not
     such a sum."""
     from vibcli.analyses.closed_form.powers_of_time import are_powers
-    from vibcli.analyses.closed_form.steady_state import waves
+    from vibcli.analyses.closed_form.steady_state import waves_of_all
 
     if not found.drive or about.problem.spec.in_full or not proportional(about.problem.spec):
         return
@@ -47,7 +47,7 @@ def tell_steady_states(about: AboutRest, sheet: WorkedSolution, found: SmallEqua
         _growing(about, sheet, found)
         return
     try:
-        acting = {i: waves(about.scene, node) for i, node in found.drive.items()}
+        acting = waves_of_all(about.scene, found.drive)
     except NotInLetters:
         return
     driven: dict[Node, dict[int, dict[str, Node]]] = {}

@@ -32,6 +32,12 @@ SHAKEN = """
     springs: {s: {k: k, between: [base, block]}}
     dampers: {d: {c: c, between: [base, block]}}
 """
+BETWEEN = """
+    parameters: {m: , k: , c: , Y: , Z: , psi: , Omega: }
+    bodies: {one: {slide: Y*sin(Omega*t)}, two: {slide: Z*sin(Omega*t + psi)}, block: {mass: m, slide: x}}
+    springs: {s: {k: k, between: [one, block]}, r: {k: 2*k, between: [block, two]}}
+    dampers: {d: {c: c, between: [block, two]}}
+"""
 UNBALANCED = """
     parameters: {m: , k: , c: , m0: , e: , Omega: }
     bodies: {motor: {mass: m, at: [0, 0], slide: {along: [0, 1], by: x}}}
@@ -77,7 +83,7 @@ def with_numbers(lettered, given):
 
 
 @pytest.mark.parametrize("signal", ["x", "x'", "x''", "s.force", "d.force", "ground.force"])
-@pytest.mark.parametrize("scene", [FORCED % "sin", FORCED % "cos", SHAKEN, UNBALANCED, ABSORBER, DAMPED])
+@pytest.mark.parametrize("scene", [FORCED % "sin", FORCED % "cos", SHAKEN, BETWEEN, UNBALANCED, ABSORBER, DAMPED])
 def test_steady_states_have_the_values_of_the_motion(scene, signal):
     """X, and θ of X sin(Ωt − θ); of X cos(Ωt − θ) the lag is a quarter less."""
     if scene in (ABSORBER, DAMPED):
