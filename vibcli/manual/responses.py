@@ -177,9 +177,9 @@ STEPS = [
          "where they are asked, points of a response that the one damper of two degrees does not move."),
         ("wide motions", "of one coordinate that keeps its energy: the integral ½ m q̇² + V = E, where it turns, its "
          "greatest speed and its period; under dry friction the half cycles until it rests"),
-        ("members", "differential equation, standing waves and their general solution, what holds at each station, "
-         "what the ends leave, the frequency equation, its first roots and their frequencies; where it has no closed "
-         "form the equations, and frequencies by a search"),
+        ("members", "differential equation, what holds at each station and of what holds them, standing waves and "
+         "their general solution, what the ends leave, the frequency equation, its first roots and their frequencies; "
+         "where it has no closed form the equations, and frequencies by a search"),
         ("forces", "what is asked of constraints and supports, or all where nothing can move: the balance along each "
          "coordinate that takes part, accelerations from rest, then the values"),
         ("chosen parameters", "the condition solved last; which solution was taken"),

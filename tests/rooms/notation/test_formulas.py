@@ -127,6 +127,15 @@ def test_a_sum_of_negative_terms_gives_its_sign_away(exponent, wanted):
     assert plain(-node).startswith("−") == (exponent == 2)
 
 
+def test_the_root_of_a_square_is_written_as_a_magnitude():
+    table = Table()
+    x, y = table.parameter("x", positive=False), table.parameter("y", positive=False)
+    square = table.product((x - y, 2))
+    assert plain(table.product((square, Fraction(1, 2)))) in ("|x − y|", "|y − x|")
+    assert plain(table.product((square, Fraction(-1, 2)), (y, 1))) in ("y/|x − y|", "y/|y − x|")
+    assert "√" in plain(table.product((square + 1, Fraction(1, 2))))
+
+
 def test_what_leads_by_a_quarter_of_a_period_keeps_its_sign():
     table = Table()
     m, k = table.parameter("m"), table.parameter("k")

@@ -109,3 +109,13 @@ answers: {rope.force.1(0 s): 40 N, rope.force.2(0 s): 36 N}
     assert found["x''(0 s)"] == pytest.approx((5 - 3) * 10 / (8 + 0.08 / 0.2**2))
     assert found["rope.force.1"] == pytest.approx(5 * (10 - 2)) and found["rope.force.2"] == pytest.approx(3 * 12)
     assert any("m₁·ẍ + S_rope_1 − m₁·g = 0" in line for line in told(lines))
+
+
+@pytest.mark.parametrize(("stem", "wanted"), [
+    ("mast_on_a_cart", ["M·ẍ + k·x = −EI·∂³u/∂x³ of mast at x = 0"]),
+    ("geared_shafts_with_inertia", ["(J₁·r₂² + J₂·r₁²)/r₂²·φ̈₁ = −π·d⁴·G/32·∂φ/∂x of one at x = L₁ − "
+                                    "π·r₁·d⁴·G/(32·r₂)·∂φ/∂x of two at x = 0"]), ("cantilever_with_tip_mass", [])])
+def test_what_members_are_held_to_has_its_balance(stem, wanted):
+    """Newton's and Euler's laws of a cart under the shear at the foot of its mast, of a pair of wheels on shafts."""
+    lines = told(worked(settled(kept_problem_of(Path("problems/8_continuous") / f"{stem}.yaml"))))
+    assert [line.partition(":  ")[2] for line in lines if line.startswith("what it is held to")] == wanted

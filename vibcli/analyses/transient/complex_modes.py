@@ -11,7 +11,6 @@ from vibcli.analyses.transient.eigenvalue_clusters import groups, joined, starti
 from vibcli.analyses.transient.modal_block import ModalBlock
 from vibcli.analyses.transient.modal_input import blocks
 from vibcli.analyses.transient.refined_subspaces import sharpened
-from vibcli.analyses.transient.rigid_motions import exact, freed
 
 
 def general(M: np.ndarray, C: np.ndarray, K: np.ndarray, rigid: np.ndarray | None = None) -> list[ModalBlock]:
@@ -21,12 +20,15 @@ def general(M: np.ndarray, C: np.ndarray, K: np.ndarray, rigid: np.ndarray | Non
     M, C, K = (np.ldexp(unit[:, None] * matrix * unit, -lower * rate) for lower, matrix in enumerate((M, C, K)))
     found = blocks(M, C, exact_bases(M, C, K))
     if rigid is not None and rigid.size:
-        found = _freely(found, freed(M, C, K, rigid / unit[:, None]))
+        found = _freely(found, M, C, K, rigid / unit[:, None])
     return [_in_units(block, unit, rate) for block in found]
 
 
-def _freely(found, apart):
+def _freely(found, M, C, K, rigid):
     """Blocks that hold as many eigenvalues 0 as what moves freely has."""
+    from vibcli.analyses.transient.rigid_motions import exact, freed
+
+    apart = freed(M, C, K, rigid)
     if apart is None or exact(found) >= apart.zeros:
         return found
     return [apart.back(block) for block in blocks(apart.M, apart.C, exact_bases(apart.M, apart.C, apart.K))]

@@ -70,7 +70,7 @@ class MemberSteps:
             raise PhysicsError(WITHOUT, HINT)
         lines = [line for name in self.scene.members for first, held in [self._conditions(name)]
                  for line in (first, *held)]
-        lines += [self._carried(i) for i in others]
+        lines += [*map(self._carried, others), *self._bound(self.scene.members)]
         words = ", without what damps," if self.damped else ""
         line = self.sheet.write(Words(f"they hold{words} at frequencies that a search finds, which misses none"),
                                 settles="frequencies", uses=lines)
@@ -80,13 +80,20 @@ class MemberSteps:
                 self.sheet.write(f"ω{lowered(mode.index)}", *number(omega, "rad/s"), *of_time(self.sheet, omega),
                                  settles=f"omega[{mode.index}]", value=omega, unit="rad/s", uses=[line])
 
-    def _carried(self, i):
+    def _bound(self, names):
+        """The equations of what members are held to, of coordinates that no member has of its own."""
+        members = [self.scene.members[name] for name in names]
+        tied = reachable([node for one in members for station in one.stations for node in one.motions(station)])
+        return [self._carried(i, "what it is held to:  ") for i, q in enumerate(self.scene.q) if q in tied
+                and not any(member.has_coordinate(q.name) for member in self.scene.members.values())]
+
+    def _carried(self, i, words="what it carries:  "):
         one = carried(i, self.form.pieces, self.matrices, self.scene)
-        return self.sheet.write(Words("what it carries:  "), *one.parts, settles=f"equation[{self.scene.q[i].name}]")
+        return self.sheet.write(Words(words), *one.parts, settles=f"equation[{self.scene.q[i].name}]")
 
     def _of_one(self, found):
         conditions = [self._conditions(name) for name in found.members]
-        hung = [self._carried(i) for i in found.hung]
+        hung = [*map(self._carried, found.hung), *self._bound(found.members)]
         waves = self._standing_waves(found, [first for first, _ in conditions])
         uses = [waves, *(line for _, lines in conditions for line in lines), *hung]
         ends = Ends(found, self.sheet)
