@@ -14,7 +14,7 @@ from http.client import HTTPConnection
 from pathlib import Path
 
 import pytest
-from support.browser import BROWSER, NEEDED, QUIET, dom
+from support.browser import BROWSER, NEEDED, QUIET, dom, measured
 from support.imported import modules
 
 from vibcli.cli import run
@@ -328,6 +328,19 @@ def test_a_browser_shows_the_page(tmp_path):
         shown = dom(f"http://127.0.0.1:{port}/", tmp_path / "profile")
     assert "Natural frequencies" in shown and "<math" in shown
     assert "has ended" not in re.sub(r"(?s)<script.*?</script>", "", shown)
+
+
+@pytest.mark.sweep
+@NEEDED
+def test_what_moves_is_paused_and_goes_on_by_a_button_that_keys_reach(tmp_path):
+    moving = ('<svg viewBox="0 0 9 9"><circle r="1"><animate attributeName="r" values="1;2" dur="1s" '
+              'repeatCount="indefinite"/></circle></svg>')
+    paused = "main.querySelector('svg').animationsPaused()"
+    tried = f"(pause.focus(), document.activeElement === pause), (pause.click(), {paused}), (pause.click(), {paused})"
+    text = page(State(3, "t", (moving,)), "n")
+    assert measured(text, tmp_path, f"[!pause.hidden, {tried}].map(Number).join('')") == 1110
+    text = page(State(3, "t", ("<p>nothing moves</p>",)), "n")
+    assert measured(text, tmp_path, "Number(pause.hidden)") == 1
 
 
 @pytest.mark.sweep

@@ -102,6 +102,12 @@ class FreeMotions:
                          for amplitude, energy, (period, error) in zip(amplitudes, motions.energy.tolist(), periods,
                                                                        strict=True)], None)
 
+    def turning_places(self, tree: Any, amplitude: float) -> tuple[float, float]:
+        """Where the motion of one degree of freedom turns in which a signal has an amplitude."""
+        require_positive(amplitude)
+        found = self._motions(tree, node_of(self.problem, tree), np.array([amplitude]))
+        return float(found.left[0, 0]), float(found.right[0, 0])
+
     def _motions(self, tree, node, amplitudes):
         try:
             return motions_by_amplitude(self.family, self._signal(node), amplitudes)

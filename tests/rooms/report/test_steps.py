@@ -242,6 +242,8 @@ def test_every_equality_holds(path):
     assert not checked.wrong
     if not scene.pieces:
         assert checked.lines[-1].number <= LONGER.get(path.stem, MOST.get(len(scene.q), math.inf))
+    last = [one.parts[-1] for one in checked.lines if one.parts]
+    assert not any(isinstance(part, Words) and part.text.rstrip().endswith(":") for part in last)
     searched = any(one.value is not None and one.node is None for one in checked.lines)
     assert checked.count or searched or scene.laws or found.spec.get("energies") or scene.timed or scene.matrices
     assert not faults(Document(path.stem, None, (), section_of(checked.lines)), FORMATS)

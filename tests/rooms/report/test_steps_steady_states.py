@@ -183,3 +183,50 @@ def test_amplitudes_that_the_engine_has_not_are_not_told(monkeypatch):
     monkeypatch.setattr(steady_states.SteadyState, "_parts", lambda self, i, j: (
         whole(self, i, j)[0] * 2, whole(self, i, j)[1]))
     assert not any(line.settles == "steady state" for line in worked(problem(text)))
+
+
+ROAD = """
+points:
+  F: {body: car, at: [a, 0]}
+  R: {body: car, at: [-b, 0]}
+  front: {at: [a, -0.5 m], moves: [0, h*sin(2*pi*v*t/W)]}
+  rear: {at: [-b, -0.5 m], moves: [0, h*sin(2*pi*(v*t - a - b)/W)]}
+bodies: {car: {mass: m, gyration: i, at: [0, 0], move: [0, y, phi]}}
+springs: {s1: {k: k1, between: [front, F]}, s2: {k: k2, between: [rear, R]}}
+dampers: {d1: {c: c1, between: [front, F]}, d2: {c: c2, between: [rear, R]}}
+"""
+AXLES = {"m": (1200, "kg"), "i": (1.2, "m"), "a": (1.2, "m"), "b": (1.4, "m"), "k1": (40e3, "N/m"), "k2": (36e3, "N/m"),
+         "c1": (2e3, "kg/s"), "c2": (2e3, "kg/s"), "h": (0.02, "m"), "W": (5, "m"), "v": (20, "m/s")}
+
+
+def test_axles_that_lag_are_loads_of_one_frequency():
+    """Held against the complex equations, put up by hand with a phase of the rear axle."""
+    m, i, a, b, k1, k2, c1, c2, h, W, v = (value for value, _ in AXLES.values())
+    given = ", ".join(f"{name}: {value:g} {unit}" for name, (value, unit) in AXLES.items())
+    lines = worked(problem(f"{ROAD}parameters: {{{given}}}"))
+    w = 2 * math.pi * v / W
+    front, rear = k1 + 1j * w * c1, k2 + 1j * w * c2
+    lag = cmath.exp(-2j * math.pi * (a + b) / W)
+    Z = [[front + rear - m * w**2, a * front - b * rear], [a * front - b * rear,
+                                                           a**2 * front + b**2 * rear - m * i**2 * w**2]]
+    F = h * (front + rear * lag), h * (a * front - b * rear * lag)
+    D = Z[0][0] * Z[1][1] - Z[0][1] * Z[1][0]
+    X = (F[0] * Z[1][1] - F[1] * Z[0][1]) / D, (F[1] * Z[0][0] - F[0] * Z[1][0]) / D
+    values = {line.settles: line.value for line in lines}
+    assert values["amplitude(y)"] == pytest.approx(abs(X[0]), rel=1e-9)
+    assert values["amplitude(phi)"] == pytest.approx(abs(X[1]), rel=1e-9)
+    assert values["phase(y)"] == pytest.approx(-cmath.phase(X[0]), rel=1e-9)
+
+
+def test_lines_in_letters_say_something_of_each_frequency():
+    """Axles that lag are told once, a further frequency by its right sides; no line ends with a colon."""
+    letters = ", ".join(f"{name}: {{unit: {unit}}}" for name, (_, unit) in AXLES.items())
+    of_two = "{m: {unit: kg}, k: {unit: N/m}, F: {unit: N}, w: {unit: rad/s}, u: {unit: rad/s}}"
+    forced = re.sub("parameters: .*", f"parameters: {of_two}", TWO) + (
+        "forces: {f: {at: a, force: F*sin(w*t) + F*sin(u*t)}}\n")
+    for text, often in ((f"{ROAD}parameters: {{{letters}}}", 0), (forced, 1)):
+        found = told(worked(problem(text)))
+        assert sum("likewise" in line for line in found) == often
+        assert sum("solved as any linear equations" in line for line in found) == often
+        assert any("steady state" in line for line in found)
+        assert not any(line.rstrip().endswith(":") for line in found)

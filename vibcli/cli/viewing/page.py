@@ -7,7 +7,9 @@ MORE = """
 #errors { white-space: pre-wrap; overflow-x: auto; border-left: 4px solid #b00020; padding: 0.5em 0.8em;
   font: 0.9rem/1.4 monospace; position: sticky; top: 0; z-index: 1; background: Canvas; max-height: 40vh; }
 #work { position: fixed; right: 1rem; bottom: 0.5rem; opacity: 0.8; font-size: 0.9rem; }
+#pause { position: fixed; left: 1rem; bottom: 0.5rem; font: inherit; }
 #errors:empty, #work:empty { display: none; }
+@media print { #pause { display: none; } }
 #errors:not(:empty) ~ main { opacity: 0.45; }
 .part + .part { border-top: 1px solid var(--rule); margin-top: 3rem; padding-top: 1rem; }
 """
@@ -15,6 +17,14 @@ SCRIPT = """
 "use strict";
 const main = document.querySelector("main"), errors = document.getElementById("errors");
 const work = document.getElementById("work");
+const pause = document.getElementById("pause");
+let still = false;
+function move() {
+  pause.hidden = !main.querySelector("animate, animateTransform");
+  pause.textContent = still ? "Play" : "Pause";
+  for (const svg of main.querySelectorAll("svg")) if (still) svg.pauseAnimations(); else svg.unpauseAnimations();
+}
+pause.addEventListener("click", () => { still = !still; move(); });
 let version = Number(document.body.dataset.version), parts = null;
 function show(found) {
   version = found.version;
@@ -30,6 +40,7 @@ function show(found) {
     main.children[i].innerHTML = part;
   });
   parts = found.parts;
+  move();
 }
 async function follow() {
   for (;;) {
@@ -44,6 +55,7 @@ async function follow() {
     }
   }
 }
+move();
 follow();
 """
 
@@ -56,5 +68,6 @@ def page(state: State, nonce: str) -> str:
             f'<meta name="viewport" content="width=device-width, initial-scale=1"/>\n'
             f"<title>{words(state.title)}</title>\n<style>{STYLE}{MORE}</style>\n</head>\n"
             f'<body data-version="{state.version}">\n<pre id="errors" role="alert">{errors}</pre>\n'
-            f'<main>{parts}</main>\n<div id="work" role="status">{words(state.work)}</div>\n'
+            f'<main>{parts}</main>\n<button id="pause" type="button" hidden="">Pause</button>\n'
+            f'<div id="work" role="status">{words(state.work)}</div>\n'
             f'<script nonce="{nonce}">{SCRIPT}</script>\n</body>\n</html>')

@@ -19,7 +19,7 @@ from vibcli.symbolic.normal_form import textbook
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
-LENGTH, TURN = (("m_e", "kg"), ("k_e", "N/m")), (("J_e", "kg·m²"), ("k_e", "N·m/rad"))     # of q̈ and q
+LENGTH, TURN = (("m_e", "kg"), ("k_e", "N/m")), (("J_e", "kg·m²"), ("k_e", "N·m/rad"))    # of q̈ and q
 LONG = 20       # letters of such a factor, beyond which it has one of its own
 
 

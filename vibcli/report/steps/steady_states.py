@@ -15,7 +15,9 @@ from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.characteristic import determinant
 from vibcli.report.steps.complex_numbers import cleared, complex_parts, complex_told
 from vibcli.report.steps.fixed_points import tell_fixed_points
+from vibcli.report.steps.growing_loads import tell_growing
 from vibcli.report.steps.held import HINT, UNTOLD, SmallEquations, Untold
+from vibcli.report.steps.loads_by_frequency import by_frequency
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.derivatives import gradient
@@ -44,33 +46,19 @@ def tell_steady_states(about: AboutRest, sheet: WorkedSolution, found: SmallEqua
     if not found.drive or about.problem.spec.in_full or not proportional(about.problem.spec):
         return
     if are_powers(about.problem.symbolic):
-        _growing(about, sheet, found)
+        tell_growing(about, sheet, found)
         return
     try:
         acting = waves_of_all(about.scene, found.drive)
     except NotInLetters:
         return
-    driven: dict[Node, dict[int, dict[str, Node]]] = {}
-    for i, parts in acting.items():
-        for (argument, wave), node in parts.items():
-            driven.setdefault(argument, {}).setdefault(i, {})[wave] = node
+    driven = by_frequency(about, acting)
     before = len(sheet.steps)
     try:
-        for order, (argument, loads) in enumerate(driven.items(), 1):
+        for order, (argument, loads) in enumerate(driven, 1):
             SteadyState(about, sheet, found, argument, loads).write(order, len(driven) > 1)
     except (PhysicsError, ZeroDivisionError):
         del sheet.steps[before:]
-
-
-def _growing(about, sheet, found):
-    """What each coordinate follows loads that are powers of the time by."""
-    for name in about.scene.coordinates:
-        try:
-            node = about.problem.symbolic_following(name)
-        except PhysicsError:
-            return
-        sheet.write(Words("of the form of the load, tried in the equations, is  "), Name(name), " = ", node,
-                    settles=f"following({name})", node=node, uses=found.lines)
 
 
 class SteadyState:
@@ -103,6 +91,9 @@ class SteadyState:
         written = self.n <= WRITTEN and order == 1
         lines = [line, *(self._determinant([line]) if written else [])]
         values = self._solved()
+        if values is None and not written:
+            self._right_sides(line)
+            return
         for k, name in enumerate(self.names):
             self._amplitude(k, name, values, lines, written)
         if written and not self.several and all(self._force(i)[1].is_zero for i in range(self.n)):
@@ -124,7 +115,7 @@ class SteadyState:
     def _equations(self):
         """The line of Z X = F."""
         sheet, Omega = self.sheet, self.Omega
-        argument = [self.argument] if Omega is self.given else [Omega, "·", self.about.scene.time]
+        argument = [self.argument] if Omega is self.given else self._shifted()
         what = [Words(", "), Omega, " = ", self.given] if Omega is not self.given else []
         what += number(value, "rad/s") if (value := self.about.value(self.given)) is not None and what else []
         under = [Words(" under  "), f"{self.wave}(", *argument, ")", *what]
@@ -137,12 +128,25 @@ class SteadyState:
         form = [X, f"·{self.wave}(", *argument, ")"]
         if not self.undamped:
             part = "imaginary" if self.wave == "sin" else "real"
-            turned = ["(", *argument, ")"] if argument[0].op == "sum" else argument
+            turned = ["(", *argument, ")"] if len(argument) > 3 or argument[0].op == "sum" else argument
             form = [Words(f"the {part} part of  "), X, "·exp(i·", *turned, ")"]
         head = [Words("steady state"), *(under if self.several else []), Words(": each coordinate is  "), *form]
         equations = [Words("  with  "), "(", K, " − ", Factor(Omega ** 2), "·", M, *rates, ")·", X, " = ", F]
         return sheet.write(*head, *([] if self.several else what), *equations, settles="steady state",
                            uses=self.found.lines)
+
+    def _shifted(self):
+        """Parts of Ωt, and of the phase of the loads."""
+        time = self.about.scene.time
+        phase_of = textbook(self.argument - self.given * time)
+        return [self.Omega, "·", time, *([] if phase_of.is_zero else [" + ", Factor(phase_of)])]
+
+    def _right_sides(self, line):
+        """The line of F of what is not solved in letters."""
+        told = [(self._letter("F", i), complex_parts(*self._force(i))) for i in self.loads]
+        self.sheet.write(Words("solved as any linear equations, with  "), *[part for i, (letter, parts) in enumerate(
+            told) for part in (*([Words(",  ")] if i else []), letter, " = ", *parts)], settles="right sides",
+            uses=[line])
 
     def _letter(self, name, i, j=None):
         return self.about.letter(self.sheet.letter(f"{self.sheet.matrix(name) if j is not None else name}{i + 1}"
@@ -176,8 +180,8 @@ class SteadyState:
             sheet.letter("F")), Words(":  ")], len(sheet.steps)
         for letter, more, parts in self.defined:
             value = self._complex(*parts)
-            shown = [*complex_parts(*parts), *(() if value is None or _is_number(parts) else (
-                " = " + complex_told(value),))]
+            plain = value is None or all(part.op == "number" for part in parts)
+            shown = [*complex_parts(*parts), *(() if plain else (" = " + complex_told(value),))]
             joined = len(sheet.steps) > first
             sheet.write(*([] if joined else head), letter, more, " = ", *shown, settles=letter.name, uses=uses,
                         joined=joined, **self._real(parts))
@@ -294,7 +298,3 @@ class SteadyState:
             if not abs(abs(of_engine) - mine) <= CLOSE * mine:
                 return False
         return True
-
-
-def _is_number(parts):
-    return all(part.op == "number" for part in parts)

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.nonsmooth import require_smooth
 from vibcli.report.steps.asked import tell_asked
+from vibcli.report.steps.by_amplitude import tell_by_amplitude
 from vibcli.report.steps.chosen import tell_chosen, with_letters
 from vibcli.report.steps.coordinates import tell_conditions, tell_constraints, tell_coordinates, tell_loops
 from vibcli.report.steps.degree import Degree
@@ -35,6 +36,7 @@ def worked(problem: "Problem") -> list[WorkedLine]:
     element by element; then to its small oscillations."""
     _require_told(problem)
     sheet = _sheet_of(problem)
+    tell_by_amplitude(problem, sheet)
     tell_asked(problem, sheet)
     if problem.choice is not None:
         tell_chosen(problem, sheet)
