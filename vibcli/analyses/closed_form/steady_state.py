@@ -100,9 +100,9 @@ def waves(scene: "Scene", node: "Node") -> "dict[tuple[Node, str], Node]":
 
 
 def waves_of_all(scene: "Scene", drive: "Mapping[int, Node]") -> "dict[int, dict[tuple[Node, str], Node]]":
-    """{i: waves} of functions of the time; those of one frequency all by the sine and cosine of one argument, the
-    shortest: sin(Ωt + φ) = cos φ sin Ωt + sin φ cos Ωt."""
-    acting = {i: waves(scene, node) for i, node in drive.items()}
+    """{i: waves} of functions of the time, no frequency being negative; those of one frequency all by the sine and
+    cosine of one argument, the shortest: sin(Ωt + φ) = cos φ sin Ωt + sin φ cos Ωt."""
+    acting = {i: _forwards(scene, waves(scene, node)) for i, node in drive.items()}
     groups: list[list[Node]] = []
     for argument in dict.fromkeys(argument for found in acting.values() for argument, _ in found):
         rate = gradient(argument)[scene.time]
@@ -111,6 +111,16 @@ def waves_of_all(scene: "Scene", drive: "Mapping[int, Node]") -> "dict[int, dict
     base = {argument: min(group, key=lambda one: len(one.args) if one.op == "sum" else 0)
             for group in groups for argument in group}
     return {i: _about(scene, found, base) for i, found in acting.items()}
+
+
+def _forwards(scene, found):
+    """Waves whose arguments grow with the time."""
+    told = {}
+    for (argument, wave), node in found.items():
+        if scene.number(gradient(argument)[scene.time]) < 0:
+            argument, node = textbook(-argument), -node if wave == "sin" else node
+        told[argument, wave] = told.get((argument, wave), scene.table.zero) + node
+    return told
 
 
 def _about(scene, found, base):

@@ -17,7 +17,6 @@ from vibcli.report.steps.complex_numbers import cleared, complex_parts, complex_
 from vibcli.report.steps.fixed_points import tell_fixed_points
 from vibcli.report.steps.growing_loads import tell_growing
 from vibcli.report.steps.held import HINT, UNTOLD, SmallEquations, Untold
-from vibcli.report.steps.loads_by_frequency import by_frequency
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.derivatives import gradient
@@ -38,8 +37,7 @@ ORDINALS = "first", "second", "third"
 
 
 def tell_steady_states(about: AboutRest, sheet: WorkedSolution, found: SmallEquations) -> None:
-    """Write down what each frequency of the loads keeps up, or what follows loads that grow; nothing where that is not
-    such a sum."""
+    """Write down what each frequency of the loads keeps up, or what follows loads that grow; nothing of other loads."""
     from vibcli.analyses.closed_form.powers_of_time import are_powers
     from vibcli.analyses.closed_form.steady_state import waves_of_all
 
@@ -52,10 +50,13 @@ def tell_steady_states(about: AboutRest, sheet: WorkedSolution, found: SmallEqua
         acting = waves_of_all(about.scene, found.drive)
     except NotInLetters:
         return
-    driven = by_frequency(about, acting)
+    driven: dict[Node, dict[int, dict[str, Node]]] = {}
+    for i, parts in acting.items():
+        for (argument, wave), node in parts.items():
+            driven.setdefault(argument, {}).setdefault(i, {})[wave] = node
     before = len(sheet.steps)
     try:
-        for order, (argument, loads) in enumerate(driven, 1):
+        for order, (argument, loads) in enumerate(driven.items(), 1):
             SteadyState(about, sheet, found, argument, loads).write(order, len(driven) > 1)
     except (PhysicsError, ZeroDivisionError):
         del sheet.steps[before:]
@@ -92,8 +93,7 @@ class SteadyState:
         lines = [line, *(self._determinant([line]) if written else [])]
         values = self._solved()
         if values is None and not written:
-            self._right_sides(line)
-            return
+            return self._right_sides(line)
         for k, name in enumerate(self.names):
             self._amplitude(k, name, values, lines, written)
         if written and not self.several and all(self._force(i)[1].is_zero for i in range(self.n)):
