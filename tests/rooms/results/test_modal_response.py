@@ -7,7 +7,7 @@ import pytest
 from scipy.optimize import brentq
 from support.scenes import problem
 
-from vibcli.analyses.continuous import modal_motion, modal_states
+from vibcli.analyses.continuous import modal_motion, modal_states, uncounted_modes
 from vibcli.analyses.continuous.mode_basis import ModeBasis
 from vibcli.base.errors import NoBound, PhysicsError
 from vibcli.language.signals_of_places import with_places
@@ -301,3 +301,20 @@ def test_what_a_load_does_to_each_mode_is_found_once(monkeypatch):
     assert (tip.values(TIMES) == first).all()
     tip.values(0.5 * TIMES)
     assert len(found) == strokes
+
+
+def test_values_need_no_sums_of_what_is_left_out_of_them(monkeypatch):
+    """Whether what modes left out add has a bound is known without that bound, which is found where it is told."""
+    one, found = problem("""
+        beams:
+          b: {length: 1 m, EI: 100 N*m^2, mass_per_length: 1 kg/m, left: clamped,
+              attached: [{at: 0.5 m, k: 1 N/m}]}
+        points: {tip: {body: b, at: 1 m}}
+        forces: {f: {at: tip, force: 10 N*sin(20 rad/s*t)}}
+        """), []
+    summed = uncounted_modes.motions_squared
+    monkeypatch.setattr(uncounted_modes, "motions_squared", lambda *given: found.append(given) or summed(*given))
+    signals = [one.response.signal(with_places(parse(f"b.shear({x} m)"), one.spec.members)) for x in (0.0, 0.2, 0.7)]
+    assert all(signal.values(np.array([0.1]))[0] for signal in signals)
+    assert {len(pieces) for _, _, pieces, *_ in found} == {2}       # of loads alone: none of a piece parted at a place
+    assert 0 < signals[1].error(0.1) < np.inf and len(found[-1][2]) == 3
