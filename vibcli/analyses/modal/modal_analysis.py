@@ -136,9 +136,7 @@ class ModalAnalysis:
 
     def _sequence(self, found):
         """The Modes of a list of them, or of what finds modes without end; None of None."""
-        if found is None or isinstance(found, list):
-            return None if found is None else Modes(found)
-        return Modes((), found, self.solved)
+        return None if found is None else Modes(found) if isinstance(found, list) else Modes((), found, self.solved)
 
     @cached_property
     def stability(self) -> "Stability":
@@ -256,19 +254,18 @@ class ModalAnalysis:
         return self._rated(self.modes_to(digits), damping, digits)
 
     def _sharpened(self, word, digits, solve, *natural):
-        if (word, digits) not in self._results:
-            elements, sources = self.configuration.linear_system, self.configuration.sources
-            settled = self.system.settled
-            if settled is not None and settled.names:
-                raise PhysicsError(f"the tension of '{settled.names[0]}', found in equilibrium, is known to the digits "
-                                   "of floats: no more of what depends on it are found", "leave --digits out")
-            if sources[0] is None:
-                from vibcli.mechanics.high_precision import Degenerate
+        return self.once(f"{word} to {digits} digits", lambda: self._sharp(digits, solve, *natural))
 
-                raise Degenerate
-            found = self.solved(solve, elements, *natural, *sources, digits=digits)
-            self._results[word, digits] = self._sequence(found)
-        return self._results[word, digits]
+    def _sharp(self, digits, solve, *natural):
+        elements, sources = self.configuration.linear_system, self.configuration.sources
+        if (settled := self.system.settled) is not None and settled.names:
+            raise PhysicsError(f"the tension of '{settled.names[0]}', found in equilibrium, is known to the digits of "
+                               "floats: no more of what depends on it are found", "leave --digits out")
+        if sources[0] is None:
+            from vibcli.mechanics.high_precision import Degenerate
+
+            raise Degenerate
+        return self._sequence(self.solved(solve, elements, *natural, *sources, digits=digits))
 
     @cached_property
     def sharp_modes(self):
@@ -297,9 +294,7 @@ class ModalAnalysis:
 
     def result(self, word: str):
         """What the analysis of a word of `find` finds of these modes, as the file asks for it; found once."""
-        if word not in self._results:
-            questions = self.spec.get("find")
-            asked = None if questions is None else questions.about(word)
-            find = getattr(import_module("vibcli.analyses." + ANALYSES[word][0].replace("/", ".")), word)
-            self._results[word] = self.costs.measured(word, lambda: find(self, asked))
-        return self._results[word]
+        questions = self.spec.get("find")
+        asked = None if questions is None else questions.about(word)
+        find = getattr(import_module("vibcli.analyses." + ANALYSES[word][0].replace("/", ".")), word)
+        return self.once(word, lambda: self.costs.measured(word, lambda: find(self, asked)))

@@ -43,13 +43,12 @@ def tell_steady_states(about: AboutRest, sheet: WorkedSolution, found: SmallEqua
 
     if not found.drive or about.problem.spec.in_full or not proportional(about.problem.spec):
         return
-    if are_powers(about.problem.symbolic):
-        tell_growing(about, sheet, found)
-        return
     try:
-        acting = waves_of_all(about.scene, found.drive)
+        acting = {} if are_powers(about.problem.symbolic) else waves_of_all(about.scene, found.drive)
     except NotInLetters:
         return
+    if not acting:
+        tell_growing(about, sheet, found)
     driven: dict[Node, dict[int, dict[str, Node]]] = {}
     for i, parts in acting.items():
         for (argument, wave), node in parts.items():
@@ -93,7 +92,8 @@ class SteadyState:
         lines = [line, *(self._determinant([line]) if written else [])]
         values = self._solved()
         if values is None and not written:
-            return self._right_sides(line)
+            self._right_sides(line)
+            return
         for k, name in enumerate(self.names):
             self._amplitude(k, name, values, lines, written)
         if written and not self.several and all(self._force(i)[1].is_zero for i in range(self.n)):
