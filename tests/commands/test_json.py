@@ -79,8 +79,8 @@ def well_formed(data, command):
     n = len(data["coordinates"])
     assert all(list(entry) == EQUATIONS for entry in data.get("equations") or ())
     assert all(math.isfinite(x) for x in numbers(data))
-    inertless = "count" not in data and (data["matrices"] or {"M": None})["M"] is None
-    assert ("remark" in data) == ("equilibrium" in data and inertless)
+    without = "equilibrium" in data and "count" not in data and (data["matrices"] or {"M": None})["M"] is None
+    assert without if "remark" in data else not without or any(data["matrices"].values())
     if "equilibrium" in data and data["equilibrium"] is None:
         return
     if "equilibrium" in data:
@@ -90,8 +90,8 @@ def well_formed(data, command):
         for keys, modes in (([*MODE, *members], data["modes"]), (DAMPED, data["damped"])):
             assert all(set(mode) == set(keys) for mode in modes or ())
             assert all(set(mode["shape"]) == set(data["coordinates"]) for mode in modes or () if mode["shape"])
-    if data["matrices"] is None:
-        assert data["equations"] is None and data["count"] >= len(data["modes"])    # members with inertia have none
+    if data["matrices"] is None:        # members with inertia have none, nor has what a kink holds
+        assert "remark" in data or (data["equations"] is None and data["count"] >= len(data["modes"]))
         return
     assert list(data["matrices"]) == MATRICES
     assert all(len(rows) == n and all(len(row) == n for row in rows) for rows in data["matrices"].values() if rows)

@@ -140,7 +140,7 @@ class SmallResponse(Response):
         import numpy as np
 
         elements = self.problem.configuration.linear_system
-        if elements.G or elements.circulatory:
+        if elements.G or elements.circulatory or len(elements.massless) == elements.n:
             return None
         shapes = [[float(x) for x in mode.shape] for mode in self.problem.modal.modes if mode.rigid]
         return np.array(shapes).reshape(len(shapes), elements.n).T
