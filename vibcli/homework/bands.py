@@ -54,9 +54,8 @@ class KeyBand(NamedTuple):
         last, finer = half_a_unit(value, figures), 10.0**(FIGURES[0] - figures)
         if self.carried is None:
             return ROUNDED * finer * abs(value) + last
-        size = abs(value)
-        total, squares, fourths, most = (part * size**power for part, power in zip(
-            self.carried[FIGURES.index(figures)], (1, 2, 4, 1), strict=True))
+        size, (total, squares, fourths, most) = abs(value), self.carried[FIGURES.index(figures)]
+        total, squares, fourths, most = total * size, squares * size**2, fourths * size**4, most * size
         variance = squares / 6 + last**2 / 3
         kurtosis = (fourths / 60 - 2 * last**4 / 15) / variance**2 if variance else 0.0
         least = most + last - 2 * sqrt(SELDOM * most * last)

@@ -212,13 +212,13 @@ def _unreadable(keys, bands, one, numbers):
 
 def _accept(keys, mistakes, bands, solved, equal, same, rejected, all_pass):
     """The Variants that pass the gate of mistakes."""
-    accepted, names = [], [mistake.name for mistake in mistakes]
+    accepted, texts = [], [key.text for key in keys]
+    told = [[mistake.name for mistake in mistakes if (mistake.name, text) not in same] for text in texts]
     for place, one in solved.items():
-        values, reason = [], None
-        for i, (key, found) in enumerate(zip(keys, one.found, strict=True)):
-            given = tuple(Wrong(name, one.wrong[name][i]) for name in names
-                          if (name, key.text) not in same and one.wrong[name][i] is not None)
-            flags = [(each.mistake, key.text) in equal[place] for each in given]
+        values, reason, leads = [], None, equal[place]
+        for i, (key, found, text) in enumerate(zip(keys, one.found, texts, strict=True)):
+            given = tuple(Wrong(name, value) for name in told[i] if (value := one.wrong[name][i]) is not None)
+            flags = [(each.mistake, text) in leads for each in given]
             value, why = key.settled(bands[place][i], found, given, flags)
             reason = reason or why
             values.append(value)

@@ -44,9 +44,10 @@ class KnownMistake(NamedTuple):
         that of any expression in the scene that it takes for the right one, in the same unit."""
         if self.reading is not None:
             return self.reading(right, _head(asked), unit)
-        if not self.concerns(asked, unit):
+        instead = self.instead.get(asked.text)
+        if instead is None and self.problem is None:
             return None
-        return value(self.instead.get(asked.text, asked))
+        return value(instead or asked)
 
 
 def _head(asked):
