@@ -79,8 +79,8 @@ def well_formed(data, command):
     n = len(data["coordinates"])
     assert all(list(entry) == EQUATIONS for entry in data.get("equations") or ())
     assert all(math.isfinite(x) for x in numbers(data))
-    without = "equilibrium" in data and "count" not in data and (data["matrices"] or {"M": None})["M"] is None
-    assert without if "remark" in data else not without or any(data["matrices"].values())
+    inertless = "count" not in data and not any((data["matrices"] or {}).get(name) for name in "MC")
+    assert ("remark" in data) == ("equilibrium" in data and inertless)      # with C alone it creeps
     if "equilibrium" in data and data["equilibrium"] is None:
         return
     if "equilibrium" in data:
