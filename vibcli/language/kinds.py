@@ -218,12 +218,13 @@ def vector(unit: str | None, wants: str, kind: type[Any] = Quantity) -> Many:
 
 
 class OneOf(NamedTuple):
-    """Alternatives told apart by the node's form."""
+    """Alternatives told apart by the node's form; `advice`: what to write for a mapping where none is wanted."""
 
     wants: str
     scalar: Any = None
     sequence: Any = None
     mapping: Any = None
+    advice: str | None = None
 
     @property
     def kinds(self) -> dict[type[Any], Any]:
@@ -233,16 +234,20 @@ class OneOf(NamedTuple):
 
     def read(self, node: Any, reader: Any):
         kind = self.kinds.get(type(node))
-        return reader.expected(node, self.wants) if kind is None else kind.read(node, reader)
+        if kind is None:
+            return reader.expected(node, self.wants, self.advice if isinstance(node, Mapping) else None)
+        return kind.read(node, reader)
 
     def schema(self):
         return {"anyOf": [kind.schema() for kind in self.kinds.values()]}
 
 
+ON_A_BODY = "a place on a body has a name among `points`: P: {body: rod, at: [x, y]}, and is P here"
 PLACE = OneOf("a place [x, y] or the name of a point or body",
-              scalar=NameOf("the name of a point or body", "points", "bodies"), sequence=vector("m", "a place [x, y]"))
+              scalar=NameOf("the name of a point or body", "points", "bodies"), sequence=vector("m", "a place [x, y]"),
+              advice=ON_A_BODY)
 END = OneOf("a place [x, y], the name of a point or body, or ground",
             scalar=NameOf("the name of a point or body, or ground", "points", "bodies", "ground"),
-            sequence=vector("m", "a place [x, y]"))
+            sequence=vector("m", "a place [x, y]"), advice=ON_A_BODY)
 BODY = NameOf("the name of a body", "bodies")
 ENDS = Many(END, 2, 2, "two ends [A, B]")

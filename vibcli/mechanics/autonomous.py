@@ -114,9 +114,15 @@ def _compare(scene, key, wanted, found, size):
 
 
 def _periodic(scene, i, key):
-    return PhysicsError(f"{WORDS[key]} of '{scene.coordinates[i]}' depends on the time: there are no natural "
-                        "frequencies", "such a motion is excited through its parameters; its full equations are those "
-                        "of `vibcli equations`, its motion from `initial` that of motion: full")
+    """What moves on steadily has a rest beside it, perhaps, in coordinates that are measured from it."""
+    name, hint = scene.coordinates[i], ("its full equations are those of `vibcli equations`, its motion from `initial` "
+                                        "that of motion: full")
+    if not all(scene.rate(node).mask & scene.time.mask for node in scene.driven.values()):
+        return PhysicsError(f"{WORDS[key]} of '{name}' depends on the time: in this coordinate there are no natural "
+                            "frequencies", "measure it from what moves on steadily, as in `by: phi + Omega*t` with "
+                            f"`coordinates: [phi]`, where it can be at rest beside it; else {hint}")
+    return PhysicsError(f"{WORDS[key]} of '{name}' depends on the time: there are no natural frequencies",
+                        f"such a motion is excited through its parameters; {hint}")
 
 
 def excitation(scene: "Scene", form: Linearisation, position: "Mapping[Node, Node]") -> "dict[int, Node]":

@@ -41,8 +41,8 @@ def inputs(spec: "Spec") -> list[str]:
 
 
 def _one_drive(spec, record):
-    """The unit of the force along what is driven of a body without a place, to and fro in one way; None of others."""
-    driven = [] if "at" in record else list(prescribed(spec, record).values())
+    """The unit of the force along what is driven of a body, to and fro in one way; None of others."""
+    driven = list(prescribed(spec, record).values())
     return driven[0][0] if len(driven) == 1 and _within_functions(driven[0][1].tree) else None
 
 

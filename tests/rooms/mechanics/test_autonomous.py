@@ -58,3 +58,20 @@ def test_a_pivot_that_is_shaken_upwards_is_looked_at_and_refused(looked):
 def test_one_that_is_shaken_to_the_side_is_looked_at_and_answered(looked):
     scene = problem(PENDULUM.replace("PLACE", "X*sin(W*t)"))
     assert omega(scene) == pytest.approx((9.81 / 0.5) ** 0.5)
+
+
+def test_what_a_turning_disc_carries_has_a_rest_in_turns_counted_from_it():
+    """ω = Ω √(R/r): told in a turn counted from the disc; in one from the ground the reason says that it is the
+    coordinate, and the hint how to measure."""
+    scene = """
+parameters: {R: 0.2 m, r: 0.05 m, Om: 30 rad/s}
+COORDINATES
+bodies:
+  disc: {mass: 5 kg, inertia: 1 kg*m^2, at: [0, 0], pin: {at: [0, 0], by: Om*t}}
+  bob: {mass: 0.3 kg, at: [R + r, 0], pin: {at: [R, 0], carrier: disc, by: TURN}}
+"""
+    with pytest.raises(PhysicsError, match="in this coordinate there are no natural frequencies") as found:
+        omega(problem(scene.replace("COORDINATES", "").replace("TURN", "phi")))
+    assert "by: phi + Omega*t" in found.value.hint
+    turned = problem(scene.replace("COORDINATES", "coordinates: [phi]").replace("TURN", "phi + Om*t"))
+    assert omega(turned) == pytest.approx(60)
