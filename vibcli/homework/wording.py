@@ -66,10 +66,17 @@ def signal_in_words(spec: "Spec", text: str) -> str:
     name, _, part = text.partition(".")
     if text == "ground.force":
         return "the force on the ground"
-    record = spec.connection(name)
-    if record is None or part not in PARTS:
+    if spec.connection(name) is None or part not in PARTS:
         return text
-    return f"the {part} of the {record.element.name} {next(_letters(record), name)}"
+    return f"the {part} of the {name_in_words(spec, name)}"
+
+
+def name_in_words(spec: "Spec", name: str) -> str:
+    """What has a name in the file, as a sheet names it: the spring k, φ; other names as they are."""
+    if name in spec.coordinates:
+        return plain.symbol(name)
+    record = spec.connection(name)
+    return name if record is None else f"{record.element.name} {next(_letters(record), name)}"
 
 
 def _letters(record) -> "Iterator[str]":

@@ -9,7 +9,7 @@ from support.shipped_variants import WITH_VARIANTS, kept_variants_of
 from vibcli.homework.course import CourseProblem
 from vibcli.homework.handout import Handout
 from vibcli.homework.sheets import key_sheet
-from vibcli.homework.wording import quantity_in_words, question_in_words, signal_in_words
+from vibcli.homework.wording import name_in_words, quantity_in_words, question_in_words, signal_in_words
 from vibcli.notation.as_printed import as_printed
 from vibcli.report.blocks import Document
 from vibcli.report.document import Report
@@ -52,6 +52,14 @@ def test_a_key_tells_each_mistake_once_with_what_it_gives_in_each_answer():
     assert [row[0] for row in keys.rows] == ["(a)", "(b)"] and mistakes.head[1:-1] == ("(a)", "(b)")
     assert len(rows) == len(mistakes.rows) == len(wrong[0] | wrong[1]) < len(wrong[0]) + len(wrong[1])
     assert all(rows[name] == tuple(own.get(name, "–") for own in wrong) for name in rows)
+    assert mistakes.rows[list(rows).index("lever ratio once (s)")][-1].startswith("spring k: the ratio")
+
+
+@pytest.mark.parametrize("name, words", [("theta", "θ"), ("spiral", "spring kt"), ("film", "damper ct"),
+                                         ("ring", "ring"), ("ground", "ground")])
+def test_what_a_mistake_concerns_is_named_as_in_the_figure(name, words):
+    spec = kept_problem_of(str(PROBLEMS / "5_forced" / "torsiograph_on_a_shaft.yaml")).spec
+    assert name_in_words(spec, name) == words
 
 
 def test_letters_of_a_question_are_greek_and_its_values_unbroken():

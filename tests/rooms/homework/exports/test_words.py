@@ -125,4 +125,6 @@ def test_attached_files_and_figures_stand_in_each_package(tmp_path):
         with ZipFile(io.BytesIO(written(name, [one])["package.zip"])) as package:
             assert package.read("files/block/quake.csv") == b"t,a\n0,1\n"
             assert b"files/block/quake.csv" in package.read("imsmanifest.xml")
+    odd = one._replace(files={"at 5%, #2?.csv": b"1"})
+    assert b'/at%205%25%2C%20%232%3F.csv">at 5%, #2?.csv</a>' in written("moodle", [odd])["questions.xml"]
     assert on_disk({"a/b": b"c"}, tmp_path).joinpath("a/b").read_bytes() == b"c"
