@@ -15,7 +15,7 @@ from vibcli.bench.rows import Timing
 from vibcli.homework.exports import FORMATS
 
 COUNT, MADE, SIZE = 1000, 40, 1000
-GATE = 0.25         # of making the models of as many
+GATE = 0.15         # of making the models of as many
 KILOBYTES = 20      # a variant, its figure taken off
 TWO = 0.7           # of one process; 0.6 where starts of processes count for nothing
 

@@ -103,7 +103,7 @@ def _pool(course: "Course", handouts: "list[Handout]", folder: Path, force: bool
         if len(those) < count:
             named = " that by chance tell no key of their own" * (len(those) < one.accepted)
             raise PhysicsError(f"{one.name} has {amount(len(those), 'variant')}{named}, and a pool of {count} is asked "
-                               "for", f"ask for --pool {min(map(len, numbers))}, or widen the ranges")
+                               "for", f"ask for --pool {min(map(len, numbers))}, or widen the ranges", one.rules.where)
     assigned = [sheet for one, those in zip(handouts, numbers, strict=True) for sheet in of_pool(one, those)]
     return _write_pool(folder, force, course, handouts, assigned, attempt, salt.decode("utf-8", "replace"), formats,
                        executor)
@@ -208,7 +208,7 @@ def _tell_shared(handouts, assigned, distinct):
         if (most := max(given.values(), default=0)) > 1:
             said = f"{name}: {given.total()} students, {amount(handout.accepted, 'variant')}: up to {most} share one"
             if distinct:
-                raise PhysicsError(said, "widen the ranges of its variants")
+                raise PhysicsError(said, "widen the ranges of its variants", handout.rules.where)
             click.echo(escaped(said), err=True)
 
 

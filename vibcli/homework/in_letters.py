@@ -9,6 +9,7 @@ from vibcli.language.reader import Expression
 from vibcli.notation.scene_language import language
 from vibcli.quantities.quantity import EQUATION, OF_STATE, kind_of
 from vibcli.symbolic.derivatives import substitute
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.parser import parse
 
 if TYPE_CHECKING:
@@ -40,7 +41,11 @@ def _derived(problem, asked):
 
 
 def put_in(problem: "Problem", node: "Node") -> "Node":
-    """A node with the values of those letters that have one."""
+    """A node with the values of those letters that have one; NotInLetters of one that holds a record."""
+    calls = [part.name for part in reachable([node]) if part.op == "call" and part.name in node.table.records]
+    if calls:
+        raise NotInLetters(f"no answer can be written in which the record {calls[0]} stands",
+                           "ask for another quantity, or give the load as a function of the time")
     parameters, given = problem.scene.parameters, problem.numeric.given
     for name in reversed(parameters.order):
         if name in parameters.definitions and name not in given:

@@ -133,7 +133,8 @@ class AnswerKey(NamedTuple):
 
     def is_mistaken_so(self, problem: "Problem", one: Any, wrong: Any, again: Any) -> bool:
         """Is what a mistake gives, as a key has it, what it gives again, within a tenth of its band?"""
-        return abs(wrong - again) <= BOUND * one.band.width * abs(again / one.value) + SAME * abs(one.value)
+        share = abs(again / one.value) if one.value else 1.0
+        return abs(wrong - again) <= BOUND * one.band.width * share + SAME * abs(one.value or again)
 
     def settled(self, hangs_on: KeyBand, found: Any, wrong: tuple[Wrong, ...], equal: list[bool]) -> tuple[Any, Any]:
         """(the key with what it allows, why mistakes are not told from it or None)."""

@@ -7,6 +7,7 @@ from vibcli.base.diagnostics import quoted
 from vibcli.base.errors import Diagnostic, SpecError
 from vibcli.base.spelling import nearest
 from vibcli.homework.document import parameters_of
+from vibcli.homework.wording import name_in_words
 from vibcli.language.document.nodes import Mapping, Scalar
 from vibcli.language.given_values import giver, number_and_unit
 from vibcli.mistakes import MISTAKES
@@ -32,7 +33,15 @@ def mistakes_of(problem: "Problem", rules: "VariantRules", document: "SceneDocum
                                         nearest(name, [one.replace("_", " ") for one in MISTAKES]))])
     catalogue = of_catalogue(problem, document.root, [key.asked for key in keys], document.settings)
     own = list(_of_file(problem, rules, document, keys))
-    return own + [one for one in catalogue if not {one.name, one.name.partition(" (")[0]} & set(rules.mistakes)]
+    return own + [_said_of_the_sheet(problem.spec, one) for one in catalogue
+                  if not {one.name, one.name.partition(" (")[0]} & set(rules.mistakes)]
+
+
+def _said_of_the_sheet(spec, mistake):
+    """The same, with what it concerns named as the sheet does."""
+    concerns = mistake.name.partition(" (")[2].removesuffix(")")
+    rest = mistake.sentence.removeprefix(f"{concerns}: ")
+    return mistake if not concerns else mistake._replace(sentence=f"{name_in_words(spec, concerns)}: {rest}")
 
 
 def own_values(mistake: KnownMistake, rules: "VariantRules") -> "dict[str, GivenValue]":

@@ -1,16 +1,13 @@
 """Sheets as documents of reports: the student's, with the question and its values, and the key with its solution."""
 
-import re
 from collections.abc import Sequence
 from string import ascii_lowercase
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.enumeration import listed
-from vibcli.homework.wording import question_in_words, signal_in_words
+from vibcli.homework.wording import quantity_in_words, question_in_words
 from vibcli.notation.as_printed import as_printed
 from vibcli.notation.numbers import figure
-from vibcli.notation.plain import plain
-from vibcli.quantities.quantity import quantity_of
 from vibcli.report.blocks import (
     Definition,
     Definitions,
@@ -31,6 +28,7 @@ if TYPE_CHECKING:
     from vibcli.homework.roster import Student
     from vibcli.results.problem import Problem
 
+LETTERS = [f"({letter})" for letter in ascii_lowercase]
 MARKED = "Only what this table asks is marked."
 
 
@@ -64,46 +62,38 @@ def _values(problem: "Problem", handout: "Handout") -> tuple[Section, ...]:
 
 def _asked(handout, variant):
     rows = []
-    for number, (key, points, one) in enumerate(zip(handout.keys, handout.points, variant.keys, strict=True)):
-        quantity = quantity_of(handout.base.spec, key.asked.tree)
-        about = _about(handout.base.spec, quantity, key.asked.tree, key.text) if quantity else "this expression"
-        rows.append((f"({ascii_lowercase[number]})", about, key.text, as_printed(key.unit) or "–",
+    for letter, key, points, one in zip(LETTERS, handout.keys, handout.points, variant.keys, strict=False):
+        about, _ = quantity_in_words(handout.base.spec, key.asked.tree, key.text)
+        rows.append((letter, about, key.text, as_printed(key.unit) or "–",
                      one.figures, figure(points, digits=3)))
     table = TableBlock(("", "what", "written as", "unit", "figures", "points"), tuple(rows))
     forms = dict.fromkeys(key.form for key in handout.keys if key.form)
     return section("Asked", table, *map(paragraph, [*forms, MARKED]))
 
 
-def _about(spec, quantity, tree, text):
-    """What a quantity is, in words, with the number of its mode and the name of what moves."""
-    about = re.split("[;:,]", quantity.about)[0]
-    head, _, inner = text.removesuffix(")").partition("(")
-    signal, at = (head, inner) if "at an instant" in about else (inner, "")
-    if signal:
-        about = about.replace("a signal", signal_in_words(spec, signal))
-        about = about.replace("an instant", at)
-    if tree.indices:
-        number = f"mode {tree.indices[0]}"
-        about = about.replace("damped mode i", f"damped {number}").replace("mode i", number)
-        about = about.replace("a coordinate or signal", plain.symbol(tree.indices[0]) if tree.indices[0].isidentifier()
-                              else tree.indices[0])
-    return about
-
-
 def key_sheet(handout: "Handout", number: int) -> Document:
     """The key of a variant with its worked solution: right answers, how far they may be off, what mistakes give."""
     variant = handout.variants[number]
     problem = handout.problem(number)
-    rows = [(key.text, key.printed(problem, one.written), as_printed(key.unit) or "–", one.spread,
+    rows = [(letter, key.text, key.printed(problem, one.written), as_printed(key.unit) or "–", one.spread,
              figure(points, digits=3))
-            for key, points, one in zip(handout.keys, handout.points, variant.keys, strict=True)]
-    wrong = [(wrong.mistake, key.text, key.printed(problem, one.said(wrong.value)), handout.sentences[wrong.mistake])
-             for key, one in zip(handout.keys, variant.keys, strict=True) for wrong in one.wrong]
-    mistakes = TableBlock(("mistake", "quantity", "gives", "what to say"), tuple(wrong)) if wrong else None
+            for letter, key, points, one in zip(LETTERS, handout.keys, handout.points, variant.keys, strict=False)]
     return Document(f"{handout.title} — variant {number + 1}", problem.spec.get("source"),
                     question_in_words(problem.spec, Report(problem).document().question), (
-        *section("Key", TableBlock(("quantity", "answer", "unit", "band", "points"), tuple(rows))),
-        *handout.solution(number), *section("Mistakes", mistakes)))
+        *section("Key", TableBlock(("", "quantity", "answer", "unit", "band", "points"), tuple(rows))),
+        *handout.solution(number), *section("Mistakes", _mistakes(handout, variant, problem))))
+
+
+def _mistakes(handout, variant, problem):
+    """What each mistake gives in the keys by their letters, None where there is none."""
+    given: dict[str, dict[str, Any]] = {}
+    for letter, key, one in zip(LETTERS, handout.keys, variant.keys, strict=False):
+        for wrong in one.wrong:
+            given.setdefault(wrong.mistake, {})[letter] = key.printed(problem, one.said(wrong.value))
+    letters = [letter for letter in LETTERS if any(letter in own for own in given.values())]
+    rows = [(name, *(own.get(letter, "–") for letter in letters), handout.sentences[name])
+            for name, own in given.items()]
+    return TableBlock(("mistake", *letters, "what to say"), tuple(rows)) if rows else None
 
 
 def overview(course: "Course", handouts: "Sequence[Handout]", students: int,

@@ -38,8 +38,9 @@ EXPORTS = [
          "follows the number: 209 rpm is wrong there, and 21.9 Hz or 21.9 kg right, for 21.9 rad/s."),
         ("commas", "Moodle and Canvas read decimal commas where the language of the site writes them so, else as "
          "separators of thousands; PrairieLearn and QTI do not read them."),
-        ("powers", "2.19e1 is read everywhere, 2.19*10^1 by `grade` and Moodle alone."),
-        ("few figures", "`grade` says of 22 for 21.9 that it is right as far as it goes, and by the figures of an "
+        ("powers", "2.19e1 is read everywhere, 2.19*10^1 by `grade` and Moodle alone; `grade` reads no more than 200 "
+         "signs."),
+        ("few figures", "`grade` says of 29.4 for 29.418 that it is right as far as it goes, and by the figures of an "
          "answer which mistake it may be; the systems say that it is wrong, and compare by the band alone."),
         ("zero", "A key that is 0 has no relative band: nothing else is right."),
         ("moodle", "adds 1e-14 of the key to each tolerance, which is taken off before. The weights of a cloze "
@@ -54,9 +55,9 @@ EXPORTS = [
          "to platforms that mark on their server."),
     ],
     "Tried (`make peers` in the sources): `moodle2amc` reads key and band of numerical questions; "
-    "@citolab/qti-components marks each item of QTI in Chromium as `grade` does, and shows its MathML as plain "
-    "letters; the element of PrairieLearn marked 240 answers as the model of it in the tests; packages for Canvas are "
-    "built as those of `text2qti` are.",
+    "@citolab/qti-components marks each item of QTI in Chromium as `grade` does, shows its MathML as plain letters "
+    "and gives its fields no names; the element of PrairieLearn marked 240 answers as the model of it in the tests; "
+    "packages for Canvas are built as those of `text2qti` are.",
     "Held against published definitions: items, tests and manifests of QTI 2.1 are valid by its schemas. Quizzes for "
     "Canvas are valid by the definition of QTI 1.2 but for `points_per_item`, which is Canvas's own, their settings by "
     "what Canvas's schema says of a quiz, and their manifest by that of IMS content packages, but for its namespace. "

@@ -9,4 +9,4 @@ def _wrong(asked):
     return f"{INSTEAD[asked.head]}[{asked.indices[0]}]" if asked.head in INSTEAD else None
 
 
-MISTAKE = CommonMistake("this is the value without the dampers: ω_d = ω√(1 − ζ²)", formula=_wrong)
+MISTAKE = CommonMistake("this is the value without the dampers, which take ω to ω√(1 − ζ²)", formula=_wrong)

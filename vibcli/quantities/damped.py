@@ -147,13 +147,13 @@ QUANTITIES = {
         "damped angular frequency of damped mode i", "rad/s", _of_damped("omega_d", "damped frequency"), ("mode",),
         size=largest, several=True, at_once=True, symbolic=in_letters(_omega_d)),
     "period_d": Declaration(
-        "period 2π/ω_d of damped mode i", "s", _period, ("mode",), several=True, at_once=True, kind=PERIOD,
+        "period of damped mode i, 2π/ω_d", "s", _period, ("mode",), several=True, at_once=True, kind=PERIOD,
         symbolic=in_letters(lambda m, c, k, omega, table: 2 * table.pi / _omega_d(m, c, k, omega, table))),
     "decay": Declaration(
         "decay ζω of damped mode i: −Re λ, or −(λ₁ + λ₂)/2 where it is over-damped", "1/s",
         _of_damped("decay", "decay"), ("mode",), size=largest, several=True, at_once=True),
     "eigenvalue": Declaration(
-        "eigenvalue λ = −δ + i ω_d of damped mode i: use re, im, abs or arg of it; of an over-damped one j is 1 or 2, "
+        "eigenvalue of damped mode i, λ = −δ + i ω_d: use re, im, abs or arg of it; of an over-damped one j is 1 or 2, "
         "of its two real eigenvalues by ascending |λ|", "1/s", _eigenvalue, ("mode", "root"), kind=COMPLEX, spare=1,
         several=True, symbolic=_eigenvalue_in_letters),
     "mode_d": Declaration(

@@ -345,3 +345,14 @@ def test_leaks_of_formulas(text, formula, told):
 
 def test_answers_as_they_are_typed():
     assert typed("φ̈ + 2·δ·φ̇ − m₁²") == "phi'' + 2*delta*phi' - m1^(2)" and typed("ẍ×√(k)") == "x''*sqrt(k)"
+
+
+@pytest.mark.parametrize("mass", ["2 kg", ""])
+def test_no_equation_with_a_record_is_asked(tmp_path, monkeypatch, mass):
+    """What an answer cannot hold, with numbers or in letters."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "push.csv").write_text("0,0\n1,0.5\n2,0\n", encoding="utf-8")
+    scene = BLOCK.replace("m: 2 kg", f"m: {mass}").replace("m: {from: 1 kg, to: 3 kg, step: 0.5 kg}, ", "")
+    scene = scene.replace("bodies:", "records: {f: {file: push.csv}}\nbodies:").replace("F*sin(15 rad/s*t)", "F*f(t)")
+    found = solved(scene.replace(', "omega_d[1]": rad/s', "").replace('answers: {"omega_d[1]": 19.90 rad/s}\n', ""))
+    assert not found.accepted and "no answer can be written in which the record f stands" in found.advice

@@ -157,6 +157,21 @@ def test_a_mistake_of_the_model_is_solved_anew_and_one_that_drops_out_is_told():
         assert "no weight" not in given
 
 
+def test_a_key_that_is_zero_has_mistakes_that_are_not():
+    """The first mode has no damper; held fast, its block leaves the damped one."""
+    found = solved("""title: Two blocks
+question: A block {m} on a spring {k} stands beside one of 1 kg on a spring 900 N/m and a damper 6 N*s/m.
+parameters: {m: 1 kg, k: 100 N/m}
+bodies: {a: {mass: m, slide: x}, b: {mass: 1 kg, slide: y}}
+springs: {r: {k: k, stretch: x}, s: {k: 900 N/m, stretch: y}}
+dampers: {d: {c: 6 N*s/m, stretch: y}}
+variants: {parameters: {m: [1 kg, 2 kg], k: [100 N/m, 150 N/m]}, ask: {"zeta[1]": }, without: [readable, told]}
+""")
+    assert len(found.accepted) == 4 and all(one.keys[0].value == 0.0 for one in found.accepted)
+    assert all([(one.mistake, round(one.value, 9)) for one in each.keys[0].wrong] == [("coordinate held (x)", 0.1)]
+               for each in found.accepted)
+
+
 def test_a_mistake_keeps_the_value_that_it_gives_to_what_is_varied():
     found = solved(BLOCK + GRID + "  mistakes: {always 800: {parameters: {k: 0.8 kN/m}}}\n")
     for one in found.accepted:

@@ -14,11 +14,11 @@ FIGURE = "figure.svg"
 
 
 def asked(key: "ExportedKey", setting: SetInTeX | SetInMathML, lettered: bool = True) -> str:
-    """(a) damped frequency, omega_d[1], in rad/s, to 3 figures (2 points); `lettered`: with the letter before it."""
+    """(a) damped frequency of mode 1, in rad/s, to 3 figures (2 points); `lettered`: with the letter before it."""
     unit = f", in {as_printed(key.unit)}" if key.unit else ""
     figures = f", to {key.figures} figures" if key.value is not None else ""
     points = f" ({figure(key.points, digits=3)} point{'s' * (key.points != 1)})"
-    said = f"{f'({key.letter}) ' if lettered else ''}{key.about}, {key.quantity}{unit}{figures}{points}"
+    said = f"{f'({key.letter}) ' if lettered else ''}{key.about}{unit}{figures}{points}"
     form = f"<br/>{setting.words(key.form)}" if key.form else ""
     return setting.words(said) + form
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.decoding import cleaned
 from vibcli.homework.exports.asking import FIGURE, asked, figure_html
-from vibcli.homework.exports.escaping import attribute
+from vibcli.homework.exports.escaping import address, attribute
 from vibcli.homework.exports.in_range import unit_in_range
 from vibcli.homework.exports.item import ExportedKey, ExportedQuestion, plain_name, told
 from vibcli.homework.exports.setting import TEX, html, running
@@ -76,7 +76,7 @@ def _item(one: ExportedQuestion, key: ExportedKey) -> str:
     kind = "essay_question" if one.by_hand else "numerical_question"
     key = key if one.by_hand else in_unit(one, key)
     ident, place = f"{one.item}-{key.letter}", f"{BASE}files/{one.group}/"
-    links = "".join(f'<p><a href="{place}{attribute(name)}">{TEX.words(name)}</a></p>' for name in one.files)
+    links = "".join(f'<p><a href="{place}{address(name)}">{TEX.words(name)}</a></p>' for name in one.files)
     text = "\n".join([f"<p>{running(one.question, TEX)}</p>", figure_html(one, place), html(one.given, TEX), links,
                       f"<p>{asked(key, TEX, False)}</p>"])
     data = {"question_type": kind, "points_possible": f"{key.points:g}",

@@ -14,6 +14,7 @@ from vibcli.homework.exports.setting import AsSet, SetInMathML, SetInTeX, html, 
 from vibcli.homework.exports.told import ToldBand, bands_told
 from vibcli.homework.roster import Student
 from vibcli.homework.sheets import student_sheet
+from vibcli.homework.wording import quantity_in_words
 from vibcli.report.blocks import Picture
 
 if TYPE_CHECKING:
@@ -27,8 +28,8 @@ MADE = re.compile(rf".*-{BY_HAND}|q_.*-[0-9a-f]{{8}}", re.IGNORECASE | re.DOTALL
 
 
 class ExportedKey(NamedTuple):
-    """What is asked: the letter by which the question names it, how the quantity is written and what it is, its unit,
-    the figures that are asked, points, how an answer is written; the right answer as it is printed for who marks.
+    """What is asked: the letter by which the question names it, how `grade` calls the quantity, what it is in words,
+    its unit, the figures that are asked, points, how an answer is written; the right answer as printed for who marks.
     Of a number its value and the ToldBands, else None and none."""
 
     letter: str
@@ -106,10 +107,9 @@ def require_own_names(names: Sequence[str]) -> None:
 def questions_of(course: "Course", handout: "Handout", number: int) -> Iterator[ExportedQuestion]:
     """What is asked of a variant that a system marks, and what is marked by hand, each where there is any."""
     sheet = student_sheet(course, Student("-"), [(handout, number)])[1]
-    *given, asked = sheet.sections[len(handout.figure):]
-    rows = asked.blocks[0].rows
+    *given, _ = sheet.sections[len(handout.figure):]
     problem, data = handout.problem(number), handout.data(number)["keys"]
-    keys = [ExportedKey(ascii_lowercase[i], key.text, rows[i][1], key.unit, one.figures, points, key.form,
+    keys = [ExportedKey(ascii_lowercase[i], key.text, _about(handout, key), key.unit, one.figures, points, key.form,
                         (key.printed(problem, one.written),), one.value,
                         () if one.value is None else tuple(bands_told(data[i])))
             for i, (key, points, one) in enumerate(zip(handout.keys, handout.points, handout.variants[number].keys,
@@ -123,6 +123,12 @@ def questions_of(course: "Course", handout: "Handout", number: int) -> Iterator[
             yield ExportedQuestion(item + end, name + end, name, number + 1, handout.title, by_hand, sheet.question,
                                    tuple(given), picture, _described(picture),
                                    handout.document.files, own, handout.sentences, solution)
+
+
+def _about(handout, key):
+    """What is asked, in words, with what `grade` calls it where they do not tell all."""
+    words, alone = quantity_in_words(handout.base.spec, key.asked.tree, key.text)
+    return words if alone else f"{words}, {key.text}"
 
 
 def picture_of(handout: "Handout") -> Picture | None:

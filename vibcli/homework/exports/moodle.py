@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.decoding import cleaned
 from vibcli.homework.exports.asking import asked, figure_html, key_html
-from vibcli.homework.exports.escaping import attribute, cdata
+from vibcli.homework.exports.escaping import address, attribute, cdata
 from vibcli.homework.exports.item import ExportedKey, ExportedQuestion, told, whole_weights
 from vibcli.homework.exports.setting import TEX, html, running
 from vibcli.homework.exports.told import RIGHT
@@ -69,7 +69,7 @@ def _html(text):
 
 def _head(one):
     """The question with its figure and values."""
-    links = "".join(f'<p><a href="{PLACE}{attribute(name)}">{TEX.words(name)}</a></p>' for name in one.files)
+    links = "".join(f'<p><a href="{PLACE}{address(name)}">{TEX.words(name)}</a></p>' for name in one.files)
     return "\n".join([f"<p>{running(one.question, TEX)}</p>", figure_html(one, PLACE), html(one.given, TEX), links])
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.decoding import cleaned
 from vibcli.homework.exports.asking import FIGURE, asked, figure_html
-from vibcli.homework.exports.escaping import attribute
+from vibcli.homework.exports.escaping import address, attribute
 from vibcli.homework.exports.item import ExportedKey, ExportedQuestion, plain_name, told
 from vibcli.homework.exports.setting import MATHML, html, running
 from vibcli.homework.exports.told import RIGHT
@@ -51,7 +51,7 @@ def _files(one) -> Iterator[tuple[str, bytes]]:
 
 def _item(one: ExportedQuestion) -> str:
     place = f"../files/{one.group}/"
-    links = "".join(f'<p><a href="{place}{attribute(name)}">{MATHML.words(name)}</a></p>' for name in one.files)
+    links = "".join(f'<p><a href="{place}{address(name)}">{MATHML.words(name)}</a></p>' for name in one.files)
     body = "\n".join([f"<div><p>{running(one.question, MATHML)}</p>", figure_html(one, place), html(one.given, MATHML),
                       links, *(f"<p>{asked(key, MATHML)}</p>{_field(key)}" for key in one.keys), "</div>"])
     return "\n".join([

@@ -36,18 +36,29 @@ def _notation(text):
 
 
 class Remembering(Protected):
-    """LaTeX of the formulas of one block, in which expressions stand several times."""
+    """LaTeX of formulas in which expressions stand several times: those without numbers put in, which all variants of
+    a problem share, are kept with their table, the others for this writer."""
 
     def __init__(self, values: Mapping[str, str] = MappingProxyType({})):
         super().__init__(values)
-        self._written: dict[tuple[Node, int], str] = {}
-        self._terms: dict[Node, list[tuple[bool, str]]] = {}
+        self._own: dict[Any, Any] = {}
 
     def write(self, node: "Node", tightness: int) -> str:
         """The text of a node, once."""
-        if (node, tightness) not in self._written:
-            self._written[node, tightness] = super().write(node, tightness)
-        return self._written[node, tightness]
+        kept, key = self._kept(node), (Remembering.write, node, tightness)
+        if key not in kept:
+            kept[key] = super().write(node, tightness)
+        return kept[key]
+
+    def terms(self, node: "Node") -> list[tuple[bool, str]]:
+        """Its terms, once."""
+        kept, key = self._kept(node), (Remembering.terms, node)
+        if key not in kept:
+            kept[key] = super().terms(node)
+        return kept[key]
+
+    def _kept(self, node):
+        return self._own if self.values else node.table.kept
 
     def symbol(self, name: str) -> str:
         """That of a name, once for all formulas."""
@@ -57,22 +68,19 @@ class Remembering(Protected):
         """A text in notation, likewise."""
         return _notation(text)
 
-    def terms(self, node: "Node") -> list[tuple[bool, str]]:
-        """Its terms, once."""
-        if node not in self._terms:
-            self._terms[node] = super().terms(node)
-        return self._terms[node]
+
+REMEMBERING = Remembering()
 
 
-def _rows_in_tex(line: "Line", write: Remembering) -> list[str]:
+def _rows_in_tex(line: "Line") -> list[str]:
     """A formula as rows of an alignment, by about so many signs as are seen of them."""
     found, size = [""], 0
-    for piece in pieces(line.parts, write):
+    for piece in pieces(line.parts, REMEMBERING):
         seen = len(_COMMAND.sub("", piece))
         if found[-1] and size + seen > COLUMNS:
             found, size = [*found, ""], 0
-        found[-1], size = write.beside(found[-1], piece), size + seen
-    label = formula(line.label, write) + r":\quad " if line.label else ""
+        found[-1], size = REMEMBERING.beside(found[-1], piece), size + seen
+    label = formula(line.label, REMEMBERING) + r":\quad " if line.label else ""
     return [label + "& {} " + found[0].strip(), *(r"& {}\qquad " + one.strip() for one in found[1:])]
 
 
@@ -84,15 +92,14 @@ class SetInTeX:
         return re.sub(r"[{}$\\]", lambda found: SPECIAL[found[0]], words_of_html(text))
 
     def maths(self, parts: Sequence[Any]) -> str:
-        return rf"\({escape(formula(parts, latex))}\)"
+        return rf"\({escape(formula(parts, REMEMBERING))}\)"
 
     def equations(self, block: Equations) -> str:
-        write = Remembering()
-        lines = " \\\\\n".join(row for line in block.lines for row in _rows_in_tex(line, write))
+        lines = " \\\\\n".join(row for line in block.lines for row in _rows_in_tex(line))
         return f"<p>\\[\\begin{{aligned}}\n{escape(lines)}\n\\end{{aligned}}\\]</p>"
 
     def numeral(self, text: str) -> str:
-        return rf"\({latex.numeral(text)}\)"
+        return rf"\({REMEMBERING.numeral(text)}\)"
 
 
 class SetInMathML:

@@ -36,7 +36,7 @@ HEAD = """\
 })
 #let picture(file, words) = figure(layout(size => {
   let drawn = measure(image(file))
-  image(file, width: calc.min(drawn.width, 0.95 * size.width, drawn.width / drawn.height * 9cm))
+  image(file, width: calc.min(drawn.width, 0.95 * size.width, drawn.width / drawn.height * tallest))
 }), caption: words, numbering: none)
 #set page(paper: "a4", margin: 22mm, numbering: "1")
 #set text(size: 10.5pt)
@@ -64,8 +64,8 @@ def beginning(text: str) -> str:
 
 def render(documents: Sequence[Document], place: Callable | None, apart: bool = True) -> str:
     """The Typst of all documents; `place(picture)` is the name of the file that a picture is written to; `apart`: each
-    on pages of its own."""
-    title = f"#set document(title: {quoted(documents[0].title)})\n"
+    on pages of its own, else with less high figures."""
+    title = f"#set document(title: {quoted(documents[0].title)})\n#let tallest = {9 if apart else 7}cm\n"
     between = "\n#pagebreak()\n" if apart else "\n"
     return title + HEAD + between.join("\n".join(_document(one, place)) for one in documents)
 

@@ -10,7 +10,10 @@ from vibcli.homework.course import Course, CoursePart, CourseProblem
 from vibcli.homework.exports import FORMATS
 from vibcli.homework.exports.canvas import in_unit
 from vibcli.homework.exports.item import BY_HAND, questions_of
+from vibcli.homework.exports.setting import TEX, Remembering, html
 from vibcli.homework.handout import Handout
+from vibcli.notation.plain import Notation
+from vibcli.report.formats.markdown import latex
 
 SOME = 3
 
@@ -40,6 +43,19 @@ def test_a_problem_in_every_format(path, tmp_path):
             for key in one.keys:
                 scale = in_unit(one, key).value / key.value if name == "canvas" and key.value else 1.0
                 assert_marked(read[one.item][key.letter], keys[one.item][key.letter], scale, name)
+
+
+def test_expressions_that_variants_share_are_written_once(monkeypatch):
+    _, handout = exported(next(path for path in WITH_VARIANTS if path.stem == "quarter_car_damped"))
+    written, terms = [], Notation.terms
+    monkeypatch.setattr(Notation, "terms", lambda self, node: written.append(node) or terms(self, node))
+    counts, texts, solutions = [], [], [list(handout.solution(number)) for number in handout.variants]
+    for solution in solutions:
+        texts.append(html(solution, TEX))
+        counts.append(len(written) - sum(counts))
+    assert counts[0] >= 50 and max(counts[1:]) <= 0.2 * counts[0], counts
+    monkeypatch.setattr("vibcli.homework.exports.setting.REMEMBERING", latex)
+    assert not isinstance(latex, Remembering) and texts == [html(solution, TEX) for solution in solutions]
 
 
 def assert_marked(field, key, scale, name):

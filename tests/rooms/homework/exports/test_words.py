@@ -4,6 +4,7 @@ import io
 import json
 import re
 from html.parser import HTMLParser
+from itertools import pairwise
 from xml.etree import ElementTree
 from zipfile import ZipFile
 
@@ -14,6 +15,7 @@ from support.exported import manifest_key, on_disk, question, written
 from vibcli.base.errors import PhysicsError
 from vibcli.homework.exports.escaping import cdata
 from vibcli.homework.exports.item import item_of, plain_name, require_own_names, whole_weights
+from vibcli.homework.exports.told import bands_told
 
 WORDS = ["<b>bold</b> & \"quotes\" 'so'", "]]> ends", "{{ params.x }} and {{{x}}}", "costs $5 and $6$ or $$7$$",
          r"\(x\) and \[y\] \ alone", "a lone } brace {", "{1:SHORTANSWER:=trap}", "{2:NUMERICAL:=1:0}",
@@ -125,4 +127,20 @@ def test_attached_files_and_figures_stand_in_each_package(tmp_path):
         with ZipFile(io.BytesIO(written(name, [one])["package.zip"])) as package:
             assert package.read("files/block/quake.csv") == b"t,a\n0,1\n"
             assert b"files/block/quake.csv" in package.read("imsmanifest.xml")
+    odd = one._replace(files={"at 5%, #2?.csv": b"1"})
+    assert b'/at%205%25%2C%20%232%3F.csv">at 5%, #2?.csv</a>' in written("moodle", [odd])["questions.xml"]
     assert on_disk({"a/b": b"c"}, tmp_path).joinpath("a/b").read_bytes() == b"c"
+
+
+@pytest.mark.parametrize("wrong", [10.3, 10.6, 9.2, 10.9])
+def test_no_band_of_a_mistake_meets_that_of_the_key(wrong):
+    right, *others = bands_told(manifest_key(10.0, 0.5, {"one": wrong, "other": wrong + 0.2}, "m"))
+    assert right[:2] == pytest.approx((9.5, 10.5)) and others
+    assert all(one.low < one.high and (one.high <= right.low or one.low >= right.high) for one in others)
+    assert all(one.high <= other.low for one, other in pairwise(sorted(others)))
+
+
+def test_the_right_response_of_qti_is_the_key():
+    with ZipFile(io.BytesIO(written("qti21", [question("block-1", KEY)])["package.zip"])) as package:
+        item = package.read("items/block-1.xml").decode()
+    assert f"<correctResponse><value>{KEY['value']!r}</value></correctResponse>" in item
