@@ -124,10 +124,13 @@ def _damped(problem):
 def _solved(problem, found, label):
     """The equation, its roots, the frequencies, the shape and the orthogonality."""
     from vibcli.analyses.closed_form.member_shapes import shape, unstrained
-    from vibcli.analyses.closed_form.textbook_equation import sides
+    from vibcli.analyses.closed_form.textbook_equation import by_letters, sides
 
-    left, right = sides(found)
+    named, letters = by_letters(found, problem.scene.parameters.nodes)
+    left, right = sides(named)
     yield line(left, " = ", right, label=label)
+    for letter, argument in letters:
+        yield line(letter, " = ", argument, inset=2)
     simple = SIMPLE.get(left.name) if right.is_zero and left.op == "call" else None
     values = simple is None and _roots(problem, found)
     if simple:
