@@ -4,8 +4,7 @@ tensions that statics alone does not find."""
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from vibcli.elements.member_pieces import pieces_of
-from vibcli.scene.member_tensions import is_between_fixed, placed_members
+from vibcli.scene.member_tensions import along_member, is_between_fixed, placed_members
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
@@ -37,23 +36,17 @@ def member_warnings(configuration: "Configuration") -> list[str]:
 
 def _from_equilibrium(configuration, name):
     """How the tension of a member was found."""
-    found = _tensions(configuration, configuration.scene.members[name])
+    scene = configuration.scene
+    found = evaluate(along_member(scene.members[name], scene), Floats, configuration.at_rest)
     told = list(dict.fromkeys(f"{x:.6g}" for x in (min(found), max(found))))
     return f"'{name}': tension {' to '.join(told)} N: statics alone leaves it open; from the equilibrium"
-
-
-def _tensions(configuration, member):
-    """Those at the left and right end of each piece, from left to right."""
-    return evaluate([node for (tension, change), (_, left, right) in zip(
-        member.tensions, pieces_of(member, configuration.scene), strict=True)
-        for node in (tension, tension + change * (right.place - left.place))], Floats, configuration.at_rest)
 
 
 def _between(configuration, member):
     """The tension of a member that keeps its length between ends at rest, where its weight varies it."""
     if member.stretching or not is_between_fixed(member):
         return
-    left, *_, right = _tensions(configuration, member)
+    left, *_, right = evaluate(along_member(member, configuration.scene), Floats, configuration.at_rest)
     if abs(right - left) > ROUNDING * max(abs(left), abs(right)):
         yield (f"'{member.name}': tension {left:.6g} N at its left end, {right:.6g} N at its right one: statics alone "
                "leaves it open, `preload` tells it at the left end")
