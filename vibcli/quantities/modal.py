@@ -214,7 +214,8 @@ def _sensitivity(problem, tree, args):
 
 def _estimate(which):
     def value(problem, tree, args):
-        return getattr(problem.modal.result("estimates"), which), ROUNDING
+        found = problem.modal.result("estimates")
+        return getattr(found, which), found.error
     return value
 
 
