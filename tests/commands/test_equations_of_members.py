@@ -54,7 +54,7 @@ bars: {rod: {from: [0, 0], to: [2 m, 0], EA: 500 N, mass_per_length: 2 kg/m, lef
             "V = ½·∫(1000·(∂²u/∂x²)² − g·(3·L + 2)·(∂u/∂x)² + 3·g·x·(∂u/∂x)²)·dx"]),
     (CHAIN, ["at x = L: M·g·∂u/∂x = −M·∂²u/∂t²",
              "at x = L/2: g·(L·μ/2 + M)·∂u/∂x(+) − g·(L·μ/2 + M + m)·∂u/∂x(−) = m·∂²u/∂t²",
-             "(+) is what holds right of it"]),
+             "(+) is what holds right of a place"]),
     (STEPPED, ["at x = L/2: EA·∂u/∂x(+) − 2·EA·∂u/∂x(−) = 0",
                "V = ½·∫2·EA·(∂u/∂x)²·dx (0 < x < L/2) + ½·∫EA·(∂u/∂x)²·dx (L/2 < x < L)",
                "T = ½·∫μ·(∂u/∂t)²·dx"]),

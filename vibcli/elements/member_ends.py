@@ -10,7 +10,7 @@ FREE, CLAMPED, PINNED, GUIDED = "free", "clamped", "pinned", "guided"
 HOLDS = (CLAMPED, PINNED, GUIDED)
 _OTHER = NameOf("the name of a body or another member", "bodies", "members")
 _STIFFNESS, _TORSION = Field(Quantity("N/m"), "the stiffness of a spring to the ground"), Field(
-    Quantity("N*m"), "that of a torsion spring to the ground")
+    Quantity("N*m"), "the stiffness of a torsion spring to the ground")
 _TURNING = {"inertia": Field(Quantity("kg*m^2"), "its moment of inertia"),
             "torsion": Field(Quantity("N*m"), "the torsional stiffness by which it hangs on the shaft"),
             "c": Field(Quantity("N*m*s"), "the coefficient of its torsional damper")}

@@ -15,16 +15,28 @@ FACES = (("language.sections", sections.NAMES), ("reader.sections", questions.NA
 
 
 class Declared:
-    """An element of the language: its word, its kind, what it is, and the places where it may stand."""
+    """An element of the language: its word, its kind, what it is, and the places where it may stand; where it has other
+    keys within some elements than within others, its kinds by the words of those."""
 
-    __slots__ = ("about", "kind", "places", "section", "word")
+    __slots__ = ("about", "kind", "kinds", "places", "section", "word")
 
     def __init__(self, word: str, kind: Element | MotionField | NameOf, about: str, section: str | None):
         self.word, self.kind, self.about, self.section, self.places = word, kind, about, section, []
+        self.kinds: dict[str, Element] = {}
 
     @property
     def fields(self) -> dict[str, Field]:
-        return self.kind.fields if isinstance(self.kind, Element) else {}
+        """Its keys, those of all its kinds."""
+        found: dict[str, Field] = {}
+        for kind in (self.kind, *self.kinds.values()):
+            if isinstance(kind, Element):
+                found = {**kind.fields, **found}
+        return found
+
+    def within(self, key: str) -> list[str]:
+        """The words of the elements within which alone it has a key; none where that is so in all."""
+        having = [word for word, kind in self.kinds.items() if key in kind.fields]
+        return [] if len(having) == len(self.kinds) else having
 
     @property
     def example(self) -> str:
@@ -49,23 +61,28 @@ class Catalogue:
             if declared is not None:
                 self.sections[section] = declared
 
-    def _gather(self, kind, place, section):
-        """Enter the elements that a kind consists of; the outermost one is returned."""
+    def _gather(self, kind, place, section, outer=None):
+        """Enter the elements that a kind consists of, within the `outer` one; the outermost one is returned."""
         if isinstance(kind, (Many, Named)):
-            return self._gather(kind.kind, place, section)
+            return self._gather(kind.kind, place, section, outer)
         if isinstance(kind, OneOf):
             for part in kind.kinds.values():
-                self._gather(part, place, section)
+                self._gather(part, place, section, outer)
             return None
         if not isinstance(kind, (Lazy, Element)):
             return None
         word, element, about = opened(kind)
         declared = self.elements.get(word)
+        new = declared is None
         if declared is None:
             declared = self.elements[word] = Declared(word, element, about, section)
-            for key, field in declared.fields.items():
+        if isinstance(element, Element) and outer is not None:
+            new = new or all(element is not one for one in (declared.kind, *declared.kinds.values()))
+            declared.kinds.setdefault(outer, element)
+        if new and isinstance(element, Element):
+            for key, field in element.fields.items():
                 item = "an item of " if isinstance(field.kind, Many) else ""
-                self._gather(field.kind, f"{item}the key `{key}` of {article(word)}", None)
+                self._gather(field.kind, f"{item}the key `{key}` of {article(word)}", None, outer or word)
         if place not in declared.places:
             declared.places.append(place)
         return declared

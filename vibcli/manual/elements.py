@@ -42,11 +42,28 @@ def element_page(catalogue: Catalogue, word: Any, scene: bool = True) -> str:
     example = _scene(declared.example) if scene and declared.example else _scene_using(catalogue, word) if scene else []
     if not declared.fields:
         return blocks(head, paragraph(sentence(declared.about)), example)
-    rows = [(key, expects(field.kind) + (" (required)" if field.required else ""), sentence(field.about))
+    rows = [(key, _expects(declared, key) + (" (required)" if field.required else ""), _meaning(declared, key))
             for key, field in declared.fields.items()]
     remarks = [paragraph(part) if isinstance(part, str) else table(part) for part in topics.REMARKS.get(word, ())]
-    return blocks(head, paragraph(sentence(declared.about)), ["Keys", *table(rows)], _rules(declared.kind), *remarks,
+    return blocks(head, paragraph(sentence(declared.about)), ["Keys", *table(rows)], _rules(declared), *remarks,
                   example)
+
+
+def _expects(declared, key):
+    """What a key holds, and within which elements something else."""
+    told: dict[str, list[str]] = {}
+    for word, kind in declared.kinds.items():
+        if key in kind.fields:
+            told.setdefault(expects(kind.fields[key].kind), []).append(word + "s")
+    first, *others = told or {expects(declared.fields[key].kind): []}
+    return "; ".join([first, *(f"of {either(told[other], 'and')} {other}" for other in others)])
+
+
+def _meaning(declared, key):
+    """What a key means, in a sentence, and within which elements alone it stands."""
+    words = declared.within(key)
+    of = f" Of {either([word + 's' for word in words], 'and')}." if words else ""
+    return sentence(declared.fields[key].about) + of
 
 
 def _scene_using(catalogue, word):
@@ -55,18 +72,19 @@ def _scene_using(catalogue, word):
     return _scene(scenes.using(catalogue, use)) if use else []
 
 
-def _rules(element):
+def _rules(declared):
     """Sentences on the keys of an element that exclude or need one another, its short form, and further pages."""
-    found = []
+    element, found = declared.kind, []
     for group in element.needs:
         count = "Exactly one" if group in element.exclusive else "One or more"
         found.append(f"{count} of {either(group)} is needed.")
-    for group in element.exclusive:
-        if group not in element.needs:
+    groups = dict.fromkeys(group for kind in (element, *declared.kinds.values()) for group in kind.exclusive)
+    for group in groups:
+        if group not in element.needs and not any(set(group) < set(other) for other in groups):
             found.append(f"At most one of {either(group)} may stand.")
     if element.short is not None:
         found.append(f"A bare value stands for `{element.short}`.")
-    further = list(dict.fromkeys(word for word in map(_inner, element.fields.values()) if word))
+    further = list(dict.fromkeys(word for word in map(_inner, declared.fields.values()) if word))
     if further:
         likewise = f", likewise {either(further[1:], 'and')}" if further[1:] else ""
         found.append(f"More: `vibcli explain {further[0]}`{likewise}.")
@@ -108,7 +126,9 @@ def key_page(catalogue: Catalogue, word: str, key: str, scene: bool = True) -> s
     declared = catalogue.elements[word]
     field = declared.fields[key]
     head = [f"{word}.{key} — a key of {article(word)}" + (", required" if field.required else "")]
-    rows = [("holds", expects(field.kind)), ("means", field.about)]
+    rows = [("holds", _expects(declared, key)), ("means", field.about)]
+    within = declared.within(key)
+    rows += [("of", either([one + "s" for one in within], "and"))] if within else []
     rows += [("rules", _rules_of(declared.kind, key))] if _rules_of(declared.kind, key) else []
     if isinstance(field.kind, Many) and _inner(field):
         rows.append(("items", f"vibcli explain {_inner(field)}"))

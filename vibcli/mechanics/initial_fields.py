@@ -1,15 +1,20 @@
 """The fields of the place x that members start with, and what they say of the motions of their stations."""
 
+from itertools import takewhile
 from math import isfinite
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
+from vibcli.language.member_signals import oscillator_names
 from vibcli.language.sections.initial import FIELDS, PLACE
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression_graph import reachable
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
     from vibcli.mechanics.configuration import Configuration
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
@@ -36,34 +41,51 @@ def member_fields(scene: "Scene") -> dict[str, MemberFields]:
     return found
 
 
-def start_of_stations(configuration: "Configuration") -> dict[str, float]:
-    """{coordinate, or velocity x': value} of what is attached to members that start with a field; PhysicsError where
-    a displacement contradicts a support."""
+def start_of_stations(configuration: "Configuration", rest: "Callable[[], Mapping[str, float]]") -> dict[str, float]:
+    """{coordinate, or velocity x': value} of what is attached to members that start with a field, `rest()` the
+    coordinates at rest; PhysicsError where a displacement contradicts a support."""
     scene, found = configuration.scene, {}
     for name, fields in member_fields(scene).items():
         member = scene.members[name]
         for field, primes in ((fields.displacement, ""), (fields.rate, "'")):
             if field is not None:
-                found |= _along(configuration, member, field, primes)
+                found |= _along(configuration, rest, member, field, primes)
     return found
 
 
-def _along(configuration, member, field, primes):
+def _along(configuration, rest, member, field, primes):
     scene, found = configuration.scene, {}
     parts = [field, gradient(field).get(scene.time, scene.table.zero)] if member.kind.bends else [field]
     where = scene.spec.get("initial").place(f"{member.name}.{member.kind.motion}{primes}")
     values = [_values(configuration, parts, station, where) for station in member.stations]
     sizes = _sizes(configuration, parts, member)
     for station, row in zip(member.stations, values, strict=True):
+        found |= _hung(configuration, rest, member, station, row[0], primes)
         for motion, value, size in zip(member.motions(station), row, sizes, strict=False):
             if motion.op == "symbol" and motion.name in scene.coordinates:
                 found[motion.name + primes] = value
-            elif motion.mask:
+            elif any(node.op == "symbol" and node.name in scene.coordinates for node in reachable([motion])):
                 raise PhysicsError(f"what '{member.name}' is held to at {station.text} does not move as one coordinate:"
                                    " a field does not say how it starts", "give the start of each coordinate", where)
-            elif not primes and abs(value - _values(configuration, [motion], station, where)[0]) > SAME * size:
+            elif not primes and abs(value - _at_first(configuration, motion)) > SAME * size:
                 raise PhysicsError(f"'{member.name}' is held at {station.text}, where this field is {value:.6g}",
                                    "a field of displacements fits the supports", where)
+    return found
+
+
+def _at_first(configuration, motion):
+    """Where a support is at t = 0, which the time may move."""
+    return evaluate([motion], Floats, {**configuration.numeric.floats, configuration.scene.time.name: 0.0})[0]
+
+
+def _hung(configuration, rest, member, station, value, primes):
+    """The starts of oscillators at a station that starts with a value: their springs are as long as at rest."""
+    scene, found = configuration.scene, {}
+    for name in takewhile(scene.coordinates.__contains__, oscillator_names(member.name, station.text)):
+        found[name + primes] = value
+        if not primes:
+            resting, carrier = rest(), member.motions(station)[0]
+            found[name] += resting[name] - evaluate([carrier], Floats, {**configuration.numeric.floats, **resting})[0]
     return found
 
 

@@ -1,6 +1,6 @@
 """Where a motion starts: the values of `initial`, else at rest in the equilibrium without loads that depend on time."""
 
-from functools import cached_property
+from functools import cached_property, partial
 from math import isfinite
 from typing import TYPE_CHECKING
 
@@ -42,7 +42,7 @@ class InitialState:
         if configuration.spec.get(FIELDS):
             from vibcli.mechanics.initial_fields import start_of_stations
 
-            found = start_of_stations(configuration) | found
+            found = start_of_stations(configuration, partial(at_rest, configuration)) | found
         return found
 
     @Stage

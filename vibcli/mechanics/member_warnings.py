@@ -4,6 +4,7 @@ tensions that statics alone does not find."""
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+from vibcli.scene.member_tensions import along_member, is_between_fixed, placed_members
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
@@ -28,15 +29,27 @@ def member_warnings(configuration: "Configuration") -> list[str]:
               for side, name, off in member.arms(configuration.scene)]
     settled = configuration.system.settled
     names = () if settled is None else settled.names
-    return [*found, *(_from_equilibrium(configuration, name) for name in names)]
+    found += [_from_equilibrium(configuration, name) for name in names]
+    return [*found, *(line for member in placed_members(configuration.scene)
+                      for line in _between(configuration, member))]
 
 
 def _from_equilibrium(configuration, name):
     """How the tension of a member was found."""
-    member = configuration.scene.members[name]
-    found = evaluate([tension for tension, _ in member.tensions], Floats, configuration.at_rest)
+    scene = configuration.scene
+    found = evaluate(along_member(scene.members[name], scene), Floats, configuration.at_rest)
     told = list(dict.fromkeys(f"{x:.6g}" for x in (min(found), max(found))))
     return f"'{name}': tension {' to '.join(told)} N: statics alone leaves it open; from the equilibrium"
+
+
+def _between(configuration, member):
+    """The tension of a member that keeps its length between ends at rest, where its weight varies it."""
+    if member.stretching or not is_between_fixed(member):
+        return
+    left, *_, right = evaluate(along_member(member, configuration.scene), Floats, configuration.at_rest)
+    if abs(right - left) > ROUNDING * max(abs(left), abs(right)):
+        yield (f"'{member.name}': tension {left:.6g} N at its left end, {right:.6g} N at its right one: statics alone "
+               "leaves it open, `preload` tells it at the left end")
 
 
 def _thick(member: "Member", configuration):

@@ -1,5 +1,6 @@
 """Quantities of damped modes: eigenvalues and what is read off them, and complex shapes."""
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters, PhysicsError
@@ -158,8 +159,8 @@ QUANTITIES = {
         several=True, symbolic=_eigenvalue_in_letters),
     "mode_d": Declaration(
         "complex amplitude φ of a coordinate or signal in damped mode i, q = Re φ e^{λt}, the first coordinate that "
-        "moves being 1: use re, im, abs or arg of it", None, _shape, ("mode", "signal"), size=ten, kind=COMPLEX,
-        dimension=of_shape),
+        "moves being 1, of members alone the first of their places that moves: use re, im, abs or arg of it", None,
+        _shape, ("mode", "signal"), size=ten, kind=COMPLEX, dimension=partial(of_shape, slopes=True)),
     "decrement[]": Declaration("logarithmic decrement of damped mode i, 2πζ/√(1 − ζ²)", "1", _decrement, ("mode",),
                                several=True, at_once=True),
 }

@@ -51,6 +51,10 @@ def _named(noun, letters, *sections):
     return IndexKind(names, lambda spec, index: index in names(spec, index), noun, letters, noun)
 
 
+def _modes(spec, index):
+    return ["1", "2", "3", "…"] if spec.members else [str(i + 1) for i in range(len(spec.coordinates))]
+
+
 def _is_mode(spec, index):
     return _whole(index) and (bool(spec.members) or int(index) <= 2 * len(spec.coordinates))
 
@@ -83,8 +87,7 @@ def power_of_deflection(index: str) -> tuple[str, int] | None:
 
 
 INDICES = {
-    "mode": IndexKind(lambda spec, index: [str(i + 1) for i in range(len(spec.coordinates))], _is_mode, "1", ("i",),
-                      "mode"),
+    "mode": IndexKind(_modes, _is_mode, "1", ("i",), "mode"),
     "equilibrium": IndexKind(lambda spec, index: ["1", "2", "3"], lambda spec, index: _whole(index), "1", (),
                              "equilibrium"),
     "coordinate": IndexKind(lambda spec, index: list(spec.coordinates),

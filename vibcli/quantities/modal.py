@@ -158,17 +158,18 @@ def _of_coordinates(spec, tree):
     return None if measured is None else entry_dimension("M", measured, measured)
 
 
-def _measured(spec):
-    """The dimension of all motions, so that any may be 1; None where they differ."""
+def _measured(spec, slopes=False):
+    """The dimension of all motions that may be 1, of natural modes no slopes of beams; None where they differ."""
     found = [spec.dimensions.of(name) for name in spec.coordinates]
     for section in spec.members.values():
-        found += {"shafts": [units.NONE], "beams": [units.LENGTH, units.NONE]}.get(section, [units.LENGTH])
+        found += [units.NONE if section == "shafts" else units.LENGTH]
+        found += [units.NONE] if slopes and section == "beams" else []
     return found[0] if found and all(one == found[0] for one in found) else None
 
 
-def of_shape(spec: "Spec", tree: "QuantityRef"):
-    """The dimension of an amplitude where all coordinates measure the same, so that any may be 1; else None."""
-    measured = _measured(spec)
+def of_shape(spec: "Spec", tree: "QuantityRef", slopes: bool = False):
+    """The dimension of an amplitude where all that may be 1 measures the same, `slopes` of beams too; else None."""
+    measured = _measured(spec, slopes)
     name = coordinate_name(spec, tree.indices[1]) or tree.indices[1]
     return None if measured is None else units.times(name_dimension(spec, name), measured, -1)
 
@@ -213,7 +214,8 @@ def _sensitivity(problem, tree, args):
 
 def _estimate(which):
     def value(problem, tree, args):
-        return getattr(problem.modal.result("estimates"), which), ROUNDING
+        found = problem.modal.result("estimates")
+        return getattr(found, which), found.error
     return value
 
 

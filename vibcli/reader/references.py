@@ -38,6 +38,10 @@ def check_references(spec: "Spec", reader: "Reader") -> None:
         if name.text == "ground" and "points" in namespaces and "place" in wants:
             reader.report(name.where, f"expected {wants}, found 'ground'", "a place on the ground is written [x, y]")
             continue
+        if name.text in spaces["members"] and "points" in namespaces:
+            reader.report(name.where, f"'{name.text}' is a member, expected {wants}",
+                          f"a place on it is a point, `points: {{p: {{body: {name.text}, at: …}}}}`")
+            continue
         kind = " or ".join(_KINDS[space] for space in namespaces if space in _KINDS)
         reader.report(name.where, f"there is no {kind} {quoted(name.text)}",
                       nearest(name.text, valid) or f"expected {wants}")

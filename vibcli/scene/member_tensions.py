@@ -80,9 +80,7 @@ def require_preloads(scene: "Scene") -> None:
         between = is_between_fixed(member)
         if "preload" not in member.record or member.stretching or between:
             continue
-        sizes = [scene.number(node) for (tension, change), (_, left, right) in
-                 zip(member.tensions, pieces_of(member, scene), strict=False)
-                 for node in (tension, tension + change * (right.place - left.place))]
+        sizes = [scene.number(node) for node in along_member(member, scene)]
         given, slack = scene.number(scene.lower(member.record["preload"])), SAME * max(map(abs, sizes), default=0.0)
         if sizes and not min(sizes) - slack <= given <= max(sizes) + slack:
             told = " to ".join(dict.fromkeys(f"{x:.6g}" for x in (min(sizes), max(sizes))))
@@ -90,6 +88,12 @@ def require_preloads(scene: "Scene") -> None:
                 "not the tension under which it rests"
             scene.report(member.record.place("preload"), f"the preload of '{member.name}' is {rests}: what holds it "
                          "tells its tension", "leave `preload` out")
+
+
+def along_member(member: "Member", scene: "Scene") -> "list[Node]":
+    """The tension at the left and right end of each piece, from left to right."""
+    return [node for (tension, change), (_, left, right) in zip(member.tensions, pieces_of(member, scene), strict=False)
+            for node in (tension, tension + change * (right.place - left.place))]
 
 
 def is_between_fixed(member: "Member") -> bool:

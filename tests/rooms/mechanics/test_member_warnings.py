@@ -54,6 +54,21 @@ def test_a_tension_that_statics_leaves_open_is_told_with_where_it_is_from():
         for name, tension in (("left", -5424), ("right", -5424), ("girder", -545.659))]
 
 
+def test_a_tension_between_ends_at_rest_is_told_where_its_weight_varies_it():
+    """That of a beam which keeps its length is the preload at its left end; of one that stretches its mean is 0."""
+    text = ("gravity: 9.81 m/s^2\nbeams: {w: {from: [0 m, 0 m], to: [WAY], EI: 2 kN*m^2, mass_per_length: 40 kg/m, "
+            "left: clamped, right: clamped, attached: [{at: 1 m, mass: 2 kg}]MORE}}")
+    for way, more, said in (("0 m, 3 m", "", ["0 N at its left end, 1196.82 N at its right one"]),
+                            ("0 m, -3 m", ", preload: 50 N", ["50 N at its left end, -1146.82 N at its right one"]),
+                            ("3 m, 0 m", ", preload: 50 N", [])):
+        told = member_warnings(problem(text.replace("WAY", way).replace("MORE", more)).configuration)
+        assert told == [f"'w': tension {one}: statics alone leaves it open, `preload` tells it at the left end"
+                        for one in said]
+    text = text.replace("WAY", "0 m, 3 m").replace(", attached: [{at: 1 m, mass: 2 kg}]MORE", ", EA: 1 MN")
+    assert member_warnings(problem(text).configuration) == [
+        "'w': tension -588.6 to 588.6 N: statics alone leaves it open; from the equilibrium"]
+
+
 @pytest.mark.parametrize("ends", ["from: [0, 0], to: [0, L], left: clamped, right: {clamped: head}",
                                   "from: [0, L], to: [0, 0], left: {clamped: head}, right: clamped"])
 def test_the_tension_of_a_heavy_mast_under_a_head_is_found(ends):

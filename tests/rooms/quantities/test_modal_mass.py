@@ -69,6 +69,18 @@ def test_it_has_the_measure_of_the_coordinate_that_moves_first(tmp_path, capsys)
     assert "expected a moment of inertia" in capsys.readouterr().err
 
 
+def test_of_beams_no_slope_is_ever_one(tmp_path, capsys):
+    """So a modal mass is a mass, and a moment by the displacement a force; of damped modes a slope may be the first."""
+    path = tmp_path / "scene.yaml"
+    text = ("beams: {b: {length: 2 m, EI: 300 N*m^2, mass_per_length: 2 kg/m, left: pinned, right: {c: 3 N*s/m, "
+            "k: 90 N/m}}}\nanswers: {'ASKED': {value: VALUE, rtol: 1 %}}\n")
+    for asked, given, code in (("modal_mass[2]", "0.955 kg", 0), ("modal_mass[2]", "0.955", 3),
+                               ("mode[2][b.moment(1 m)]", "1 m", 3), ("abs(mode_d[2,b.slope(0 m)])", "1 m/m", 0)):
+        path.write_text(text.replace("ASKED", asked).replace("VALUE", given))
+        assert run(["check", str(path)]) == code, (asked, given, capsys.readouterr())
+    assert "expected a force" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(("quantity", "words"), [
     ("modal_mass[3]", "this scene has 2 modes"), ("modal_mass", "needs an index"), ("modal_mass[x]", "no mode 'x'"),
     ("modal_mass[1](2 s)", "no function of time"), ("modal_mas[1]", "unknown quantity")])

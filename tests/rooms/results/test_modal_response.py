@@ -204,6 +204,14 @@ def test_a_beam_on_a_shaken_base_moves_with_it():
     assert np.abs(found.values(TIMES) - 1e-3 * expected).max() <= 1e-10
 
 
+def test_a_field_on_a_shaken_base_adds_the_motion_that_it_starts_on_one_at_rest():
+    scene = CANTILEVER.replace("mu: 1 kg/m}", "mu: 1 kg/m, a: 1 mm}").replace("clamped,", "HELD,")
+    driven = scene.replace("HELD", "{clamped: base}") + "bodies: {base: {slide: a*sin(2 rad/s*t)}}\n"
+    still, field = scene.replace("HELD", "clamped"), "initial: {arm.u: a*(x/L)^2}\n"
+    both, alone, free = (signal(problem(text), "arm.u(L)") for text in (driven + field, driven, still + field))
+    assert np.abs(both.values(TIMES) - alone.values(TIMES) - free.values(TIMES)).max() <= 1e-12
+
+
 def test_values_after_a_jump_of_the_velocity_of_a_base_are_read_of_many_modes():
     """The same with 200,000 modes, −2 Σ φ G sin(b² t)/b² falling like b⁻³: to 1e-10 of the largest, as is told."""
     scene = problem("""\

@@ -171,6 +171,43 @@ def test_fields_on_segments_start_from_the_equilibrium_and_carry_what_is_attache
     assert values(thrown, "rod.force(0)", [0.0, 1.9, 2.1]) == pytest.approx([-1.0, -1.0, 1.0])
 
 
+def test_an_oscillator_starts_with_the_field_where_it_hangs():
+    """What moves alike keeps moving alike, two oscillators at one place too; each spring starts as long as at rest."""
+    one = "{at: L/3, oscillator: {mass: 2 kg, k: 3 N/m}}"
+    scene = problem(UNIT + f"bars: {{rod: {{length: L, E: E, A: A, rho: rho, attached: [{one}, {one}]}}}}\n"
+                    "initial: {rod.u: 2 mm, rod.u': 3 mm/s}\n")
+    for text in ("rod.u(L)", "rod.oscillator(L/3)", "rod.oscillator.2(L/3)"):
+        assert values(scene, text, [0.0, 1.7]) == pytest.approx([2e-3, 2e-3 + 1.7 * 3e-3], rel=1e-13), text
+    hung = problem("gravity: 9.81 m/s^2\nbeams: {b: {from: [0 m, 0 m], to: [1 m, 0 m], EI: 90 N*m^2, left: clamped, "
+                   f"mass_per_length: 1 kg/m, attached: [{one.replace('L/3', '1 m')}]}}}}\n"
+                   "initial: {b.u: 1 mm*x^2/(1 m)^2}")
+    start, _ = hung.initial.start
+    assert start["b.u(1 m)"] == pytest.approx(1e-3) and start["b.oscillator(1 m)"] == pytest.approx(1e-3 - 2 * 9.81 / 3)
+
+
+@pytest.mark.parametrize(("rate", "start"), [("0.7 m/s", 0.7), ("0.7 m/s*(1 - x/L)", 0.7), ("0 m/s", 0.0)])
+def test_a_field_beside_a_support_that_the_time_moves(rate, start):
+    """EA (u0' + v0/c - g'/c) at the support until its waves are back; where it starts at the field no displacement
+    leaps, whatever rounding adds up to."""
+    scene = problem(f"""
+        parameters: {{L: 2 m, EA: 1 MN, mu: 4 kg/m, a: 1 mm, W: 700 rad/s}}
+        bodies: {{base: {{mass: 8 kg, slide: a*sin(W*t)}}}}
+        bars: {{rod: {{length: L, EA: EA, mass_per_length: mu, left: {{clamped: base}}}}}}
+        initial: {{rod.u: a*(x/L)^2, rod.u': {rate}}}
+    """)
+    t, c = np.array([0.0, 1e-3, 3.9e-3]), 500.0
+    v0 = start * (1 - c * t / 2 if "x" in rate else 1)
+    wanted = 1e6 * (2e-3 * c * t / 4 + v0 / c - 0.7 * np.cos(700 * t) / c)
+    assert np.abs(values(scene, "rod.force(0)", t) - wanted).max() <= 1e-9
+    with pytest.raises(PhysicsError, match="held at 0 m, where this field"):
+        values(problem(dedent("""
+            parameters: {a: 1 mm}
+            bodies: {base: {mass: 8 kg, slide: a*sin(7 rad/s*t)}}
+            bars: {rod: {length: 2 m, EA: 1 MN, mass_per_length: 4 kg/m, left: {clamped: base}}}
+            initial: {rod.u: a}
+        """)), "rod.u(2 m)", t)
+
+
 def test_a_matched_damper_ends_the_motion():
     scene = problem(BAR.replace("RIGHT", "right: {c: A*sqrt(E*rho)}"))
     assert scene.response.alone.still_from(5.0) == 2.0

@@ -47,19 +47,26 @@ def frequency_equations(symbolic: "SymbolicSystem") -> "list[FrequencyEquation |
 
 
 def chains(pieces: "Sequence[PlacedPiece]") -> "list[list[PlacedPiece]]":
-    """The pieces in chains from left to right, each beginning where the one before it ends."""
+    """The pieces in chains from left to right, those of each member and of members that begin where others end."""
     found: list = []
     for piece in pieces:
-        half = len(piece.rows) // 2
-        left = piece.rows[:half]
-        before = next((chain for chain in found if any(left) and chain[-1].rows[half:] == left), None)
-        if before is None and found and found[-1][-1].owner == piece.owner:
-            before = found[-1]
-        if before is None:
-            found.append([piece])
+        if found and found[-1][-1].owner == piece.owner:
+            found[-1].append(piece)
         else:
-            before.append(piece)
+            found.append([piece])
+    for chain in list(found):
+        before = next((one for one in found if one is not chain and _end(one[-1], 1) == _end(chain[0], 0) != ()), None)
+        if before is not None:
+            before += chain
+            found = [one for one in found if one is not chain]
     return found
+
+
+def _end(placed, side):
+    """The rows of its left (0) or right (1) end; () where all of that is held."""
+    half = len(placed.rows) // 2
+    rows = placed.rows[side * half:][:half]
+    return tuple(rows) if any(rows) else ()
 
 
 def _equation(form, chain):
@@ -88,9 +95,20 @@ def _equation(form, chain):
             return None         # on a foundation of its own
         number = beta * ratio ** (HALF if order == 2 else HALF / 2)
         pieces.append(UniformPiece(number, number * part.piece.length, own))
-    function = frequency_function(table, order, pieces, acting[0])
+    function = frequency_function(table, order, *(
+        (pieces, acting[0]) if len(pieces) == 1 else _without_units(pieces, acting[0])))
     return FrequencyEquation(tuple(dict.fromkeys(part.owner for part in chain)), order, x, square,
                              [piece.argument for piece in pieces], function, chain, *acting)
+
+
+def _without_units(pieces, impedances):
+    """β, the stiffness S and the impedances of several pieces by those of the first: β/β₁, S/S₁, Z/(S₁ β₁³) of the
+    displacement of a beam, Z/(S₁ β₁) of what has one motion or of a turn."""
+    beta, stiffness, half = pieces[0].beta, pieces[0].stiffness, len(impedances[0])
+    scales = [stiffness * beta ** (3 if half > 1 and not part else 1) for part in range(half)]
+    return [UniformPiece(piece.beta / beta, piece.argument, piece.stiffness / stiffness) for piece in pieces], [
+        tuple(None if Z is None else textbook(Z / scale) for Z, scale in zip(end, scales, strict=True))
+            for end in impedances]
 
 
 def _sines(impedances):

@@ -4,6 +4,7 @@
     one beam:                  cos βL·cosh βL = −c₀/c₁,   sin βL = 0 (sinh βL is not),   tan βL = r·tanh βL
 """
 
+from collections.abc import Container
 from typing import TYPE_CHECKING
 
 from vibcli.symbolic.common_denominator import single
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
 
 ONE, BOTH, SINES, UNEQUAL, SWAPPED = (), ((0, "cos", "cosh"),), ((0, "sin", "sinh"),), ((0, "cos", "sinh"),), (
     (0, "cosh", "sin"),)
+LETTERS = ("theta", "eta", "kappa", "chi", "zeta")
 
 
 def sides(found: "FrequencyEquation") -> "tuple[Node, Node]":
@@ -24,6 +26,16 @@ def sides(found: "FrequencyEquation") -> "tuple[Node, Node]":
         if one is not None:
             return one
     return _as_sum(found)
+
+
+def by_letters(found: "FrequencyEquation", taken: "Container[str]") -> "tuple[FrequencyEquation, list]":
+    """Several pieces with letters θ₁, θ₂, that are not `taken`, for the arguments of their functions, and what these
+    are: [(letter, argument)]; nothing of one piece."""
+    table, arguments = found.wave_number.table, found.arguments
+    letter = next(one for one in LETTERS if not any(f"{one}{n + 1}" in taken for n in range(len(arguments))))
+    letters = [table.parameter(f"{letter}{n + 1}") for n in range(len(arguments))] if len(arguments) > 1 else arguments
+    told = zip(letters, arguments, strict=True) if letters is not arguments else ()
+    return found._replace(arguments=letters), list(told)
 
 
 def _of_second_order(found):

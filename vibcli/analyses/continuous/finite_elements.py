@@ -37,9 +37,11 @@ def finite_elements(elements: "FactoredSystem", divisions: int) -> tuple[np.ndar
     M[:elements.n, :elements.n], K[:elements.n, :elements.n] = discrete[0], discrete[3]
     for part, rows in parts:
         S = rows_as_array(rows, size)
+        moved = np.flatnonzero(S.any(axis=0))       # few of many
+        S, at = S[:, moved], np.ix_(moved, moved)
         k, m = element_matrices(part)
-        K += S.T @ k @ S
-        M += S.T @ m @ S
+        K[at] += S.T @ k @ S
+        M[at] += S.T @ m @ S
     return K, M
 
 

@@ -15,7 +15,10 @@ import numpy as np
 
 from vibcli.analyses.continuous.divided_pieces import divided_at
 from vibcli.analyses.continuous.finite_elements import finite_elements, rows_as_array, slack_ends
+from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
+from vibcli.numerics.pieces.fields import fields
+from vibcli.numerics.pieces.loads import LoadForm, LoadStretch, LoadTerm, end_loads, loaded_fields
 from vibcli.numerics.pieces.stiffness import dynamic_stiffness
 
 if TYPE_CHECKING:
@@ -25,7 +28,9 @@ if TYPE_CHECKING:
     from vibcli.mechanics.factored_system import FactoredSystem
 
 NODES, DIVISIONS, LISTED, POINTS, LEAST = 256, (1, 2, 4, 8), 3, 12, 8
-REFINED, NOTHING = 2, 1e-12     # times that a deflection is; of its largest part: what is only rounding
+COARSE, FINE = 16, 24       # points on a piece
+EPSILON, LARGEST = 2.2e-16, 1e-4      # relative errors: of rounding, of what is told
+NOTHING = 1e-12         # of the largest part of a deflection: what is only rounding
 
 
 class Lumped(NamedTuple):
@@ -46,25 +51,68 @@ class MemberEstimates(NamedTuple):
     exact: list
 
 
-def bounds(modal: "ModalAnalysis", ones: "Sequence[int]") -> tuple[float, np.ndarray, dict[str, float]]:
-    """(Rayleigh's ω, the deflection δ of the coordinates, {member: its part of Σ 1/ω_n²}); `ones`: the coordinates that
-    count as pulled; what lies within members is pulled across."""
-    elements = modal.configuration.linear_system
-    divisions = max(NODES // len(elements.pieces), LEAST)
-    K, M = finite_elements(elements, divisions)
-    pull = np.zeros(len(K))
-    pull[:elements.n] = ones
-    pull[elements.n:] = _displacements(elements, divisions)
-    pulled = M @ pull
-    deflection = np.linalg.solve(K, pulled)
-    for _ in range(REFINED):        # very many elements are stiff beside the whole
-        deflection = deflection + np.linalg.solve(K, np.asarray(pulled - K.astype(np.longdouble) @ deflection, float))
+def bounds(modal: "ModalAnalysis", ones: "Sequence[int]") -> "tuple[float, np.ndarray, dict[str, float], float]":
+    """(Rayleigh's ω, the deflection δ of the coordinates, {member: its part of Σ 1/ω_n²}, their relative error);
+    `ones`: the coordinates that count as pulled; what lies within members is pulled across."""
+    elements, alone = modal.configuration.linear_system, {}
+    found = _by_elements if any(map(slack_ends, elements.pieces)) else _by_fields
+    rayleigh, deflection, error = found(elements, np.array(ones, float))
+    if not error < LARGEST:
+        raise PhysicsError("the estimates of Rayleigh and Dunkerley lose their digits, as parts of a member are so "
+                           "short beside others", "leave small distances out, or see `vibcli frequencies`")
     deflection = np.where(abs(deflection) > NOTHING * abs(deflection).max(initial=0.0), deflection, 0.0)
-    rayleigh = float(np.sqrt(deflection @ pulled / (deflection @ M @ deflection)))
-    alone: dict[str, float] = {}
+    flexibility = np.linalg.inv(static_stiffness(elements))
     for placed in elements.pieces:
-        alone[placed.owner] = alone.get(placed.owner, 0.0) + _of_piece(elements, placed)
-    return rayleigh, deflection[:elements.n], alone
+        alone[placed.owner] = alone.get(placed.owner, 0.0) + _of_piece(elements, placed, flexibility)
+    return rayleigh, deflection[:elements.n], alone, error
+
+
+def _by_fields(elements, ones):
+    """(ω, δ, the relative error) by exact deflections: δ of the coordinates, along pieces ∫ μ u dx and ∫ μ u² dx by
+    Gauss's rule; what fewer points give is their error."""
+    M, K = elements.with_parts(pieces=()).arrays()[0], static_stiffness(elements)
+    loaded = [(placed.piece, rows_as_array(placed.rows, elements.n), _even_load(placed.piece))
+              for placed in elements.pieces if placed.piece.inertia]
+    pulled = M @ ones + sum((S.T @ end_loads(piece, piece.foundation, form) for piece, S, form in loaded), 0.0 * ones)
+    scale = np.sqrt(np.diag(K))
+    deflection, rounding = np.linalg.solve(K, pulled), EPSILON
+    if len(K):
+        rounding *= 8 * np.linalg.cond(K / np.outer(scale, scale))
+    found = []
+    for points in (COARSE, FINE):
+        work, inertia = deflection @ M @ ones, deflection @ M @ deflection
+        for piece, S, form in loaded:
+            u, weights = _deflection(piece, S @ deflection, form, points)
+            work, inertia = work + weights @ u, inertia + weights @ u**2
+        with np.errstate(all="ignore"):     # where rounding is all that is left the error is no number
+            found.append(np.sqrt(work / inertia))
+    return float(found[1]), deflection, float(rounding + abs(found[1] / found[0] - 1))
+
+
+def _even_load(piece):
+    """Its inertia as a load along it."""
+    return LoadForm((LoadStretch(0.0, piece.length, 0.0, (LoadTerm(piece.inertia, 0, 0.0),)),))
+
+
+def _deflection(piece, ends, form, points):
+    """(u at the points of a rule, its weights times the inertia there) of a piece at rest under a load."""
+    at, weights = np.polynomial.legendre.leggauss(points)
+    x = (at + 1) / 2 * piece.length
+    u = fields(piece, piece.foundation, np.tile(ends, (points, 1)), x)[:, 0]
+    held = [loaded_fields(piece, piece.foundation, form, float(place))[0] for place in x]
+    return u + np.array(held), piece.inertia * piece.length / 2 * weights
+
+
+def _by_elements(elements, ones):
+    """The same by finite elements, of strings that hang slack; the error by half as many."""
+    found = []
+    for nodes in (NODES // 2, NODES):
+        divisions = max(nodes // len(elements.pieces), LEAST)
+        K, M = finite_elements(elements, divisions)
+        pulled = M @ np.array([*ones, *_displacements(elements, divisions)])
+        deflection = np.linalg.solve(K, pulled)
+        found.append(float(np.sqrt(deflection @ pulled / (deflection @ M @ deflection))))
+    return found[1], deflection, 4 * abs(found[1] / found[0] - 1)
 
 
 def static_stiffness(elements: "FactoredSystem") -> np.ndarray:
@@ -106,20 +154,27 @@ def _frequencies(K, M):
     return [float(1 / np.sqrt(x)) for x in squares if x > 1e-14 * squares[0]]
 
 
-def _of_piece(elements, placed):
-    """∫ μ G(x, x) dx of a piece; G at x with a node there."""
+def _of_piece(elements, placed, flexibility):
+    """∫ μ G(x, x) dx of a piece: G is what it gives between ends that are held, and what those give."""
     piece, total = placed.piece, 0.0
     at, weights = np.polynomial.legendre.leggauss(POINTS)
     at, weights = (at + 1) / 2, weights / 2
-    if slack_ends(placed):      # G grows like a logarithm there
+    slack = slack_ends(placed)
+    if slack:      # G grows like a logarithm there
         at, weights = at**3 * (10 - 15 * at + 6 * at**2), weights * 30 * at**2 * (1 - at)**2
     others = [other for other in elements.pieces if other is not placed]
-    half = len(placed.rows) // 2
+    half, S = len(placed.rows) // 2, rows_as_array(placed.rows, elements.n)
     for x, weight in zip(at * piece.length, weights * piece.length, strict=True):
-        K = static_stiffness(_grown(elements, [*others, *divided_at(placed, x, elements.n)], half))
-        unit = np.zeros(len(K))
-        unit[elements.n] = 1.0
-        total += weight * piece.inertia * np.linalg.solve(K, unit)[elements.n]
+        if slack:
+            K = static_stiffness(_grown(elements, [*others, *divided_at(placed, x, elements.n)], half))
+            unit = np.zeros(len(K))
+            unit[elements.n] = 1.0
+            total += weight * piece.inertia * np.linalg.solve(K, unit)[elements.n]
+        else:
+            left, right = (part.piece for part in divided_at(placed, x, elements.n))
+            own = dynamic_stiffness(left, 0.0)[half:, half:] + dynamic_stiffness(right, 0.0)[:half, :half]
+            row = np.array([fields(piece, piece.foundation, end, x)[0] for end in np.eye(2 * half)]) @ S
+            total += weight * piece.inertia * (np.linalg.inv(own)[0, 0] + row @ flexibility @ row)
     return float(total)
 
 

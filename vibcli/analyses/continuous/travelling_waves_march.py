@@ -219,7 +219,9 @@ class WaveMarch:
             if end.drive is not None:
                 after = loads.at(number, *here)[end.drive, 0]
                 before = loads.at(number - 1, *here)[end.drive, 0] if number else self._shift(station, end)
-                driven[i] = after - before if abs(after - before) > SAME * max(abs(after), abs(before)) else 0.0
+                size = max(abs(after), abs(before), *(
+                    () if number else (self.leaving[one].scale[0] for one in (end.number, end.number ^ 1))))
+                driven[i] = after - before if abs(after - before) > SAME * size else 0.0
         return impulses, driven
 
     def _shift(self, station, end):

@@ -23,10 +23,12 @@ if TYPE_CHECKING:
     from vibcli.analyses.modal.modal_analysis import ModalAnalysis
     from vibcli.language.document.nodes import Scalar
 
+ROUNDING = 1e-14        # relative, of what is evaluated in floats
+
 
 class Estimates(NamedTuple):
     """omega, rayleigh, dunkerley in rad/s; deflection: δ by coordinate, its largest part 1; alone: {body: ωⱼⱼ};
-    members: MemberEstimates of scenes that have such."""
+    members: MemberEstimates of scenes that have such; error: the relative one of both bounds."""
 
     omega: float
     rayleigh: float
@@ -34,6 +36,7 @@ class Estimates(NamedTuple):
     deflection: dict
     alone: dict
     members: Any = None
+    error: float = ROUNDING
 
 
 def estimates(modal: "ModalAnalysis", _: Any) -> Estimates:
@@ -68,7 +71,7 @@ def _with_members(modal):
     torsional = all(member.kind.torsional for member in modal.scene.members.values())
     across = parse_unit("rad").dimension if torsional else LENGTH
     pulled = [int(modal.system.dimension(name) == across) for name in modal.scene.coordinates]
-    rayleigh, deflection, squares = bounds(modal, pulled)
+    rayleigh, deflection, squares, error = bounds(modal, pulled)
     if elements.n:
         with mpmath.workdps(WORKING):
             flexibility = mpmath.matrix(np.linalg.inv(static_stiffness(elements)).tolist())
@@ -78,7 +81,7 @@ def _with_members(modal):
     return Estimates(
         float(modal.modes[0].omega), rayleigh, sum(squares.values()) ** -0.5,
         {name: float(x / largest) for name, x in zip(modal.scene.coordinates, deflection, strict=True)},
-        {name: square**-0.5 for name, square in squares.items() if square > 0}, further(modal))
+        {name: square**-0.5 for name, square in squares.items() if square > 0}, further(modal), max(error, ROUNDING))
 
 
 def _require_bounds(modal):

@@ -16,10 +16,14 @@ WORDS = {"first": "the first coordinate that moves is 1", "largest": "the larges
 ALONG = {"first": "the first coordinate that moves is 1, where none does the largest displacement of the first member",
          "largest": "the largest displacement is 1", "mass": "φᵀMφ = 1"}
 
+OF_ROWS = {"first": "the first of these that moves is 1", "largest": "the largest of these amplitudes is 1",
+           "mass": "φᵀMφ = 1"}
 
-def words(how: str, members: Any = ()) -> str:
-    """What a normalisation is, in words, of scenes with or without members."""
-    return (ALONG if members else WORDS)[how]
+
+def words(how: str, members: Any = (), damped: bool = False) -> str:
+    """What a normalisation is, in words, of scenes with or without members, of whose damped modes what is printed is
+    all that counts."""
+    return ((OF_ROWS if damped else ALONG) if members else WORDS)[how]
 
 
 def normalised(shape: "Sequence[complex] | np.ndarray", how: str = "first",

@@ -17,8 +17,8 @@ ABOUT = ("Where a motion in time starts: `{x: 2 cm, x': 0.5 m/s}`, coordinates c
          "Those left out start at rest in the equilibrium without the loads that depend on time, or as drawn where "
          "nothing holds the scene. `{released: pull}` "
          "starts at rest in the equilibrium under the force `pull`, which then lets go and acts no more. Members start "
-         "with fields of the place x along them: `{rod.u: a*x/L, rod.u': 0 m/s}`; what is attached starts with them. A "
-         "velocity may contradict a support, a displacement may not.")
+         "with fields of the place x along them: `{rod.u: a*x/L, rod.u': 0 m/s}`; what is attached starts with them, "
+         "oscillators with springs as long as at rest. A velocity may contradict a support, a displacement may not.")
 
 
 class Initial(Kind):

@@ -19,9 +19,9 @@ MOTIONS = ("{u}", "∂{u}/∂x")
 RATES = (("∂²{u}/∂t²", "∂³{u}/∂x∂t²"), ("∂{u}/∂t", "∂²{u}/∂x∂t"), MOTIONS)     # of M, C, K
 SIMPLE, PRINTED = {"sin": "n·π", "cos": "(2n − 1)·π/2"}, 5
 CLOSE = 1e-8        # of ω²: frequencies that are one
-REMARK = "x counts from the left end of each member; [ ] is the jump at a place, right less left"
+REMARK, JUMPS = "x counts from the left end of each member", "; [ ] is the jump at a place, right less left"
 DAMPED = "without what `damping` adds: it damps every mode by itself"
-RIGHT, SIDES = "(+)", "; (+) is what holds right of it, (−) left of it"
+RIGHT, SIDES = "(+)", "; (+) is what holds right of a place, (−) left of it"
 
 
 def member_equations(problem: "Problem") -> Iterator[Section]:
@@ -40,8 +40,10 @@ def member_equations(problem: "Problem") -> Iterator[Section]:
                 for part, node in enumerate(member.motions(station)) if _is_own(node, member, scene)}
         if pieces:
             conditions = list(station_conditions(member, form.pieces, (M, C, K), scene))
-            if any(part.endswith(RIGHT) for one in conditions for part in one.parts if type(part) is str):
-                remark = REMARK + SIDES
+            told = [part for one in conditions for part in one.parts if type(part) is str]
+            for mark, words in (("[", JUMPS), (RIGHT, SIDES)):
+                if words not in remark and any(mark in part for part in told):
+                    remark += words
             blocks += [Heading(f"{name}:"), equations(lines_by_letter([
                 *differential(pieces, _letter(member)), *conditions], letter))]
     others = [i for i in range(len(scene.q)) if i not in own]
@@ -124,10 +126,13 @@ def _damped(problem):
 def _solved(problem, found, label):
     """The equation, its roots, the frequencies, the shape and the orthogonality."""
     from vibcli.analyses.closed_form.member_shapes import shape, unstrained
-    from vibcli.analyses.closed_form.textbook_equation import sides
+    from vibcli.analyses.closed_form.textbook_equation import by_letters, sides
 
-    left, right = sides(found)
+    named, letters = by_letters(found, problem.scene.parameters.nodes)
+    left, right = sides(named)
     yield line(left, " = ", right, label=label)
+    for letter, argument in letters:
+        yield line(letter, " = ", argument, inset=2)
     simple = SIMPLE.get(left.name) if right.is_zero and left.op == "call" else None
     values = simple is None and _roots(problem, found)
     if simple:

@@ -168,9 +168,9 @@ def modes(problem: "Problem", report: "Report") -> Iterator[Section]:
         if problem.closed_forms is not None:
             yield from section("Mode shapes", *shape_blocks(problem, names, problem.closed_forms), note(words("first")))
         return
-    normalised, found = words(report.normalise, problem.spec.members), shown(problem, report.wanted)
+    members, found = problem.spec.members, shown(problem, report.wanted)
     if found and names:
-        yield from _shapes(problem, report, found, "Mode shapes", normalised)
+        yield from _shapes(problem, report, found, "Mode shapes", words(report.normalise, members))
     if found and problem.scene.pieces and not problem.modal.modes.finite:
         from vibcli.report.sections.member_modes import along_members
 
@@ -179,7 +179,8 @@ def modes(problem: "Problem", report: "Report") -> Iterator[Section]:
         damped = shown_damped(problem, report.wanted)
         one_each = {mode.index: mode for mode in reversed(damped)}       # two eigenvalues have one shape
         yield from _shapes(problem, report, [one_each[i] for i in sorted(one_each)],
-                           "Shapes of the damped modes", normalised, only_complex=True)
+                           "Shapes of the damped modes", words(report.normalise, members, damped=True),
+                           only_complex=True)
 
 
 def _shapes(problem, report, modes, title, normalised, only_complex=False):

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.analyses.closed_form.member_frequencies import frequency_equations
 from vibcli.analyses.closed_form.member_shapes import shape, unstrained
-from vibcli.analyses.closed_form.textbook_equation import sides
+from vibcli.analyses.closed_form.textbook_equation import by_letters, sides
 from vibcli.base.errors import PhysicsError
 from vibcli.notation.numbers import figure
 from vibcli.notation.plain import GREEK, lowered
@@ -98,13 +98,15 @@ class MemberSteps:
         uses = [waves, *(line for _, lines in conditions for line in lines), *hung]
         ends = Ends(found, self.sheet)
         asked = ends.write(uses) if len(found.pieces) == 1 and not self._pressed(found) else None
-        left, right = sides(found)
+        named, letters = by_letters(found, self.scene.parameters.nodes)
+        left, right = sides(named)
         words = ", without what damps" if self.damped else ""
         how = f"so the frequency equation{words}:  " if asked else (
             f"the conditions leave constants other than zero{words} if  ")
         alike = [Words(",  and βL = 0, as all of it may move alike")] if unstrained(found) else []
-        line = self.sheet.write(Words(how), left, " = ", right, *alike, uses=asked or uses,
-                                settles="frequency equation")
+        line = self.sheet.write(Words(how), left, " = ", right, *alike, *(
+            part for letter, argument in letters for part in (Words(",  "), letter, " = ", argument)),
+                                uses=asked or uses, settles="frequency equation")
         self._roots(found, ends, line, self._frequency(found, line))
 
     def _pressed(self, found):

@@ -8,8 +8,9 @@ from support.scenes import problem
 
 from vibcli.analyses.closed_form.member_frequencies import frequency_equations
 from vibcli.analyses.closed_form.member_shapes import roots, shape
-from vibcli.analyses.closed_form.textbook_equation import sides
+from vibcli.analyses.closed_form.textbook_equation import by_letters, sides
 from vibcli.notation.plain import plain
+from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 PARAMETERS = "{L: 0.6 m, EI: 70 N*m^2, EA: 1 MN, S: 100 N, mu: 0.27 kg/m, M: 0.05 kg, J: 1 g*m^2, k: 400 N/m, " \
@@ -40,6 +41,10 @@ OTHERS = [
     "bars: {b: {segments: [{length: a, EA: EA}, {length: L, EA: 3*EA}], mass_per_length: mu, left: clamped}}",
     "strings: {b: {length: L, preload: S, mass_per_length: mu, left: clamped, right: clamped, "
     "attached: [{at: a, mass: M}]}}",
+    "beams: {b: {segments: [{length: a, EI: EI}, {length: L, EI: 3*EI}], mass_per_length: mu, left: clamped, "
+    "attached: [{at: a, mass: M}, {at: a + L, k: k}]}}",
+    f"bars: {{b: {{{BAR}, left: clamped, right: {{clamped: c, at: 0*L}}}}, "
+    "c: {length: a, EA: 2*EA, mass_per_length: 3*mu}}",
 ]
 
 
@@ -66,6 +71,17 @@ def test_is_zero_at_the_natural_frequencies(text):
     for mode in elastic:
         at = _wave_number(equation, values, mode.omega)
         assert residual(at * (1 - 1e-9)) * residual(at * (1 + 1e-9)) < 0
+
+
+@pytest.mark.parametrize("text", OTHERS)
+def test_letters_stand_for_the_arguments_of_several_pieces(text):
+    """The equation with them is the same; they are none of the letters of the scene."""
+    equation, = frequency_equations(_scene(text).symbolic)
+    named, letters = by_letters(equation, {"theta2"})
+    assert [letter.name for letter, _ in letters] == (["eta1", "eta2"] if len(equation.pieces) > 1 else [])
+    given = dict(letters)
+    for one, other in zip(sides(equation), sides(named), strict=True):
+        assert (one - substitute([other], given)[0]).is_zero
 
 
 def _wave_number(equation, values, omega):

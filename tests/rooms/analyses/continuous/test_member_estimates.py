@@ -5,9 +5,21 @@ from math import pi, sqrt
 import pytest
 from support.scenes import problem
 
+import vibcli
+from vibcli.base.errors import PhysicsError
+
 BEAM = ("parameters: {L: 0.6 m, EI: 56 N*m^2, mu: 0.27 kg/m}\n"
         "beams:\n  arm: {length: L, EI: EI, mass_per_length: mu, %s}\n")
 BAR = "parameters: {L: 2 m, EA: 800 N, mu: 3 kg/m}\nbars:\n  rod: {length: L, EA: EA, mass_per_length: mu, %s}\n"
+EVEN_BEAM = "beams: {b: {length: 2 m, EI: 300 N*m^2, mass_per_length: 2 kg/m, left: clamped%s}}"
+EVEN_BAR = "bars: {b: {length: 2 m, EA: 40 kN, mass_per_length: 2 kg/m, left: clamped%s}}"
+EVEN_STRING = "strings: {b: {length: 2 m, preload: 300 N, mass_per_length: 2 kg/m, left: pinned, right: pinned%s}}"
+
+
+def bound(text, name):
+    """(value, relative error) of `rayleigh` or `dunkerley`."""
+    found = vibcli.loads(text)[name]
+    return found.value, found.error / found.value
 
 
 def estimates(text):
@@ -18,8 +30,8 @@ def test_a_cantilever():
     """Static deflection of a cantilever under its weight: ω² = 162/13 EI/(μL⁴); Σ 1/ω_n² = μL⁴/(12 EI)."""
     found = estimates(BEAM % "left: clamped")
     unit = sqrt(56 / 0.27) / 0.6**2
-    assert found.rayleigh == pytest.approx(sqrt(162 / 13) * unit, rel=1e-6)
-    assert found.dunkerley == pytest.approx(sqrt(12) * unit, rel=1e-9)
+    assert found.rayleigh == pytest.approx(sqrt(162 / 13) * unit, rel=1e-13)
+    assert found.dunkerley == pytest.approx(sqrt(12) * unit, rel=1e-13)
     tip = found.members.lumped["arm.u(L)"]
     assert tip.of_members == pytest.approx(33 / 140, rel=1e-12)
     assert tip.stiffness == pytest.approx(3 * 56 / 0.6**3, rel=1e-12)
@@ -51,8 +63,6 @@ def test_elements_converge_from_above(text, order):
 
 
 def test_what_holds_nothing_is_refused():
-    from vibcli.base.errors import PhysicsError
-
     with pytest.raises(PhysicsError, match="rigid"):
         estimates(BAR % "right: free")
 
@@ -80,3 +90,34 @@ def test_what_does_not_turn_and_what_two_shapes_do_not_share_is_zero():
     K = found.result("ritz").K
     assert K[0][1] == K[1][0] == 0
     assert [K[0][0], K[1][1]] == pytest.approx([pi**4 * 100 / 16, 81 * pi**4 * 100 / 16], rel=1e-15)
+
+
+@pytest.mark.parametrize(("scene", "rayleigh", "dunkerley"), [
+    (EVEN_BEAM % "", 300 / 32 * 162 / 13, 12 * 300 / 32), (EVEN_BAR % "", 40e3 / 8 * 2.5, 2 * 40e3 / 8),
+    (EVEN_STRING % "", 300 / 8 * 10, 6 * 300 / 8)])
+def test_both_bounds_are_exact_to_rounding(scene, rayleigh, dunkerley):
+    """∫u dx/∫u² dx of the static deflections under even loads, and ∫G(x, x) dx, by hand: ω² L⁴μ/EI = 162/13 and 12 …"""
+    for name, square in (("rayleigh", rayleigh), ("dunkerley", dunkerley)):
+        found, error = bound(scene, name)
+        assert abs(found / sqrt(square) - 1) <= 1e-14 and error <= 1e-13
+
+
+@pytest.mark.parametrize("short", [1e-2, 1e-4, 1e-6, 1e-8])
+def test_places_close_to_one_another_leave_their_bound_or_nothing(short):
+    """A node near the end changes neither bound; where pieces are too short beside others neither is told."""
+    scene = EVEN_BEAM % f", attached: [{{at: 2*(1 - {short!r})*1 m, mass: 1e-15 kg}}]"
+    for name, square in (("rayleigh", 300 / 32 * 162 / 13), ("dunkerley", 12 * 300 / 32)):
+        try:
+            found, error = bound(scene, name)
+        except PhysicsError as refused:
+            assert short < 1e-3 and "lose their digits" in refused.message
+        else:
+            assert abs(found / sqrt(square) - 1) <= error < 1e-3
+
+
+def test_bounds_beside_a_tension_and_a_foundation():
+    """Dunkerley's as Σ 1/ω² of 150 modes and of what follows them as (n − a)⁴."""
+    scene = EVEN_BEAM % (", right: {k: 900 N/m}, preload: 300 N, foundation: 500 N/m^2, "
+                         "attached: [{at: 0.8 m, mass: 1.5 kg}]")
+    assert bound(scene, "dunkerley")[0] == pytest.approx(27.873055892, rel=1e-9)
+    assert bound(scene, "rayleigh")[0] == pytest.approx(31.5112260852724, rel=1e-12)     # by finite elements

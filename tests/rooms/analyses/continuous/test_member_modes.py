@@ -88,6 +88,20 @@ def test_the_frequency_equation_leaves_dampers_out_and_says_so(further):
     assert "Frequency equation\n" in told(problem(BAR % ""), "frequency_equation")
 
 
+def test_the_normalisation_of_damped_shapes_is_stated_by_what_is_printed():
+    """No displacement along members is 1 in them, but the first or largest row."""
+    scene = problem("beams: {b: {length: 2 m, EI: 300 N*m^2, mass_per_length: 2 kg/m, left: pinned, "
+                    "right: {c: 3 N*s/m, k: 90 N/m}}}")
+    for how, stated in (("first", "the first of these that moves is 1"),
+                        ("largest", "the largest of these amplitudes is 1")):
+        report = Report(scene, normalise=how)
+        report.add("modes")
+        shapes = " ".join(render([report.document()]).split("Shapes of the damped modes")[1].split())
+        assert stated in shapes and "displacement" not in shapes
+        rows = [[abs(x) for x in scene.modal.shape(mode, how)] for mode in scene.modal.damped[:3]]
+        assert all((row[0] if how == "first" else max(row)) == pytest.approx(1, rel=1e-14) for row in rows)
+
+
 def test_a_tension_that_varies_has_no_wave_number():
     chain = "{from: [0 m, 0 m], to: [0 m, -2 m], mass_per_length: 1 kg/m, left: clamped}"
     assert "β" not in told(problem(f"gravity: 9.81 m/s^2\nstrings: {{chain: {chain}}}"), "frequencies")
