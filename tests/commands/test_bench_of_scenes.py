@@ -72,7 +72,7 @@ def require_true_and_complete(found, kind, others):
 def test_motions_by_every_method_and_their_curves_over_tolerances_fall(scene, few, capsys):
     found, = json.loads(out_of(capsys, scene, "--of", "x(0.5 s)", "--json").out)["compared"]
     require_true_and_complete(found, "motion",
-                              {"RK45", "DOP853", "LSODA", "Radau", "BDF", "odeint", "modal superposition"})
+                              {"RK45", "DOP853", "LSODA", "Radau", "BDF", "odeint", "modal superposition", "lsim"})
     for method in ("RK45", "DOP853", "LSODA", "odeint"):
         errors = [point["error"] for point in found["points"] if point["method"] == method]
         assert len(errors) == 3 and errors[0] > 10 * errors[1] > 100 * errors[2]
