@@ -124,6 +124,24 @@ def test_bad_input(scene, capsys, options, code, said):
     assert said in out_of(capsys, scene, *options, code=code).err
 
 
+CHOSEN = """bodies: {a: {mass: m, slide: x}}
+springs: {s: {k: 80 N/m, between: [ground, a]}}
+choose: {m: "omega[1] = 9 rad/s"}
+answers:
+  m: 0.99 kg
+"""
+
+
+def test_a_parameter_is_no_quantity_to_be_compared(tmp_path, capsys):
+    path = tmp_path / "chosen.yaml"
+    path.write_text(CHOSEN, encoding="utf-8")
+    for options, compared in (["--of", "2*m"], []), ([], ["omega"]), (["--of", "omega", "--of", "m"], ["omega"]):
+        found = json.loads(out_of(capsys, str(path), "--json", *options).out)
+        assert [one["asked"] for one in found["compared"]] == compared
+        left = found["not compared"]
+        assert [one["asked"] for one in left] == [options[-1] if options else "m"] and "no other method" in left[0]["why"]
+
+
 def test_without_a_file_options_of_scenes_are_refused(capsys):
     assert "name its FILE" in out_of(capsys, "--of", "omega", code=2).err
 
