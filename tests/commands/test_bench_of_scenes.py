@@ -138,8 +138,8 @@ def test_a_parameter_is_no_quantity_to_be_compared(tmp_path, capsys):
     for options, compared in (["--of", "2*m"], []), ([], ["omega"]), (["--of", "omega", "--of", "m"], ["omega"]):
         found = json.loads(out_of(capsys, str(path), "--json", *options).out)
         assert [one["asked"] for one in found["compared"]] == compared
-        left = found["not compared"]
-        assert [one["asked"] for one in left] == [options[-1] if options else "m"] and "no other method" in left[0]["why"]
+        left, = found["not compared"]
+        assert left["asked"] == (options[-1] if options else "m") and "no other method" in left["why"]
 
 
 def test_without_a_file_options_of_scenes_are_refused(capsys):
