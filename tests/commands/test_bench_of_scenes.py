@@ -72,7 +72,7 @@ def require_true_and_complete(found, kind, others):
 def test_motions_by_every_method_and_their_curves_over_tolerances_fall(scene, few, capsys):
     found, = json.loads(out_of(capsys, scene, "--of", "x(0.5 s)", "--json").out)["compared"]
     require_true_and_complete(found, "motion",
-                              {"RK45", "DOP853", "LSODA", "Radau", "BDF", "odeint", "modal superposition"})
+                              {"RK45", "DOP853", "LSODA", "Radau", "BDF", "odeint", "modal superposition", "lsim"})
     for method in ("RK45", "DOP853", "LSODA", "odeint"):
         errors = [point["error"] for point in found["points"] if point["method"] == method]
         assert len(errors) == 3 and errors[0] > 10 * errors[1] > 100 * errors[2]
@@ -122,6 +122,24 @@ def test_letters_are_given_values_which_are_told(tmp_path, capsys):
     (["-o", "curve.gif"], 2, "curve.gif")])
 def test_bad_input(scene, capsys, options, code, said):
     assert said in out_of(capsys, scene, *options, code=code).err
+
+
+CHOSEN = """bodies: {a: {mass: m, slide: x}}
+springs: {s: {k: 80 N/m, between: [ground, a]}}
+choose: {m: "omega[1] = 9 rad/s"}
+answers:
+  m: 0.99 kg
+"""
+
+
+def test_a_parameter_is_no_quantity_to_be_compared(tmp_path, capsys):
+    path = tmp_path / "chosen.yaml"
+    path.write_text(CHOSEN, encoding="utf-8")
+    for options, compared in (["--of", "2*m"], []), ([], ["omega"]), (["--of", "omega", "--of", "m"], ["omega"]):
+        found = json.loads(out_of(capsys, str(path), "--json", *options).out)
+        assert [one["asked"] for one in found["compared"]] == compared
+        left, = found["not compared"]
+        assert left["asked"] == (options[-1] if options else "m") and "no other method" in left["why"]
 
 
 def test_without_a_file_options_of_scenes_are_refused(capsys):

@@ -15,6 +15,10 @@ from support.checked import SCENE
 from vibcli.base.rules import RULES
 from vibcli.check import comparison
 from vibcli.cli import run
+from vibcli.cli.checking import work
+from vibcli.cli.checking.cache import folder_of
+from vibcli.cli.checking.found import CheckedFile
+from vibcli.cli.checking.text import summary
 
 junitparser = pytest.importorskip("junitparser")
 ROOT = Path(__file__).parents[2]
@@ -63,9 +67,10 @@ def _plain(text):
 
 def test_each_form_tells_the_same(folder, capsys):
     expected = sorted((name, rule) for name, rules in WRONG.items() for rule in rules)
-    code, text = told("concise", capsys)
+    assert run(["check", "sets", "--format", "concise"]) == 3
+    text, twice = capsys.readouterr()
     lines = [re.fullmatch(r"sets/(.+?\.yaml)(?::\d+:\d+)?: ([a-z-]+): .+", line) for line in text.splitlines()[:-1]]
-    assert code == 3 and sorted(line.groups() for line in lines) == expected
+    assert sorted(line.groups() for line in lines) == expected and not twice
     _, text = told("github", capsys)
     found = annotations(text)
     assert sorted((one["file"].removeprefix("sets/"), one["title"]) for _, one, _ in found) == expected
@@ -77,6 +82,42 @@ def test_each_form_tells_the_same(folder, capsys):
     suites = junitparser.JUnitXml.fromstring(text.encode())
     rules = [(suite.name.removeprefix("sets/"), one.type) for suite in suites for case in suite for one in case.result]
     assert sorted(rules) == expected
+    _, text = told("json", capsys)
+    rules = {(one["file"].removeprefix("sets/"), each["rule"]) for one in json.loads(text)
+             for each in one["answers"] + one["diagnostics"] if each["rule"]}
+    assert sorted(rules) == expected
+
+
+def test_json_tells_why_a_file_could_not_be_checked(folder, capsys, monkeypatch):
+    (folder / "sets" / "gone.yaml").symlink_to("nowhere")
+    (folder / "sets" / "driven.yaml").write_text(SCENES["agrees.yaml"] + "records: {a: {file: none.csv, unit: m}}\n")
+    whole = work._checked
+    monkeypatch.setattr(work, "_checked", lambda file, *rest: 1 / 0 if "none." in file else whole(file, *rest))
+    code, text = told("json", capsys)
+    found = {one["file"].removeprefix("sets/"): one["diagnostics"] for one in json.loads(text)}
+    assert code == 101 and [name for name, those in found.items() if those] == [
+        "driven.yaml", "gone.yaml", "loose.yaml", "none.yaml", "slip, 100 %: a.yaml", "uncertain.yaml"]
+    slip, = found["slip, 100 %: a.yaml"]
+    assert slip == {"rule": "scene-invalid", "message": "unknown key 'mas' in a body", "hint": "did you mean 'mass'?",
+                    "file": "sets/slip, 100 %: a.yaml", "line": 1, "column": 14, "width": 3}
+    gone, = found["gone.yaml"]
+    assert gone["line"] is gone["column"] is gone["width"] is None and "leads nowhere" in gone["hint"]
+    loose, = found["loose.yaml"]
+    assert loose["rule"] == "cannot-be-solved" and "has inertia" in loose["message"]
+    uncertain, = found["uncertain.yaml"]
+    assert uncertain["rule"] == "answer-uncertain" and uncertain["line"] == 6
+    fault, = found["none.yaml"]
+    assert fault["rule"] == "own-fault" and "ZeroDivisionError" in fault["message"]
+    driven, = found["driven.yaml"]
+    assert "none.csv" in driven["message"] and driven["file"] == "sets/driven.yaml"
+
+
+def test_what_is_told_at_the_end():
+    done, failed = (CheckedFile("a", 3 * wrong, wrong) for wrong in (False, True))
+    for files, said in (([failed], "1 file, which could not be checked"), ([done], "1 file"),
+                        ([done, failed, failed], "3 files, 2 of which could not be checked"),
+                        ([failed, failed], "2 files, none of which could be checked")):
+        assert summary(files) == f"0 answers agree in {said}"
 
 
 def test_places_are_those_of_the_answers(folder, capsys):
@@ -189,8 +230,10 @@ def test_the_rules_are_explained_and_the_workflows_run(folder, capsys, monkeypat
         assert RULES[rule][:30] in " ".join(capsys.readouterr().out.split())
     from vibcli.manual.ci import GITHUB, GITLAB
 
-    steps = yaml.safe_load(GITHUB)["jobs"]["check"]["steps"]
-    commands = [step["run"] for step in steps if "run" in step] + yaml.safe_load(GITLAB)["problems"]["script"]
+    steps, job = yaml.safe_load(GITHUB)["jobs"]["check"]["steps"], yaml.safe_load(GITLAB)["problems"]
+    commands = [step["run"] for step in steps if "run" in step] + job["script"]
+    kept = [step["with"]["path"] for step in steps if "with" in step and "path" in step["with"]] + job["cache"]["paths"]
+    assert kept == [str(folder_of(["problems"]))] * 2
     ours = [command.split()[1:] for command in commands if command.startswith("vibcli ")]
     assert len(ours) == 2
     for number, args in enumerate(ours):
@@ -204,4 +247,15 @@ def test_the_hook_is_one(tmp_path):
     clientlib = pytest.importorskip("pre_commit.clientlib")
     hook, = clientlib.load_manifest(str(ROOT / ".pre-commit-hooks.yaml"))
     assert hook["entry"].split()[:2] == ["vibcli", "check"]
-    assert re.search(hook["files"], "a/b.yaml") and not re.search(hook["files"], "a/b.yaml.txt")
+    names = "a.yml", "a/b.yaml", "a/b.yaml.txt", ".pre-commit-config.yaml", "a/.b/c.yaml", "a/set.yaml", "a/reset.yaml"
+    taken = [name for name in names if re.search(hook["files"], name) and not re.search(hook["exclude"], name)]
+    assert taken == ["a.yml", "a/b.yaml", "a/reset.yaml"]
+
+
+def test_what_sets_up_other_programs_is_no_scene(folder, capsys):
+    (folder / ".github").mkdir()
+    for name in (".github/ci.yml", ".pre-commit-config.yaml", "sets/.b.yaml"):
+        (folder / name).write_text("repos: []\n")
+    run(["check", ".", "--json"])
+    assert {one["file"] for one in json.loads(capsys.readouterr().out)} == {f"./sets/{name}" for name in SCENES}
+    assert run(["check", "sets/.b.yaml"]) == 3          # named, it is read

@@ -24,7 +24,8 @@ WRONG = RIGHT.replace("2 rad/s", "3 rad/s")
 @pytest.fixture
 def course(pytester):
     pytester.makeini("[pytest]\nvibcli = true\n")
-    pytester.makefile(".yaml", right=RIGHT, wrong=WRONG, slip="bodies: {a: {mas: 1 kg}}\n", bare="title: none\n")
+    pytester.makefile(".yaml", right=RIGHT, wrong=WRONG, slip="bodies: {a: {mas: 1 kg}}\n", bare="title: none\n",
+                      **{".pre-commit-config": "repos: []\n"})         # a hidden file is no scene
     return pytester
 
 

@@ -68,7 +68,7 @@ def test_a_file_that_vanishes_is_told_and_the_others_are_checked(jobs, folder, c
     monkeypatch.setattr("vibcli.cli.check.scenes_below", lambda path: [*below(path), os.path.join(path, "gone.yaml")])
     assert run(["check", ".", "--jobs", jobs]) == 3
     out, err = capfd.readouterr()
-    assert "2 answers agree, 2 files could not be checked in 4 files" in out
+    assert "2 answers agree in 4 files, 2 of which could not be checked" in out
     assert err.count("there is no file of this name") == 2
     assert "leads nowhere" in err and "it was there when the folder was read" in err
     assert run(["solve", "b.yaml"]) == 2

@@ -10,20 +10,22 @@ from fuzz.full_bounds import DIGITS, compared
 from vibcli.analyses.time_integration import explicit_windows
 
 COARSE = (7126, 7139, *range(7110, 7120))    # of the first two errors of like steps pass one another
-SEEDS, LONGEST, LOOSE = range(7000, 7030), "1.2", 1e4
+SEEDS, LONGEST, LOOSE, LOOSER = range(7000, 7030), "1.2", 1e3, 2     # LOOSER: scenes whose median is beyond
 
 
 def test_no_estimate_of_a_full_motion_is_exceeded():
-    ratios, kinds = [], set()
+    ratios, kinds, medians = [], set(), []
     with mpmath.workdps(DIGITS):
         for seed in SEEDS:
             moving, found = compared(seed, LONGEST)
             kinds.add(moving.kind)
             over = [row for row in found if row[1] > row[2]]
             assert not over, (seed, moving.kind, over[0])
-            ratios += [estimate / error for _, error, estimate in found if error]
+            own = [estimate / error for _, error, estimate in found if error]
+            ratios += own
+            medians.append(median(own))
     assert len(kinds) > 10 and len(ratios) > 1000
-    assert median(ratios) < LOOSE
+    assert median(ratios) < LOOSE and sum(one > LOOSE for one in medians) <= LOOSER
 
 
 @pytest.mark.parametrize("asked", [1e-4, 1e-6])

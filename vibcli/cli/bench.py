@@ -74,9 +74,12 @@ def command(file: str | None, quantities: Sequence[str], settings: Sequence[str]
 def _skipped(file, as_json):
     import json
 
+    from vibcli.cli.common import problem_in, source_of
     from vibcli.evidence import skipped
     from vibcli.report.formats.text import render
 
+    if file is not None:
+        problem_in(source_of(file), ())         # whatever is wrong with it
     found = skipped.every_question(file or skipped.example())
     click.echo(json.dumps(skipped.data(found), ensure_ascii=False, indent=1) if as_json else
                render([skipped.document(found)]))

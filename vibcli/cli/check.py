@@ -88,11 +88,12 @@ def command(paths: Sequence[str], settings: Sequence[str], form: str | None, as_
 
 def _tell(one, on_screen, quiet):
     """Tell of a file as soon as it is checked."""
+    if on_screen == CONCISE:
+        tell_in_short(one)
+        return
     tell_troubles(one)
     if on_screen == FULL:
         tell_in_full(one, quiet)
-    elif on_screen == CONCISE:
-        tell_in_short(one)
 
 
 def _target(output, form, force):

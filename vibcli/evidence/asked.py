@@ -25,10 +25,12 @@ class NotCompared(NamedTuple):
     why: str
 
 
-def subjects(problem: "Problem", asked: "Iterable[Expression]") -> Iterator[Subject | NotCompared]:
-    """A Subject of each quantity; those of modes once. Of a file that asks none its modes, damped where they are."""
+def subjects(problem: "Problem", asked: "Iterable[Expression]", or_modes: bool = True
+             ) -> Iterator[Subject | NotCompared]:
+    """A Subject of each quantity; those of modes once. Where none is asked the modes, damped where they are, unless not
+    `or_modes`."""
     made = set()
-    for text, tree, make in _makers(problem, asked):
+    for text, tree, make in _makers(problem, asked, or_modes):
         one = make if make in (NATURAL, DAMPED) else text
         if one in made:
             continue
@@ -42,12 +44,13 @@ def subjects(problem: "Problem", asked: "Iterable[Expression]") -> Iterator[Subj
                 yield NotCompared(text, error.message)
 
 
-def _makers(problem, asked):
-    """(text, tree, what makes its Subject, None where nothing does)."""
-    found = [(tree.text, tree, _maker(tree)) for expression in asked for tree in expression.parts.quantities]
-    if found:
+def _makers(problem, asked, or_modes):
+    """(text, tree, what makes its Subject, None where nothing does, as of what is made of parameters alone)."""
+    found = [(tree.text, tree, _maker(tree)) if tree else (expression.text, None, None)
+             for expression in asked for tree in expression.parts.quantities or (None,)]
+    if not or_modes or any(tree for _, tree, _ in found):
         return found
-    return [(head, None, SUBJECTS[head]) for head in ("omega", *["eigenvalue"] * problem.modal.damps)]
+    return found + [(head, None, SUBJECTS[head]) for head in ("omega", *["eigenvalue"] * problem.modal.damps)]
 
 
 def _maker(tree: QuantityRef):

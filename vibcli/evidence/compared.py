@@ -40,10 +40,11 @@ class Evidence(NamedTuple):
 def evidence(problem: "Problem", asked: "Iterable[Expression]", runs: int = RUNS, whole: float = WHOLE) -> Evidence:
     """The Evidence of the quantities that are asked, of those in the file's own answers where none is; whole: s for the
     runs of all."""
-    asked = list(asked) or [answer.asked for answer in problem.spec.answers]
+    given = list(asked)
+    asked = given or [answer.asked for answer in problem.spec.answers]
     problem, drawn = in_numbers(problem)
     compared, left = [], []
-    found = list(subjects(problem, asked))
+    found = list(subjects(problem, asked, not given))
     several = sum(isinstance(one, Subject) for one in found)
     for one in found:
         if isinstance(one, NotCompared):

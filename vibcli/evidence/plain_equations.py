@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vibcli.base.named_tuple import NamedTuple
+from vibcli.evidence.reference.records import driving_records
 from vibcli.symbolic.array_arithmetic import Arrays
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import evaluate
@@ -20,28 +21,39 @@ if TYPE_CHECKING:
 SAMPLES = 4001          # of a motion whose extreme is looked for
 
 
+class LinearEquations(NamedTuple):
+    """ẏ = A y + B u(t); inputs(times): u there, an instant a row; instants: at which records have their samples."""
+
+    A: np.ndarray
+    B: np.ndarray
+    inputs: Callable[[np.ndarray], np.ndarray]
+    instants: Sequence[float]
+
+
 class PlainEquations(NamedTuple):
     """ẏ = rates(t, y) of y = (q, q̇) from `start` on until an instant; times: at which the solution is asked for;
-    read(Y): the number from the states there, one a row."""
+    read(Y, times): the number from the states there, one a row; linear: the same of linear motions, else None."""
 
     rates: Callable[[float, Any], Any]
     start: np.ndarray
     times: np.ndarray
-    read: Callable[[np.ndarray], float]
+    read: Callable[[np.ndarray, np.ndarray], float]
+    linear: LinearEquations | None
 
 
 def plain_equations(motion: "Motion", node: "Node", until: float, feature: str) -> PlainEquations:
     """Of a signal: `value` at the end, `max`, `min`, `argmax` or `argmin` until then."""
     start = np.array([float(x) / 2.0**200 for x in motion.start(200)])
     times = np.array([0.0, until]) if feature == "value" else np.linspace(0.0, until, SAMPLES)
-    rates = _rates(motion)
+    linear = _linear(motion) if motion.rested else None
+    rates = _rates(motion) if linear is None else _linear_rates(motion, linear)
 
-    def read(states: np.ndarray) -> float:
+    def read(states: np.ndarray, times: np.ndarray) -> float:
         known = _known(motion, times, states, rates if any(node.mask & a.mask for a in motion.scene.a) else None)
         values = np.broadcast_to(evaluate([node], Arrays, known)[0], times.shape)
         return float(values[-1]) if feature == "value" else _extreme(times, values, feature)
 
-    return PlainEquations(rates, start, times, read)
+    return PlainEquations(rates, start, times, read, linear)
 
 
 def _known(motion, times, states, rates):
@@ -71,10 +83,8 @@ def _extreme(times, values, feature):
 
 
 def _rates(motion: "Motion"):
-    """ẏ of y; linear ones by a matrix."""
+    """ẏ of y."""
     scene, parts, n = motion.scene, motion.parts, len(motion.scene.q)
-    if motion.rested:
-        return _linear_rates(motion)
     keys = list(parts.M)
     entries = _compiled([*parts.M.values(), *parts.h], motion.floats, scene)
     M = np.zeros((n, n))
@@ -103,21 +113,32 @@ def _compiled(nodes: "Sequence[Node]", floats: Mapping[str, float], scene: Any) 
     return values
 
 
-def _linear_rates(motion: "Motion"):
-    """(q̇, M⁻¹(Q(t) − C q̇ − K q))."""
+def _linear(motion: "Motion"):
+    """(q̇, M⁻¹(Q(t) − C q̇ − K q)), u = −Q."""
     scene, n = motion.scene, len(motion.scene.q)
     M, C, K = (np.array([[motion.floats[f"{part}[{i};{j}]"] for j in range(n)] for i in range(n)]) for part in "MCK")
     inverse = np.linalg.inv(M)
     A = np.block([[np.zeros((n, n)), np.eye(n)], [-inverse @ K, -inverse @ C]])
-    still = dict.fromkeys((*scene.q, *scene.v), scene.table.zero)
-    drive = substitute(motion.parts.h, still)
+    drive, records = _drive(motion), driving_records(scene, motion.parts.nodes())
+
+    def inputs(times: np.ndarray) -> np.ndarray:
+        found = evaluate(drive, Arrays, {**motion.floats, scene.time.name: times})
+        return np.array([np.broadcast_to(x, times.shape) for x in found]).T
+
+    instants = [float(t) for record in records for t in record.instants(scene.time.name, motion.floats)]
+    return LinearEquations(A, np.concatenate([np.zeros((n, n)), -inverse]), inputs, instants)
+
+
+def _drive(motion):
+    """What is left of the equations at rest."""
+    scene = motion.scene
+    return substitute(motion.parts.h, dict.fromkeys((*scene.q, *scene.v), scene.table.zero))
+
+
+def _linear_rates(motion: "Motion", linear: LinearEquations):
+    """A y + B u(t)"""
+    A, B, drive = linear.A, linear.B, _drive(motion)
     if all(node.is_zero for node in drive):
         return lambda t, y: A @ y
-    loads, rest = _compiled(drive, motion.floats, scene), np.zeros(2 * n)
-
-    def rates(t: float, y: np.ndarray) -> np.ndarray:
-        found = A @ y
-        found[n:] -= inverse @ np.array(loads(t, rest))
-        return found
-
-    return rates
+    loads, rest = _compiled(drive, motion.floats, motion.scene), np.zeros(len(A))
+    return lambda t, y: A @ y + B @ np.array(loads(t, rest))

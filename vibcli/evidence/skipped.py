@@ -28,30 +28,33 @@ with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
 print(json.dumps([code, err.getvalue(), sorted(sys.modules)]))
 """
 WITHOUT_TIMINGS = ("check",)
+ANSWERED, REFUSED = (0, 1), 4       # exit codes: 1 of a check in which answers differ
 TAKEN, SKIPPED, NOT_TOLD = "•", "", "?"
 
 
 class Taken(NamedTuple):
     """What a question takes. stages: {stage: was it?}, empty where the command does not tell; packages, rooms: names;
-    modules: how many of its own."""
+    modules: how many of its own; refused: why the scene has no answer to it."""
 
     stages: dict[str, bool]
     packages: tuple[str, ...]
     rooms: tuple[str, ...]
     modules: int
+    refused: str = ""
 
 
 def taken(*args: str) -> Taken:
-    """By a command, in a process of its own; RuntimeError where it fails."""
+    """By a command, in a process of its own; RuntimeError where that fails for no reason of the scene."""
     done = subprocess.run([sys.executable, "-c", IN_A_PROCESS, *args], capture_output=True, text=True, check=True)
     code, told, modules = json.loads(done.stdout)
-    if code:
+    if code not in (*ANSWERED, REFUSED):
         raise RuntimeError(f"{' '.join(args)} leaves with {code}: {told.strip()}")
     lines = [line.split() for line in told.splitlines() if len(line.split()) == 2]
     own = [name.split(".") for name in modules if name.startswith("vibcli.")]
     stages = {stage: cost != "skipped" for stage, cost in lines if stage != "stage"}
     packages, rooms = (name for name in PACKAGES if name in modules), sorted({name[1] for name in own})
-    return Taken(stages, tuple(packages), tuple(rooms), len(own))
+    refused = "" if code != REFUSED else told.partition("error: ")[2].partition("\n")[0]
+    return Taken({} if refused else stages, tuple(packages), tuple(rooms), len(own), refused)
 
 
 def every_question(file: str) -> dict[str, Taken]:
@@ -79,7 +82,8 @@ def document(found: Mapping[str, Taken]) -> Document:
     counts = ("modules of its own", *(str(one.modules) for one in found.values()))
     return Document("What each question takes, and what it skips", None, (), (
         Section("Stages", (TableBlock(("stage", *questions), by_stage), paragraph(
-            f"{TAKEN} taken; empty: skipped; {NOT_TOLD} a command that tells no stages."))),
+            f"{TAKEN} taken; empty: skipped; {NOT_TOLD} a command that tells no stages."),
+            *(paragraph(f"{question}: {one.refused}") for question, one in found.items() if one.refused))),
         Section("Packages and rooms", (TableBlock(("", *questions), (*by_module, counts)), paragraph(
             f"{TAKEN} imported.")))))
 
@@ -91,4 +95,4 @@ def _mark(taken: bool | None) -> str:
 def data(found: Mapping[str, Taken]) -> dict[str, Any]:
     """The same as data."""
     return {question: {"stages": one.stages or None, "packages": one.packages, "rooms": one.rooms,
-                       "modules": one.modules} for question, one in found.items()}
+                       "modules": one.modules, "refused": one.refused or None} for question, one in found.items()}

@@ -9,9 +9,10 @@ BENCH = [
         ("omega, zeta …", "`eigh` and `eig` of SciPy and NumPy on assembled matrices, `eig` of the state matrix and "
          "of its pencil; the error is the largest relative one of any mode"),
         ("max(x), x(2 s) …", "`solve_ivp` (RK45, DOP853, LSODA, Radau, BDF) and `odeint`, each at tolerances 1e-3 … "
-         "1e-13, on equations that are compiled beforehand; of small motions also sums of 1 … n undamped modes. "
-         "Extremes are the tops of parabolas through 4001 samples. The error is relative to the largest value; records "
-         "are straight lines between the samples that are read"),
+         "1e-13, on equations that are compiled beforehand; of small motions also sums of 1 … n undamped modes, "
+         "and `lsim`, whose steps have all samples of a record among them where that is possible. Extremes are the "
+         "tops of parabolas through 4001 instants, or the steps of `lsim`. The error is relative to the largest value; "
+         "records are straight lines between the samples that are read"),
         ("frf[x, F](5 Hz), amplitude(x), rms(x)", "LU of the matrix at that frequency, sums of 1 … n undamped modes"),
         ("omega, frf of members", "1 … 128 finite elements a piece, and `eigh`, or LU at that frequency"),
         ("peak[1](frf[x, F]).value", "grids of 100 … 1,000,000 frequencies, with parabolas and without"),

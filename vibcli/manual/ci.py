@@ -9,7 +9,8 @@ CI = [
     [
         ("full", "file by file, every answer with its mark; under GitHub Actions annotations below it, by themselves"),
         ("concise", "a line for each thing that is wrong: file:line:column: rule: message"),
-        ("json", "all verdicts, `--json` in short"),
+        ("json", "`--json` in short: of each file its `exit_code`, its `answers`, each with its `rule` (null where it "
+         "agrees), and its `diagnostics`: what keeps it from being checked, with rule, hint and place"),
         ("junit", "XML (`.xml`) that CI servers show: a suite for each file, a case for each answer"),
         ("github", "annotations: each thing that is wrong on its line of the change"),
         ("sarif", "SARIF 2.1.0 (`.sarif`) for code scanning"),
@@ -29,8 +30,9 @@ CI = [
     ],
     "With pytest, where the extra `pytest` is installed and `vibcli = true` stands in its configuration (`pytest.ini` "
     "under `[pytest]`, `pyproject.toml` under `[tool.pytest.ini_options]`), each answer of each scene is a test. With "
-    "pre-commit, the hook `vibcli-check` of this repository checks the scenes of a commit. On servers (VIBCLI: where "
-    "it is installed from, a folder or git+https://…):",
+    "pre-commit, the hook `vibcli-check` of this repository checks the scenes of a commit; `files: ^problems/` names "
+    "where they are, if other YAML files stand beside them. Hidden files and folders, such as `.github`, are passed "
+    "over by all of these. On servers (VIBCLI: where it is installed from, a folder or git+https://…):",
 ]
 
 GITHUB = """\
@@ -44,6 +46,8 @@ jobs:
       - uses: actions/checkout@v4
       - uses: actions/setup-python@v5
         with: {python-version: "3.12"}
+      - uses: actions/cache@v4
+        with: {path: .vibcli_cache, key: "v-${{ github.sha }}", restore-keys: v-}
       - run: pip install "$VIBCLI"
       - run: vibcli check problems --jobs 2
 """
@@ -51,6 +55,7 @@ GITLAB = """\
 problems:
   image: python:3.12
   variables: {VIBCLI: ./vibcli}
+  cache: {paths: [.vibcli_cache]}
   script:
     - pip install "$VIBCLI"
     - vibcli check problems --jobs 2 --format junit -o report.xml

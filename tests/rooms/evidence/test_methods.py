@@ -11,8 +11,9 @@ from vibcli import evidence
 from vibcli.api.source import problem_of, text_source
 from vibcli.base.errors import PhysicsError
 from vibcli.bench import scenes
+from vibcli.evidence.asked import subjects
 from vibcli.evidence.compared import evidence as compared
-from vibcli.evidence.methods import METHODS
+from vibcli.evidence.methods import METHODS, held_inputs
 from vibcli.evidence.picture import figure
 from vibcli.evidence.reference.settled import TrueValues, relative_error
 from vibcli.evidence.subject import Deadline, MethodAnswer, MethodRun, Subject, TimeIsOver
@@ -62,6 +63,36 @@ def test_what_did_not_end_counts_for_nothing():
 def test_a_refusal_of_ours_is_said():
     refused = Point("vibcli", "", (0.1, 0.1, 0.1), 0, None, None, "it is singular")
     assert verdict([refused, point("eigh", 1e-4, 1e-3)]) == "vibcli itself refuses: it is singular"
+
+
+DRIVEN = """
+records: {{f: {{file: f.csv, unit: N}}}}
+bodies: {{a: {{mass: 2 kg, slide: x}}, b: {{mass: 1 kg, slide: y}}}}
+springs: {{s: {{k: 90 N/m, between: [ground, a]}}, t: {{k: 40 N/m, between: [a, b]}}}}
+dampers: {{d: {{c: 3 N*s/m, between: [ground, b]}}}}
+forces: {{F: {{at: a, force: {force}}}}}
+initial: {{y: 2 cm}}
+find: [{{response: {{until: 3 s}}}}]
+answers:
+  x(1.3 s): 1 m
+  max(y): 1 m
+"""
+
+
+@pytest.mark.parametrize(("force", "kept", "exponents"), [
+    ("2*f(t - 0.5 s)", (26, 60), (-13, -2)), ("3 N*cos(7 rad/s*t)", (100, 100), (-2, -2)),
+    ("0 N", (100, 100), (-13, -13))])
+def test_lsim_is_exact_between_samples_and_falls_elsewhere(force, kept, exponents, tmp_path):
+    """Beside Taylor's series, which knows nothing of it; a maximum is read off a parabola through three steps."""
+    (tmp_path / "f.csv").write_text("0,0\n0.1,3\n0.15,-1\n0.5,2\n1.5,0\n")
+    text = DRIVEN.format(force=force)
+    problem = problem_of(text_source(text if "f(" in force else text[text.index("bodies"):], folder=str(tmp_path)))
+    for answer, steps, exponent in zip(problem.spec.answers, kept, exponents, strict=True):
+        subject, = subjects(problem, [answer.asked])
+        attempts = list(held_inputs.attempts(subject))[:3]
+        assert [one.setting for one in attempts] == [f"{steps * part} steps" for part in (1, 10, 100)]
+        errors = [subject.error(one.run(Deadline(math.inf)).values, subject.true) for one in attempts]
+        assert errors[0] < 10.0**exponent and (exponent < -9 or errors[0] > 30 * errors[1] > 900 * errors[2])
 
 
 def runs(**methods):

@@ -4,6 +4,7 @@ import pytest
 
 from vibcli.api.source import problem_of, text_source
 from vibcli.bench import scenes
+from vibcli.cli import run
 from vibcli.evidence import skipped
 from vibcli.evidence.stages import stage_costs
 from vibcli.results.problem import STAGES
@@ -51,6 +52,19 @@ def test_both_tables_are_told(found):
 def test_a_question_that_fails_is_told():
     with pytest.raises(RuntimeError, match="leaves with 2"):
         skipped.taken("solve", "no such file.yaml")
+
+
+def test_a_question_that_a_scene_refuses_is_told_and_a_wrong_answer_is_an_answer(tmp_path):
+    path = tmp_path / "wrong.yaml"
+    path.write_text("bodies: {a: {mass: 1 kg, slide: x}}\nsprings: {s: {law: (4 N/m^3)*d^3, between: [ground, a]}}\n"
+                    "answers: {'K[x,x]': 4 N/m}\n", encoding="utf-8")
+    found = {question: skipped.taken(question, str(path)) for question in ("check", "response")}
+    assert found["check"].modules > 50 and not found["check"].refused
+    said = found["response"].refused
+    assert said.startswith("'s' has a nonlinear law") and not found["response"].stages
+    assert f"response: {said}" in str(skipped.document(found).sections[0])
+    path.write_text("bodies: {a: {mas: 1 kg}}\n", encoding="utf-8")
+    assert run(["bench", str(path), "--skipped"]) == 3
 
 
 def test_what_is_skipped_would_have_a_cost():

@@ -5,7 +5,7 @@ from importlib import import_module
 import pytest
 
 from vibcli.base.errors import PhysicsError
-from vibcli.evidence.stress import claims, point, shaken, supported, sweep
+from vibcli.evidence.stress import claims, point, shaken, supported, sweep, told
 from vibcli.evidence.stress.claims import Claim
 from vibcli.evidence.stress.families import FAMILIES
 from vibcli.evidence.stress.figures import figures
@@ -133,6 +133,24 @@ def test_figures_that_stand_in_elements_are_moved_too():
     omega, = supported.supported(*scene_read_again(scene))
     assert omega.parameter == "4.00 of bodies.b" and 10**-omega.digits == pytest.approx(0.005 / 8, rel=2e-3)
     assert [one.told for one in figures(document_of(scene)[0])] == ["4.00 of bodies.b", "0.125 of bodies.b"]
+
+
+def test_figures_of_conditions_are_data_and_those_that_hold_each_other_are_told():
+    """m = k/ω² of ω = 9.05 rad/s; p = 0.105 rad as drawn stands twice."""
+    scene = {"bodies": {"b": {"mass": "m", "slide": "x"}},
+             "springs": {"s": {"k": "80 N/m", "between": ["ground", "b"]}},
+             "choose": {"m": "omega[1] = 9.05 rad/s"}, "answers": {"m": "0.977 kg"}}
+    mass, = supported.supported(*scene_read_again(scene))
+    assert mass.parameter == "9.05 of choose.m" and 10**-mass.digits == pytest.approx(2 * 0.005 / 9.05, rel=2e-3)
+    scene = {"coordinates": {"p": "a turn", "q": {"about": "another", "drawn": "0.105 rad"}},
+             "bodies": {"a": {"inertia": "0.35 kg*m^2", "turn": "p"}, "b": {"inertia": "2 kg*m^2", "turn": "q"}},
+             "springs": {"s": {"torsion": "91.5 N*m", "between": ["ground", "a"]}},
+             "constraints": {"gear": {"equation": "q = 2*p + 0.105 rad"}}, "answers": {"omega[1]": "3.31 rad/s"}}
+    omega, = supported.supported(*scene_read_again(scene))
+    assert omega.held == ("0.105 of coordinates.q", "0.105 of constraints.gear")
+    assert omega.parameter == "91.5 of springs.s"
+    said = str(told.scene_sections([], [omega])[1])
+    assert "Not moved, since nothing fits together with it alone: 0.105 of coordinates.q and 0.105 of cons" in said
 
 
 def test_data_of_few_digits_are_exact():

@@ -33,6 +33,18 @@ def test_where_units_change_by_powers_of_two_every_bit_of_rest_and_modes_stays()
     assert found["times × 4: modes"].compared == 4 and found["masses × 4: rest"].compared == 2
 
 
+def test_what_is_chosen_follows_its_conditions():
+    """h by a search, m in closed form: 11.5 cm and 9 rad/s are of other units, too."""
+    found = shaken({
+        "bodies": {"a": {"mass": "m", "slide": "x"}, "b": {"mass": "1.25 kg", "slide": "y"}},
+        "springs": {"s": {"k": "130 N/m", "between": ["ground", "a"]}, "t": {"k": "h", "between": ["ground", "b"]}},
+        "initial": {"y'": "1.35 m/s", "x": "0 m", "y": "0 m"}, "find": [{"response": {"until": "3 s"}}],
+        "choose": {"m": "omega[1] = 9 rad/s", "h": "max(y) = 11.5 cm"},
+        "answers": {"m": "1.6 kg", "h": "172 N/m", "omega[2]": "11.7 rad/s"}})
+    assert {one.verdict for one in found.values()} == {EQUAL, WITHIN}
+    assert found["lengths × 4: answers"].compared == found["times × 4: answers"].compared == 3
+
+
 @pytest.mark.parametrize(("law", "broken"), [
     (whole_scene.SceneLaw("lengths × 4", partial(with_numbers, change=scaled(1, 0, 1)), (1, 0, 0)), ["modes"]),
     (whole_scene.SceneLaw("a figure moved", partial(with_numbers, change=lambda number, text: (
@@ -56,7 +68,9 @@ def test_numbers_without_units_and_what_cannot_be_read_are_refused():
     ("0.35 m", (1, 0, 0), "1.4 m"), ("2*k + 3.1 N/m", (0, 0, 1), "2*k + 0.19375 N/m"),
     ("12 kN*m", (1, 1, 1), "48 kN*m"), ("static", (1, 0, 0), "static"),
     ("frf[x, F](5 Hz)", (0, 0, 1), "frf[x, F](1.25 Hz)"), ("30 deg", (1, 1, 1), "30 deg"),
-    ("-1e-3 m^2", (1, 0, 0), "-0.016 m^2"), ("Two cars, 5 m apart.", (1, 0, 0), "Two cars, 5 m apart.")])
+    ("-1e-3 m^2", (1, 0, 0), "-0.016 m^2"), ("max(x) = 2.5 cm", (1, 0, 0), "max(x) = 10 cm"),
+    ("q = 2*p + 5 mm", (1, 0, 0), "q = 2*p + 20 mm"),
+    ("a = b = 3 m", (1, 0, 0), "a = b = 3 m"), ("Two cars, 5 m apart.", (1, 0, 0), "Two cars, 5 m apart.")])
 def test_numbers_are_scaled_exactly_wherever_they_stand(text, powers, expected):
     assert with_numbers(Scalar(text, None), scaled(*powers)).text == expected
 

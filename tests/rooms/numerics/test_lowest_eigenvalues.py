@@ -47,6 +47,7 @@ def check(K, M, exact, count, zeros=0, bound=2e-13):
     assert len(values) >= count
     assert (abs(values - exact) <= errors + 2.0**-52 * exact).all()
     assert (errors[zeros:] <= bound * exact[zeros:]).all()
+    assert (abs(values - exact)[zeros:] <= 1e-13 * exact[zeros:]).all()
 
 
 def sines(n, parts, of):

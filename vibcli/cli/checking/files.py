@@ -11,20 +11,25 @@ SUFFIXES = ".yaml", ".yml"
 
 
 def is_scene(name: str) -> bool:
-    """Is a file of this name taken for a scene? Sets name problems, and are none."""
-    return name.endswith(SUFFIXES) and name != SET
+    """Is a file of this name taken for a scene? Sets name problems; hidden files set up other programs."""
+    return name.endswith(SUFFIXES) and name != SET and not is_hidden(name)
+
+
+def is_hidden(name: str) -> bool:
+    """Is a file or folder of this name hidden, as .github or .gitlab-ci.yml?"""
+    return name.startswith(".")
 
 
 def scenes_below(path: str) -> list[str]:
-    """A file itself, or all scenes below a folder, sorted; a usage error where there is neither. A set is passed
-    over."""
+    """A file itself, or all scenes below a folder, sorted; a usage error where there is neither. A set, and what is
+    hidden below the folder, is passed over."""
     if not os.path.isdir(path):
         if not os.path.exists(path):
             raise click.UsageError(f"there is no file or folder '{path}'")
         return [] if os.path.basename(path) == SET else [path]
     found = []
     for folder, folders, names in os.walk(path):
-        folders.sort()
+        folders[:] = sorted(name for name in folders if not is_hidden(name))
         found += [os.path.join(folder, name) for name in sorted(names) if is_scene(name)]
     return found
 

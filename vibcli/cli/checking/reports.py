@@ -13,7 +13,7 @@ from urllib.parse import quote
 
 from vibcli import __version__
 from vibcli.base.diagnostics import lines_escaped
-from vibcli.base.rules import DIFFERS, RULES
+from vibcli.base.rules import DIFFERS, FAULT, RULES
 from vibcli.cli.checking.found import CheckedFile, Finding, findings
 
 NOT_IN_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
@@ -22,10 +22,24 @@ SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
 
 
 def as_json(found: Sequence[CheckedFile]) -> str:
-    """All verdicts."""
-    data = [{"file": one.file, "exit_code": one.code, "answers": [answer.data for answer in one.answers]}
-            for one in found]
+    """All verdicts, each with its rule; and what keeps files, or answers of them, from being checked."""
+    data = [{"file": one.file, "exit_code": one.code, "diagnostics": list(_diagnostics(one)),
+             "answers": [answer.data | {"rule": answer.rule or None} for answer in one.answers]} for one in found]
     return json.dumps(data, ensure_ascii=False, allow_nan=False, indent=1) + "\n"
+
+
+def _diagnostics(found):
+    """The troubles of a file as data: of a file as a whole there is neither line nor column."""
+    if found.fault:
+        yield _diagnostic(FAULT, found.fault, None, (found.file, 1, 1, 0))
+    for one in found.troubles:
+        yield _diagnostic(one.rule, one.message, one.hint, one.place or (found.file, 1, 1, 0))
+
+
+def _diagnostic(rule, message, hint, place):
+    file, line, column, width = place
+    return {"rule": rule, "message": message, "hint": hint, "file": file, "line": line if width else None,
+            "column": column if width else None, "width": width or None}
 
 
 def as_junit(found: Sequence[CheckedFile]) -> str:

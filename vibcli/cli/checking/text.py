@@ -75,8 +75,13 @@ def summary(found: Sequence[CheckedFile]) -> str:
         parts.append(f"{uncertain} {'is' if uncertain == 1 else 'are'} uncertain")
     if unsolved:
         parts.append(f"{unsolved} cannot be found")
-    if failed:
-        parts.append(f"{amount(failed, 'file')} could not be checked")
     kept = sum(one.cached for one in found)
-    return f"{', '.join(parts)} in {amount(len(found), 'file')}" + (
+    return f"{', '.join(parts)} in {amount(len(found), 'file')}{_failed(failed, len(found))}" + (
         f", {kept} of {len(found)} from the cache" if kept else "")
+
+
+def _failed(count, of):
+    if not count:
+        return ""
+    which = "which" if of == 1 else "none of which" if count == of else f"{count} of which"
+    return f", {which} could {'' if count == of > 1 else 'not '}be checked"

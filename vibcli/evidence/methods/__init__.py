@@ -8,6 +8,7 @@ METHODS = {
     "state_eigenvalues": (("damped modes",), "eig of the state matrix and of the pencil that is assembled"),
     "finite_elements": (("member modes", "member response"), "members in 1 … 128 elements a piece, and eigh or LU"),
     "mode_sums": (("motion",), "modal superposition with 1 … n undamped modes"),
+    "held_inputs": (("motion",), "lsim of 100 … 1,000,000 steps, or of those of a record, and parts of them"),
     "integrators": (("motion", "full motion"), "solve_ivp and odeint at tolerances 1e-3 … 1e-13"),
     "one_frequency": (("response",), "LU at the frequency, and sums of 1 … n undamped modes"),
     "dense_grids": (("peak",), "grids of 100 … 1,000,000 frequencies, with parabolas and without"),

@@ -30,7 +30,7 @@ def _by_solve_ivp(subject: Subject, method: str, tolerance: float, deadline: Dea
                       rtol=tolerance, atol=tolerance * subject.scale)
     if not found.success:
         raise RuntimeError(found.message)
-    return MethodAnswer([plain.read(found.y.T)])
+    return MethodAnswer([plain.read(found.y.T, plain.times)])
 
 
 def _by_odeint(subject: Subject, tolerance: float, deadline: Deadline) -> MethodAnswer:
@@ -43,7 +43,7 @@ def _by_odeint(subject: Subject, tolerance: float, deadline: Deadline) -> Method
         warnings.simplefilter("error")
         states = odeint(_watched(plain.rates, deadline), plain.start, plain.times, tfirst=True, rtol=tolerance,
                         atol=tolerance * subject.scale, mxstep=MOST)
-    return MethodAnswer([plain.read(states)])
+    return MethodAnswer([plain.read(states, plain.times)])
 
 
 def _watched(rates, deadline):

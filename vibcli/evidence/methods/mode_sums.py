@@ -44,7 +44,7 @@ def _sum(subject: Subject, matrices: tuple, waves: Any, count: int, _: Deadline)
                        [(shape[wave.channel] * wave.coefficient, wave.exponent) for wave in waves], plain.times)
         states[:, :n] += np.outer(p, shape)
         states[:, n:] += np.outer(rate, shape)
-    return MethodAnswer([plain.read(states)])
+    return MethodAnswer([plain.read(states, plain.times)])
 
 
 def _one(square, drag, place, speed, loads, times):

@@ -12,7 +12,7 @@ from vibcli.evidence.stress.rewritten import TOLD, decimal_of, with_numbers
 from vibcli.language.document.nodes import Mapping
 from vibcli.symbolic.syntax import Number
 
-NOT_DATA = (*TOLD, "answers", "find", "cases", "variants", "mistakes", "choose")
+NOT_DATA = (*TOLD, "answers", "find", "cases", "variants", "mistakes")
 
 
 class GivenFigure(NamedTuple):

@@ -15,6 +15,7 @@ TOLD = ("title", "source", "question", "about", "hint", "tags")     # keys of wo
 OF_ELEMENTS = ("bodies", "springs", "dampers", "forces")
 EXACTLY = Context(prec=400)
 HALVED = ("k", "law", "torsion", "preload")         # of a spring, what two in parallel share
+AN_EQUATION = "y = 2*x"
 WORDS = ("static", "true", "false")
 Change = Callable[[Number, str], str | None]        # a number of a text, and the text: what stands for its figures
 
@@ -47,17 +48,19 @@ def _rewritten(scalar: Scalar, change: Change) -> Scalar:
 
 
 def _numbers(text: str) -> Iterator[Number]:
-    """The numbers of an expression, those in arguments of quantities included; none of what is no expression."""
-    if not any(letter.isdigit() for letter in text):
-        return
-    try:
-        pending = [parse(text)]
-    except ExpressionError:
-        return
+    """The numbers of an expression or equation, those in arguments of quantities included; none of what is neither."""
+    pending = _trees(text) if any(letter.isdigit() for letter in text) else []
     while pending:
         parts = parts_of(pending.pop())
         yield from parts.numbers
         pending += [arg for quantity in parts.quantities for arg in quantity.args]
+
+
+def _trees(text):
+    try:
+        return [parse(text, AN_EQUATION if "=" in text else None)]
+    except ExpressionError:
+        return []
 
 
 def scaled(length: int = 0, mass: int = 0, time: int = 0) -> Change:

@@ -19,27 +19,31 @@ MOST = 17       # digits: a float has no more
 
 class SupportedAnswer(NamedTuple):
     """An answer of a file: its value, the digits of it that the data support, None where nothing moves it; the
-    figure that takes most of them: a parameter, or a number of an element; why: it has no number."""
+    figure that takes most of them: a parameter, or a number of an element; why: it has no number; held: the figures
+    that cannot be moved alone, since nothing fits together then."""
 
     asked: str
     value: float | None
     digits: float | None
     parameter: str
     why: str = ""
+    held: tuple[str, ...] = ()
 
 
 def supported(problem: Problem, top: Mapping, remade: Callable[[Callable[[Mapping], Mapping]], Problem]
               ) -> Iterator[SupportedAnswer]:
     """The SupportedAnswer of each answer; top: of the document; remade(change): the scene of that changed."""
-    moved = {}
+    moved, held = {}, []
     for figure in figures(top):
         try:
-            moved[figure.told] = remade(figure.change)
-        except (PhysicsError, SpecError):       # the drawing does not fit together there
-            continue
+            other = remade(figure.change)
+            other.draw()
+            moved[figure.told] = other
+        except (PhysicsError, SpecError):
+            held.append(figure.told)
     for answer in problem.spec.answers:
         if kind_of(problem.spec, answer.asked.tree) not in (*OF_STATE, *LEAPING, COMPLEX):
-            yield _support(problem, answer.asked, moved)
+            yield _support(problem, answer.asked, moved)._replace(held=tuple(held))
 
 
 def _support(problem, asked, moved):

@@ -4,11 +4,14 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
+from vibcli.base.enumeration import listed
 from vibcli.evidence.stress.point import StressPoint
 from vibcli.evidence.stress.shaken import Shake
 from vibcli.evidence.stress.supported import SupportedAnswer
 from vibcli.evidence.stress.sweep import FamilyPoints, about, counts
 from vibcli.report.blocks import Section, TableBlock, paragraph
+
+MOVED = "Each figure of three digits or more was moved by half a unit of its last digit."
 
 
 def section(one: FamilyPoints) -> Section:
@@ -55,8 +58,14 @@ def scene_sections(shakes: Sequence[Shake], answers: Sequence[SupportedAnswer]) 
                        one.parameter or one.why) for one in answers)
         found.append(Section("Digits that the data support", (
             TableBlock(("answer", "value", "digits", "taken most by"), lines),
-            paragraph("Each figure of three digits or more was moved by half a unit of its last digit."))))
+            paragraph(MOVED + _held(answers)))))
     return found
+
+
+def _held(answers: Sequence[SupportedAnswer]) -> str:
+    """What could not be moved, the same of all answers."""
+    held = answers[0].held
+    return f" Not moved, since nothing fits together with it alone: {listed(held)}." if held else ""
 
 
 def _digits(one: SupportedAnswer) -> str:

@@ -2,7 +2,7 @@
 in another order, each spring as two, and has to rest, swing and answer as before.
 
 Where the scene rests and how it swings has to stay to the last bit where units change by powers of two (members apart,
-which are solved by their own lengths), all else within the bounds of both.
+which are solved by their own lengths, and parameters that are searched), all else within the bounds of both.
 """
 
 import re
@@ -107,7 +107,7 @@ def _shake(problem, other, law, what, numbers):
     far = [(abs(a.value - b.value) / max(a.error + b.error, 5e-324), key)
            for key, (a, b) in pairs.items() if a.value != b.value]
     apart, worst = max(far, default=(0.0, ""))
-    exact = what != "answers" and law.powers != NONE and not problem.scene.pieces
+    exact = what != "answers" and law.powers != NONE and not problem.scene.pieces and not problem.spec.choices
     return Shake(name, len(pairs), apart, EQUAL if not far else WITHIN if apart <= 1 and not exact else BROKEN, worst)
 
 
