@@ -5,7 +5,7 @@ import pytest
 from house.measure import main
 
 MOST = {        # methods of House that list or count something
-    "arrows": 134,
+    "arrows": 133,
     "floors": 16,
     "taking_problem": 0,
     "set_from_outside": 3,
