@@ -39,6 +39,7 @@ def test_a_subscript_of_a_tree_is_seen(planted):
         "vibcli.scene.a:2"]
 
 
+@pytest.mark.sweep
 def test_the_figures_are_printed(house, capsys):
     main(house)
     assert "import circles of files" in capsys.readouterr().out
