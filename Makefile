@@ -40,7 +40,7 @@ test: $(BIN)/pytest
 	$(BIN)/vibcli check --quiet --jobs 2 problems
 
 chosen: $(BIN)/pytest
-	$(BIN)/pytest -q -n 2 -m "not sweep"
+	$(BIN)/pytest -q -n 2 -m "not sweep" --ignore tests/fuzz
 
 all: $(BIN)/pytest
 	$(BIN)/pytest -q -n 2

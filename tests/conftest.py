@@ -6,6 +6,7 @@ eleven thousand tests and what they import are looked through each time."""
 
 import gc
 import os
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -27,13 +28,19 @@ def files_of_problems(item):
     return stems & ALL
 
 
+@cache
+def kind_of(path):
+    """The folder of tests/ that a file is in."""
+    return path.relative_to(TESTS).parts[0]
+
+
 def pytest_collection_modifyitems(items):
     met = set()     # tests of which one case was met
     for item in items:
         stems = files_of_problems(item)
-        test = item.path, getattr(item, "originalname", item.name)
-        another = not stems and test in met and item.path.relative_to(TESTS).parts[0] in ONE_CASE
-        if TESTS / "fuzz" in item.path.parents or not stems <= ONE_A_CHAPTER or another:
+        test, kind = (item.path, getattr(item, "originalname", item.name)), kind_of(item.path)
+        another = not stems and test in met and kind in ONE_CASE
+        if kind == "fuzz" or not stems <= ONE_A_CHAPTER or another:
             item.add_marker(pytest.mark.sweep)
         if not stems:
             met.add(test)

@@ -5,6 +5,7 @@ import json
 import pytest
 
 from vibcli.cli import run
+from vibcli.evidence import timing
 
 SCENE = """title: A damped mass that is driven
 parameters: {m: 2 kg, k: 800 N/m, c: 8 N*s/m}
@@ -32,10 +33,12 @@ def scene(tmp_path):
 
 @pytest.fixture
 def few(monkeypatch):
-    """Three tolerances."""
-    from vibcli.evidence.methods import integrators
+    """Three tolerances, four grids, and a single run of each after the first."""
+    from vibcli.evidence.methods import dense_grids, integrators
 
     monkeypatch.setattr(integrators, "TOLERANCES", (1e-3, 1e-5, 1e-7))
+    monkeypatch.setattr(dense_grids, "POINTS", dense_grids.POINTS[:4])
+    monkeypatch.setattr(timing, "FEW", 1)
 
 
 def out_of(capsys, *args, code=0):
@@ -63,7 +66,7 @@ def test_every_method_that_can(scene, capsys, quantity, kind, others):
 def require_true_and_complete(found, kind, others):
     ours, *points = found["points"]
     assert found["kind"] == kind and {point["method"] for point in points} == others
-    assert ours["error"] <= ours["bound"] <= 1e-12 and ours["runs"] == 3
+    assert ours["error"] <= ours["bound"] <= 1e-12 and ours["runs"] == timing.FEW
     assert all(point["error"] is not None and point["bound"] is None for point in points)
     assert min(point["error"] for point in points) < 1e-11
 
@@ -79,7 +82,7 @@ def test_motions_by_every_method_and_their_curves_over_tolerances_fall(scene, fe
 
 
 @pytest.mark.sweep
-def test_peaks_by_grids(scene, capsys):
+def test_peaks_by_grids(scene, few, capsys):
     found, = json.loads(out_of(capsys, scene, "--of", "peak[1](frf[x, F]).Omega", "--json").out)["compared"]
     grid = [point["error"] for point in found["points"] if point["method"] == "grid with parabolas"]
     assert found["points"][0]["error"] < 1e-15 and grid[0] > 10 * grid[1] > 1e4 * grid[3]

@@ -127,6 +127,7 @@ def test_full_equations(mechanism, form):
         assert agree(found, exact)
 
 
+@pytest.mark.sweep
 def test_a_wrong_equation_is_noticed(mechanism):
     node = equation_of(mechanism.problem.scene, 0)
     found = [ours(mechanism, [node], state)[0] * (1 + 1e-11) for state in states(mechanism)]

@@ -5,6 +5,7 @@ import math
 from fractions import Fraction
 from itertools import pairwise
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from support.laws import FEW, same, told, written
@@ -46,6 +47,7 @@ def nodes(tension, density, beads, omega):
     return count
 
 
+@pytest.mark.sweep
 @FEW
 @given(SIZES, SIZES, BEADS)
 def test_as_many_as_are_counted_are_listed(tension, density, beads):
@@ -54,6 +56,7 @@ def test_as_many_as_are_counted_are_listed(tension, density, beads):
         assert low < high and nodes(tension, density, beads, (low + high) / 2) == i + 1
 
 
+@pytest.mark.sweep
 @FEW
 @given(SIZES, SIZES, BEADS, st.tuples(st.integers(1, 31), st.integers(1, 400)))
 def test_one_more_bead_interlaces(tension, density, beads, more):
@@ -82,6 +85,7 @@ def beam(left, right, **more):
     return vibcli.load({"beams": {"b": data}})
 
 
+@pytest.mark.sweep
 @FEW
 @given(ENDS, ENDS, st.integers(1, 15), st.integers(1, 15), SIZES)
 def test_pieces_of_a_beam_and_halves_of_a_mass(left, right, one, two, grams):

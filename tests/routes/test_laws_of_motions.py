@@ -126,6 +126,7 @@ def test_time_run_backwards(row, tenths):
         assert value == pytest.approx(wanted, abs=1e-9)
 
 
+@pytest.mark.sweep
 @FEW
 @given(st.integers(1, 9), st.integers(20, 90), st.integers(5, 25))
 def test_time_run_backwards_in_wide_motions(mass, stiffness, tenths):

@@ -12,11 +12,11 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.check.comparison import compared
 from vibcli.check.instances import Instances
 from vibcli.check.tolerance import EXACT, is_exact
+from vibcli.language.cases import document_of_case
 from vibcli.quantities.energies import equation_number
 from vibcli.quantities.expression import lowered, measure
 from vibcli.quantities.quantity import EQUATION, OF_STATE, TRUTH, asked_in, declared, kind_of
 from vibcli.quantities.response import ALONG
-from vibcli.reader.read import document_of_case
 from vibcli.results.random_states import at_states, states
 
 if TYPE_CHECKING:

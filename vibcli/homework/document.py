@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import Diagnostic, SpecError, Where
 from vibcli.base.work import Work
 from vibcli.inverse import settled
+from vibcli.language.cases import document_of_case
 from vibcli.language.data_columns import columns_in, data_beside
 from vibcli.language.document.nodes import Mapping
-from vibcli.reader.read import document_of_case, read_alone, read_changed
+from vibcli.reader.read import read_alone, read_changed
 from vibcli.results.problem import Problem
 from vibcli.symbolic.parser import plain_name
 

@@ -30,6 +30,11 @@ class Settled(NamedTuple):
     names: tuple = ()
     refusal: PhysicsError | None = None
 
+    @property
+    def told_by_statics(self) -> bool:
+        """Does statics alone tell all tensions of the scene?"""
+        return statics_tells(self.configuration.scene)
+
 
 def settled(system: "MechanicalSystem") -> Settled:
     """That of a scene with beams or strings in the plane."""

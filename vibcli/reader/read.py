@@ -17,7 +17,7 @@ from vibcli.language.named_elements import Lazy, LazyKind, Named
 from vibcli.language.reader import MOST_PROBLEMS, Reader, TooManyErrors
 from vibcli.language.record_calls import RESERVED, own
 from vibcli.language.sections import NAMES as GIVEN
-from vibcli.language.sections import coordinates, equilibrium, gravity, initial
+from vibcli.language.sections import OWN_OF_CASES, coordinates, equilibrium, gravity, initial
 from vibcli.language.spec import MEMBERS, Spec
 from vibcli.reader.sections import NAMES as ASKED
 from vibcli.reader.sections import answer, find
@@ -84,10 +84,6 @@ SECTIONS = {
 }
 
 
-OWN = ("cases", "answers", "find", "variants")         # sections that a case does not inherit
-WHOLE = ("damping",)        # sections that a case replaces, as their keys exclude each other
-
-
 def read_spec(root: Any, file: str, diagnostics: Sequence[Any] = (), settings: Any = None) -> Spec:
     """The Spec of a document and of its cases; SpecError with every diagnostic where it is not one."""
     found = list(diagnostics)
@@ -98,10 +94,12 @@ def read_spec(root: Any, file: str, diagnostics: Sequence[Any] = (), settings: A
     cases = root.entries.get("cases")
     specs = {}
     if cases is not None and isinstance(cases[1], Mapping):
+        from vibcli.language.cases import merged
+
         for name, (_, part) in list(cases[1].entries.items())[:MOST_CASES]:
             if isinstance(part, Mapping) and "cases" not in part.entries:
                 remark = f" (in the case {quoted(name)})"
-                specs[name] = _read_one(_merged(root, part), file, found, settings or {}, files, remark)
+                specs[name] = _read_one(merged(root, part), file, found, settings or {}, files, remark)
     everything = [spec for spec in (base, *specs.values()) if spec is not None]
     used = set().union(*(spec.used for spec in everything))
     for spec in everything:
@@ -116,7 +114,9 @@ def read_changed(root: Mapping, part: Mapping, file: str, remark: str, settings:
                  any_dimension: bool = False) -> Spec:
     """The Spec of a document with a part merged over it as a case is, which may leave parameters unused; SpecError,
     with this remark, where it is none. any_dimension: its numbers are in SI units, whatever they measure."""
-    return read_alone(_merged(root, part), file, settings, {}, remark, any_dimension)
+    from vibcli.language.cases import merged
+
+    return read_alone(merged(root, part), file, settings, {}, remark, any_dimension)
 
 
 def read_alone(root: Mapping, file: str, settings: Any = None, files: Any = None, remark: str = "",
@@ -128,43 +128,6 @@ def read_alone(root: Mapping, file: str, settings: Any = None, files: Any = None
     if spec is None:
         raise SpecError(found)
     return spec
-
-
-def document_of_case(root: Mapping, case: str | None) -> Mapping:
-    """The document of a case of another, itself where none is named."""
-    return root if case is None else _merged(root, root.entries["cases"][1].entries[case][1])
-
-
-def _merged(root, part):
-    """The scene with a case merged over it; answers and find are the case's own."""
-    entries = {key: pair for key, pair in root.entries.items() if key not in OWN}
-    merged = _over(entries, part.entries)
-    if "choose" in entries and isinstance(merged["choose"][1], Mapping):
-        merged["choose"] = _still_chosen(*merged["choose"], part)
-        if not merged["choose"][1].entries:
-            del merged["choose"]
-    return Mapping(part.where, merged)
-
-
-def _still_chosen(key_node, choices, part):
-    """The conditions of a scene without those of parameters to which the case gives a value."""
-    given = part.entries["parameters"][1] if "parameters" in part.entries else None
-    own = part.entries["choose"][1] if "choose" in part.entries else None
-    names = {plain_name(key) for key, (_, value) in given.entries.items()
-             if not (isinstance(value, Scalar) and not value.text)} if isinstance(given, Mapping) else set()
-    names -= {plain_name(key) for key in own.entries} if isinstance(own, Mapping) else set()
-    left = {key: pair for key, pair in choices.entries.items() if plain_name(key) not in names}
-    return key_node, Mapping(choices.where, left)
-
-
-def _over(below, above):
-    merged = dict(below)
-    for key, (key_node, value) in above.items():
-        old = merged.get(key)
-        if old is not None and key not in WHOLE and isinstance(old[1], Mapping) and isinstance(value, Mapping):
-            value = Mapping(value.where, _over(old[1].entries, value.entries))
-        merged[key] = (key_node, value)
-    return merged
 
 
 def _read_one(root, file, found, settings, files, remark="", any_dimension=False):
@@ -204,7 +167,7 @@ def _sections(root, reader):
             record = SECTIONS[key][0].read(value, reader)
             if record is not None:
                 sections[key] = record
-        if len(reader.diagnostics) > before and key not in (*OWN, "choose", "initial"):
+        if len(reader.diagnostics) > before and key not in (*OWN_OF_CASES, "choose", "initial"):
             reader.not_whole()
     found = _with_member_points({key: sections[key] for key in SECTIONS if key in sections})
     return initial.with_fields_apart(found) if reader.members else found

@@ -20,7 +20,6 @@ from vibcli.mechanics.numeric_system import NumericSystem
 from vibcli.mechanics.system import MechanicalSystem
 from vibcli.results.problem import Problem
 from vibcli.results.variants import structure
-from vibcli.scene.member_tensions import statics_tells
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.watched_numbers import Decisions
 
@@ -133,7 +132,7 @@ def _shareable(spec):
 
 def _parts(system):
     """{part: what it is} of a system as it was read; None where a search finds the tensions under which it rests."""
-    if system.settled is not None and not statics_tells(system.settled.configuration.scene):
+    if system.settled is not None and not system.settled.told_by_statics:
         raise PhysicsError("a search finds the tensions of members")
     return {"settled": None} | {part: getattr(system, part) for part in PARTS}
 

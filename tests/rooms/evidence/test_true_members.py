@@ -57,6 +57,7 @@ def test_what_has_no_reference_is_refused(text, said):
         found(text, 3)
 
 
+@pytest.mark.sweep
 def test_elements_come_nearer_and_the_bound_is_kept():
     problem = problem_of(text_source(BEAM.format(more=", left: clamped")))
     one, = evidence(problem, (), 1).compared

@@ -14,6 +14,7 @@ def known():
     return [some_of(path, 3) for path in WITH_VARIANTS if path.stem in SOME]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("mutation", MUTATIONS, ids=lambda one: one.__name__)
 def test_a_fault_is_noticed_before_a_variant_is_handed_out(mutation, known):
     draw = random.Random(5)

@@ -119,6 +119,7 @@ def test_worked_solutions_in_letters_go_along_one_path():
     assert lines.alone == 1
 
 
+@pytest.mark.sweep
 def test_a_mistake_that_is_the_key_rejects_and_one_that_always_is_is_left_out():
     always = ROD.rstrip()[:-1] + ', mistakes: {sum: {answers: {"omega[1]": "sqrt(omega[1]^2)"}}}}\n'
     assert ("sum", "omega[1]") in solved(always).same

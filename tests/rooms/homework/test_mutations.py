@@ -100,6 +100,7 @@ def _matters(scene, other):
 FAULTS = all_keys_off, mistakes_swapped, doubled
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("fault", FAULTS, ids=lambda one: one.__name__)
 @pytest.mark.parametrize("name", ["bell_crank_dashpot", "quarter_car_damped", "inerter_under_a_machine"])
 def test_a_planted_fault_is_seen(fault, name, monkeypatch):

@@ -36,6 +36,7 @@ def test_how_many_there_are():
     assert len({path.parent.name[0] for path in WITH_VARIANTS}) == 9
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("path", WITH_VARIANTS, ids=lambda path: path.stem)
 def test_variants_of_a_problem(path):
     _, problem, document, found = kept_variants_of(path)

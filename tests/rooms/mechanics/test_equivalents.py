@@ -97,6 +97,7 @@ def letters(seed):
     return text, V.free_symbols - {x, y}, K
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("seed", range(5))
 def test_letters_agree_with_sympy(seed):
     from vibcli.quantities.quantity import declared

@@ -131,6 +131,7 @@ def test_an_imperfect_column(s):
         agrees(text, "fold[1, P](phi)", mpmath.asin(root))
 
 
+@pytest.mark.sweep
 def test_loops_are_closed_on_the_way():
     """P = 4 k L (cos φ − cos α) tan φ is extreme where cos³φ = cos α."""
     with mpmath.workdps(30):

@@ -18,6 +18,7 @@ def chain(n, *more):
     return "\n".join(["bodies:", *bodies, "springs:", *springs, *more, ""])
 
 
+@pytest.mark.sweep
 def test_equations_in_numbers_need_no_dense_matrices():
     """Of 2,050 coordinates, above the limit of what does: each equation holds its neighbours."""
     n = 2050

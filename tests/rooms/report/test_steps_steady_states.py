@@ -218,6 +218,7 @@ def test_axles_that_lag_are_loads_of_one_frequency():
     assert values["phase(y)"] == pytest.approx(-cmath.phase(X[0]), rel=1e-9)
 
 
+@pytest.mark.sweep
 def test_lines_in_letters_say_something_of_each_frequency():
     """Axles that lag are told once, a further frequency by its right sides; no line ends with a colon."""
     letters = ", ".join(f"{name}: {{unit: {unit}}}" for name, (_, unit) in AXLES.items())

@@ -61,6 +61,7 @@ def test_what_fronts_hide_goes_by_modes(long_one):
     assert np.isfinite(found.values(np.array([9e3]))).all()
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("text", ["rod.u(1.01 m)", "abs(rod.u(1.01 m))"])
 def test_extremes_and_values_of_reports_need_no_more_digits(long_one, text):
     found = long_one.response.signal(with_places(parse(text), long_one.spec.members))

@@ -78,6 +78,7 @@ def test_displacements_at_instants_and_the_largest_of_all(case):
     assert max(series.at(0.6, t) for t in near[near > 0]) <= top.value + close
 
 
+@pytest.mark.sweep
 def test_of_largest_values_that_are_equal_the_first_is_told():
     """A rod that begins to hang by its weight, whose end moves furthest at 2L/c, 6L/c …"""
     scene = vibcli.load(PROBLEMS / "8_continuous/rod_that_feels_its_weight_at_once.yaml")

@@ -51,6 +51,7 @@ def series(x, b, weights, times):
     return (shape(b, x) * weights) @ np.cos(np.outer(b * b, times))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("x", [0.5, 1.0])
 def test_a_cantilever_let_go_is_the_sum_of_its_modes(x):
     scene = problem(CANTILEVER + PULLED)

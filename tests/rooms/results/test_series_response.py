@@ -118,6 +118,7 @@ def test_against_equations_by_hand(text, name, t, slope, start, number):
         assert agrees(precise(text, name, t), exact)
 
 
+@pytest.mark.sweep
 def test_a_closed_loop_keeps_its_energy_and_its_lengths():
     found = problem(FOUR_BAR + "initial: {alpha: 0.6 rad, alpha': 2 rad/s}\nmotion: full\n")
     signal, zero = found.response.signal, NameRef(0, 0, "T", 0)
@@ -223,6 +224,7 @@ forces: {pull: {at: block, force: [0, -F]}}
         assert precise(text, "y", 1, 40, 1) == 0
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("width", ["0.01"])
 def test_a_pulse_that_is_nothing_before_is_not_stepped_over(width):
     """Of m ẍ + k x = F e^{−((t − t₁)/τ)²} at rest, long after: x = F √π τ/(m ω) e^{−(ωτ/2)²} sin ω(t − t₁)."""

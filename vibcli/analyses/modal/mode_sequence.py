@@ -5,7 +5,9 @@ Nothing walks through them all: it asks for one, for the first few, for those up
 shown.
 """
 
+from bisect import bisect_left
 from collections.abc import Callable, Iterator, Sequence
+from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
@@ -20,6 +22,7 @@ if TYPE_CHECKING:
 USUAL = 5           # that oscillate, where nobody says how many
 MOST = 10_000       # at once
 FAR = 50            # beyond those that are known, to be found without the ones between
+_index = attrgetter("index")
 FEW = 20            # asked for at once, with which one more is found where shapes are told apart from the next
 
 
@@ -72,7 +75,7 @@ class Modes(Sequence):
         try:
             return self.numbered(1, count)
         except NoMoreTold:
-            return [mode for mode in self._known if mode.index <= count]
+            return self._between(1, count)
 
     def numbered(self, first: int, last: int) -> list[Any]:
         """Those of the indices from `first` to `last`, fewer where there are no more."""
@@ -83,7 +86,7 @@ class Modes(Sequence):
                 return self._jumped(first, last)
             self._until(last)
             self._until(first)      # says why where none of them is told
-        return [mode for mode in self._known if first <= mode.index <= last]
+        return self._between(first, last)
 
     def alone(self, index: int) -> Any:
         """The one of an index, found without those before it where they are not known."""
@@ -129,6 +132,11 @@ class Modes(Sequence):
     def proof(self, found: "Sequence[DampedMode]") -> "Region | Annulus | None":
         """Of damped modes without end what tells that none of these is missing; None where the modes are a list."""
         return self._source.proof(found[0].index, found[-1].index) if found and not self.finite else None
+
+    def _between(self, first, last):
+        """Those known of the indices from `first` to `last`."""
+        start = bisect_left(self._known, first, key=_index)
+        return self._known[start:bisect_left(self._known, last + 1, start, key=_index)]
 
     @property
     def _reached(self):

@@ -5,9 +5,10 @@ from functools import partial
 from typing import Any
 
 from vibcli.inverse import settled
+from vibcli.language.cases import document_of_case
 from vibcli.language.document.nodes import Mapping as DocumentMapping
 from vibcli.language.document.nodes import Scalar
-from vibcli.reader.read import document_of_case, read_alone
+from vibcli.reader.read import read_alone
 from vibcli.results.problem import Problem
 from vibcli.symbolic.parser import plain_name
 

@@ -10,3 +10,4 @@ NAMES = {
     "parameter": "what is given",
     "record": "measured functions of the time",
 }
+OWN_OF_CASES = ("cases", "answers", "find", "variants")        # that a case does not inherit

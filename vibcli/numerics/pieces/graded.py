@@ -124,6 +124,38 @@ def graded_fields(piece: "Piece", kappa: np.ndarray, ends: np.ndarray, x: np.nda
     return found
 
 
+def graded_integrals(piece: "Piece", kappa: np.ndarray, x: np.ndarray, weights: np.ndarray,
+                     numbers: "Arithmetic") -> np.ndarray:
+    """Σ weights · u over places x of one piece, (κ, order), of the fields that have one end value 1 each, by the
+    moments Σ weights ηᵏ of its parts."""
+    if piece.order == 2 and piece.gradient < 0:
+        return graded_integrals(mirrored(piece), kappa, piece.length - x, weights, numbers)[:, ::-1]
+    piece = _settled(piece)
+    found = np.empty((len(kappa), piece.order), np.result_type(kappa, weights))
+    real = numbers.is_real(kappa) and numbers.is_real(weights)
+    for chosen in _runs(piece, kappa):
+        some = _integrals(piece, kappa[chosen], x, weights, numbers)
+        found[chosen] = numbers.real(some) if real else some
+    return found
+
+
+def _integrals(piece, kappa, x, weights, numbers):
+    tree, order = _tree(piece, kappa, numbers), piece.order
+    of, unit = np.repeat(np.arange(len(kappa)), order), numbers.array(np.tile(np.eye(order), (len(kappa), 1)))
+    ends, places, (c, _, half) = _part_ends(piece, tree, of, unit, numbers), numbers.array(tree.cuts), tree.series
+    (index, eta), power, found = _places_in(places, half, x), weights, 0 * kappa[of]
+    if order == 2 and is_slack(piece) and (near := index == 0).any():
+        u = _near_slack(piece, tree.cuts[1], kappa[of, None], ends[0, :, 1:], x[None, near], numbers)[..., 0]
+        found, power = u @ weights[near], np.where(near, 0, weights)
+    moments = np.zeros((len(c), len(half)), power.dtype)
+    for k in range(len(c)):
+        np.add.at(moments[k], index, power)
+        power = power * eta
+    sums_of_parts = (moments[..., None, None] * c).sum(axis=0)[:, of]
+    found = found + (sums_of_parts * _first_coefficients(piece, c, half, of, ends, numbers)).sum(axis=(0, -1))
+    return found.reshape(len(kappa), order)
+
+
 def _together(piece, kappa):
     """Numbers of values in groups of those whose κ are the same or alike, as many as are worth being held at once."""
     at, own = _distinct(kappa)
@@ -238,19 +270,29 @@ def _within(piece, tree, which, parts, x, numbers):
     """(the series of the part in which each place lies, from its end values; the number of that part); which: (the
     number of the κ of each field, the number of the field at each place)."""
     (of, field), places, (c, _, half) = which, numbers.array(tree.cuts), tree.series
-    index = np.clip(np.searchsorted(places.astype(float), x.astype(float), side="right") - 1, 0, len(places) - 2)
-    values = np.concatenate([np.stack([one / half**j for j, one in enumerate(at_end)], axis=-2)
-                             for at_end in end_derivatives(c, piece.order // 2, numbers)], axis=-2)
-    weights = (numbers.inverse(values)[:, of] @ parts[..., None])[..., 0]
-    eta = (x - (places[index] + places[index + 1]) / 2) / half[index, 0, 0]
+    index, eta = _places_in(places, half, x)
+    weights = _first_coefficients(piece, c, half, of, parts, numbers)
     met, place = _distinct(index * len(of) + field)
     part, one = index[met], field[met]
     terms = (c[:, part, of[one]] * weights[part, one]).sum(axis=-1)[:, place]
     return np.stack([sums(terms, eta, j) / half[index, 0, 0] ** j for j in range(piece.order)], axis=-1), index
 
 
+def _places_in(places, half, x):
+    """(the number of the part in which each place lies, η there)."""
+    index = np.clip(np.searchsorted(places.astype(float), x.astype(float), side="right") - 1, 0, len(places) - 2)
+    return index, (x - (places[index] + places[index + 1]) / 2) / half[index, 0, 0]
+
+
+def _first_coefficients(piece, c, half, of, parts, numbers):
+    """Those of the series in all parts, (parts, fields, order), that have these end values."""
+    values = np.concatenate([np.stack([one / half**j for j, one in enumerate(at_end)], axis=-2)
+                             for at_end in end_derivatives(c, piece.order // 2, numbers)], axis=-2)
+    return (numbers.inverse(values)[:, of] @ parts[..., None])[..., 0]
+
+
 def _near_slack(piece, end, kappa, value, x, numbers):
     """(u, u′) next to the end without tension; u′ = κ/n there."""
     whole, u = (slack_series(piece, place, kappa, numbers) for place in (end, x))
     slope = np.where(x == 0, kappa / piece.gradient, u[1] / np.where(x == 0, 1, x))
-    return np.stack([u[0], slope], axis=-1) * (value / whole[0])[:, None]
+    return np.stack([u[0], slope], axis=-1) * (value / whole[0])[..., None]

@@ -108,7 +108,11 @@ def _by_panels(piece, kappa, one, numbers):
     y, weights = panel_rule(cut, kappa, one.pace, numbers)
     x, found = one.start + cut.length * y, []
     weights = weights * cut.length * one.at(x, numbers)
-    if piece.order == 4 and not piece.gradient:
+    if piece.gradient:
+        from vibcli.numerics.pieces.graded import graded_integrals
+
+        return graded_integrals(piece, kappa, x, weights, numbers)
+    if piece.order == 4:
         return _by_parity(piece, kappa, x, weights, numbers)
     step, unit = max(1, AT_ONCE // (len(x) * piece.order)), numbers.array(np.eye(piece.order))[:, None, :]
     for i in range(0, len(kappa), step):

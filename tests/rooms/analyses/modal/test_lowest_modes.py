@@ -84,6 +84,7 @@ def test_a_spring_that_drives_away():
     assert "unstable" in refusal(model, "omega[1]")
 
 
+@pytest.mark.sweep
 def test_what_needs_all_coordinates_at_once_is_refused_by_name(held):
     for asked, what in (("x1(1 s)", "a motion in time"), ("rayleigh", "this"), ("zeta[1]", "nothing damps")):
         assert what in refusal(held, asked)

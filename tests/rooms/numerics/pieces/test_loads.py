@@ -8,7 +8,9 @@ import pytest
 from rooms.numerics.pieces.test_graded import graded
 from rooms.numerics.pieces.test_stiffness import pieces
 
+from vibcli.numerics.pieces.arithmetic import arithmetic_of
 from vibcli.numerics.pieces.fields import fields
+from vibcli.numerics.pieces.graded import graded_integrals
 from vibcli.numerics.pieces.loads import LoadForm, LoadStretch, LoadTerm, end_loads, end_loads_slope, loaded_fields
 from vibcli.numerics.pieces.piece import Piece
 from vibcli.numerics.pieces.stiffness import stiffness_and_slope
@@ -104,3 +106,18 @@ def test_many_digits_of_loads():
         d = stiffness_and_slope(exact, mpmath.mpf(-50))[0]
         assert max(abs(d @ ends - part * found - forces)) < 1e-34
         assert np.abs(found.astype(float) - end_loads(BEAM, -50.0, form((-1j, 0, 1j)))).max() < 1e-13
+
+
+@pytest.mark.parametrize("piece", [Piece(2.0, 3.0, 5.5, -4.0, 1.0, 0.0, 0.0), Piece(2.0, 0.0, 0.0, 3.0, 1.0, 0.0, 0.0),
+                                   Piece(2.0, 0.0, 6.0, -2.5, 1.0, 0.0, 0.0)])
+def test_integrals_by_moments_are_those_of_the_fields(piece):
+    """Where the tension varies along a piece, also where it vanishes at an end, in doubles and in more digits."""
+    x, weights = np.polynomial.legendre.leggauss(9)
+    for kappa, close in ((np.array([-3e3, -0.2]), 1e-14), (np.array([-40 + 3j]), 1e-14),
+                         (np.array([mpmath.mpf(-7)]), 1e-37)):
+        with mpmath.workdps(40):
+            numbers = arithmetic_of(*piece, kappa)
+            one, at = Piece(*numbers.array(piece)), numbers.array(piece.length * (1 + x) / 2)
+            along = fields(one, kappa[:, None, None], numbers.array(np.eye(one.order))[:, None, :], at)[..., 0]
+            found = graded_integrals(one, kappa, at, numbers.array(weights), numbers)
+            assert abs(found - (along * numbers.array(weights)).sum(axis=-1)).max() <= close * abs(along).max()
