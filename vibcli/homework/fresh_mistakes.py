@@ -21,7 +21,8 @@ def require_same_mistakes(document: "SceneDocument", fresh: "Problem", keys: "Se
     """RuntimeError, a fault of ours, where a mistake does not give what a variant says of it, its scene being read
     anew; fresh: that of the variant; at: its values in words."""
     again = document.with_values(variant.values)
-    mistakes = {one.name: one for one in mistakes_of(fresh, document.rules, again, keys)}
+    told = {wrong.mistake for one in variant.keys for wrong in one.wrong}
+    mistakes = {one.name: one for one in mistakes_of(fresh, document.rules, again, keys, told)}
     for key, one in zip(keys, variant.keys, strict=True):
         right = key.found(fresh) if one.wrong else None
         for wrong in one.wrong:
