@@ -79,7 +79,8 @@ def of_catalogue(problem: "Problem", root: "Mapping | None", asked: Sequence[Exp
     for name, one in by_kind(MODEL).items():
         if names is None or any(wanted.partition(" (")[0] == _words(name) for wanted in names):
             for concerns, scene in _scenes(problem, root, one, settings, name, names):
-                yield KnownMistake(_words(name, concerns), MODEL, f"{concerns}: " * bool(concerns) + one.sentence, scene)
+                sentence = f"{concerns}: " * bool(concerns) + one.sentence
+                yield KnownMistake(_words(name, concerns), MODEL, sentence, scene)
 
 
 def _words(name, concerns=""):
