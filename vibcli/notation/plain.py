@@ -4,6 +4,7 @@ import itertools
 import re
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
+from functools import lru_cache
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
@@ -43,6 +44,7 @@ def factors_of(name: str) -> list[str]:
     return [part for part in found.groups() if part] if found else []
 
 
+@lru_cache(maxsize=1000)
 def split_name(name: str) -> tuple[str, str, str]:
     """('φ', '1', "'") of phi1': letter, subscript, primes; ('k', 't1', '') of kt1; words as length stay whole."""
     bare = name.rstrip("'")
