@@ -111,9 +111,10 @@ class Handout:
         return WorkedVariants(self.document)
 
     def problem(self, number: int) -> "Problem":
-        """The Problem of a variant, read anew from what is printed, once."""
+        """The Problem of a variant, read anew from what is printed, once; its mistakes that change the scene were
+        solved anew with the variants of the gate, and are one by one with these."""
         if number not in self._read:
-            self._read[number] = read_anew(self.document, self.keys, self.variants[number])
+            self._read[number] = read_anew(self.document, self.keys, self.variants[number], number)
         return self._read[number]
 
     def solution(self, number: int) -> "Iterator[Section]":

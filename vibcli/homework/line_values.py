@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 STEP = 1e-5             # relative: of differences
 WAY, NEWTON = 8, 30     # parts of the way from the values of the file, and steps in each
+SMALL = 1e-3            # of the value that was told: what passes zero is of that size
 THERE, CLOSE = 1e-13, 1e-6      # relative: of the last step of a search, and of the value that was told
 
 
@@ -46,6 +47,12 @@ class LineValues:
     def number(self, text: str) -> int | None:
         """That of the line which tells a quantity; None where none does."""
         return next((i for i, line in enumerate(self.lines) if line.settles == text), None)
+
+    def again(self, i: int) -> bool:
+        """Does a line tell once more what another one told, perhaps with the other sign?"""
+        node = self.lines[i].node
+        return node is not None and len(self.letters[i]) == 1 and any(
+            one.op == "symbol" and one.name == _letter(self.lines[self.letters[i][0]]) for one in (node, -node))
 
     def parameters(self, given: "Mapping[str, np.ndarray]") -> dict[str, Any]:
         """{parameter: number, or array where it hangs on what is given}, and the letters of what vanishes."""
@@ -93,9 +100,14 @@ class LineValues:
             left, slopes = self._slopes(group, known, x)
             step = -_solved(slopes, left)
             x = x + step
-            if np.all(np.abs(step) <= THERE * np.abs(x)):
+            if np.all(np.abs(step) <= THERE * self._sizes(group, x)):
                 break
-        return np.where(np.abs(step) <= CLOSE * np.abs(x), x, np.nan)
+        return np.where(np.abs(step) <= CLOSE * self._sizes(group, x), x, np.nan)
+
+    def _sizes(self, group, x):
+        """Of the unknowns, which may pass zero."""
+        return np.array([np.maximum(np.abs(one), SMALL * abs(self.lines[j].value))
+                         for j, one in zip(group, x, strict=True)])
 
     def _slopes(self, group, known, x):
         """(what is left of each equation, its slopes by the unknowns as unknowns × equations)."""
@@ -104,10 +116,10 @@ class LineValues:
             return np.array([np.broadcast_to(one, x.shape[1:]) for one in evaluate(
                 [self.lines[j].vanishes for j in group], Arrays, values)])
 
-        slopes = []
+        slopes, sizes = [], self._sizes(group, x)
         for k in range(len(group)):
             aside = np.zeros_like(x)
-            aside[k] = STEP * np.abs(x[k])
+            aside[k] = STEP * sizes[k]
             slopes.append((left(x + aside) - left(x - aside)) / (2 * aside[k]))
         return left(x), np.array(slopes)
 

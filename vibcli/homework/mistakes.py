@@ -1,6 +1,6 @@
 """The mistakes that a problem knows: those of its file, and those of the catalogue that concern it."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.base.diagnostics import quoted
@@ -24,15 +24,15 @@ OF_FILE = "file"
 
 
 def mistakes_of(problem: "Problem", rules: "VariantRules", document: "SceneDocument",
-                keys: "Sequence[AnswerKey]") -> list[KnownMistake]:
-    """The KnownMistakes of a problem; document: that of the scene. SpecError where one of the file is no scene, or none
-    of the catalogue."""
+                keys: "Sequence[AnswerKey]", names: Collection[str] | None = None) -> list[KnownMistake]:
+    """The KnownMistakes of a problem; document: that of the scene; names: of those that are wanted, where not all are.
+    SpecError where one of the file is no scene, or none of the catalogue."""
     for name, part in rules.mistakes.items():
         if isinstance(part, Scalar) and name.replace(" ", "_") not in MISTAKES:
             raise SpecError([Diagnostic(part.where, f"there is no known mistake {quoted(name)} to be switched off",
                                         nearest(name, [one.replace("_", " ") for one in MISTAKES]))])
-    catalogue = of_catalogue(problem, document.root, [key.asked for key in keys], document.settings)
-    own = list(_of_file(problem, rules, document, keys))
+    catalogue = of_catalogue(problem, document.root, [key.asked for key in keys], document.settings, names)
+    own = list(_of_file(problem, rules, document, keys, names))
     return own + [_said_of_the_sheet(problem.spec, one) for one in catalogue
                   if not {one.name, one.name.partition(" (")[0]} & set(rules.mistakes)]
 
@@ -70,9 +70,9 @@ def _number(mistake, name):
     return giver(unit, name)(number)
 
 
-def _of_file(problem, rules, document, keys) -> Iterator[KnownMistake]:
+def _of_file(problem, rules, document, keys, names) -> Iterator[KnownMistake]:
     for name, part in rules.mistakes.items():
-        if isinstance(part, Scalar):
+        if isinstance(part, Scalar) or (names is not None and name not in names):
             continue
         spec = document.changed(part, f" (in the mistake {quoted(name)})")
         instead = {answer.asked.text: answer.expected for answer in spec.answers}

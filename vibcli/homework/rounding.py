@@ -4,7 +4,8 @@ A student rounds what the lines tell to three figures. Of a line v = F(u, p) tha
 lines the slopes ∂ln F/∂ln u are those of what is printed; of one in given values p alone, which follows from earlier
 lines u, they are those with which the slopes of ln u along p make up that of ln v; of lines u that hang on one another
 the first count. One sweep backwards over the lines then gives the error a within which each is carried to the key.
-What the figures hold exactly is not rounded, and what is the same in all variants always by as much.
+What the figures hold exactly is not rounded, what is the same in all variants always by as much, and what takes few
+values by as much as these.
 """
 
 from collections.abc import Mapping, Sequence
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 EXACT = 1e-9                                    # relative: what is no rounding
+FEW, SOME = 10, 50                              # values of a line, in ten times as many variants; looked at first
 READ_OFF = {"frequency": "omega", "period": "omega", "period_d": "omega_d", "decrement": "zeta"}     # of a mode
 ALIKE = 1e-6                                    # of slopes in logarithms
 POWERS = 0.5, 1.0, 1.5, 2.0, 3.0                # of a line in a formula that other values enter as well
@@ -51,6 +53,8 @@ class Rounding:
         """(number of the line that tells a key, or from which it is read off; 0 of the first, ∂ln key/∂ln line of the
         second); None where none does. values: of the lines."""
         if (line := self.known.number(key.text)) is not None:
+            while self.known.again(line):
+                line = self.known.letters[line][0]
             return line, 0.0
         tree = key.asked.tree
         head = READ_OFF.get(tree.head) if isinstance(tree, QuantityRef) and len(tree.indices) == 1 else None
@@ -67,7 +71,7 @@ class Rounding:
         rounded, found = [self.rounded(values, figures) for figures in FIGURES], []
         for key in keys:
             share, end = None, self.end(key, values)
-            if end is not None:
+            if end is not None and np.isfinite(values[end[0]]).all():
                 line, slope = end
                 ends = {line: slope} if np.any(slope) else dict(zip(self.uses[line], weights[line], strict=True))
                 share = _carried(ends, self.uses, weights, rounded)
@@ -101,17 +105,17 @@ class Rounding:
 
     def rounded(self, values: "Sequence[np.ndarray]", figures: int) -> "list[np.ndarray]":
         """Half a unit of the last figure of each line, relative to it; 0 where it, and what it is found from, has no
-        more figures, and by how much it is off where it is the same in all variants."""
+        more figures. Of those that follow from no other and take few values, what these are off by counts."""
         inexact: list[np.ndarray] = []
         found = []
-        for value, uses in zip(values, self.uses, strict=True):
+        for i, (value, uses) in enumerate(zip(values, self.uses, strict=True)):
             half = _half_a_unit(value, figures)
             with np.errstate(all="ignore"):
                 unit = 2 * half * np.abs(value)
                 off = np.nan_to_num(np.abs(np.round(value / unit) * unit / value - 1))
             inexact.append(np.logical_or.reduce([off > EXACT, *(inexact[j] for j in uses)]))
-            still = not uses and len(value) > 1 and bool(np.ptp(value) <= EXACT * np.abs(value[0]))
-            found.append((off if still else half) * inexact[-1])
+            half = half if uses else _of_few_values(value, half, off)
+            found.append(half * (inexact[-1] & (not self.known.again(i))))
         return found
 
 
@@ -158,12 +162,30 @@ def _half_a_unit(value: np.ndarray, figures: int) -> np.ndarray:
     return np.nan_to_num(found, nan=0.0, posinf=0.0)
 
 
+def _of_few_values(value, half, off):
+    """By how much a line with few values in all variants is off: with one value as much as that; with few in many
+    variants as an even error with their mean square. Half a unit of others."""
+    if len(value) == 1:
+        return half
+    count = _distinct(value[::max(1, len(value) // SOME)])
+    count = count if count > FEW else _distinct(value)
+    if count == 1:
+        return off
+    return half * np.sqrt(3 * np.mean((off / half)**2)) if 1 < count <= FEW <= len(value) / FEW else half
+
+
+def _distinct(value):
+    """How many values there are but for rounding; 0 where one is unknown or all are zero."""
+    largest = np.max(np.abs(value))
+    return len(np.unique(np.round(value / (EXACT * largest)))) if largest > 0 else 0
+
+
 def _carried(ends: "Mapping[int, float | np.ndarray]", uses: "list[list[int]]", weights: "list[list[np.ndarray]]",
              rounded: "list[list[np.ndarray]]") -> np.ndarray:
     """Σ a, Σ a², Σ a⁴ and the largest a of what the lines carry to what hangs on some of them, {line: slope}, relative
     to it: an array 4 × variants for each way to round."""
     carry = [np.zeros_like(one) + ends.get(i, 0.0) for i, one in enumerate(rounded[0])]
-    for i in reversed(range(len(carry))):
+    for i in (i for i in reversed(range(len(carry))) if np.any(carry[i])):
         for j, weight in zip(uses[i], weights[i], strict=True):
             carry[j] = carry[j] + carry[i] * weight
     parts = [np.abs(np.array(carry)) * np.array(one) for one in rounded]

@@ -239,13 +239,15 @@ def _reread(document, keys, accepted: Sequence[ProblemVariant]) -> int:
     return len(chosen)
 
 
-def read_anew(document: "SceneDocument", keys: Sequence[AnswerKey], variant: ProblemVariant) -> "Problem":
+def read_anew(document: "SceneDocument", keys: Sequence[AnswerKey], variant: ProblemVariant,
+              turn: int | None = None) -> "Problem":
     """The Problem of a variant, read anew from what is printed; RuntimeError, a fault of ours, where a key, or what
-    a mistake makes of it, is not what was found."""
+    a mistake makes of it, is not what was found. turn: which one of the mistakes that change the scene is solved, all
+    unless it is given."""
     fresh = document.anew(variant.values)
     at = ", ".join(one.text for one in variant.values.values())
     for key, one in zip(keys, variant.keys, strict=True):
         key.require_same(fresh, one, at)
     if variant.place:       # what mistakes made of it when a manifest was written is not what they may make of it today
-        require_same_mistakes(document, fresh, keys, variant, at)
+        require_same_mistakes(document, fresh, keys, variant, at, turn)
     return fresh

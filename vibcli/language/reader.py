@@ -30,7 +30,8 @@ class Reader:
     """Collects what reading a file yields beside its values: diagnostics, every reference as (Name, namespaces, what is
     wanted), and by their Scalars every expression, those that move something (a bare name there is a coordinate), those
     that load or tie it, (name, dimension) of a name that is good in one expression alone, those in which velocities
-    may stand, and in `along` (coordinate, unknown factor or None) of those measured as a coordinate is. `sound` tells
+    may stand, those of quantities that are checked later, and in `along` (coordinate, unknown factor or None) of those
+    measured as a coordinate is. `sound` tells
     whether the scene was read whole, apart from what is asked of it; `files`: what was read beside it; `records` and
     `members`: the names of its records and of its continuous members."""
 
@@ -38,6 +39,7 @@ class Reader:
         self.files, self.records, self.members = {} if files is None else files, records, members
         self.diagnostics, self.references, self.named_places = [], [], []
         self.expressions, self.motions, self.loads, self.local_names, self.at_speed = {}, {}, {}, {}, set()
+        self.later: set = set()
         self.along = {}
         self.sound = True
 

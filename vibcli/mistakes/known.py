@@ -1,6 +1,6 @@
 """Mistakes of the catalogue as far as they concern a scene and what is asked of it."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING
 
@@ -61,9 +61,10 @@ def by_kind(kind: str) -> dict[str, CommonMistake]:
 
 
 def of_catalogue(problem: "Problem", root: "Mapping | None", asked: Sequence[Expression],
-                 settings: dict | None = None) -> Iterator[KnownMistake]:
+                 settings: dict | None = None, names: Collection[str] | None = None) -> Iterator[KnownMistake]:
     """The mistakes that concern a scene; root: its document, None where it is not at hand: then those of the model are
-    left out; settings: {parameter: (tree, text)} that replace values of it."""
+    left out; settings: {parameter: (tree, text)} that replace values of it; names: of those of the model that are
+    wanted, where not all are."""
     for name, one in by_kind(READING).items():
         yield KnownMistake(_words(name), READING, one.sentence, reading=one.reading)
     for name, one in by_kind(FORMULA).items():
@@ -76,8 +77,10 @@ def of_catalogue(problem: "Problem", root: "Mapping | None", asked: Sequence[Exp
     if root is None:
         return
     for name, one in by_kind(MODEL).items():
-        for concerns, scene in _scenes(problem, root, one, settings):
-            yield KnownMistake(_words(name, concerns), MODEL, f"{concerns}: " * bool(concerns) + one.sentence, scene)
+        if names is None or any(wanted.partition(" (")[0] == _words(name) for wanted in names):
+            for concerns, scene in _scenes(problem, root, one, settings, name, names):
+                sentence = f"{concerns}: " * bool(concerns) + one.sentence
+                yield KnownMistake(_words(name, concerns), MODEL, sentence, scene)
 
 
 def _words(name, concerns=""):
@@ -99,13 +102,15 @@ def _formulas(spec, one, asked):
     return found
 
 
-def _scenes(problem, root, one, settings):
+def _scenes(problem, root, one, settings, name, names):
     """(what a mistake of the model concerns, the scene as it takes it) of each way to make it."""
     try:
         ways = list(one.model(problem))
     except (SpecError, PhysicsError):
         return
     for concerns, part in ways:
+        if names is not None and _words(name, concerns) not in names:
+            continue
         try:
             found = problem.with_spec(read_changed(*changed(root, part), problem.spec.file, "", settings, True))
             found.draw()

@@ -38,14 +38,14 @@ def settle(spec: "Spec", reader: Reader) -> "Spec":
         name_motions(spec, reader)
     expected = {answer.expected.scalar for answer in spec.answers}
     apart = expected | {answer.rtol.scalar for answer in spec.answers if answer.rtol is not None}
-    apart |= {side.scalar for record in (spec.get("choose") or {}).values() for side in record["so"].sides}
+    apart |= reader.later | {side.scalar for record in (spec.get("choose") or {}).values()
+                             for side in record["so"].sides}
     circular = _parameters(spec, reader)
     due = {**_matrices(spec), **_start(spec), **_along(spec, reader)}
     if spec.get("variants") is not None:
-        from vibcli.reader.variants import checked_later, varied
+        from vibcli.reader.variants import varied
 
         due |= {value.scalar: spec.dimensions.unknown(name) for value, name in varied(spec)}
-        apart |= checked_later(spec)
     _bounded(spec, reader)
     known = dict.fromkeys((*spec.parameters, *spec.coordinates, "t"))
     if "t" not in spec.parameters and "t" not in spec.coordinates:

@@ -80,12 +80,6 @@ def varied(spec: "Spec") -> Iterator[tuple[Expression, str]]:
         yield from ((value, name) for name, value in row.items())
 
 
-def checked_later(spec: "Spec") -> "set[Scalar]":
-    """The expressions under `variants` that hold quantities."""
-    record = spec.get("variants")
-    return {side.scalar for pairs in record.get("require", ()) for one in pairs for side in (one.left, one.right)}
-
-
 def with_variants(spec: "Spec", reader: Reader) -> "Spec":
     """The Spec with its VariantRules; reports whatever is wrong with them."""
     record, before = spec.get("variants"), len(reader.diagnostics)

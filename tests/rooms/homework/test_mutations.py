@@ -110,3 +110,29 @@ def test_a_planted_fault_is_seen(fault, name, monkeypatch):
 
 def test_nothing_is_seen_where_nothing_is_planted():
     assert Scene(WITH_VARIANTS[0]).solve().reread == FEW
+
+
+def test_of_mistakes_that_change_the_scene_one_is_solved_where_its_turn_is(monkeypatch):
+    """All where no turn is given, as for the variants of the gate."""
+    from support.mutations import some_of
+    from support.shipped_variants import WITH_VARIANTS
+
+    from vibcli.homework import fresh_mistakes
+    from vibcli.homework.variants import read_anew
+
+    document, found = some_of(next(path for path in WITH_VARIANTS if path.stem == "bell_crank_dashpot"), 2)
+    whole, built = fresh_mistakes.mistakes_of, []
+
+    def noted(*given):
+        known = whole(*given)
+        built.extend(one.name for one in known if one.problem is not None)
+        return known
+
+    monkeypatch.setattr(fresh_mistakes, "mistakes_of", noted)
+    solved = []
+    for turn in (None, 0, 1, 2):
+        built.clear()
+        read_anew(document, found.keys, found.accepted[0], turn)
+        solved.append(set(built))
+    assert len(solved[0]) == 2 and [len(one) for one in solved[1:]] == [1, 1, 1]
+    assert solved[1] | solved[2] == solved[0] and solved[3] == solved[1]

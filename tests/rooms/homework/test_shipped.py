@@ -25,9 +25,6 @@ from vibcli.report.sections.steps import section_of
 from vibcli.results.variants import with_given
 
 STUDENTS, MANY, WORKED = 500, 2000, 3
-UNTOLD = {("roller_let_go_overdamped", "x(0 s)"), ("three_discs_on_fixed_shaft", "dunkerley"),
-          ("three_storeys_on_shaking_ground", "amplitude(c1.force)"),
-          ("pendulum_that_swings_widely", "backbone[1](phi)(90 deg)"), ("ring_on_five_spokes", "stiffness[hub].max")}
 PATHS = {"eccentric_cylinder": 2, "stepped_drum_dashpot": 2}      # where an R − r is written as r − R in some
 
 
@@ -101,8 +98,6 @@ def test_a_band_is_the_99th_percentile_of_what_rounding_does(path):
     keys = [key_of(problem.spec, one) for one in rules.ask]
     shares = students.rounding.shares(keys, students.given)
     for key, share in zip(keys, shares, strict=True):
-        if share is None:
-            continue
         right = students.right(key)
         told = [KeyBand(None, tuple(map(tuple, share[:, :, i].tolist()))) for i in range(MANY)]
         for figures in (3, 4):
@@ -115,8 +110,8 @@ def test_a_band_is_the_99th_percentile_of_what_rounding_does(path):
 
 
 @pytest.mark.sweep
-def test_of_which_keys_no_line_tells_how():
-    """As it tells their number alone; their band is half a per cent, and there are no more of them."""
+def test_lines_tell_how_each_key_is_found():
+    """No band is the half per cent of a number alone."""
     found = set()
     for path in WITH_VARIANTS:
         problem = problem_of(file_source(path))
@@ -124,7 +119,7 @@ def test_of_which_keys_no_line_tells_how():
             rounding = Rounding(problem)
             found |= {(path.stem, key.text) for key in (key_of(problem.spec, one) for one in problem.spec.get(
                 "variants").ask) if rounding.end(key) is None}
-    assert found == UNTOLD
+    assert not found
 
 
 def assert_no_mistake_is_marked_right(found):

@@ -43,7 +43,9 @@ def test_rayleigh_and_dunkerley_by_hand():
     lines = lines_of(scene)
     above, below = numbers(lines["deflection"])
     assert lines["rayleigh"].value == pytest.approx(math.sqrt(above / below), rel=1e-5)
-    each = [float(x) for x in re.findall(r"(?:one|two|three) ([\d.]+)", formula(lines["alone"].parts, plain))]
+    each = [numbers(lines[f"omega_alone[{name}]"])[0] for name in ("one", "two", "three")]
+    by_letters = "ω_two = √(k₁·k₂/(J₂·(k₁ + k₂))) = 94.2809 rad/s"
+    assert formula(lines["omega_alone[two]"].parts, plain).replace("\u00a0", " ").strip() == by_letters
     assert lines["dunkerley"].value == pytest.approx(sum(x**-2 for x in each)**-0.5, rel=1e-5)
     exact = scene.modal.modes[0].omega
     assert lines["dunkerley"].value < exact < lines["rayleigh"].value

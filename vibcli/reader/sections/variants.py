@@ -57,6 +57,7 @@ class _Requirement(Kind):
                 return reader.report(node.place(max(start - 1, 0), 1), "a side of this comparison is missing",
                                      f"write {self.wants.partition(' as ')[2]}")
         sides = [_side(node, start, end, reader) for start, end in zip(starts, ends, strict=True)]
+        reader.later.update(side.scalar for side in sides if side is not None)
         if None in sides:
             return None
         return [Requirement(left, sign.group(), right, text, node.where)

@@ -68,8 +68,18 @@ def _pieces(part, write):
     if isinstance(part, WithNumbers):
         return _pieces(part.node, write.with_values(part.values))
     nodes = part.nodes if isinstance(part, SumOfTerms) else (part,)
-    terms = [term for node in nodes for term in write.terms(node)]
+    terms = [term for node in nodes for term in _terms(node, write)]
     return [write.signed(negative, text, not i) for i, (negative, text) in enumerate(terms)]
+
+
+def _terms(node, write):
+    """Those of a node, written once in each notation where no numbers are put in."""
+    if write.values:
+        return write.terms(node)
+    kept, key = node.table.kept, (type(write), node)
+    if key not in kept:
+        kept[key] = write.terms(node)
+    return kept[key]
 
 
 def _split(text):

@@ -4,14 +4,15 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.notation.as_printed import as_printed
-from vibcli.quantities.dimensions import unit_of
 from vibcli.quantities.expression import value_of
 from vibcli.quantities.in_letters import quantity_in_letters
 from vibcli.quantities.quantity import OF_STATE, quantity_of
 from vibcli.report.blocks import Words
 from vibcli.report.steps.characteristic import LONG
+from vibcli.report.steps.directions import tell_direction
+from vibcli.report.steps.instants import tell_instant
 from vibcli.report.steps.small import tidy
-from vibcli.report.steps.step import WorkedSolution, number
+from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.nested_form import letters
 
@@ -20,32 +21,35 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
+BY_LETTERS = tell_direction, tell_instant      # that have lines of their own
 CLOSE = 1e-9        # relative: of an expression and the engine's number
 BESIDE = "frequency", "period", "period_d", "decrement", "eigenvalue"       # told beside another number of the mode
 
 
 def tell_asked(problem: "Problem", sheet: WorkedSolution) -> None:
     """Write down a line to each number that the variants of a scene ask and no line settles."""
-    rules, told = problem.spec.get("variants"), {line.settles for line in sheet.steps}
+    rules = problem.spec.get("variants")
     if rules is None or problem.numeric.has_free_symbols:
         return
     for one in rules.ask:
         tree = one.asked.tree
         quantity = quantity_of(problem.spec, tree)
         if quantity is not None and quantity.value is not None and quantity.kind not in OF_STATE and (
-                tree.head not in BESIDE and one.asked.text not in told):
+                tree.head not in BESIDE and one.asked.text not in {line.settles for line in sheet.steps}):
             _tell(problem, sheet, one.asked)
 
 
 def _tell(problem, sheet, asked):
     try:
+        if any(tell(problem, sheet, asked) for tell in BY_LETTERS):
+            return
         value = float(value_of(problem, asked)[0])
     except (PhysicsError, SpecError):
         return
-    unit = as_printed(unit_of(problem.spec, asked))
+    unit = unit_told(problem.spec, asked)
     node = _in_letters(problem, asked, value)
     shown = [Words(as_printed(asked.text))] if node is None else [Words(f"{as_printed(asked.text)}:  "), node]
-    sheet.write(*shown, *number(value, "" if unit == "1" else unit), settles=asked.text, node=node, value=value,
+    sheet.write(*shown, *number(value, unit), settles=asked.text, node=node, value=value,
                 unit=unit, uses=[sheet.last])
 
 

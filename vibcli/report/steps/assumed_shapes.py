@@ -1,11 +1,13 @@
 """The steps from M and K of several degrees of freedom to bounds of their frequencies, where a scene asks for these: by
-assumed shapes Φ the roots of det(ΦᵀKΦ − ω²ΦᵀMΦ) = 0 (Ritz), of one shape Rayleigh's quotient; by each inertia alone
-1/ω² = Σ 1/ωⱼ² (Dunkerley; Rao 2011, sections 7.2, 7.3 and 8.8)."""
+assumed shapes Φ the roots of det(ΦᵀKΦ − ω²ΦᵀMΦ) = 0 (Ritz), of one shape Rayleigh's quotient (Rao 2011, section 8.8);
+by the static deflection, and by each inertia alone."""
 
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
 from vibcli.report.blocks import Name, Words
+from vibcli.report.steps.held import SmallEquations
+from vibcli.report.steps.rayleigh_dunkerley import LowestFrequency
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number, told
 
@@ -15,20 +17,25 @@ if TYPE_CHECKING:
 CLOSE = 1e-9        # relative: of ΦᵀMΦ by the lines and the engine's, of what a root leaves
 
 
-def tell_estimates(about: AboutRest, sheet: WorkedSolution, uses: "Sequence[int]") -> None:
+def tell_estimates(about: AboutRest, sheet: WorkedSolution, found: SmallEquations, uses: "Sequence[int]") -> None:
     """Write down what is asked of these; nothing in letters and where the bounds do not hold."""
     problem = about.problem
     if problem.numeric.has_free_symbols or problem.scene.pieces:
         return
-    heads = {tree.head for answer in problem.spec.answers for tree in answer.asked.parts.quantities}
-    find = problem.spec.get("find") or ()
-    for asked, tell in (("ritz", _ritz), ("estimates", _bounds)):
+    rules, find = problem.spec.get("variants"), problem.spec.get("find") or ()
+    asked = [answer.asked for answer in problem.spec.answers] + [one.asked for one in (rules.ask if rules else ())]
+    heads = {tree.head for one in asked for tree in one.parts.quantities}
+    before = len(sheet.steps)
+    try:
+        if "ritz" in find:
+            _ritz(problem, sheet, uses)
         before = len(sheet.steps)
-        try:
-            if asked in find or (asked == "estimates" and heads & {"rayleigh", "dunkerley"}):
-                tell(problem, sheet, uses)
-        except PhysicsError:
-            del sheet.steps[before:]
+        if "estimates" in find or heads & {"rayleigh", "dunkerley"}:
+            bounds = LowestFrequency(about, sheet, found, uses)
+            bounds.rayleigh()
+            bounds.dunkerley()
+    except PhysicsError:
+        del sheet.steps[before:]
 
 
 def _ritz(problem, sheet, uses):
@@ -63,27 +70,3 @@ def _reduced(matrix, shapes, known):
     return all(abs(sum(value * float(one[i]) * float(other[j]) for (i, j), value in matrix.items())
                    - float(known[k][m])) <= CLOSE * size
                for k, one in enumerate(shapes) for m, other in enumerate(shapes))
-
-
-def _bounds(problem, sheet, uses):
-    """Rayleigh by the static deflection, Dunkerley by each inertia alone."""
-    found = problem.modal.result("estimates")
-    M, _, _, K = problem.configuration.linear_system.matrices()
-    names = problem.scene.coordinates
-    u = [float(found.deflection[name]) for name in names]
-    above, below = (sum(value * u[i] * u[j] for (i, j), value in matrix.items()) for matrix in (K, M))
-    if abs((above / below) ** 0.5 / found.rayleigh - 1) <= CLOSE:
-        shape, letter = ", ".join(map(told, u)), Name(sheet.letter("u"))
-        forms = [part for matrix, value in (("K", above), ("M", below)) for part in (
-            Words(",  "), letter, "·", Name(sheet.matrix(matrix)), "·", letter, *number(value))]
-        line = sheet.write(Words("Rayleigh, with the static deflection  "), letter, f" = ({shape})", *forms,
-                           settles="deflection", uses=uses)
-        sheet.write(Words("the root of their quotient:  "), "ω = " + told(found.rayleigh), Words(
-            " rad/s   (an upper bound)"), settles="rayleigh", value=float(found.rayleigh), unit="rad/s", uses=[line])
-    alone = {name: float(omega) for name, omega in found.alone.items()}
-    if len(alone) > 1 and abs(sum(omega ** -2 for omega in alone.values()) * found.dunkerley ** 2 - 1) <= CLOSE:
-        each = ",  ".join(f"{name} {told(omega)}" for name, omega in alone.items())
-        line = sheet.write(Words(f"Dunkerley, each inertia alone:  {each} rad/s"), settles="alone", uses=uses)
-        sheet.write("1/ω² = ", Words("the sum of "), "1/ω_j²", Words(",  "), "ω = " + told(found.dunkerley), Words(
-            " rad/s   (a lower bound)"), settles="dunkerley", value=float(found.dunkerley), unit="rad/s",
-            uses=[line])

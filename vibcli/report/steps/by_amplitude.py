@@ -13,11 +13,11 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.notation.as_printed import as_printed
-from vibcli.quantities.dimensions import unit_of
 from vibcli.quantities.expression import number_of, value_of
 from vibcli.report.blocks import Name, SumOfTerms, Words
 from vibcli.report.steps.in_motion import short_form
-from vibcli.report.steps.step import WorkedSolution, number
+from vibcli.report.steps.period_by_quadrature import TurningPlaces, vanishing
+from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import is_zero, textbook
@@ -67,12 +67,12 @@ def _tell_energies(problem: "Problem", sheet: WorkedSolution, asked: "Sequence[E
                            settles="integral of energy")
         line = sheet.write(v ** 2, " = ", node, settles=SPEED.format(scene.coordinates[0]), node=node, uses=[line])
     for i, one in enumerate(asked, 1):
-        _tell_period(problem, sheet, one, f"A{i}" if len(asked) > 1 else "A", (E, V, line))
+        _tell_period(problem, sheet, one, f"A{i}" if len(asked) > 1 else "A", (E, V, M, line))
 
 
 def _tell_period(problem, sheet, asked, index, energies):
     """Where the motion of an amplitude turns, and how long it takes."""
-    (E, V, line), free, name = energies, problem.free_motions, problem.free_motions.scene.coordinates[0]
+    (E, V, M, line), free, name = energies, problem.free_motions, problem.free_motions.scene.coordinates[0]
     q, unit = free.scene.q[0].name, "m" if problem.system.dimension(name) else "rad"
     ends = free.turning_places(asked.tree.args[0], float(number_of(problem, asked.tree.args[1])))
     left, right, rest = (evaluate([V], Floats, {**problem.numeric.floats, q: place})[0]
@@ -84,11 +84,17 @@ def _tell_period(problem, sheet, asked, index, energies):
     turns = sheet.write(Words(f"amplitude, half the range, {amplitude}:  it turns at  "), Name(name), *number(
         ends[0], unit), Words("  and  "), Name(name), *number(ends[1], unit), Words(",  where  "), Name(
             sheet.letter("V")), " = ", E, *number(height, "J"), settles=f"turning places of {asked.text}", uses=[line])
-    omega = float(value_of(problem, asked)[0])
-    sheet.write(Words("twice the time from one to the other, the integral of "), "d", Name(name), "/|", Name(
-        name + "'"), "|", Words(":  "), Name(sheet.letter("T", index)), *number(tau / omega, "s"), Words(",  "), Name(
-            sheet.letter("omega", index)), *number(omega, "rad/s"), settles=asked.text, value=omega, unit="rad/s",
-                uses=[line, turns])
+    omega, (T, q_left, q_right) = float(value_of(problem, asked)[0]), (free.scene.table.parameter(sheet.letter(
+        letter, index)) for letter in ("T", f"{name}_l", f"{name}_r"))
+    turning = TurningPlaces((q_left, ends[0]), (q_right, ends[1]), (T, tau / omega))
+    conditions = vanishing(problem, asked.tree, turning, V, M) or (None, None, None)
+    last = sheet.write(Words("twice the time from one to the other, the integral of "), "d", Name(name), "/|", Name(
+        name + "'"), "|", Words(":  "), T, *number(tau / omega, "s"), settles=f"period of {asked.text}", letter=T.name,
+                       value=tau / omega, unit="s", uses=[line, turns], vanishes=conditions[2])
+    for (letter, place), condition in zip(turning[:2], conditions[:2], strict=True):
+        sheet.write(settles=letter.name, letter=letter.name, value=place, vanishes=condition, joined=True)
+    sheet.write(Name(sheet.letter("omega", index)), *number(omega, "rad/s"), settles=asked.text, value=omega,
+                unit="rad/s", uses=[last], node=2 * T.table.pi / T, joined=True)
 
 
 def _tell_expansion(problem: "Problem", sheet: WorkedSolution, asked: "Sequence[Expression]"):
@@ -168,8 +174,7 @@ class _Expansion:
                            settles="no secular term", uses=[line])
         letters_of = 3 * three / (8 * omega0 ** 2) - 5 * two ** 2 / (12 * omega0 ** 4)
         value = None if self.problem.numeric.has_free_symbols else float(value_of(self.problem, asked)[0])
-        unit = unit_of(self.problem.spec, asked)
-        unit = "" if unit == "1" else as_printed(unit)
+        unit = unit_told(self.problem.spec, asked)
         sheet.write(kappa, " = ", letters_of, " = ", self.kappa, *(() if value is None else number(value, unit)),
                     settles=asked.text, node=self.kappa, value=value, unit=unit, uses=[line])
 

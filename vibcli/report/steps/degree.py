@@ -39,7 +39,7 @@ class Degree:
                 letters: bool = True, more: Iterable[Any] = (), joined: bool = False) -> int:
         """A line `head = expression = with numbers = value`, and `more`, or joined to the last one; its number."""
         value, numbers, head = self.about.value(node), self.about.numbers(), list(head)
-        letter = head[-1].name if getattr(head[-1], "op", "") == "symbol" else ""
+        letter = next((part.name for part in (head[-1], head[0]) if getattr(part, "op", "") == "symbol"), "")
         parts: list[Any] = [*head, *([" = ", node] if letters or value is None else [])]
         if value is not None:
             put_in = {name: self._as_given(name, x) for name, x in numbers.items()}

@@ -11,6 +11,7 @@ from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.degree import Degree
 from vibcli.report.steps.from_the_start import KeptUp, tell_start
+from vibcli.report.steps.phasors import tell_of_one
 from vibcli.report.steps.pieces import pieces_of, tell_impulses, tell_pieces
 from vibcli.report.steps.step import number
 from vibcli.symbolic.common_denominator import single
@@ -82,6 +83,8 @@ def _one_harmonic(degree):
     if lags and formula.tangent is not None:
         more = [] if lag is None else [Words(",  "), theta, *number(lag, "rad")]
         lines.append(degree.settled([table.call("tan", theta)], formula.tangent, "", "tan theta", lines, more=more))
+    degree.about.know(X, degree.about.value(formula.amplitude))
+    tell_of_one(degree.about, sheet, X, formula.Omega, lines)
     if not formula.ahead:
         tell_start(degree, KeptUp(steady, X, theta if lags else None, lag), lines)
 

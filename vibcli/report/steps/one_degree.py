@@ -159,10 +159,11 @@ class OneDegree:
         delta, size = single(self.C / (2 * self.M)), table.sqrt(self.delta ** 2 - self.omega ** 2)
         spread = table.sqrt(delta ** 2 - self.K / self.M)
         exact = [-delta + spread, -delta - spread]
-        told = []
-        for letter, form, node in zip(roots, (-self.delta + size, -self.delta - size), exact, strict=True):
-            told += [Words(",  " * bool(told)), letter, " = ", form, *number(self.about.value(node), "1/s")]
-        line = self.sheet.write(*told, settles="s1, s2", uses=uses)
+        for i, (letter, form, node) in enumerate(zip(roots, (-self.delta + size, -self.delta - size), exact,
+                                                     strict=True)):
+            value = self.about.value(node)
+            line = self.sheet.write(letter, " = ", form, *number(value, "1/s"), settles=letter.name, node=form,
+                                    value=value, unit="1/s", uses=uses, joined=i > 0, letter=letter.name)
         x, v = start
         first = (v - exact[1] * x) / (exact[0] - exact[1])
         wave = A * table.call("exp", roots[0] * t) + B * table.call("exp", roots[1] * t)
@@ -173,19 +174,31 @@ class OneDegree:
         """The form of the motion, and its constants from the start."""
         A, B, x0, v0 = self._letters(start)
         name, unit = self.degree.name, self.degree.unit
-        line = self.sheet.write(Name(name), " = ", *motion, settles=name, uses=uses)
-        constants: list = []
-        for letter, form, value, per in ((A, forms[0], exact[0], ""), (B, forms[1], exact[1], "/s" * of_speed)):
-            known = self.about.value(value)
-            shown = [] if form.op == "number" and known is not None else [" = ", form]
-            constants += [Words(",  " * bool(constants)), letter, *shown, *(
-                () if known is None else number(known, unit + per))]
+        line = self.sheet.write(Name(name), " = ", *motion, settles=name, uses=uses, node=self.about.table.product(
+            *((part.node if isinstance(part, Factor) else part, 1) for part in motion if part != "·")))
+        self._start([(x0, start[0], unit), (v0, start[1], unit + "/s")])
         of_start: list = []
         for which, letter, node, per in ((name, x0, start[0], ""), (name + "'", v0, start[1], "/s")):
             known = self.about.value(node) if node.op == "number" else None
             of_start += [Words(",  " * bool(of_start)), Name(which), *([" = ", letter] if letter is not node else []),
                          *(number(known, unit + per) if known else (" = ", node))]
+        found = [(letter, form, self.about.value(value), unit + per) for letter, form, value, per in (
+            (A, forms[0], exact[0], ""), (B, forms[1], exact[1], "/s" * of_speed))]
+        constants: list = []
+        for letter, form, known, its in found:
+            shown = [] if form.op == "number" and known is not None else [" = ", form]
+            value = () if known is None else number(known, its)
+            constants += [Words(",  " * bool(constants)), letter, *shown, *value]
         self.sheet.write(Words("at t = 0  "), *of_start, Words(":  "), *constants, uses=[line], settles="free motion")
+        for letter, form, known, its in found:
+            self.sheet.write(settles=letter.name, node=form, value=known, unit=its, joined=True, letter=letter.name)
+
+    def _start(self, known):
+        """Where and how fast it starts, as far as these have letters."""
+        for letter, node, unit in known:
+            if letter is not node:
+                self.sheet.write(settles=letter.name, node=node, value=self.about.value(node), unit=unit, joined=True,
+                                 letter=letter.name)
 
 
 def _damped(zeta):

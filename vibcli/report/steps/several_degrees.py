@@ -11,8 +11,8 @@ from vibcli.report.steps.characteristic import polynomial, tell_polynomial, tell
 from vibcli.report.steps.damped_degrees import stay_apart, tell_damped
 from vibcli.report.steps.from_modes import tell_from_modes
 from vibcli.report.steps.held import SmallEquations
+from vibcli.report.steps.loads_that_swing import tell_loads
 from vibcli.report.steps.small import AboutRest
-from vibcli.report.steps.steady_states import tell_steady_states
 from vibcli.report.steps.step import WorkedSolution, number, of_time, told
 from vibcli.report.steps.two_degrees import NOTHING, TwoDegrees
 
@@ -48,10 +48,10 @@ class SeveralDegrees:
             self.two.in_letters(lines)
         else:
             tell_roots(self.about, self.sheet, lines)
-        tell_estimates(self.about, self.sheet, lines)
+        tell_estimates(self.about, self.sheet, self.found, matrices)
         tell_damped(self.about, self.sheet, self.found, matrices)
         tell_from_modes(self.about, self.sheet, self.found, lines)
-        tell_steady_states(self.about, self.sheet, self.found)
+        tell_loads(self.about, self.sheet, self.found)
 
     def _matrix(self, words, letter, entries: "Mapping[tuple[int, int], Node]"):
         parts: list[Any] = []
@@ -115,9 +115,31 @@ class SeveralDegrees:
             times += [Words(",  "), *ratio, Words(self._mixed)]
         node = self.two.frequency(mode.index, omega) if self.two is not None else None
         letter = self.about.letter(self.sheet.letter(f"omega{mode.index}"))
-        return self.sheet.write(letter, *number(omega, "rad/s"), *times, uses=uses, node=node, letter=letter.name,
-                                settles=f"omega[{mode.index}]", value=omega, unit="rad/s", vanishes=polynomial(
-                                    self._letters, letter) if self._letters and node is None else None)
+        last, ratios = self._ratios(mode.index, shape, letter) if omega else (None, [])
+        vanishes = polynomial(self._letters, letter) if self._letters else last
+        line = self.sheet.write(letter, *number(omega, "rad/s"), *times, uses=uses, node=node, letter=letter.name,
+                                settles=f"omega[{mode.index}]", value=omega, unit="rad/s",
+                                vanishes=vanishes if node is None else None)
+        if ratios and self._letters:        # they follow from the root, else are found with it
+            self.sheet.write(settles=f"mode[{mode.index}]", uses=[line], joined=True)
+        for i, symbol, left in ratios:
+            self.sheet.write(settles=f"mode[{mode.index}][{names[i]}]", value=shape[i].real, letter=symbol.name,
+                             vanishes=left, joined=True)
+        return line
+
+    def _ratios(self, k, shape, omega):
+        """(the row of the largest of (K − ω²M)u, [(i, letter of uᵢ, another row)]), which vanish together; nothing of
+        two coordinates, where a part is zero, and where something is gyroscopic."""
+        n, zero, largest = len(shape), self.about.table.zero, max(range(len(shape)), key=lambda i: abs(shape[i]))
+        if n == 2 or self.found.G or any(x.imag or abs(x) <= NOTHING * abs(shape[largest]) for x in shape):
+            return None, []
+        first = shape.index(1)
+        u = [self.about.table.one if i == first else self.about.letter(self.sheet.letter(f"u{i + 1}", str(k)))
+             for i in range(n)]
+        rows = [self.about.table.total([(self.found.K.get((i, j), zero) - omega ** 2 * self.found.M.get((i, j), zero))
+                                        * u[j] for j in range(n)]) for i in range(n)]
+        others = zip((i for i in range(n) if i != first), (i for i in range(n) if i != largest), strict=True)
+        return rows[largest], [(i, u[i], rows[row]) for i, row in others]
 
 
 def _complex(x):

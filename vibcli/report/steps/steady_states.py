@@ -9,14 +9,13 @@ from math import isclose, pi
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters, PhysicsError
-from vibcli.mechanics.given_damping_in_letters import proportional
 from vibcli.notation.plain import lowered
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.characteristic import determinant
 from vibcli.report.steps.complex_numbers import cleared, complex_parts, complex_told
 from vibcli.report.steps.fixed_points import tell_fixed_points
-from vibcli.report.steps.growing_loads import tell_growing
 from vibcli.report.steps.held import HINT, UNTOLD, SmallEquations, Untold
+from vibcli.report.steps.phasors import Phasors
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.derivatives import gradient
@@ -36,31 +35,6 @@ CLOSE = 1e-8        # relative: of an amplitude by the lines and the engine's, b
 ORDINALS = "first", "second", "third"
 
 
-def tell_steady_states(about: AboutRest, sheet: WorkedSolution, found: SmallEquations) -> None:
-    """Write down what each frequency of the loads keeps up, or what follows loads that grow; nothing of other loads."""
-    from vibcli.analyses.closed_form.powers_of_time import are_powers
-    from vibcli.analyses.closed_form.steady_state import waves_of_all
-
-    if not found.drive or about.problem.spec.in_full or not proportional(about.problem.spec):
-        return
-    try:
-        acting = {} if are_powers(about.problem.symbolic) else waves_of_all(about.scene, found.drive)
-    except NotInLetters:
-        return
-    if not acting:
-        tell_growing(about, sheet, found)
-    driven: dict[Node, dict[int, dict[str, Node]]] = {}
-    for i, parts in acting.items():
-        for (argument, wave), node in parts.items():
-            driven.setdefault(argument, {}).setdefault(i, {})[wave] = node
-    before = len(sheet.steps)
-    try:
-        for order, (argument, loads) in enumerate(driven.items(), 1):
-            SteadyState(about, sheet, found, argument, loads).write(order, len(driven) > 1)
-    except (PhysicsError, ZeroDivisionError):
-        del sheet.steps[before:]
-
-
 class SteadyState:
     """What loads of one frequency keep up. argument: Ωt + φ; loads: {row: {sin or cos: factor}}."""
 
@@ -76,6 +50,7 @@ class SteadyState:
         if not symbol:
             self._know()
         self.undamped = not found.C and not found.G and len(kinds) == 1
+        self.parts: dict[Node, tuple] = {}      # of letters of Z and F
         self.numeric = not about.problem.numeric.has_free_symbols
 
     def _know(self):
@@ -94,20 +69,24 @@ class SteadyState:
         if values is None and not written:
             self._right_sides(line)
             return
+        self.phasors = Phasors(self, values or ())
+        if self.phasors.known:
+            self.phasors.write()
         for k, name in enumerate(self.names):
             self._amplitude(k, name, values, lines, written)
-        if written and not self.several and all(self._force(i)[1].is_zero for i in range(self.n)):
+        self.phasors.tell_asked(lines)
+        if written and not self.several and all(self.force(i)[1].is_zero for i in range(self.n)):
             tell_fixed_points(self.about, sheet=self.sheet, found=self.found, forces=[
-                self._force(i)[0] for i in range(self.n)], Omega=self.Omega, uses=lines)
+                self.force(i)[0] for i in range(self.n)], Omega=self.Omega, uses=lines)
 
-    def _parts(self, i, j):
+    def entry(self, i: int, j: int) -> "tuple[Node, Node]":
         """(real part, imaginary part) of Zᵢⱼ."""
         zero, M, C, G, K = self.table.zero, *self.found[:4]
         parts = (K.get((i, j), zero) - self.Omega ** 2 * M.get((i, j), zero),
                  self.Omega * (C.get((i, j), zero) + G.get((i, j), zero)))
         return tuple(zero if is_zero(part) else part for part in parts)
 
-    def _force(self, i):
+    def force(self, i: int) -> "tuple[Node, Node]":
         """(real part, imaginary part) of Fᵢ."""
         A, B = (self.loads.get(i, {}).get(wave, self.table.zero) for wave in ("sin", "cos"))
         return tuple(map(textbook, (A, B) if self.wave == "sin" else (B, -A)))
@@ -143,7 +122,7 @@ class SteadyState:
 
     def _right_sides(self, line):
         """The line of F of what is not solved in letters."""
-        told = [(self._letter("F", i), complex_parts(*self._force(i))) for i in self.loads]
+        told = [(self._letter("F", i), complex_parts(*self.force(i))) for i in self.loads]
         self.sheet.write(Words("solved as any linear equations, with  "), *[part for i, (letter, parts) in enumerate(
             told) for part in (*([Words(",  ")] if i else []), letter, " = ", *parts)], settles="right sides",
             uses=[line])
@@ -158,13 +137,13 @@ class SteadyState:
         self.defined: list[tuple[Node, str, tuple]] = []
         for i in range(self.n):
             for j in range(self.n):
-                parts = self._parts(i, j)
+                parts = self.entry(i, j)
                 if all(part.is_zero for part in parts):
                     continue
-                twin = j < i and all(map(self.about.same, parts, self._parts(j, i)))
+                twin = j < i and all(map(self.about.same, parts, self.entry(j, i)))
                 rows[i][j] = rows[j][i] if twin else self._letter("Z", i, j)
                 if not twin:
-                    mirrored = j > i and all(map(self.about.same, parts, self._parts(j, i)))
+                    mirrored = j > i and all(map(self.about.same, parts, self.entry(j, i)))
                     more = f" = {self.sheet.matrix('Z')}{lowered(j + 1)}{lowered(i + 1)}" if mirrored else ""
                     self.defined.append((rows[i][j], more, parts))
         return rows
@@ -175,7 +154,7 @@ class SteadyState:
         self.F = [self.table.zero] * self.n
         for i in self.loads:
             self.F[i] = self._letter("F", i)
-            self.defined.append((self.F[i], "", self._force(i)))
+            self.defined.append((self.F[i], "", self.force(i)))
         head, first = [Words("for short  "), Name(sheet.matrix("Z")), "·", Name(sheet.letter("X")), " = ", Name(
             sheet.letter("F")), Words(":  ")], len(sheet.steps)
         for letter, more, parts in self.defined:
@@ -185,10 +164,28 @@ class SteadyState:
             joined = len(sheet.steps) > first
             sheet.write(*([] if joined else head), letter, more, " = ", *shown, settles=letter.name, uses=uses,
                         joined=joined, **self._real(parts))
+            self.parts[letter] = tuple(self._part(letter, part, name, parts[1].is_zero)
+                                       for part, name in zip(parts, ("re", "im"), strict=True))
         node, value = determinant(self.Z), self._value_of_determinant()
         self.D = self.about.letter(sheet.letter("D"))
         return [sheet.last, sheet.write(Words("its determinant  "), self.D, " = ", node, *(() if value is None else (
             " = " + complex_told(value),)), settles=self.D.name, uses=[sheet.last])]
+
+    def _part(self, letter, node, name, real):
+        """The letter of the real or the imaginary part of one that is told; of zero itself."""
+        if node.is_zero or real:
+            return node if node.is_zero else letter
+        own = self.about.letter(self.sheet.letter(letter.name, name))
+        self.sheet.write(settles=own.name, letter=own.name, node=node, value=self.about.value(node), joined=True)
+        self.about.know(own, self.about.value(node))
+        return own
+
+    def told(self, i: int, j: int | None = None) -> "tuple[Node, Node]":
+        """(real part, imaginary part) of Zᵢⱼ, or of Fᵢ, by letters where lines tell them."""
+        given = self.force(i) if j is None else self.entry(i, j)
+        if not self.parts:
+            return given
+        return self.parts.get(self.F[i] if j is None else self.Z[i][j], given)
 
     def _real(self, parts):
         """What a line settles by an expression that is real."""
@@ -203,8 +200,8 @@ class SteadyState:
         def at(parts):
             return complex(*evaluate(list(parts), Floats, values))
 
-        return ([[at(self._parts(i, j)) for j in range(self.n)] for i in range(self.n)],
-                [at(self._force(i)) for i in range(self.n)])
+        return ([[at(self.entry(i, j)) for j in range(self.n)] for i in range(self.n)],
+                [at(self.force(i)) for i in range(self.n)])
 
     def _value_of_determinant(self):
         from numpy.linalg import det
@@ -246,7 +243,7 @@ class SteadyState:
             more = self._in_letters(name, told_of, letter)
         if values is not None:
             told_of += self._in_numbers(values[k], letter, unit, written)
-            node = more.get("node")
+            node = self.phasors.size(k) or more.get("node")
             turned = node is not None and (self.about.value(node) or 0.0) < 0
             more = {"node": -node if turned else node, "value": abs(values[k]), "unit": unit}
         settles = f"amplitude {self.order} of {name}" if self.several else f"amplitude({name})"
@@ -259,7 +256,8 @@ class SteadyState:
         lag = pi if value.real < 0 == value.imag else -phase(value)
         plain = not self.several and self.wave == "sin" and self.argument.op == "product"
         self.sheet.write(Words("its lag  "), Name(self.sheet.letter(f"theta{k + 1}")), *number(lag, "rad"), value=lag,
-                         settles=f"phase({name})" if plain else f"lag {self.order} of {name}", unit="rad", joined=True)
+                         settles=f"phase({name})" if plain else f"lag {self.order} of {name}", unit="rad", joined=True,
+                         node=self.phasors.lag(k))
 
     def _which(self, k):
         """Words that say which row a coordinate of another number has."""

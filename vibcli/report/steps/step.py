@@ -5,10 +5,14 @@ from math import tau
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
+from vibcli.notation.as_printed import as_printed
 from vibcli.notation.numbers import with_minus
+from vibcli.quantities.dimensions import unit_of
 from vibcli.report.blocks import Name, Words
 
 if TYPE_CHECKING:
+    from vibcli.language.reader import Expression
+    from vibcli.language.spec import Spec
     from vibcli.symbolic.node import Node
 
 MARKED = "′", "′′", "′′′"
@@ -103,3 +107,9 @@ def of_time(sheet: WorkedSolution, omega: float) -> list:
 def told(value: float) -> str:
     """A number as mathematics."""
     return with_minus(value)
+
+
+def unit_told(spec: "Spec", asked: "Expression") -> str:
+    """The unit of what is asked, in SI units; '' of a pure number."""
+    unit = as_printed(unit_of(spec, asked))
+    return "" if unit == "1" else unit

@@ -1,0 +1,82 @@
+"""Where a coordinate is at an instant, and how fast, by the motion that the lines before tell, as in
+x = A e^{s₁t} + B e^{s₂t}; at t = 0 as the file says."""
+
+from contextlib import suppress
+from typing import TYPE_CHECKING
+
+from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.initial_state import start_in_letters
+from vibcli.notation.as_printed import as_printed
+from vibcli.quantities.expression import value_of
+from vibcli.report.blocks import Words
+from vibcli.report.steps.step import WorkedSolution, number, unit_told
+from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.parser import VALUE
+from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.syntax import NameRef, parts_of
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from vibcli.language.reader import Expression
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
+
+CLOSE = 1e-9        # relative: of a line and the engine's number
+
+
+def tell_instant(problem: "Problem", sheet: WorkedSolution, asked: "Expression") -> bool:
+    """Is what is asked a coordinate, or its speed, at an instant, and is it written down by the motion?"""
+    tree = asked.tree
+    if tree.head != VALUE or not isinstance(tree.args[0], NameRef) or tree.args[0].primes > 1 or parts_of(
+            tree.args[1]).quantities:
+        return False
+    value, known = float(value_of(problem, asked)[0]), _numbers(problem, sheet)
+    for node, line in _forms(problem, sheet, tree):
+        try:
+            found, = evaluate([node], Floats, known)
+        except KeyError:
+            continue
+        if abs(found - value) <= CLOSE * abs(value):
+            shown = [" = ", node] if line is None and node.op != "number" else []
+            unit = unit_told(problem.spec, asked)
+            sheet.write(Words(as_printed(asked.text)), *shown, *number(value, unit), settles=asked.text, node=node,
+                        value=value, unit=unit, uses=[line])
+            return True
+    return False
+
+
+def _numbers(problem, sheet) -> "Mapping[str, float]":
+    """{letter: number} of the parameters and of the lines."""
+    return {**problem.numeric.floats, **{line.letter: line.value for line in sheet.steps
+                                         if line.letter and line.value is not None}}
+
+
+def _forms(problem, sheet, tree) -> "list[tuple[Node, int | None]]":
+    """(its expression, the line that tells the motion) that may be: of the start, and of the motion, which lines may
+    count from rest."""
+    (name, primes), scene = (tree.args[0].name, tree.args[0].primes), problem.scene
+    t = lower(tree.args[1], scene.table, lambda name, *_: scene.parameters.nodes[name])
+    found: list = [(node, None) for node in _start(problem, name, primes)] if t.is_zero else []
+    for line in sheet.steps:
+        if line.settles == name and line.node is not None:
+            motion = gradient(line.node).get(scene.time, scene.table.zero) if primes else line.node
+            found.append((substitute([motion], {scene.time: t})[0], line.number))
+    if not primes and not problem.symbolic.balanced_as_drawn:
+        with suppress(PhysicsError):
+            rest = problem.symbolic.equilibrium_position[name]
+            found += [(node + rest, line) for node, line in found]
+    return found
+
+
+def _start(problem, name, primes) -> "list[Node]":
+    """Of a coordinate, or its speed, at t = 0 by the letters of the file; none where it gives no start."""
+    record, key = problem.spec.get("initial"), name + "'" * primes
+    if record is not None and key in record:
+        return [problem.scene.lower(record[key])]
+    try:
+        start = start_in_letters(problem.symbolic) if len(problem.scene.coordinates) == 1 else None
+    except PhysicsError:
+        start = None
+    return [] if start is None else [start[primes]]

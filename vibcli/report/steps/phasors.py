@@ -1,0 +1,171 @@
+"""The parts of complex amplitudes X = a + ib, which Z X = F gives together, and by these the amplitude of what is a
+linear function of the motion, as the force of a spring or a distance:
+
+    s = Σ αⱼqⱼ + βⱼq̇ⱼ + s₀(t),   S = Σ (αⱼ + iΩβⱼ) Xⱼ + S₀.
+"""
+
+from contextlib import suppress
+from typing import TYPE_CHECKING, Any
+
+from vibcli.analyses.closed_form.steady_state import waves_of_all
+from vibcli.base.errors import NotInLetters, PhysicsError, SpecError
+from vibcli.base.named_tuple import NamedTuple
+from vibcli.mechanics.signals import moving
+from vibcli.notation.as_printed import as_printed
+from vibcli.notation.plain import plain
+from vibcli.quantities.expression import value_of
+from vibcli.report.blocks import Words
+from vibcli.report.steps.small import AboutRest
+from vibcli.report.steps.step import WorkedSolution, number, unit_told
+from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.radicals import root
+from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.syntax import NameRef, QuantityRef
+from vibcli.symbolic.transfer_between_tables import copied
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from vibcli.language.reader import Expression
+    from vibcli.report.steps.steady_states import SteadyState
+    from vibcli.symbolic.node import Node
+
+CLOSE = 1e-8        # relative: of an amplitude by the lines and the engine's
+READABLE = 20       # letters of what stands between bars
+
+
+class Phasors:
+    """Those of all coordinates under loads of one frequency; known: have they letters, none of the parts being zero?"""
+
+    def __init__(self, steady: "SteadyState", values: "Sequence[complex]"):
+        self.steady, self.sheet, self.about, self.table = steady, steady.sheet, steady.about, steady.table
+        self.parts = ("a",) if steady.undamped else ("a", "b")
+        self.values = [part for X in values for part in ((X.real,) if steady.undamped else (X.real, X.imag))]
+        self.known = bool(values) and not steady.several and all(self.values)
+        self.letters = [self.about.letter(self.sheet.letter(part, f"X{k + 1}"))
+                        for k in range(steady.n) for part in self.parts]
+
+    def parts_of(self, k: int) -> "tuple[Node, Node]":
+        """a and b of a coordinate."""
+        if self.steady.undamped:
+            return self.letters[k], self.table.zero
+        return self.letters[2 * k], self.letters[2 * k + 1]
+
+    def write(self) -> None:
+        """Let the last line tell the letters, which are found together."""
+        steady, rows = self.steady, []
+        for i in range(steady.n):
+            Z = [steady.told(i, j) for j in range(steady.n)]
+            F, X = steady.told(i), [self.parts_of(j) for j in range(steady.n)]
+            rows.append(self.table.total([z[0] * x[0] - z[1] * x[1] for z, x in zip(Z, X, strict=True)]) - F[0])
+            if not steady.undamped:
+                rows.append(self.table.total([z[0] * x[1] + z[1] * x[0] for z, x in zip(Z, X, strict=True)]) - F[1])
+        given = {steady.Omega: steady.given} if steady.Omega is not steady.given else {}
+        for letter, value, row in zip(self.letters, self.values, substitute(rows, given), strict=True):
+            self.about.know(letter, value)
+            self.sheet.write(settles=letter.name, letter=letter.name, value=value, vanishes=row, joined=True)
+
+    def size(self, k: int) -> "Node | None":
+        """|X| of a coordinate; None where the parts have no letters."""
+        return _size(*self.parts_of(k), self.about.value) if self.known else None
+
+    def lag(self, k: int) -> "Node | None":
+        """Its lag."""
+        a, b = self.parts_of(k)
+        return self.table.call("atan2", -b, a) if self.known and not self.steady.undamped else None
+
+    def tell_asked(self, uses: "list[int]") -> None:
+        """Write down the amplitudes of other signals that a sheet asks."""
+        if self.known:
+            for asked, signal in asked_of_signals(self.about):
+                found = self._of_signal(signal)
+                if found is not None:
+                    tell_amplitude(self.about, self.sheet, asked, *found, uses)
+
+    def _of_signal(self, signal: "SignalAboutRest") -> "tuple[Node, Node | None] | None":
+        """(|S| by the parts of X, what stands between bars by X where that is short); None where it is driven
+        otherwise."""
+        drive = self._driven(signal.drive)
+        if drive is None:
+            return None
+        real, imaginary, shown = [drive[0]], [drive[1]], [drive[0]]
+        for j, (alpha, rate) in enumerate(zip(signal.slopes, signal.rates, strict=True)):
+            beta, (a, b) = self.steady.given * rate, self.parts_of(j)
+            real.append(alpha * a - beta * b)
+            imaginary.append(alpha * b + beta * a)
+            shown.append(alpha * self.about.letter(self.sheet.letter(f"X{j + 1}")))
+        plainly = drive[1].is_zero and all(rate.is_zero for rate in signal.rates)
+        total = textbook(self.table.total(shown))
+        whole = min(total, textbook(-total), key=lambda node: len(plain(node)))
+        return _size(self.table.total(real), self.table.total(imaginary), self.about.value), (
+            whole if plainly and letters(whole) <= READABLE else None)
+
+    def _driven(self, node) -> "tuple[Node, Node] | None":
+        """(real, imaginary part) of what a signal is driven with; None of another frequency."""
+        if node.is_zero:
+            return node, node
+        waves, = waves_of_all(self.about.scene, {0: node}).values()
+        if any(argument is not self.steady.argument for argument, _ in waves):
+            return None
+        A, B = (waves.get((self.steady.argument, wave), self.table.zero) for wave in ("sin", "cos"))
+        return (A, B) if self.steady.wave == "sin" else (B, -A)
+
+
+class SignalAboutRest(NamedTuple):
+    """α and β by coordinate, and s₀(t)."""
+
+    slopes: "list[Node]"
+    rates: "list[Node]"
+    drive: Any
+
+
+def asked_of_signals(about: AboutRest) -> "Iterator[tuple[Expression, SignalAboutRest]]":
+    """What a sheet asks of amplitudes of signals that are no coordinates."""
+    rules = about.problem.spec.get("variants")
+    for one in rules.ask if rules is not None else ():
+        tree = one.asked.tree
+        if isinstance(tree, QuantityRef) and tree.head == "amplitude" and not (
+                isinstance(tree.args[0], NameRef) and tree.args[0].name in about.scene.coordinates):
+            with suppress(NotInLetters, PhysicsError, SpecError):
+                yield one.asked, _linear(about, tree.args[0])
+
+
+def _linear(about, tree):
+    """A signal about rest."""
+    zero, system = about.table.zero, about.problem.system
+    node, = copied([lower(tree, system.scene.table, lambda name, primes, part: moving(system, name, primes))],
+                   about.table)
+    small, slopes = about.small(node), gradient(node)
+    return SignalAboutRest([small.slopes.get(j, zero) for j in range(len(about.scene.q))],
+                        [about.rest(slopes[v]) if v in slopes else zero for v in about.scene.v], small.drive)
+
+
+def tell_amplitude(about: AboutRest, sheet: WorkedSolution, asked: "Expression", node: "Node", shown: "Node | None",
+                   uses: "Sequence[int]") -> None:
+    """Write down the amplitude of a signal; nothing where that is not the engine's."""
+    value = float(value_of(about.problem, asked)[0])
+    if abs((about.value(node) or 0.0) - value) > CLOSE * abs(value):
+        return
+    unit = unit_told(about.problem.spec, asked)
+    sheet.write(Words(as_printed(asked.text)), *([Words(":  "), "|", shown, "|"] if shown is not None else []),
+                *number(value, unit), settles=asked.text, node=node, value=value, unit=unit, uses=uses)
+
+
+def tell_of_one(about: AboutRest, sheet: WorkedSolution, X: "Node", Omega: "Node", uses: "Sequence[int]") -> None:
+    """Write down the amplitudes of other signals of one degree of freedom that a sheet asks, √(α² + Ω²β²) X; nothing of
+    those that are driven beside it."""
+    for asked, signal in asked_of_signals(about):
+        (alpha,), (beta,) = signal.slopes, signal.rates
+        if signal.drive.is_zero:
+            parts = [part for part in (alpha, Omega * beta) if not part.is_zero]
+            factor = about.table.sqrt(about.table.total([part ** 2 for part in parts]))
+            tell_amplitude(about, sheet, asked, root(about.tidy(factor ** 2), about.samples) * X, None, uses)
+
+
+def _size(a, b, value_of_node) -> "Node":
+    """√(a² + b²)."""
+    if b.is_zero:
+        return -a if value_of_node(a) < 0 else a
+    return a.table.sqrt(a ** 2 + b ** 2)
