@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vibcli.analyses.continuous.disturbances import left_to_creep
+from vibcli.analyses.continuous.modal_reads import Read, key_of
 from vibcli.analyses.continuous.modal_states import FreeStretch, Stroke, followed, moved, next_to, parts
 from vibcli.analyses.continuous.remainder import remainder
 from vibcli.base.errors import PhysicsError
@@ -36,19 +37,6 @@ FIRST = 8                       # stretches on which it is looked how large an o
 OCTAVE = 64.0                   # times what is left out, an octave of amplitudes that fall as ω⁻³ at the most shows
 
 
-class Read:
-    """What an output reads of a ModalMotion, in a rate: rows over states and over (η, η̇) of what nothing holds."""
-
-    def __init__(self, motion: "ModalMotion", output: "LinearOutput", order: int):
-        states, (rows, rigid) = motion.states, motion.rows_of(output)
-        self.output, self.order = output, order
-        self.states = sum((rows[m] * states.rates ** (m + order) for m in range(3)), 0 * states.rates)
-        self.rigid = np.zeros((2, rigid.shape[1]))
-        for m in range(3):
-            if m + order < 2:
-                self.rigid[m + order] += rigid[m]
-
-
 class ModalMotion:
     """Of RealModes or ComplexModes under a Forcing whose channels are those of an ExactTransfer, which knows their
     damping; reads: the Forcing whose channels outputs read."""
@@ -61,7 +49,7 @@ class ModalMotion:
         self.states, self.count = modes.states, modes.count
         self.fastest = float(np.abs(self.states.rates).max(initial=0.0))
         self.slowest = float(np.abs(self.states.rates).min(initial=self.fastest, where=self.states.rates != 0))
-        self._rows: dict[Any, tuple[np.ndarray, np.ndarray]] = {}
+        self._rows: dict[Any, Any] = {}
         self._taylor: dict[Any, np.ndarray] = {}
         self._known: dict[int, tuple[Stroke, list]] = {}        # {id: (stroke, its parts)}, the oldest first
         self._until, self._stretches = -1.0, []
@@ -87,9 +75,16 @@ class ModalMotion:
 
     def rows_of(self, output: "LinearOutput") -> tuple[np.ndarray, np.ndarray]:
         """What an output reads of each state, its rate and acceleration, (3, states), and of what nothing holds."""
-        key = _key(output)
+        key = key_of(output)
         if key not in self._rows:
             self._rows[key] = self.modes.rows(output)
+        return self._rows[key]
+
+    def off_of(self, output: "LinearOutput") -> np.ndarray:
+        """What rounding leaves of the same, (3, states)."""
+        key = "off", key_of(output)
+        if key not in self._rows:
+            self._rows[key] = self.modes.lost_rows(output)
         return self._rows[key]
 
     def values(self, output: "LinearOutput", times: Any, order: int = 0, modes: int | None = None) -> np.ndarray:
@@ -162,7 +157,7 @@ class ModalMotion:
 
     def _remaining(self, read, s, power):
         """(power + 1, channels): the coefficients of Taylor's series of R about s."""
-        key = (_key(read.output), read.order, s)
+        key = (key_of(read.output), read.order, s)
         if key not in self._taylor or len(self._taylor[key]) <= power:
             highest, slowest = self.modes.left_out
             radius = (highest - abs(s)) / INSIDE
@@ -264,21 +259,26 @@ class ModalMotion:
 
     def errors(self, output: "LinearOutput", times: Any, order: int = 0) -> np.ndarray:
         """Bounds of the errors of the same values: the remainder, and rounding."""
-        times = np.asarray(times, float)
-        read, states = Read(self, output, order), self.states
-        phase, size = self.modes.doubt
+        times, read = np.asarray(times, float), Read(self, output, order)
         lost, found = self.modes.lost * np.abs(read.states), np.full(times.shape, EPSILON * abs(output.constant))
         for stretch, at in self._placed(times):
-            felt = np.abs(read.states * stretch.free)
-            late, early = (phase * np.abs(states.rates)) @ felt, size @ felt
+            rounded = self._rounded(read, stretch)
             for number in np.flatnonzero(at):
-                found[number] += self.bound(output, times[number], order) + early
-                found[number] += late * (times[number] - stretch.start)
-                found[number] += float(lost @ np.exp(states.rates.real * times[number]))
-            driven = sum(abs(complex(part)) for stroke in stretch.strokes for _, g, _, _ in self._parts(stroke)
-                         for part in g @ read.states)
-            found[at] += 16 * EPSILON * driven
+                found[number] += self.bound(output, times[number], order) + rounded(times[number] - stretch.start)
+                found[number] += float(lost @ np.exp(self.states.rates.real * times[number]))
         return found
+
+    def _rounded(self, read, stretch):
+        """What rounding and mixed shapes leave of a stretch, by the time since it began."""
+        doubt, rates = self.modes.doubt, self.states.rates
+        early, late = doubt.of(rates, read.states, stretch.free)
+        found = np.array([early + float(read.off @ np.abs(stretch.free)), late])
+        for part in (part for stroke in stretch.strokes for _, part, _, _ in self._parts(stroke)):
+            for i, g in enumerate(part):
+                found = np.pad(found, (0, max(0, i + 1 - len(found))))
+                found[i] += float(read.off @ np.abs(g)) + doubt.of(rates, read.states, g)[0] + 16 * EPSILON * abs(
+                    complex(g @ read.states))
+        return np.polynomial.Polynomial(found)
 
 
 class TooSlow(PhysicsError):
@@ -292,7 +292,3 @@ def _rate(wave, tau, order):
         fall = factorial(wave.power) / factorial(wave.power - i)
         found += comb(order, i) * fall * tau ** (wave.power - i) * s ** (order - i)
     return np.real(wave.coefficient * found * np.exp(s * tau))
-
-
-def _key(output):
-    return tuple(tuple(sorted(part.items())) for part in (output.q, output.v, output.a, output.places))
