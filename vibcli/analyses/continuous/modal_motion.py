@@ -2,8 +2,7 @@
 
     y(t) = Σ Re(x C e^{λτ}) + ∂ᵏ/∂sᵏ [H(s) F e^{sτ}]        under F τᵏ e^{sτ}
 
-H is exact, so that the sum holds free vibrations alone; the remainder is theirs, of the modes left out. H without its
-first modes, R(s), has no pole nearby: its derivatives are means over a circle (Cauchy).
+H is exact, so that the sum holds free vibrations alone; the remainder is theirs, of the modes left out.
 """
 
 from math import comb, factorial, inf
@@ -11,11 +10,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vibcli.analyses.continuous.disturbances import left_to_creep
+from vibcli.analyses.continuous.left_out import ModesLeftOut
 from vibcli.analyses.continuous.modal_reads import Read, key_of
 from vibcli.analyses.continuous.modal_states import FreeStretch, Stroke, followed, moved, next_to, parts
 from vibcli.analyses.continuous.remainder import remainder
-from vibcli.base.errors import PhysicsError
 from vibcli.base.work import Work
 
 if TYPE_CHECKING:
@@ -30,7 +28,6 @@ if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
 EPSILON = 2.0**-52
-POINTS, INSIDE = 24, 8.0        # of the circle, and how far inside the poles that are left it lies
 AT_ONCE = 2_000_000             # exponentials at a time
 KEPT = 8                        # strokes whose parts are remembered
 FIRST = 8                       # stretches on which it is looked how large an output becomes
@@ -47,10 +44,10 @@ class ModalMotion:
         self.modes, self.transfer, self.forcing, self.work = modes, transfer, forcing, work or Work()
         self.reads = forcing if reads is None else reads
         self.states, self.count = modes.states, modes.count
+        self._left_out = ModesLeftOut(modes, transfer)
         self.fastest = float(np.abs(self.states.rates).max(initial=0.0))
         self.slowest = float(np.abs(self.states.rates).min(initial=self.fastest, where=self.states.rates != 0))
         self._rows: dict[Any, Any] = {}
-        self._taylor: dict[Any, np.ndarray] = {}
         self._known: dict[int, tuple[Stroke, list]] = {}        # {id: (stroke, its parts)}, the oldest first
         self._until, self._stretches = -1.0, []
         self._disturbances: Disturbances | None = None
@@ -135,9 +132,7 @@ class ModalMotion:
     def _driven(self, read, stretch, tau):
         found = np.zeros(len(tau))
         for stroke in stretch.strokes:
-            k = stroke.power
-            taylor = self._remaining(read, stroke.exponent, k) @ stroke.force
-            g = np.array([comb(k, i) * factorial(k - i) * taylor[k - i] for i in range(k + 1)])
+            k, g = stroke.power, self._left_out.of_powers(read, stroke)[0]
             found += np.real(np.exp(stroke.exponent * tau) * np.polynomial.polynomial.polyval(tau, g))
             for s, own, at, a in self._parts(stroke):
                 sums = own @ read.states
@@ -154,39 +149,6 @@ class ModalMotion:
             if len(self._known) > KEPT:
                 self._known.pop(next(iter(self._known)))
         return entry[1]
-
-    def _remaining(self, read, s, power):
-        """(power + 1, channels): the coefficients of Taylor's series of R about s."""
-        key = (key_of(read.output), read.order, s)
-        if key not in self._taylor or len(self._taylor[key]) <= power:
-            highest, slowest = self.modes.left_out
-            radius = (highest - abs(s)) / INSIDE
-            if not radius > highest / (4 * INSIDE):
-                raise TooSlow(f"a load turns with {abs(s):.4g} rad/s, as fast as the modes that are counted")
-            radius = min(radius, abs(s + slowest if s.real > -slowest else s.imag) / INSIDE)
-            if not radius:
-                return self._among_creeping(read, s, power)
-            turn = np.exp(2j * np.pi * (np.arange(POINTS) + 0.5) / POINTS)
-            left = self._left(read, s + radius * turn)
-            self._taylor[key] = np.array([(left * turn**-m).mean(axis=1) / radius**m for m in range(power + 5)])
-        return self._taylor[key][:power + 1]
-
-    def _among_creeping(self, read, s, power):
-        """The same where no circle about s is free of eigenvalues: of a steady load alone."""
-        if s or power or read.rigid.size or not self.states.rates.all():
-            raise left_to_creep()
-        return self._left(read, np.zeros(1, complex)).T
-
-    def _left(self, read, s):
-        """R at points, (channels, points)."""
-        exact = self.transfer.at(read.output, s) * s**read.order
-        for sign in (1, -1):
-            weight, rates, inputs = (part if sign > 0 else part.conj()
-                                     for part in (read.states, self.states.rates, self.states.inputs))
-            exact = exact - ((weight / (s[:, None] - rates)) @ inputs).T / 2
-        for order in range(2 if read.rigid.size else 0):
-            exact = exact - np.outer(read.rigid[order] @ self.modes.rigid_inputs, s ** (order - 2.0))
-        return exact
 
     def _direct(self, output, t, order):
         """What loads add of themselves."""
@@ -272,17 +234,20 @@ class ModalMotion:
         """What rounding and mixed shapes leave of a stretch, by the time since it began."""
         doubt, rates = self.modes.doubt, self.states.rates
         early, late = doubt.of(rates, read.states, stretch.free)
-        found = np.array([early + float(read.off @ np.abs(stretch.free)), late])
-        for part in (part for stroke in stretch.strokes for _, part, _, _ in self._parts(stroke)):
-            for i, g in enumerate(part):
-                found = np.pad(found, (0, max(0, i + 1 - len(found))))
-                found[i] += float(read.off @ np.abs(g)) + doubt.of(rates, read.states, g)[0] + 16 * EPSILON * abs(
-                    complex(g @ read.states))
-        return np.polynomial.Polynomial(found)
-
-
-class TooSlow(PhysicsError):
-    """More modes are needed."""
+        free, driven = np.array([early + float(read.off @ np.abs(stretch.free)), late]), []
+        for stroke in stretch.strokes:
+            own, k = 16 * EPSILON * self._left_out.of_powers(read, stroke)[1], stroke.power
+            free = np.pad(free, (0, max(0, k + 3 - len(free))))
+            for _, part, at, a in self._parts(stroke):
+                for i, g in enumerate(part):
+                    own[i] += float(read.off @ np.abs(g)) + doubt.of(rates, read.states, g)[0] + 16 * EPSILON * abs(
+                        complex(g @ read.states))
+                near = np.abs(read.states[at] * a)
+                free[k + 1:k + 3] += 16 * EPSILON * near.sum(), float((doubt.phase * np.abs(rates))[at] @ near)
+            driven.append((stroke.exponent.real, own))
+        polynomial = np.polynomial.polynomial.polyval
+        return lambda tau: polynomial(tau, free) + sum(np.exp(pace * tau) * polynomial(tau, own)
+                                                       for pace, own in driven)
 
 
 def _rate(wave, tau, order):
