@@ -111,15 +111,17 @@ class CoupledModalResponse(ModalResponse):
         parts = self._transfer, self._forces, self.problem.work
         return EstimatedMotion(self._modes(count), *parts, fewer=ModalMotion(self._modes(count // 2), *parts))
 
+    @property
+    def _natural_elements(self):
+        return self._elements
+
     def _modes(self, count):
         """The TiedModes of so many."""
         import numpy as np
 
         from vibcli.analyses.continuous.coupled_modes import FollowingShapes, TiedModes
-        from vibcli.analyses.continuous.mode_basis import ModeBasis
 
-        modes, given = self.problem.modal.modes.first(count), self._given
-        basis = ModeBasis(modes, self._elements.pieces)
+        modes, given, basis = self.problem.modal.modes.first(count), self._given, self._basis(count)
         inputs = self._felt(basis)
         damping = np.array([float(given.rate(mode)) for mode in modes])
         following = FollowingShapes(basis, inputs, self._exact, self._dampers)

@@ -105,11 +105,9 @@ class ModalResponse(ResponseOfMembers):
 
     def _found(self, count):
         from vibcli.analyses.continuous.modal_motion import ModalMotion
-        from vibcli.analyses.continuous.mode_basis import ModeBasis
         from vibcli.analyses.continuous.real_modes import RealModes
 
-        transfer, modes = self._transfer, first_modes(self.natural, count)
-        basis = ModeBasis(modes, self.linear.pieces)
+        transfer, basis = self._transfer, self._basis(count)
         inputs, damping, given = self._felt(basis), self._damping(basis), self.problem.modal.member_damping
         creeping = given is not None and given.creeps
         starts, disturbed = self._disturbed(basis, inputs, damping)
@@ -117,6 +115,21 @@ class ModalResponse(ResponseOfMembers):
         shaking = self._shaking(basis)
         modes = RealModes(basis, inputs, start, damping, creeping, disturbed if shaking is None else None, shaking)
         return ModalMotion(modes, transfer, self._forces, self.problem.work)
+
+    def _basis(self, count):
+        """The ModeBasis of the first modes, shapes of near ones orthogonal."""
+        from vibcli.analyses.continuous.mode_basis import ModeBasis
+        from vibcli.analyses.continuous.near_modes import orthogonal
+        from vibcli.analyses.continuous.system import continuous_system
+
+        linear = self._natural_elements
+        modes, numbers = orthogonal(first_modes(self.natural, count + 1), lambda: continuous_system(linear))
+        return ModeBasis(modes[:count], linear.pieces, numbers[:count])
+
+    @property
+    def _natural_elements(self):
+        """The element data that its modes without dampers are of."""
+        return self.linear
 
     def _felt(self, basis):
         """What each mode feels of each channel."""

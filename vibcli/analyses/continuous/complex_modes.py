@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from vibcli.analyses.continuous.doubt import Doubt
 from vibcli.analyses.continuous.modal_states import States
 from vibcli.analyses.continuous.mode_basis import ModeBasis, in_floats, on_part
 from vibcli.numerics.pieces.stiffness import stiffness_and_slope
@@ -37,7 +38,7 @@ class DampedBasis(ModeBasis):
 
     def __init__(self, series: "DampedSeries", matrix: "DynamicMatrix", rigid: np.ndarray,
                  placed: "Sequence[PlacedPiece]"):
-        self.placed, still = in_floats(placed), _sorted(matrix, rigid)
+        self.placed, still, self._sizes = in_floats(placed), _sorted(matrix, rigid), {}
         self.free, resting = still
         self.at_rest = self.free + len(resting)
         zeros, self.radius = np.zeros(len(resting)), series.radius
@@ -89,12 +90,16 @@ class ComplexModes:
         self.left_out, self.fading = (basis.radius, np.inf), _fading(rates)
         self.lost, self.disturbed = NOISE * most, None
         errors = basis.errors[free:]
-        self.doubt = errors + EPSILON * (rates != 0), 8 * EPSILON + 4 * errors * abs(rates) / _nearest(rates)
+        self.doubt = Doubt(errors + EPSILON * (rates != 0), 8 * EPSILON + 4 * errors * abs(rates) / _nearest(rates))
 
     def rows(self, output: "LinearOutput") -> tuple[np.ndarray, np.ndarray]:
         """What an output reads of each state, its rate and acceleration, (3, states), and of what nothing holds."""
         rows, free = self.basis.rows(output), self.basis.free
         return rows[:, free:], rows[:, :free].real
+
+    def lost_rows(self, output: "LinearOutput") -> np.ndarray:
+        """What rounding leaves of the rows over states."""
+        return self.basis.lost(output)[:, self.basis.free:]
 
 
 def _nearest(rates):

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from vibcli.analyses.continuous.damped_transfer import of_power
+from vibcli.analyses.continuous.doubt import Doubt
 from vibcli.analyses.continuous.modal_states import States
 from vibcli.base.named_tuple import NamedTuple
 
@@ -104,12 +105,17 @@ class TiedModes:
         late = found.rates.real[(modes < self.count) & (modes >= self.count // 2)]
         self.fading = min(max(float(late.max(initial=-np.inf)), -self.left_out[1]), 0.0)
         self.lost = 8 * EPSILON * np.abs(self.states.begin)
-        self.doubt = np.full(len(modes), basis.error + 8 * EPSILON), np.full(len(modes), 64 * EPSILON)
+        error = basis.errors.max(initial=0.0)
+        self.doubt = Doubt(np.full(len(modes), error + 8 * EPSILON), np.full(len(modes), 64 * EPSILON))
 
     def rows(self, output: "LinearOutput") -> tuple[np.ndarray, np.ndarray]:
         """What an output reads of each state, its rate and acceleration, (3, states), and of what nothing holds."""
         rows = np.concatenate([self.basis.rows(output), self.following.rows(output)], axis=1)
         return rows @ self._shares, rows @ self._still
+
+    def lost_rows(self, output: "LinearOutput") -> np.ndarray:
+        """What rounding leaves of the rows over states."""
+        return self.basis.lost(output) @ abs(self._shares[:self.count])
 
     def amplitudes(self, output: "LinearOutput", order: int, free: np.ndarray) -> np.ndarray:
         """What each mode brings to the order-th rate of an output that starts with states `free`, (N,)."""

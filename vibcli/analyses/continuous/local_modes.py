@@ -33,7 +33,7 @@ def local_modes(system: "ContinuousSystem", bracket: "Bracket"
         z = system.numbers([middle])
         entries, _, slope = system.dynamic_stiffness(z)
         x = nearer(system, z, product(system.pattern, slope, x))
-        moved, x = _projected(system, entries, slope, x)
+        moved, x = projected(system, entries, slope, x)
         before, near = near, _within(bracket, middle + moved)[:wanted]
         steady = len(before) and max(abs(moved[near])) <= STEADY * system.unit * abs(middle)
         values = middle + moved[near]
@@ -52,7 +52,8 @@ def _within(bracket, z):
     return np.array(sorted((inside + outside)[:wanted], key=lambda i: z[i]), int)
 
 
-def _projected(system, entries, slope, x):
+def projected(system: "ContinuousSystem", entries: np.ndarray, slope: np.ndarray, x: np.ndarray
+              ) -> tuple[np.ndarray, np.ndarray]:
     """The eigenvalues by which z moves and the vectors of D, D′ in the space of x."""
     size = x.shape[1]
     stiff, mass = np.empty((size, size), x.dtype), np.empty((size, size), x.dtype)

@@ -2,8 +2,7 @@
 
     y(t) = Σ Re(x C e^{λτ}) + ∂ᵏ/∂sᵏ [H(s) F e^{sτ}]        under F τᵏ e^{sτ}
 
-H is exact, so that the sum holds free vibrations alone; the remainder is theirs, of the modes left out. H without its
-first modes, R(s), has no pole nearby: its derivatives are means over a circle (Cauchy).
+H is exact, so that the sum holds free vibrations alone; the remainder is theirs, of the modes left out.
 """
 
 from math import comb, factorial, inf
@@ -11,10 +10,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vibcli.analyses.continuous.disturbances import left_to_creep
+from vibcli.analyses.continuous.left_out import ModesLeftOut
+from vibcli.analyses.continuous.modal_reads import Read, key_of
 from vibcli.analyses.continuous.modal_states import FreeStretch, Stroke, followed, moved, next_to, parts
 from vibcli.analyses.continuous.remainder import remainder
-from vibcli.base.errors import PhysicsError
 from vibcli.base.work import Work
 
 if TYPE_CHECKING:
@@ -29,24 +28,10 @@ if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
 EPSILON = 2.0**-52
-POINTS, INSIDE = 24, 8.0        # of the circle, and how far inside the poles that are left it lies
 AT_ONCE = 2_000_000             # exponentials at a time
 KEPT = 8                        # strokes whose parts are remembered
 FIRST = 8                       # stretches on which it is looked how large an output becomes
 OCTAVE = 64.0                   # times what is left out, an octave of amplitudes that fall as ω⁻³ at the most shows
-
-
-class Read:
-    """What an output reads of a ModalMotion, in a rate: rows over states and over (η, η̇) of what nothing holds."""
-
-    def __init__(self, motion: "ModalMotion", output: "LinearOutput", order: int):
-        states, (rows, rigid) = motion.states, motion.rows_of(output)
-        self.output, self.order = output, order
-        self.states = sum((rows[m] * states.rates ** (m + order) for m in range(3)), 0 * states.rates)
-        self.rigid = np.zeros((2, rigid.shape[1]))
-        for m in range(3):
-            if m + order < 2:
-                self.rigid[m + order] += rigid[m]
 
 
 class ModalMotion:
@@ -59,10 +44,10 @@ class ModalMotion:
         self.modes, self.transfer, self.forcing, self.work = modes, transfer, forcing, work or Work()
         self.reads = forcing if reads is None else reads
         self.states, self.count = modes.states, modes.count
+        self._left_out = ModesLeftOut(modes, transfer)
         self.fastest = float(np.abs(self.states.rates).max(initial=0.0))
         self.slowest = float(np.abs(self.states.rates).min(initial=self.fastest, where=self.states.rates != 0))
-        self._rows: dict[Any, tuple[np.ndarray, np.ndarray]] = {}
-        self._taylor: dict[Any, np.ndarray] = {}
+        self._rows: dict[Any, Any] = {}
         self._known: dict[int, tuple[Stroke, list]] = {}        # {id: (stroke, its parts)}, the oldest first
         self._until, self._stretches = -1.0, []
         self._disturbances: Disturbances | None = None
@@ -87,9 +72,16 @@ class ModalMotion:
 
     def rows_of(self, output: "LinearOutput") -> tuple[np.ndarray, np.ndarray]:
         """What an output reads of each state, its rate and acceleration, (3, states), and of what nothing holds."""
-        key = _key(output)
+        key = key_of(output)
         if key not in self._rows:
             self._rows[key] = self.modes.rows(output)
+        return self._rows[key]
+
+    def off_of(self, output: "LinearOutput") -> np.ndarray:
+        """What rounding leaves of the same, (3, states)."""
+        key = "off", key_of(output)
+        if key not in self._rows:
+            self._rows[key] = self.modes.lost_rows(output)
         return self._rows[key]
 
     def values(self, output: "LinearOutput", times: Any, order: int = 0, modes: int | None = None) -> np.ndarray:
@@ -140,9 +132,7 @@ class ModalMotion:
     def _driven(self, read, stretch, tau):
         found = np.zeros(len(tau))
         for stroke in stretch.strokes:
-            k = stroke.power
-            taylor = self._remaining(read, stroke.exponent, k) @ stroke.force
-            g = np.array([comb(k, i) * factorial(k - i) * taylor[k - i] for i in range(k + 1)])
+            k, g = stroke.power, self._left_out.of_powers(read, stroke)[0]
             found += np.real(np.exp(stroke.exponent * tau) * np.polynomial.polynomial.polyval(tau, g))
             for s, own, at, a in self._parts(stroke):
                 sums = own @ read.states
@@ -159,39 +149,6 @@ class ModalMotion:
             if len(self._known) > KEPT:
                 self._known.pop(next(iter(self._known)))
         return entry[1]
-
-    def _remaining(self, read, s, power):
-        """(power + 1, channels): the coefficients of Taylor's series of R about s."""
-        key = (_key(read.output), read.order, s)
-        if key not in self._taylor or len(self._taylor[key]) <= power:
-            highest, slowest = self.modes.left_out
-            radius = (highest - abs(s)) / INSIDE
-            if not radius > highest / (4 * INSIDE):
-                raise TooSlow(f"a load turns with {abs(s):.4g} rad/s, as fast as the modes that are counted")
-            radius = min(radius, abs(s + slowest if s.real > -slowest else s.imag) / INSIDE)
-            if not radius:
-                return self._among_creeping(read, s, power)
-            turn = np.exp(2j * np.pi * (np.arange(POINTS) + 0.5) / POINTS)
-            left = self._left(read, s + radius * turn)
-            self._taylor[key] = np.array([(left * turn**-m).mean(axis=1) / radius**m for m in range(power + 5)])
-        return self._taylor[key][:power + 1]
-
-    def _among_creeping(self, read, s, power):
-        """The same where no circle about s is free of eigenvalues: of a steady load alone."""
-        if s or power or read.rigid.size or not self.states.rates.all():
-            raise left_to_creep()
-        return self._left(read, np.zeros(1, complex)).T
-
-    def _left(self, read, s):
-        """R at points, (channels, points)."""
-        exact = self.transfer.at(read.output, s) * s**read.order
-        for sign in (1, -1):
-            weight, rates, inputs = (part if sign > 0 else part.conj()
-                                     for part in (read.states, self.states.rates, self.states.inputs))
-            exact = exact - ((weight / (s[:, None] - rates)) @ inputs).T / 2
-        for order in range(2 if read.rigid.size else 0):
-            exact = exact - np.outer(read.rigid[order] @ self.modes.rigid_inputs, s ** (order - 2.0))
-        return exact
 
     def _direct(self, output, t, order):
         """What loads add of themselves."""
@@ -264,25 +221,33 @@ class ModalMotion:
 
     def errors(self, output: "LinearOutput", times: Any, order: int = 0) -> np.ndarray:
         """Bounds of the errors of the same values: the remainder, and rounding."""
-        times = np.asarray(times, float)
-        read, states = Read(self, output, order), self.states
-        phase, size = self.modes.doubt
+        times, read = np.asarray(times, float), Read(self, output, order)
         lost, found = self.modes.lost * np.abs(read.states), np.full(times.shape, EPSILON * abs(output.constant))
         for stretch, at in self._placed(times):
-            felt = np.abs(read.states * stretch.free)
-            late, early = (phase * np.abs(states.rates)) @ felt, size @ felt
+            rounded = self._rounded(read, stretch)
             for number in np.flatnonzero(at):
-                found[number] += self.bound(output, times[number], order) + early
-                found[number] += late * (times[number] - stretch.start)
-                found[number] += float(lost @ np.exp(states.rates.real * times[number]))
-            driven = sum(abs(complex(part)) for stroke in stretch.strokes for _, g, _, _ in self._parts(stroke)
-                         for part in g @ read.states)
-            found[at] += 16 * EPSILON * driven
+                found[number] += self.bound(output, times[number], order) + rounded(times[number] - stretch.start)
+                found[number] += float(lost @ np.exp(self.states.rates.real * times[number]))
         return found
 
-
-class TooSlow(PhysicsError):
-    """More modes are needed."""
+    def _rounded(self, read, stretch):
+        """What rounding and mixed shapes leave of a stretch, by the time since it began."""
+        doubt, rates = self.modes.doubt, self.states.rates
+        early, late = doubt.of(rates, read.states, stretch.free)
+        free, driven = np.array([early + float(read.off @ np.abs(stretch.free)), late]), []
+        for stroke in stretch.strokes:
+            own, k = 16 * EPSILON * self._left_out.of_powers(read, stroke)[1], stroke.power
+            free = np.pad(free, (0, max(0, k + 3 - len(free))))
+            for _, part, at, a in self._parts(stroke):
+                for i, g in enumerate(part):
+                    own[i] += float(read.off @ np.abs(g)) + doubt.of(rates, read.states, g)[0] + 16 * EPSILON * abs(
+                        complex(g @ read.states))
+                near = np.abs(read.states[at] * a)
+                free[k + 1:k + 3] += 16 * EPSILON * near.sum(), float((doubt.phase * np.abs(rates))[at] @ near)
+            driven.append((stroke.exponent.real, own))
+        polynomial = np.polynomial.polynomial.polyval
+        return lambda tau: polynomial(tau, free) + sum(np.exp(pace * tau) * polynomial(tau, own)
+                                                       for pace, own in driven)
 
 
 def _rate(wave, tau, order):
@@ -292,7 +257,3 @@ def _rate(wave, tau, order):
         fall = factorial(wave.power) / factorial(wave.power - i)
         found += comb(order, i) * fall * tau ** (wave.power - i) * s ** (order - i)
     return np.real(wave.coefficient * found * np.exp(s * tau))
-
-
-def _key(output):
-    return tuple(tuple(sorted(part.items())) for part in (output.q, output.v, output.a, output.places))

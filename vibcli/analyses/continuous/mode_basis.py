@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 
 SAME = 1e-12        # of a length
 INSIDE = 1e-3       # of a part of a piece: what no division of pieces is as near to their ends as
+INNER = np.array([0.0, 0.21, 0.5, 0.83, 1.0])    # parts of a piece that show how large a field is
+ROUNDED = 2.0**-48  # of a field, where that is largest
 PLACED = 2.0**-51   # of a place, which is rounded as the difference of two
 
 
@@ -56,6 +58,15 @@ class ModesOnPart(NamedTuple):
                                               np.broadcast_to(y, found.shape[:-1])[..., long])
         return found
 
+    def told_by(self, along: int) -> np.ndarray:
+        """How large end values are in what tells a derivative inside, (modes,)."""
+        half, length = self.piece.order // 2, self.piece.length
+        if along < half:
+            return np.zeros(len(self.modes))
+        sizes = (abs(self.ends) * ([1.0] if half == 1 else [1.0, length / 2] * 2)).max(axis=1)
+        far = (1.0 if half == 1 else 6.0 * (along - 1)) * sizes / length**along
+        return far if self.bends is None else np.where(told(self.piece, self.kappa), 0.0, far)
+
     def forces(self) -> np.ndarray:
         """Those that its ends need, (modes, order)."""
         found = np.einsum("kab,kb->ka", stiffness(self.piece, self.kappa), self.ends)
@@ -73,13 +84,18 @@ class ModesOnPart(NamedTuple):
 
 class ModeBasis:
     """The first N modes: squares (N,) of ω, negative of what grows; shapes (n, N) over coordinates; parts[p]: the
-    ModesOnParts of piece p; error: the largest relative bound of an ω."""
+    ModesOnParts of piece p; errors: relative bounds of ω, (N,); numbers: those that modes share whose shapes, next to
+    each other, are orthogonal; blurred: √ of what rounds at each coordinate, as a part of
+    ω, and at all further nodes, (N, n + 1)."""
 
-    def __init__(self, modes: "Sequence[Mode]", placed: "Sequence[PlacedPiece]"):
+    def __init__(self, modes: "Sequence[Mode]", placed: "Sequence[PlacedPiece]", numbers: np.ndarray | None = None):
         self.placed = in_floats(placed)
         self.squares = np.array([float(mode.motion.z) for mode in modes])
-        self.shapes = np.array([[float(x) for x in mode.shape] for mode in modes]).T.reshape(-1, len(modes))
-        self.error = max((float(mode.error) for mode in modes), default=0.0)
+        self.shapes = np.array([_whole(mode.motion)[:len(mode.shape)] for mode in modes]).T.reshape(-1, len(modes))
+        self.errors = np.array([float(mode.error) for mode in modes])
+        self.numbers = np.arange(len(modes)) if numbers is None else numbers
+        self.blurred = _blurred(modes)
+        self._sizes: dict[tuple[int, int], np.ndarray] = {}
         groups: dict = defaultdict(list)
         for number, mode in enumerate(modes):
             groups[id(mode.motion.system)].append((number, mode.motion))
@@ -89,7 +105,7 @@ class ModeBasis:
 
     def _divide(self, numbers, motions):
         """Adds the ModesOnParts of modes whose pieces are divided in the same way."""
-        shapes = np.array([[float(x) for x in motion.shape] for motion in motions])
+        shapes = np.array([_whole(motion) for motion in motions])
         left = _bends(motions)
         for place, one in enumerate(in_floats(motions[0].system.ordered)):
             kappa = one.piece.foundation - one.piece.inertia * self.squares[numbers]
@@ -122,6 +138,31 @@ class ModeBasis:
             found[place.rates] += x * self.field(place.piece, place.x, place.along)
         return found
 
+    def lost(self, output: "LinearOutput") -> np.ndarray:
+        """(3, N): what rounding leaves of these rows, of how large each is along its piece."""
+        found = np.zeros((3, self.shapes.shape[1]))
+        for row, part in zip(found, (output.q, output.v, output.a), strict=True):
+            for i, x in part.items():
+                row += abs(x) * self._size_of(i)
+        for place, x in output.places.items():
+            found[place.rates] += abs(x) * self._size(place.piece, place.along)
+        return ROUNDED * found
+
+    def _size_of(self, coordinate):
+        """How large what a coordinate is, u or a slope, is along the pieces that it moves."""
+        ends = [(p, end % (one.piece.order // 2)) for p, one in enumerate(self.placed)
+                for end, row in enumerate(one.rows) if row.get(coordinate)]
+        return np.max([self._size(*end) for end in ends], axis=0, initial=0.0) + abs(self.shapes[coordinate])
+
+    def _size(self, piece, along):
+        """The largest of a derivative along a piece, in each mode, (N,)."""
+        if (piece, along) not in self._sizes:
+            found = self._sizes[piece, along] = np.zeros(self.shapes.shape[1])
+            for part in self.parts[piece]:
+                values = abs(part.along(part.start + part.piece.length * INNER)[..., along]).max(axis=0)
+                found[part.modes] = np.maximum(found[part.modes], np.maximum(values, part.told_by(along)))
+        return self._sizes[piece, along]
+
     def end_forces(self, piece: int, end: int) -> np.ndarray:
         """(N,): the force that an end value of a piece needs in each mode."""
         found, length = np.zeros(self.shapes.shape[1], self.shapes.dtype), self.placed[piece].piece.length
@@ -148,12 +189,28 @@ def on_part(placed: "Sequence[PlacedPiece]", one: "PlacedPiece", numbers: np.nda
     return home, ModesOnPart(numbers, one.start - placed[home].start, one.piece, kappa, ends, bends)
 
 
+def _blurred(modes):
+    """Those at further nodes at one more coordinate; of rigid motions and closed forms none."""
+    found = np.zeros((len(modes), len(modes[0].shape) + 1 if len(modes) else 0))
+    for row, mode in zip(found, modes, strict=True):
+        if mode.motion.blurred is not None:
+            row[:-1] = mode.motion.blurred[:len(row) - 1]
+            row[-1] = np.linalg.norm(mode.motion.blurred[len(row) - 1:])
+    return found
+
+
+def _whole(motion):
+    """A shape in floats, over the coordinates of the scene and those of further nodes."""
+    shape = motion.shape if motion.whole is None else motion.system.in_scene(motion.whole)
+    return np.array([float(x) for x in shape])
+
+
 def _bends(motions):
     """u₀, θ₀, F, P of short pieces, {place of the piece: (modes, 4)}; from shapes in more digits where there are."""
     system = motions[0].system
-    if motions[0].relative is not None:
+    if system.near is not None and motions[0].whole is not None:
         return system.bends(np.array([float(motion.z) for motion in motions]),
-                            np.array([motion.relative for motion in motions]))
+                            np.array([motion.whole for motion in motions]))
     if system.digits is None:
         return {}
     from vibcli.analyses.continuous.mode_source import working

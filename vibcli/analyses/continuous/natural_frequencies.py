@@ -40,8 +40,9 @@ NIL = 2.0**-50      # of the largest tension: an end with less has none
 
 class NaturalFrequency(NamedTuple):
     """A natural frequency: z = ω² (negative: growth rate √−z), the relative bound of √|z|, the shape, xᵀD′x = 1, over
-    the coordinates of `system`, which begin with those of the scene; curves: it along a uniform member; relative: it
-    over the coordinates of D, where these are others."""
+    the coordinates of `system`, which begin with those of the scene; curves: it along a uniform member; whole: it
+    over the coordinates of D, small parts not taken as zero; blurred: √ of what rounds there,
+    Σ blurred² being a relative bound of √|z|."""
 
     index: int      # type: ignore[assignment]
     z: Any
@@ -49,7 +50,8 @@ class NaturalFrequency(NamedTuple):
     shape: np.ndarray
     system: "ContinuousSystem"
     curves: "UniformCurves | None" = None
-    relative: np.ndarray | None = None
+    whole: np.ndarray | None = None
+    blurred: np.ndarray | None = None
 
 
 def natural_frequencies(counts: KnownCounts, first: int, last: int) -> dict[int, NaturalFrequency]:
@@ -149,10 +151,10 @@ def certified(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray, indices:
         if (abs(moved) <= 16 * system.unit * abs(z)).all():
             break
     scale = scales(system, z, sizes, slope)
-    room = (abs(x) ** 2 * rounding(system, sizes, scale)).sum(axis=0)
-    felt = abs(x) * scale
+    whole = x / np.sqrt(inertia)
+    blurred, felt = blurring(system, z, whole, sizes, scale), abs(x) * scale
     x = np.where(felt > NOTHING * system.unit * felt.max(axis=0, initial=0), x, 0 * x)
-    error = np.maximum(system.fine + _rounded_tension(system, z), SLACK * room / (inertia * abs(z)))
+    error = np.maximum(system.fine + _rounded_tension(system, z), blurred.sum(axis=0))
     proved, left = np.zeros(len(numbers), bool), np.flatnonzero(sound & (z != 0))
     while len(left := left[error[left] < WIDEST]):
         away = 2 * error[left] * abs(z[left])
@@ -164,8 +166,15 @@ def certified(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray, indices:
     bounds = np.where(proved, error + GUARD * system.unit / 3, DOUBTED).astype(float)
     shapes = x / np.sqrt(inertia)
     return {number: NaturalFrequency(number, z[at], float(bounds[at]), system.in_scene(shapes[:, at]), system,
-                                     relative=None if system.near is None else shapes[:, at])
+                                     whole=whole[:, at],
+                                     blurred=np.sqrt(blurred[:, at].astype(float)))
             for at, number in enumerate(numbers.tolist())}
+
+
+def blurring(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray, sizes: np.ndarray, scale: np.ndarray
+             ) -> np.ndarray:
+    """What rounds in each coordinate of shapes x, xᵀD′x = 1, as a part of √|z|, (n, number of z)."""
+    return abs(x) ** 2 * rounding(system, sizes, scale) * SLACK / abs(z)
 
 
 def _rounded_tension(system, z):

@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from vibcli.analyses.continuous.doubt import doubt_of
 from vibcli.analyses.continuous.modal_states import states_of
 
 if TYPE_CHECKING:
@@ -15,8 +16,6 @@ if TYPE_CHECKING:
     from vibcli.analyses.excitation.forcing import Segment
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
-EPSILON = 2.0**-52
-
 
 class RealModes:
     """Of a ModeBasis: inputs (modes, channels), η and η̇ at t = 0, each with what rounding loses of it, damping: c of
@@ -25,7 +24,7 @@ class RealModes:
     states: those that a motion is added from; rigid_inputs, rigid_start: b and (η, η̇) of what nothing holds; left_out:
     what no |λ| of a mode that is left out is below where it oscillates, and none where it creeps; fading: none of these
     dies out more slowly; disturbed(segments): the Disturbances of those under a load, None of what has no true bound;
-    lost: rounding of the start, in each state; doubt: relative bounds of the λ and of the amplitudes.
+    lost: rounding of the start, in each state; doubt: the Doubt of the states.
     """
 
     def __init__(self, basis: "ModeBasis", inputs: np.ndarray, start: "Sequence[tuple[np.ndarray, np.ndarray]]",
@@ -47,12 +46,16 @@ class RealModes:
         self.fading = min(max(slow, -self.left_out[1]), 0.0)
         pace = np.maximum(np.where(states.rates, np.abs(states.rates), damping[self.states.modes]), 1e-300)
         self.lost = 2 * (eta_lost[self.states.modes] + rate_lost[self.states.modes] / pace)
-        self.doubt = np.full(len(states.rates), basis.error + EPSILON), np.full(len(states.rates), 8 * EPSILON)
+        self.doubt = doubt_of(basis, self.states)
 
     def rows(self, output: "LinearOutput") -> tuple[np.ndarray, np.ndarray]:
         """What an output reads of each state, its rate and acceleration, (3, states), and of what nothing holds."""
         rows = self.basis.rows(output)
         return rows[:, self.states.modes], rows[:, self.rigid]
+
+    def lost_rows(self, output: "LinearOutput") -> np.ndarray:
+        """What rounding leaves of the rows over states."""
+        return self.basis.lost(output)[:, self.states.modes]
 
 
 def _left_out(squares, damping, creeping):
