@@ -18,6 +18,7 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import is_zero, root_of_square, textbook
+from vibcli.symbolic.radicals import without_bars
 from vibcli.symbolic.rationals import HALF, ONE
 
 if TYPE_CHECKING:
@@ -271,7 +272,7 @@ def value_of(problem: "Problem", node: "Node", known: Mapping[str, float]) -> fl
 
 def tidy(node: "Node", samples: "Sequence[Mapping[str, float]]") -> "Node":
     """The simplest form of an expression without coordinates; itself where the simpler one is not the same."""
-    found = textbook(node)
+    found = textbook(without_bars(textbook(node), samples))
     if is_zero(found):
         return node.table.zero
     shortened = shorter(found)
