@@ -87,7 +87,7 @@ class AboutRest:
         self.undriven = {one.s: other.s for kind, terms in scene.shaken.items()
                          for one, other in zip(getattr(scene, kind), terms, strict=True)}
         self._known, self._sheet, self._named = dict(values), sheet, {}
-        self._searched, self._of_letters = bool(values), 0
+        self._searched = bool(values)
         self.index = {q: i for i, q in enumerate(self.scene.q)}
         self.samples = samples_of(problem, self._known)
 
@@ -163,10 +163,9 @@ class AboutRest:
                 return -self._named[other]
             name, value = self._sheet.letter(f"b{len(self._named) + 1}"), self.value(node)
             shown = [" = ", node] if letters(node) <= SHOWN else []
-            words = "coefficients at that place:  " if self._searched else "for short:  "
-            joined = self._sheet.last == self._of_letters
-            self._of_letters = self._sheet.write(*([] if joined else [Words(words)]), Name(name), *shown, " = " + told(
-                value), settles=name, node=node, value=value, joined=joined)
+            words = [] if self._sheet.opened else [Words("with " if self._searched else "for short:  ")]
+            self._sheet.write(*words, Name(name), *shown, " = " + told(value), settles=name, node=node, value=value,
+                              opens=True)
             self._named[node] = self.table.parameter(name, positive=False)
             self.know(self._named[node], value)
         return self._named[node]

@@ -122,16 +122,17 @@ class Derivation:
             if terms:
                 line = self.sheet.write(Words("at rest  "), *slope_by(self.sheet, "V", name), " = ", SumOfTerms(
                     tuple(terms)), " = 0", uses=[one.line for one in loaded])
-        for shown in dict.fromkeys(one.shown for one in loaded if one.k is not None):
-            self._tension(next(one for one in loaded if one.shown is shown), line)
+        for i, shown in enumerate(dict.fromkeys(one.shown for one in loaded if one.k is not None)):
+            self._tension(next(one for one in loaded if one.shown is shown), line, joined=i > 0)
         return line
 
-    def _tension(self, one, line):
+    def _tension(self, one, line, joined):
         about, unit = self.about, self._unit_of_force(one.name)
         force = about.value(one.tension)
-        self.sheet.write(Words("so "), Name(one.shown.name), " = ", one.tension, *(() if force is None else number(
+        self.sheet.write(Words("" if joined else "so "), Name(one.shown.name), " = ", one.tension, *(() if force is None else number(
             force, unit)), *(self._deflection(one, unit) if one.linear else ()), settles=one.shown.name,
-            node=one.tension, value=force, unit=unit, uses=[line])
+            node=one.tension, value=force, unit=unit, uses=[line],
+            joined=joined)
 
     def _deflection(self, one, unit):
         """Parts of N/k of a linear spring."""
