@@ -142,6 +142,7 @@ class AboutRest:
         """An expression at rest, in its simplest form; where `named` a letter for a long one that has a number, at a
         place that a search found for one that is not short."""
         found = self.tidy(self._begun(substitute([node], self.place)[0]))
+        found = self.tidy(without_bars(found, self.samples))
         most = READABLE if self._searched else TOO_LONG
         if not named or self.problem.numeric.has_free_symbols or letters(found) <= most:
             return found
@@ -271,7 +272,7 @@ def value_of(problem: "Problem", node: "Node", known: Mapping[str, float]) -> fl
 
 def tidy(node: "Node", samples: "Sequence[Mapping[str, float]]") -> "Node":
     """The simplest form of an expression without coordinates; itself where the simpler one is not the same."""
-    found = textbook(without_bars(textbook(node), samples))
+    found = textbook(node)
     if is_zero(found):
         return node.table.zero
     shortened = shorter(found)
