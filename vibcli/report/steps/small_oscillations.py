@@ -129,10 +129,10 @@ class Derivation:
     def _tension(self, one, line, joined):
         about, unit = self.about, self._unit_of_force(one.name)
         force = about.value(one.tension)
-        self.sheet.write(Words("" if joined else "so "), Name(one.shown.name), " = ", one.tension, *(() if force is None else number(
-            force, unit)), *(self._deflection(one, unit) if one.linear else ()), settles=one.shown.name,
-            node=one.tension, value=force, unit=unit, uses=[line],
-            joined=joined)
+        told = () if force is None else number(force, unit)
+        self.sheet.write(Words("" if joined else "so "), Name(one.shown.name), " = ", one.tension, *told,
+                         *(self._deflection(one, unit) if one.linear else ()), settles=one.shown.name,
+                         node=one.tension, value=force, unit=unit, uses=[line], joined=joined)
 
     def _deflection(self, one, unit):
         """Parts of N/k of a linear spring."""
