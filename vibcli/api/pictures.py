@@ -1,9 +1,11 @@
 """The scene as a figure, a mode shape on it, or either moving."""
 
+from contextlib import suppress
 from os import PathLike
 from typing import TYPE_CHECKING
 
 from vibcli.api.source import settled
+from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
@@ -22,10 +24,13 @@ class SceneDrawing(NamedTuple):
 
     @classmethod
     def of(cls, problem: "Problem", mode: int | None = None, both: bool = False) -> "SceneDrawing":
-        """The scene as drawn, or the shape of a mode over it; `both`: displaced the other way as well, dashed."""
+        """The scene as drawn, with what it chooses where that is found; or the shape of a mode over it; `both`:
+        displaced the other way as well, dashed."""
         if mode is None:
             from vibcli.drawing.drawing import draw
 
+            with suppress(PhysicsError, SpecError):
+                problem = settled(problem)
             return cls(draw(problem), *_words(problem))
         from vibcli.drawing import vibration
         from vibcli.drawing.symbols.mode_shape import draw as draw_mode

@@ -41,7 +41,7 @@ def render(diagnostic: "Diagnostic", lines: Sequence[str], color: bool = False) 
     if where:
         place = escaped(where.file) + (f":{where.line}:{where.column}" if where.width else "")
         parts.append(f"{bold}{place}:{plain} ")
-    parts.append(f"{red}error:{plain} {_bounded(diagnostic.message)}")
+    parts.append(f"{red}{diagnostic.WORD}:{plain} {_bounded(diagnostic.message)}")
     if where and where.width and 1 <= where.line <= len(lines):
         source, caret = _excerpt(lines[where.line - 1], where.column - 1, where.width)
         parts.append(f"\n  {source}\n  {red}{caret}{plain}")

@@ -23,6 +23,7 @@ class Diagnostic:
     """One thing wrong with the input: where, what, and what to write instead."""
 
     __slots__ = ("hint", "message", "where")
+    WORD = "error"
 
     def __init__(self, where: Where | None, message: str, hint: str | None = None):
         self.where, self.message, self.hint = where, message, hint
@@ -31,6 +32,13 @@ class Diagnostic:
         where = self.where
         place = "-" if not where else f"{where.line}:{where.column}" if where.width else where.file
         return f"{place}: {self.message}" + (f" (hint: {self.hint})" if self.hint else "")
+
+
+class Remark(Diagnostic):
+    """One thing of the input that is no error, and may be meant otherwise."""
+
+    __slots__ = ()
+    WORD = "warning"
 
 
 class SpecError(Exception):

@@ -6,5 +6,11 @@ RULES = {
     "scene-invalid": "the file is no scene: a slip of writing, a word that there is not, units that do not fit",
     "cannot-be-solved": "the scene is well written but has no such answer, for a physical cause",
     "own-fault": "a fault of vibcli itself, not of the file: please report it",
+    "taken-in-radians": "a number without a unit, beyond a full turn, is an angle in radians: a warning, no error",
 }
-DIFFERS, UNCERTAIN, INVALID, UNSOLVED, FAULT = RULES
+DIFFERS, UNCERTAIN, INVALID, UNSOLVED, FAULT, DOUBTFUL = RULES
+
+
+def level(rule: str) -> str:
+    """How grave it is: error or warning."""
+    return "warning" if rule == DOUBTFUL else "error"

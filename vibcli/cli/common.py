@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
+from vibcli.base.errors import Diagnostic, PhysicsError, Remark, SpecError
 
 if TYPE_CHECKING:
     from vibcli.api.source import SceneSource
@@ -98,7 +98,9 @@ def _set_color(context, parameter, value):
 def load(file: Any, settings: Sequence[str] = (), patience: int = 1) -> "Problem":
     """The Problem of a file, with its reading timed; SpecError or a usage error where it cannot be read. patience:
     the factor of what its long work may take."""
-    return problem_in(source_of(file), settings, patience)
+    problem = problem_in(source_of(file), settings, patience)
+    show_diagnostics(problem.spec.remarks)
+    return problem
 
 
 def source_of(file: Any) -> "SceneSource":
@@ -176,8 +178,9 @@ def show_diagnostics(diagnostics: Sequence[Diagnostic], lines_of: "Callable[[Whe
     for diagnostic in diagnostics:
         lines = (lines_of or shown_lines)(diagnostic.where) if diagnostic.where else ()
         click.echo(render(diagnostic, lines, color), err=True, color=color)
-    if len(diagnostics) > 1:
-        click.echo(f"{len(diagnostics)} errors", err=True)
+    errors = sum(not isinstance(one, Remark) for one in diagnostics)
+    if errors > 1:
+        click.echo(f"{errors} errors", err=True)
 
 
 def shown_lines(where: "Where") -> Sequence[str]:

@@ -1,8 +1,9 @@
 """A scene file as read: records by section, coordinates in order, dimensions of all names."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
+from vibcli.base.errors import Remark
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.units import Dimensions
 from vibcli.language.reader import Record
@@ -23,7 +24,7 @@ class Spec(NamedTuple):
     """`get(section, default)`: the records of a section; `named`: the names that stand in each section, of what could
     not be read as well; `used`: those on which something depends; `counts`: what names count, cycles or radians;
     `asked_dimension(spec, tree)`: that of a quantity, None while none may stand; `sample`: values of letters at which
-    the scene is drawn, where not any will do."""
+    the scene is drawn, where not any will do; `remarks`: what is no error, and may be meant otherwise."""
 
     file: str
     sections: dict
@@ -40,6 +41,7 @@ class Spec(NamedTuple):
     dimensions: Dimensions | None = None
     free_numbers: bool | str = False
     asked_dimension: Callable | None = None
+    remarks: Sequence[Remark] = ()
 
     @property
     def motion(self) -> str | None:

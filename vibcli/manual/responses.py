@@ -177,6 +177,8 @@ STEPS = [
          "where they are asked, points of a response that the one damper of two degrees does not move."),
         ("wide motions", "of one coordinate that keeps its energy: the integral ½ m q̇² + V = E, where it turns, its "
          "greatest speed and its period; under dry friction the half cycles until it rests"),
+        ("expansions", "where `find` asks for one: of each spring its deflection and its energy by powers of the "
+         "deviations from rest, what of it its geometry makes, V and T, and Lagrange's equations of these"),
         ("members", "differential equation, what holds at each station and of what holds them, standing waves and "
          "their general solution, what the ends leave, the frequency equation, its first roots and their frequencies; "
          "where it has no closed form the equations, and frequencies by a search"),

@@ -93,6 +93,8 @@ EXPRESSIONS = [
     "`Hz` is not `rad/s`: a cycle needs a factor π before it stands in an angle, an angular frequency or a stiffness, "
     "as in `sin(2*pi*f*t)` and `m*4*pi^2*f^2`; `frf[x, F](5 Hz)` takes either. `1/f` is a period. `rpm` is angular, "
     "`rad` is 1, and a rate in 1/s, such as `v/R`, fits both.",
+    "A number without a unit is in radians where an angle is due. One beyond a full turn there gets a warning, as "
+    "degrees need theirs: `alpha: 30 deg`. It stops nothing, and is not given where a unit stands: `30 rad`.",
     "Where a scene has a name that is also a unit, `2 N*m` within a longer expression could mean two things and is "
     "refused: write `(2 N)*m` or `(2 N*m)`. So is a value of its own where the name fits too: `36 km/h` beside a time "
     "h.",

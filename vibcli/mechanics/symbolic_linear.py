@@ -11,12 +11,18 @@ from vibcli.mechanics.linearise import without_time
 from vibcli.mechanics.support_forces import PARTS, along_the_axis
 from vibcli.mechanics.symbolic_matrices import matrices_in_letters
 from vibcli.symbolic.derivatives import gradient, substitute
-from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.normal_form import is_zero, textbook
+from vibcli.symbolic.rationals import ONE
+from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.syntax import NameRef
 from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
     from vibcli.mechanics.symbolic_system import SymbolicSystem
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import Product, Sum
+
+    Tree = NameRef | Sum | Product
 
 
 def coefficients(symbolic: "SymbolicSystem", signal: str, driven_by: str):
@@ -45,9 +51,42 @@ def coefficients(symbolic: "SymbolicSystem", signal: str, driven_by: str):
                                                                                               chosen.turns)
 
 
-def outputs(symbolic: "SymbolicSystem", signal: str) -> "tuple[list[dict[int, Node]], Node]":
-    """(c, direct): [{i: node}] of the powers of s for a signal, and what driven displacements u(t) do to it at once, a
-    function of the time in the scene."""
+def outputs(symbolic: "SymbolicSystem", signal: "str | Tree") -> "tuple[list[dict[int, Node]], Node]":
+    """(c, direct): [{i: node}] of the powers of s for a signal, or of the tree of a sum of signals, and what driven
+    displacements u(t) do to it at once, a function of the time in the scene."""
+    if isinstance(signal, str):
+        return _outputs_of(symbolic, signal)
+    rows, direct = [{}, {}, {}], symbolic.scene.table.zero
+    for name, factor in _summed(symbolic, signal).items():
+        parts, at_once = _outputs_of(symbolic, name)
+        weight, = copied([factor], symbolic.configuration.with_inputs.scene.table)
+        for found, part in zip(rows, parts, strict=True):
+            for i, node in part.items():
+                found[i] = textbook(found.get(i, node.table.zero) + weight * node)
+        direct = direct + factor * at_once
+    return rows, direct
+
+
+def _summed(symbolic, tree):
+    """{name of a signal: its factor}, nodes of the scene; NotInLetters of what is no sum of signals."""
+    table, known, names = symbolic.scene.table, symbolic.scene.parameters.nodes, {}
+
+    def symbol(name, primes, part):
+        if name in known and not primes:
+            return known[name]
+        if not isinstance(part, NameRef):
+            raise NotInLetters("parts of signals are found in numbers", "give numbers with --set")
+        return names.setdefault(name + "'" * primes, table.variable(f"signal {name}" + "'" * primes))
+
+    node = lower(tree, table, symbol)
+    factors = {name: gradient(node).get(one, table.zero) for name, one in names.items()}
+    if not is_zero(node - table.sum(*((factors[name] * one, ONE) for name, one in names.items()))):
+        raise NotInLetters("of signals sums alone are found in letters, each with a factor that is fixed",
+                           "give numbers with --set")
+    return factors
+
+
+def _outputs_of(symbolic, signal):
     opened, table = symbolic.configuration.with_inputs, symbolic.scene.table
     place = place_in_letters(symbolic)
     rows, direct = _slopes(symbolic.configuration, signal, place), _in_time(symbolic, signal, place)

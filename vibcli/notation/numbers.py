@@ -101,6 +101,8 @@ def wrapped(text: str, columns: int = 100, indent: int = 2, gap: str = " ", firs
         if line and width(line) + width(gap) + width(word) > columns:
             lines.append(line.rstrip())
             line = " " * indent + word if gap == " " else word
+        elif lines and not line.strip():
+            line += word
         else:
             line = f"{line}{gap}{word}" if line else " " * first + word
     return [*lines, line] if line else lines

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.notation.numbers import LARGEST
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.node import rooted_square
 from vibcli.symbolic.rationals import HALF, ONE, square_part
 
 if TYPE_CHECKING:
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
 def split(value: Fraction | int, factors: "Sequence[tuple[Node, Any]]") -> tuple[Any, ...]:
     """(value, above, below, under the root above, under it below) of value·Π base^e: lists of (node, exponent > 0)."""
     above, below, root_above, root_below, inside, powers = [], [], [], [], Fraction(1), []
-    for base, exponent in (_rooted_square(*pair) for pair in factors):
+    for base, exponent in (rooted_square(*pair) for pair in factors):
         if exponent.denominator == 4:
             (root_above if exponent > 0 else root_below).append((base, 2 * abs(exponent)))
             continue
@@ -47,15 +48,6 @@ def split(value: Fraction | int, factors: "Sequence[tuple[Node, Any]]") -> tuple
             inside /= value.denominator**2
             value, root_below, below = ONE, _squares(below, root_below), []
     return value, *_with_number(inside, factors, above, below, root_above, root_below)
-
-
-def _rooted_square(base, exponent):
-    """|x| for the root of a square x²."""
-    if exponent.denominator == 2 and base.op == "product" and base.coefficient == 1 and all(
-            e.denominator == 1 and e % 2 == 0 for _, e in base.args):
-        inner = base.table.product(*((one, e / Fraction(2)) for one, e in base.args))
-        return base.table.call("abs", inner), 2 * exponent
-    return base, exponent
 
 
 def place(above: Any, root_above: "Sequence[tuple[Node, Fraction | int]]") -> int:

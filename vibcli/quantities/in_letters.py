@@ -41,9 +41,8 @@ def response_of(problem: Any, tree: Any) -> "Formula | None":
 
 
 def _steady(problem, signal):
-    if not isinstance(signal, NameRef):
-        raise NotInLetters("amplitudes of sums and products are found in numbers")
-    return problem.symbolic_steady_state(signal.name + "'" * signal.primes).formula
+    asked = signal.name + "'" * signal.primes if isinstance(signal, NameRef) else signal
+    return problem.symbolic_steady_state(asked).formula
 
 
 def _frequency(problem, tree):

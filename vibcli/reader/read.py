@@ -24,6 +24,7 @@ from vibcli.reader.sections import answer, find
 from vibcli.symbolic.parser import plain_name
 
 MOST_CASES = 100
+FEW_RADIANS = 6
 
 QUOTE = re.compile(r"\{\s*([^{}]*?)\s*\}")        # a parameter quoted in a question
 
@@ -107,7 +108,8 @@ def read_spec(root: Any, file: str, diagnostics: Sequence[Any] = (), settings: A
     if found:
         unique = {(d.where, d.message): d for d in found}
         raise SpecError(sorted(unique.values(), key=lambda d: d.where[1:3] if d.where else (0, 0)))
-    return base._replace(cases=specs)
+    remarks = {(one.where, one.message): one for spec in everything for one in spec.remarks}
+    return base._replace(cases=specs, remarks=tuple(remarks.values()))
 
 
 def read_changed(root: Mapping, part: Mapping, file: str, remark: str, settings: Any = None,
@@ -150,7 +152,18 @@ def _read_one(root, file, found, settings, files, remark="", any_dimension=False
     for diagnostic in reader.diagnostics:
         if (diagnostic.where, diagnostic.message) not in known:
             found.append(Diagnostic(diagnostic.where, diagnostic.message + remark, diagnostic.hint))
-    return None if reader.diagnostics else spec
+    return None if reader.diagnostics else spec._replace(remarks=_remarks(spec, reader))
+
+
+def _remarks(spec, reader):
+    """What a number without unit, greater than any angle, is taken for."""
+    values = [record["value"] for record in spec.parameters.values() if "value" in record]
+    if not any(number.value > FEW_RADIANS and not number.units for expression in (*reader.expressions.values(), *values)
+               for number in expression.parts.numbers):
+        return ()
+    from vibcli.reader.angle_check import angle_remarks
+
+    return tuple(angle_remarks(spec, reader))
 
 
 def _sections(root, reader):

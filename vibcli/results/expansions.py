@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import Kinked, NotInLetters, PhysicsError
 from vibcli.base.named_tuple import NamedTuple
+from vibcli.mechanics.energies import potential
 from vibcli.mechanics.expansion import (
     expanded_about,
     expression_in_numbers,
@@ -16,6 +17,7 @@ from vibcli.mechanics.expansion import (
 )
 from vibcli.mechanics.spring_shares import SpringShares, shares_in_letters, shares_in_numbers
 from vibcli.mechanics.truncated_equations import Powers, truncated_equation
+from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.normal_form import is_zero, textbook
 from vibcli.symbolic.rationals import ONE
 from vibcli.symbolic.running_errors import number_in
@@ -65,6 +67,56 @@ def expansions(problem: "Problem", order: int) -> list[Expansion]:
         return [*found, _in_numbers(problem, scene, order)] if numbers else found
     except Kinked as kink:      # what is asked for is missing, not only what is found beside it
         raise PhysicsError(kink.message, kink.hint, kink.where) from None
+
+
+def in_powers(problem: "Problem", node: "Node", order: int, letters: bool) -> dict[Powers, Any]:
+    """{powers of the coordinates: factor} of an expression up to an order about the equilibrium, without what is not
+    moved; factors are expressions, or numbers."""
+    scene = problem.scene.resting
+    if letters:
+        place = {**problem.symbolic.equilibrium_position, scene.time.name: scene.table.zero}
+        found = {powers: textbook(c) for powers, c in expanded_about(
+            scene, node, place, scene.q, up_to(order), order).items()}
+        found = {powers: c for powers, c in found.items() if not is_zero(c)}
+    else:
+        found = expression_in_numbers(problem.configuration, node, order)
+    return _ascending({powers: c for powers, c in found.items() if any(powers)}, len(scene.q))
+
+
+def deflection(problem: "Problem", name: str, order: int, letters: bool) -> dict[Powers, Any]:
+    """That of a spring, to an order: one more than that of the energies needs, where it is loaded at rest."""
+    return in_powers(problem, dict(_stretches(problem))[name], order, letters)
+
+
+def is_loaded(problem: "Problem", name: str, letters: bool) -> bool:
+    """Does a spring bear anything in equilibrium? So that its deflection counts to the order of the energies."""
+    force = problem.scene.resting.force_of(name)
+    if force is None:
+        return True
+    if letters:
+        return not is_zero(textbook(substitute([force], place_of(problem))[0]))
+    return bool(expression_in_numbers(problem.configuration, force, 0))
+
+
+def place_of(problem: "Problem") -> "dict[Node, Node]":
+    """{coordinate: expression} of the equilibrium in letters."""
+    scene, place = problem.scene.resting, problem.symbolic.equilibrium_position
+    return {q: place[q.name] for q in scene.q} | {scene.time: scene.table.zero}
+
+
+def of_others(problem: "Problem", order: int, letters: bool) -> dict[Powers, Any]:
+    """What of V is of no spring: of weights, or written out."""
+    scene = problem.scene.resting
+    names = set(problem.spec.get("springs") or ())
+    stored = [term.potential(scene) for term in (*scene.springs, *scene.laws) if term.owner in names and not (
+        hasattr(term, "damper") and term.damper)]
+    return in_powers(problem, potential(scene) - scene.table.total(stored), order, letters)
+
+
+def of_loads(problem: "Problem", order: int, letters: bool) -> dict[Powers, Any]:
+    """The work of steady loads."""
+    W = _work(problem.scene.resting)
+    return {} if W is None or W.is_zero else in_powers(problem, W, order, letters)
 
 
 def _in_letters(problem, scene, order):

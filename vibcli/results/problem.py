@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from vibcli.language.spec import Spec
     from vibcli.mechanics.equilibrium.all_equilibria import Equilibria
     from vibcli.mechanics.equilibrium.equilibrium import Equilibrium
+    from vibcli.mechanics.symbolic_linear import Tree
     from vibcli.results.frequency_response import FrequencyResponse
     from vibcli.results.limit_loads import LimitLoads
     from vibcli.results.phase_plane import PhasePlane
@@ -260,14 +261,14 @@ class Problem:
         self.require_no_members()
         return formula(self.symbolic, signal, driver, frequency)
 
-    def symbolic_steady_state(self, signal: "LinearSignal"):
-        """The Steady state of a signal in letters."""
+    def symbolic_steady_state(self, signal: "str | Tree"):
+        """The Steady state of a signal, or of a sum of signals, in letters."""
         from vibcli.analyses.closed_form.steady_state import steady_state
 
         self.require_no_members()
         return steady_state(self.symbolic, signal)
 
-    def symbolic_following(self, signal: str, alone: bool = False) -> "Node":
+    def symbolic_following(self, signal: "str | Tree", alone: bool = False) -> "Node":
         """What of a signal follows loads that are powers of the time, in letters, counted from equilibrium; `alone`:
         where that is all in the end, NotInLetters where the free motion does not die out."""
         from vibcli.analyses.closed_form.powers_of_time import following, require_damped

@@ -159,7 +159,7 @@ class Expressions:
         if not dx.mask and not dy.mask:
             return self.table.sqrt(textbook(dx * dx + dy * dy))
         if is_zero(dx * dy0 - dy * dx0):
-            return (dx * dx0 + dy * dy0) / self.distance(dx0, dy0)
+            return textbook((dx * dx0 + dy * dy0) / self.distance(dx0, dy0))
         square = dx * dx + dy * dy
         root = root_of_square(square)
         if root is not None:

@@ -33,6 +33,8 @@ def folded(table: "Table", name: str, args: "Sequence[Node]") -> "Node | None":
         return _power_of_zero(table, args[1])
     if name == "sign" and args[0].op == "number":
         return table.number((args[0].coefficient > 0) - (args[0].coefficient < 0))
+    if name == "sign" and table.is_positive(args[0]):
+        return table.one
     if name in _STARTS and args[0].op == "number":
         begun = args[0].coefficient > 0
         return {"step": table.one, "ramp": args[0]}.get(name, table.zero) if begun else table.zero

@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import wraps
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
-from vibcli.symbolic.rationals import ONE
+from vibcli.symbolic.rationals import HALF, ONE
 
 if TYPE_CHECKING:
     from vibcli.symbolic.expression import Table
@@ -113,3 +113,12 @@ def union(sets: "list[VariableSet | int]") -> "VariableSet | int":
 def first_variable(variables: "VariableSet | int") -> int:
     """The lowest number of a variable in a set, counted from 1; 0 where it is empty."""
     return (variables & -variables).bit_length() if isinstance(variables, int) else variables.first
+
+
+def rooted_square(base: Node, exponent: Fraction) -> tuple[Node, Fraction]:
+    """(base, exponent) of a factor, |x| for the root of a square x²."""
+    if exponent.denominator == 2 and base.op == "product" and base.coefficient == 1 and all(
+            e.denominator == 1 and e % 2 == 0 for _, e in base.args):
+        inner = base.table.product(*((one, e * HALF) for one, e in base.args))
+        return base.table.call("abs", inner), 2 * exponent
+    return base, exponent

@@ -5,11 +5,19 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from vibcli.symbolic.common_denominator import fraction
+from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.node import rooted_square
 from vibcli.symbolic.rationals import HALF, ONE
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from vibcli.symbolic.node import Node
+
+CIRCULAR = ("sin", "cos", "tan")
+ANGLES = (0.9, 2.3, 4.1, 5.6)       # one in each quadrant
 
 
 def root(node: "Node", samples: Sequence[dict[str, float]] = ()) -> "Node":
@@ -25,7 +33,7 @@ def root(node: "Node", samples: Sequence[dict[str, float]] = ()) -> "Node":
             return table.sqrt(node)
         base, e = factors[turned]
         factors[turned], scale = (table.sum((base, -ONE)), e), -scale
-    roots = ((positive(base, samples) if e.denominator == 1 and e % 2 == 0 else base, e * HALF) for base, e in factors)
+    roots = ((positive(base, samples) if e.denominator == 1 and e % 4 == 2 else base, e * HALF) for base, e in factors)
     return table.product((table.sqrt(table.number(scale)), ONE), *roots)
 
 
@@ -40,12 +48,34 @@ def _factors(factors):
     return scale, *found.items()
 
 
-def positive(base: "Node", samples: Sequence[dict[str, float]]) -> "Node":
-    """±base, or |base| where its sign is not the same at all samples."""
+def without_bars(node: "Node", samples: "Sequence[Mapping[str, float]]") -> "Node":
+    """An expression of parameters with ±a for |a| and √a² where that has one sign at all samples."""
+    known, table = {}, node.table
+    for part in reachable([node]):
+        if part.op == "product":
+            factors = [rooted_square(*pair) for pair in part.args]
+            if factors != list(part.args):
+                known[part] = table.product((table.number(part.coefficient), ONE), *factors)
+    node, = substitute([node], known) if known else [node]
+    bars = [part for part in reachable([node]) if part.op == "call" and part.name == "abs" and not part.mask]
+    return substitute([node], {part: positive(part.args[0], samples) for part in bars})[0] if bars else node
+
+
+def positive(base: "Node", samples: "Sequence[Mapping[str, float]]") -> "Node":
+    """±base, or |base| where its sign is not the same at all samples, nor at all angles that letters of it may be."""
     table = base.table
     if table.is_positive(base):
         return base
-    values = [evaluate([base], Floats, sample)[0] for sample in samples]
+    values = [evaluate([base], Floats, sample)[0] for sample in (*samples, *_at_other_angles(base, samples))]
     if values and all(value > 0 for value in values):
         return base
     return -base if values and all(value < 0 for value in values) else table.call("abs", base)
+
+
+def _at_other_angles(base, samples):
+    """The first sample with its free letters within sines and cosines at angles around a turn: at rest they may be
+    drawn at any of them."""
+    waves = [part for part in reachable([base]) if part.op == "call" and part.name in CIRCULAR]
+    names = {part.name for wave in waves for part in reachable([wave]) if part.op == "symbol"}
+    free = [name for name in names if len({sample.get(name) for sample in samples}) > 1]
+    return [{**samples[0], **dict.fromkeys(free, angle)} for angle in ANGLES] if free else []

@@ -520,7 +520,7 @@ def test_a_plank_lies_under_its_whole_surface_and_its_centre(place, angle, monke
     monkeypatch.setattr(sliding, "straight", lambda record, *_: record["line"])
     sketch = SimpleNamespace(pair=lambda end: end, centre=lambda name: centre)
     surface = type("Surface", (dict,), {"name": "s"})(line=(a, b))
-    plank = sliding.platform(SimpleNamespace(name="p"), sketch, surface).core
+    plank = sliding.platform(SimpleNamespace(name="p", record={}), sketch, surface).core
     along, across = ([plane.dot(plane.minus(corner, a), d) for corner in plank] for d in (e, plane.left(e)))
     assert (min(along), max(along)) == pytest.approx((min(0, place - sliding.DECK), max(100, place + sliding.DECK)))
     assert max(across) == pytest.approx(0, abs=1e-9) and min(across) < -12

@@ -33,6 +33,9 @@ def of(name, case=None):
     ("plucked_string", None, ["root 2: βL = 2·π", "ω₁ = π·√(80/0.005)/0.8 = 496.729 rad/s"]),
     ("five_equal_duffing_springs", None, ["F_s(d) = k·d₁ + γ·d₁³, d = 5·d₁"]),
     ("linear_and_quadratic_damper_in_series", None, ["c_d = 0 N·s/m", "Φ_d = 0", "c_e = c/2 = 4 N·s/m"]),
+    ("feeder_tray_driven_by_a_sawtooth", None, ["speed across d: u̇_d = L·cos β·φ̇ (first order)"]),
+    ("block_with_play", None, ["from rest, to the first order: m·ẍ = 0"]),
+    ("sledge_hauled_up_by_a_falling_weight", None, ["Φ_snow = m·μ·g·cos α·|ṡ|"]),
     ("unround_shaft", None, ["V0_disc = −m·Ω²·u²/2 − m·Ω²·v²/2"]),
 ])
 def test_lines_of_problems(name, case, wanted):

@@ -16,7 +16,7 @@ from vibcli.symbolic.expression import Table
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import expanded, is_zero, textbook
 from vibcli.symbolic.parser import parse
-from vibcli.symbolic.radicals import root
+from vibcli.symbolic.radicals import root, without_bars
 from vibcli.symbolic.semantics import lower
 
 SMOOTH = ("sin", "cos", "tan", "atan", "sinh", "cosh", "tanh", "exp")
@@ -331,3 +331,28 @@ def test_what_is_divided_by_a_long_fraction_is_read_back():
     long = Fraction(7**70, 3**150)
     text = language(table.parameter("x") / table.number(long))
     assert number(parse(text), {"x": 1.0}) == pytest.approx(float(1 / long), rel=1e-12)
+
+
+def test_roots_of_squares_have_the_sign_of_all_angles():
+    """√(sin² b) is |sin b| where b is free, ±sin b where it is given; a length minus a length has the sign it has."""
+    table = Table()
+    b, R, r = (table.parameter(name) for name in ("b", "R", "r"))
+    free = [{"b": x, "R": 2 + x, "r": x} for x in (0.4, 0.7, 1.1)]
+    sine = table.call("sin", b)
+    assert root(sine * sine * R, free) is table.call("abs", sine) * table.sqrt(R)
+    assert root(sine * sine * R, [{"b": 4.0, "R": 1.0}]) is -sine * table.sqrt(R)
+    assert root((R - r) ** 2, free) is R - r
+    assert root((r - R) ** 2 * sine**4, free) is (R - r) * sine**2
+    assert root((2 + sine) ** 2, free) is 2 + sine
+    assert table.call("sign", R) is table.one and table.call("sign", -R) is -table.one
+
+
+def test_bars_of_what_has_one_sign_are_left_out():
+    table = Table()
+    b, L = table.parameter("b"), table.parameter("L")
+    u = L - table.call("sin", b)
+    node = b / table.sqrt(u * u) + table.call("abs", -u)
+    values = {"b": 0.3, "L": 2.0}
+    assert without_bars(node, [values]) is b / u + u
+    values["L"] = 0.1
+    assert without_bars(node, [values]) is -b / u - u

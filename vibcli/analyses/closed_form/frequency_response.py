@@ -220,14 +220,14 @@ def _adjugate(D, i, j, zero):
 
 
 def _root(parts, w):
-    """Ω at which an undamped part vanishes, where it is linear in Ω²; None elsewhere."""
+    """Ω at which an undamped part vanishes, where it is linear in Ω² and not always of one sign; None elsewhere."""
     real, imaginary = parts
     real = textbook(real)
     slope = gradient(real).get(w)
     if not imaginary.is_zero or slope is None or slope.mask & w.mask:
         return None
     square = _simple(-(substitute([real], {w: w.table.zero})[0] / slope))
-    return None if square.is_zero else w.table.sqrt(square)
+    return None if square.is_zero or w.table.is_positive(-square) else w.table.sqrt(square)
 
 
 def _peak(scale, Omega, numerator, denominator, w):

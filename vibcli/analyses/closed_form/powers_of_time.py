@@ -15,6 +15,7 @@ from vibcli.symbolic.rationals import ONE
 from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
+    from vibcli.mechanics.symbolic_linear import Tree
     from vibcli.mechanics.symbolic_system import SymbolicSystem
     from vibcli.symbolic.node import Node
 
@@ -30,7 +31,7 @@ def are_powers(symbolic: "SymbolicSystem") -> bool:
     return any(powers)
 
 
-def following(symbolic: "SymbolicSystem", signal: str) -> "Node":
+def following(symbolic: "SymbolicSystem", signal: "str | Tree") -> "Node":
     """The part Σ cₖ tᵏ of a coordinate or signal, counted from equilibrium, as a node of the scene."""
     scene = symbolic.scene
     rows, direct = outputs(symbolic, signal)

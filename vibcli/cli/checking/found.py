@@ -3,9 +3,9 @@
 from collections.abc import Sequence
 from typing import Any
 
-from vibcli.base.errors import Diagnostic, Where
+from vibcli.base.errors import Diagnostic, Remark, Where
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.base.rules import FAULT
+from vibcli.base.rules import DOUBTFUL, FAULT
 
 
 class Trouble(NamedTuple):
@@ -23,7 +23,8 @@ class Trouble(NamedTuple):
     @property
     def diagnostic(self) -> Diagnostic:
         """As it is printed."""
-        return Diagnostic(None if self.place is None else Where(*self.place), self.message, self.hint)
+        kind = Remark if self.rule == DOUBTFUL else Diagnostic
+        return kind(None if self.place is None else Where(*self.place), self.message, self.hint)
 
 
 class CheckedAnswer(NamedTuple):

@@ -13,7 +13,7 @@ from urllib.parse import quote
 
 from vibcli import __version__
 from vibcli.base.diagnostics import lines_escaped
-from vibcli.base.rules import DIFFERS, FAULT, RULES
+from vibcli.base.rules import DIFFERS, DOUBTFUL, FAULT, RULES, level
 from vibcli.cli.checking.found import CheckedFile, Finding, findings
 
 NOT_IN_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
@@ -50,7 +50,7 @@ def as_junit(found: Sequence[CheckedFile]) -> str:
     tree.start("testsuites", {"name": "vibcli check"})
     for one in found:
         cases: dict[str, tuple[int, list[Finding]]] = {answer.name: (answer.place[0], []) for answer in one.answers}
-        for finding in findings(one):
+        for finding in (each for each in findings(one) if each.rule != DOUBTFUL):
             cases.setdefault(finding.name or WHOLE, (finding.line, []))[1].append(finding)
         differ = [all(finding.rule == DIFFERS for finding in wrong) for _, wrong in cases.values() if wrong]
         file = _clean(one.file)
@@ -84,8 +84,8 @@ def as_annotations(found: Sequence[CheckedFile]) -> str:
         if one.column:
             places |= {"col": one.column, "endColumn": one.column + one.width}
         places["title"] = one.rule
-        told.append("::error " + ",".join(f"{key}={_property(str(value))}" for key, value in places.items())
-                    + f"::{_data(one.message)}\n")
+        properties = ",".join(f"{key}={_property(str(value))}" for key, value in places.items())
+        told.append(f"::{level(one.rule)} {properties}::{_data(one.message)}\n")
     return "".join(told)
 
 
@@ -111,9 +111,9 @@ def as_sarif(found: Sequence[CheckedFile]) -> str:
         if one.column:
             region |= {"startColumn": one.column, "endColumn": one.column + one.width}
         place = {"artifactLocation": {"uri": quote(_relative(one.file)), "uriBaseId": "%SRCROOT%"}, "region": region}
-        results.append({"ruleId": one.rule, "ruleIndex": list(RULES).index(one.rule), "level": "error",
+        results.append({"ruleId": one.rule, "ruleIndex": list(RULES).index(one.rule), "level": level(one.rule),
                         "message": {"text": one.message}, "locations": [{"physicalLocation": place}]})
-    rules = [{"id": name, "shortDescription": {"text": about}, "defaultConfiguration": {"level": "error"},
+    rules = [{"id": name, "shortDescription": {"text": about}, "defaultConfiguration": {"level": level(name)},
               "help": {"text": f"vibcli explain {name}"}} for name, about in RULES.items()]
     driver = {"name": "vibcli", "version": __version__, "semanticVersion": __version__, "rules": rules}
     run = {"tool": {"driver": driver}, "columnKind": "unicodeCodePoints", "results": results}

@@ -14,7 +14,7 @@ from vibcli.cli.common import show_diagnostics, show_fault
 
 def is_told(found: CheckedFile, quiet: bool) -> bool:
     """Is anything printed of a file?"""
-    return not quiet or bool(found.failures)
+    return not quiet or bool(found.failures or found.troubles)
 
 
 def tell_troubles(found: CheckedFile) -> None:

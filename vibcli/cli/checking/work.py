@@ -7,7 +7,7 @@ from time import process_time
 import click
 
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError, Where
-from vibcli.base.rules import DIFFERS, INVALID, UNCERTAIN, UNSOLVED
+from vibcli.base.rules import DIFFERS, DOUBTFUL, INVALID, UNCERTAIN, UNSOLVED
 from vibcli.cli.checking.found import CheckedAnswer, CheckedFile, Trouble
 from vibcli.cli.common import fault, forget, problem_in, shown_lines, source_of
 
@@ -29,9 +29,10 @@ def checked_file(file: str, settings: Sequence[str] = (), patience: int = 1, dat
 
 
 def _checked(file, settings, patience, data):
-    verdicts, troubles, code = [], [], 0
+    verdicts, troubles, doubts, code = [], [], [], 0
     try:
         problem, source = _problem(file, settings, patience, data)
+        doubts = [_trouble(DOUBTFUL, one, file) for one in problem.spec.remarks]
         if any(spec.answers for spec in (problem.spec, *problem.spec.cases.values())):
             from vibcli.check.verdicts import check
 
@@ -46,7 +47,7 @@ def _checked(file, settings, patience, data):
     except PhysicsError as error:
         code, troubles = 4, [_trouble(UNSOLVED, error, file)]
     failed = code == 3 or (code == 4 and (not verdicts or any(v.refusal and v.agrees is False for v in verdicts)))
-    return CheckedFile(file, code, failed, [_answer(verdict) for verdict in verdicts], troubles)
+    return CheckedFile(file, code, failed, [_answer(verdict) for verdict in verdicts], doubts + troubles)
 
 
 def _problem(file, settings, patience, data):

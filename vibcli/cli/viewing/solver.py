@@ -91,9 +91,10 @@ def solved(job: Job) -> tuple[str, list[str]]:
     try:
         (_, problem), = chosen(problem_in(source, job.settings, job.patience), job.case)[:1]
         document, error = _document(problem, job.case)
+        wrong = [] if error is None else error.diagnostics
         from vibcli.report.formats.html import article
 
-        return article(job.number, document), [] if error is None else told(error.diagnostics, source)
+        return article(job.number, document), told((*problem.spec.remarks, *wrong), source)
     except SpecError as error:
         return "", told(error.diagnostics, source)
     except PhysicsError as error:

@@ -120,7 +120,8 @@ def _floor(name, look, sketch, room):
         under, half, wheels, found = plane.plus(middle, down, look.height / 2), look.width / 2, 0.0, []
     back, on = half + RAIL - room[0], half + RAIL + room[1]
     floor = plane.plus(under, down, wheels)
-    if _hangs(name, sketch) and room == (0.0, 0.0):
+    open_below = _hangs(name, sketch) or (level and _is_tied_below(name, floor[1], sketch))
+    if open_below and room == (0.0, 0.0):
         for side in (-1, 1):
             found += support.floor(plane.plus(floor, e, side * (half + 2)), e, RAIL / 2 + 2)
         return found
@@ -132,6 +133,16 @@ def _hangs(name, sketch):
     _, y0 = sketch.centre(name)
     return any(pivot.carrier == name and sketch.centre(other)[1] < y0 - 1e-6
                for other, pivot in sketch.pivots().items())
+
+
+def _is_tied_below(name, height, sketch):
+    """Does a spring or damper lead from this body through ground at this height?"""
+    for record in sketch.spec.connections:
+        ends = [sketch.attachment(end) for end in record.get("between", ())]
+        if None not in ends and any(one.carrier == name and other.drawn[1] < height - 1e-6
+                                    for one, other in zip(ends, ends[::-1], strict=True)):
+            return True
+    return False
 
 
 def _guides(name, box, sketch):

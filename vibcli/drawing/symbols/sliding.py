@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from vibcli.elements.rigid_body import Body
     from vibcli.language.reader import Record
 
+FLAT_ENOUGH = 0.05      # sine of what is level
 BLOCK, FLAT, BAR, DECK, DEEP = (36.0, 25.0), (22.0, 13.0), (26.0, 5.0), 19.0, 70.0
 
 Place = tuple[float, float]
@@ -89,7 +90,8 @@ def _ramp(place, direction, carried):
 
 
 def platform(body: Any, sketch: Any, surface: Any) -> Look:
-    """A plank under the surface that it carries, away from what is on it; so thick that it holds its centre."""
+    """A plank under the surface that it carries, away from what is on it; so thick that it holds its centre. A wedge
+    where it slides on level ground and the surface leans."""
     a, b = straight(surface, contacts(surface.name, sketch), sketch)
     side = free_side(a, b, contacts(surface.name, sketch))
     if side < 0:
@@ -100,6 +102,12 @@ def platform(body: Any, sketch: Any, surface: Any) -> Look:
     depth, s = plane.dot(offset, down), plane.dot(offset, e)
     thick = max(DECK, depth + 8) if depth < DEEP else DECK
     a, b = plane.plus(a, e, min(0.0, s - DECK)), plane.plus(a, e, max(plane.distance(a, b), s + DECK))
+    along = body.record["slide"].get("along") if "slide" in body.record else None
+    level = "slide" in body.record and (along is None or abs(sketch.pair(along)[1]) < FLAT_ENOUGH)
+    if level and down[1] < 0 and FLAT_ENOUGH < abs(e[1]) < 1 - FLAT_ENOUGH:
+        low = min(a[1], b[1]) - BAR[1]
+        corners = [a, b, (b[0], low), (a[0], low)]
+        return Look([Polygon(tuple(corners))], "ramp", corners)
     corners = [a, b, plane.plus(b, down, thick), plane.plus(a, down, thick)]
     return Look([Polygon(tuple(corners))], "platform", corners, plane.heading(e), plane.distance(a, b), thick)
 

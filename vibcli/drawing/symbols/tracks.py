@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
 SPREAD, MARGIN, FAR, SMALL = 0.35 * pi, 22.0, 120.0, 16.0  # of a circle beside what is inside it; beyond what rolls
 SAMPLES, STEEP, SUNK = 48, 0.6, 12.5        # half the height of a block
+ON = 0.5            # points by which a rim may be off its circle
 
 
 def contacts(name: str, sketch: "Sketch") -> list[tuple[tuple[float, float], float | None]]:
@@ -78,13 +79,29 @@ def _line(a, b, used):
 
 
 def visible(record: "Record", places: Sequence[tuple[float, float]], sketch: "Sketch") -> list[tuple[float, float]]:
-    """Points of a circle as far as it is drawn: all of one that bodies run on outside or that is carried."""
+    """Points of a circle as far as it is drawn: all of one that bodies run on outside or that is carried; else about
+    what is in it, up to a rim on which something leans."""
     centre, radius = sketch.pair(record["circle"]), sketch.length(record["radius"])
     if record.get("side") != "inside" or "body" in record:
         return plane.arc(centre, radius, 0.0, tau)
     angles = [plane.heading(plane.minus(place, centre)) for place in places] or [-pi / 2]
-    turns = [(angle - angles[0] + pi) % tau - pi for angle in angles]
-    return plane.arc(centre, radius, angles[0] + min(turns) - SPREAD, angles[0] + max(turns) + SPREAD)
+    turns = [_turn(angle, angles[0]) for angle in angles]
+    rims = [_turn(plane.heading(plane.minus(place, centre)), angles[0]) for place in _rims(centre, radius, sketch)]
+    low = max((turn for turn in rims if turn < min(turns)), default=min(turns) - SPREAD)
+    high = min((turn for turn in rims if turn > max(turns)), default=max(turns) + SPREAD)
+    return plane.arc(centre, radius, angles[0] + low, angles[0] + high)
+
+
+def _turn(angle, start):
+    """From one angle to another, by half a turn at most."""
+    return (angle - start + pi) % tau - pi
+
+
+def _rims(centre, radius, sketch):
+    """Fixed points on a circle, at which constraints hold bodies."""
+    points = [record["point"] for record in (sketch.spec.get("constraints") or {}).values() if "point" in record]
+    places = [sketch.pair(point) for point in points if isinstance(point, list)]
+    return [place for place in places if abs(plane.distance(place, centre) - radius) < ON]
 
 
 def _circle(record, places, sketch):

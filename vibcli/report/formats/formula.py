@@ -9,6 +9,8 @@ from vibcli.notation.numbers import width
 from vibcli.notation.plain import plain
 from vibcli.report.blocks import Either, Factor, Maths, Name, SumOfTerms, WithNumbers, Words
 
+FEW, STUB = 40, 12  # characters of words that stay in a row; columns that no row ends with
+WORD = re.compile(r"^\s+|\S+\s*")
 BREAK = re.compile(r"(?= [+−=<>] )")
 
 
@@ -42,15 +44,45 @@ def without_words(parts: Sequence[str | Maths]) -> Iterator[str | Maths]:
 
 
 def rows(parts: Any, write: Any, columns: int) -> list[str]:
-    """A formula broken into rows of about so many columns of plain text, before a relation or a term."""
+    """A formula broken into rows of about so many columns of plain text: between clauses and words where that is
+    enough, else before a relation or a term."""
     found, size = [[]], 0
-    for said, text in zip(pieces(parts, plain), pieces(parts, write), strict=True):
-        if found[-1] and size + width(said) > columns:
-            found.append([])
-            size = 0
-        found[-1].append(text)
-        size += width(said)
+    for clause in _clauses(parts):
+        widths = [width(said) for said in pieces(clause, plain)]
+        together = sum(widths) if sum(widths) <= columns else sum(widths[:2])
+        for i, (wide, text) in enumerate(zip(widths, pieces(clause, write), strict=True)):
+            if size > STUB and size + (wide if i else together) > columns:
+                found.append([])
+                size = 0
+            found[-1].append(text)
+            size += wide
     return [write.beside(*row).strip() for row in found]
+
+
+def _clauses(parts):
+    """The parts up to each comma among words, and long words by few."""
+    clause: list[Any] = []
+    for part in parts:
+        *more, last = _few_by_few(part.text) if isinstance(part, Words) else (part,)
+        for one in more:
+            yield [*clause, one]
+            clause = []
+        clause.append(last)
+        if isinstance(last, Words) and last.text.endswith(",  "):
+            yield clause
+            clause = []
+    if clause:
+        yield clause
+
+
+def _few_by_few(text):
+    """[Words] of a text, at its spaces where it is long."""
+    found = [""]
+    for word in WORD.findall(text):
+        if found[-1].strip() and len(found[-1]) + len(word) > FEW:
+            found.append("")
+        found[-1] += word
+    return map(Words, found)
 
 
 def _pieces(part, write):

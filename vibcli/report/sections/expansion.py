@@ -1,8 +1,8 @@
 """The energies of a scene by powers of the deviations from equilibrium, and the equations of motion so truncated."""
 
 import math
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.notation.numbers import figure
@@ -10,6 +10,7 @@ from vibcli.report import blocks
 from vibcli.report.blocks import Heading, Name, Section, line, paragraph, section
 from vibcli.report.keys import Key
 from vibcli.report.sections.equations_of_motion import numeric_sum
+from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
     from vibcli.report.document import Report
@@ -22,7 +23,8 @@ SHARES = {"material": "Energy of springs by their material (deflections of the f
 ENERGIES = {"V": "Potential energy", "T": "Kinetic energy"}
 
 
-def _order(problem):
+def order_asked(problem: "Problem") -> int:
+    """The order of the energies."""
     find = problem.spec.get("find")
     record = find.about(WORD) if find is not None else None
     return ORDER if record is None else record.get("order", ORDER)
@@ -31,7 +33,7 @@ def _order(problem):
 def expansion(problem: "Problem", _: "Report") -> Iterator[Section]:
     from vibcli.results.expansions import expansions
 
-    order = _order(problem)
+    order = order_asked(problem)
     found = expansions(problem, order)
     counted = "" if problem.symbolic.balanced_as_drawn else ", the coordinates counted from it"
     lines, several = [], len(found) > 1
@@ -46,7 +48,7 @@ def expansion(problem: "Problem", _: "Report") -> Iterator[Section]:
                 problem, one, which)))
     for which, title in ENERGIES.items():
         yield from section(f"{title}, to order {order} about the equilibrium{counted}",
-                           *_each(lines, lambda one, which=which: [line(f"{which} = ", *_sum(
+                           *_each(lines, lambda one, which=which: [line(f"{which} = ", *sum_of(
                                problem, one, one.energies[which]))]))
     yield from section(f"Equations of motion, to order {order - 1} about the equilibrium{counted}",
                        *_each(lines, lambda one: _equations(problem, one)), _left_out(problem, found[0]))
@@ -74,29 +76,29 @@ def _each(lines, told):
 
 
 def _deflections(problem, one):
-    return [line(*_sum(problem, one, terms), label=Name(name)) for name, terms in one.deflections.items() if terms]
+    return [line(*sum_of(problem, one, terms), label=Name(name)) for name, terms in one.deflections.items() if terms]
 
 
 def _shares(problem, one, which):
-    return [line("V = ", *_sum(problem, one, getattr(shares, which)), label=Name(name))
+    return [line("V = ", *sum_of(problem, one, getattr(shares, which)), label=Name(name))
             for name, shares in one.springs.items()]
 
 
 def _equations(problem, one: "Expansion"):
-    return [line(*_sum(problem, one, terms), " = 0", label=Name(name)) for name, terms in zip(
+    return [line(*sum_of(problem, one, terms), " = 0", label=Name(name)) for name, terms in zip(
         problem.scene.coordinates, one.equations or (), strict=one.equations is not None)]
 
 
-def _sum(problem, one: "Expansion", terms):
+def sum_of(problem: "Problem", one: "Expansion", terms: Any) -> Sequence[Any]:
     """Parts of Σ factor·product."""
     table = problem.scene.table
     products = [(c, one.product(powers)) for powers, c in terms.items()]
     if not one.letters:
         return numeric_sum(products)
-    return [table.sum(*((c * product, 1) for c, product in products))]
+    return [table.sum(*((textbook(c * product), 1) for c, product in products))]
 
 
-def _missing(problem, one: "Expansion"):
+def left_out(problem: "Problem", one: "Expansion") -> list[str]:
     """What the equations do not hold."""
     left = ["dampers"] * any(problem.spec.get(name) for name in ("dampers", "damping"))
     return left + ["what changes with time"] * one.timed
@@ -106,7 +108,7 @@ def _left_out(problem, one: "Expansion"):
     if one.equations is None:
         return paragraph("Not written out: loads follow the motion here. `motion: {order: 3}` follows the expanded "
                          "motion.", hang=0)
-    left = _missing(problem, one)
+    left = left_out(problem, one)
     return paragraph(f"Left out: {' and '.join(left)}.", hang=0) if left else None
 
 
@@ -115,7 +117,7 @@ def _data(problem):
     from vibcli.results.expansions import expansions
     from vibcli.results.truncated_forces import truncated_forces
 
-    order = _order(problem)
+    order = order_asked(problem)
     try:
         found = expansions(problem, order)
     except PhysicsError as refusal:
@@ -130,7 +132,7 @@ def _data(problem):
         {"coordinate": name, "terms": _rows(one, one.equations[i], letters and letters.equations[i])}
         for i, name in enumerate(problem.scene.coordinates)]
     series = [SERIES.row(*row) for row in truncated_forces(problem, order - 1)]
-    return KEY.row(order, V, T, springs, series, equations, None if equations is None else _missing(problem, one), None)
+    return KEY.row(order, V, T, springs, series, equations, None if equations is None else left_out(problem, one), None)
 
 
 def _rows(one, terms, letters):

@@ -15,7 +15,7 @@ from vibcli.report import blocks
 from vibcli.report.blocks import Name, Section, TableBlock, line, maths, paragraph, section
 from vibcli.report.keys import Key, data
 from vibcli.report.sections.expanded_motion import PERIODS, compared_periods, periods
-from vibcli.report.sections.requested_signals import RequestedSignal, extremes, if_known, names_asked, signals_asked
+from vibcli.report.sections.requested_signals import RequestedSignal, extremes, if_known, signals_asked, trees_asked
 from vibcli.report.sections.steady_state import harmonics_of, phase_in, steady_state
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ def response(problem: "Problem", report: "Report") -> Iterator[Section]:
         if report.wanted.at:
             names = ", ".join(name for name in problem.scene.parameters.free if name not in problem.numeric.given)
             raise NotInLetters("values at instants are found in numbers", f"give values with --set to {names}")
-        yield from response_in_letters(problem, names_asked(problem, RESPONSE, report.wanted.signals))
+        yield from response_in_letters(problem, trees_asked(problem, RESPONSE, report.wanted.signals))
         return
     motion, asked = problem.response, signals_asked(problem, report.wanted.signals)
     _require_quick(problem, asked, report.wanted)

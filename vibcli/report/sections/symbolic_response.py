@@ -26,10 +26,13 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression import Table
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.syntax import NameRef
 from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
     from vibcli.analyses.closed_form.frequency_response import Formula
+    from vibcli.mechanics.symbolic_linear import Tree
     from vibcli.results.problem import Problem
 
 LETTERS = {"X": ("X", "Z", "R"), "theta": ("theta", "psi", "epsilon"), "omega": ("omega", "omega_0"),
@@ -39,32 +42,56 @@ AHEAD = {"sin": ("", "cos"), "cos": ("−", "sin")}       # a quarter period ahe
 CONDITIONS = {"under-damped": " < ", "critically damped": " = ", "over-damped": " > "}
 
 
-def response_in_letters(problem: "Problem", names: Iterable) -> Iterator[Section]:
-    """Sections of the steady state of signals, {text}, and of the motion of one coordinate from its start."""
+def response_in_letters(problem: "Problem", asked: "Iterable[tuple[str, Tree]]") -> Iterator[Section]:
+    """Sections of the steady state of signals, (text, tree), and of the motion of one coordinate from its start."""
     from vibcli.analyses.closed_form.powers_of_time import are_powers
 
     if problem.spec.in_full:
         raise NotInLetters("motions that are integrated are found in numbers",
                            "give the parameters values with --set")
     problem.require_no_members()
-    driven, names = bool(problem.scene.timed and problem.symbolic.excitation), list(names)
+    driven, trees = bool(problem.scene.timed and problem.symbolic.excitation), dict(asked)
     growing = driven and are_powers(problem.symbolic)
-    find = problem.symbolic_following if growing else problem.symbolic_steady_state
-    steady = {name: find(name) for name in names} if driven else {}
+    steady, untold = _followed(problem, trees, growing) if driven else ({}, ())
     values = {name: node for name, node in problem.symbolic.equilibrium_position.items() if not node.is_zero}
     if values:
         yield from section("Equilibrium, from which motions are counted", paragraph(*equilibrium_parts(values)))
     for number, (name, found) in enumerate(steady.items(), 1):
-        yield from section(f"Steady state of {symbol(name)}", equations([line(Name(name), " = ", found)])) if (
-            growing) else steady_section(problem, name, found, str(number) * (len(steady) > 1))
+        shown = _printed(problem, name, trees[name])
+        yield from section(f"Steady state of {symbol(name)}", equations([line(shown, " = ", found)])) if (
+            growing) else steady_section(problem, name, found, str(number) * (len(steady) > 1), shown)
+    yield from section("Not found in letters", *(paragraph(f"{symbol(name)}: {why}") for name, why in untold))
     if len(problem.scene.q) == 1:
         name, = problem.scene.coordinates
-        if not driven and name not in names:
+        if not driven and name not in trees:
             raise NotInLetters(f"a free motion in letters is found of '{name}' alone", "ask for it, or give numbers "
                                "with --set")
         yield from _from_the_start(problem, steady)
     elif not driven:
         raise NotInLetters("free motions in letters are found for one degree of freedom", "give numbers with --set")
+
+
+def _followed(problem, trees, growing):
+    """({text: what a signal follows or keeps up}, [(text, why another is not found)]); the refusal where all are."""
+    find = problem.symbolic_following if growing else problem.symbolic_steady_state
+    found, untold = {}, []
+    for name, tree in trees.items():
+        try:
+            found[name] = find(name if isinstance(tree, NameRef) else tree)
+        except NotInLetters as error:
+            untold.append((name, error))
+    if untold and not found:
+        raise untold[0][1]
+    return found, [(name, error.message) for name, error in untold]
+
+
+def _printed(problem, name, tree):
+    """A signal as it stands in an equation: a sum term by term."""
+    if isinstance(tree, NameRef):
+        return Name(name)
+    table, known = Table(), problem.scene.parameters.nodes
+    return lower(tree, table, lambda name, primes, _: table.parameter(name) if name in known else table.variable(
+        name + "'" * primes))
 
 
 def letter(problem: "Problem", name: str) -> str:
@@ -74,13 +101,14 @@ def letter(problem: "Problem", name: str) -> str:
     return next(one for one in chain(LETTERS[name], numbered) if one not in taken)
 
 
-def steady_section(problem: "Problem", name: str, steady: Any, number: str) -> Iterator[Section]:
-    """x = X·sin(Ω·t − θ), X and tan θ, where it resonates and where it rests."""
+def steady_section(problem: "Problem", name: str, steady: Any, number: str, shown: Any = None) -> Iterator[Section]:
+    """x = X·sin(Ω·t − θ), X and tan θ, where it resonates and where it rests; shown: the signal in an equation, unless
+    that is its name."""
     formula, X, theta = steady.formula, letter(problem, "X") + number, letter(problem, "theta") + number
     lag = () if formula.undamped or formula.ahead else (" − ", Name(theta))
     sign, wave = AHEAD[steady.wave] if formula.ahead else ("", steady.wave)
     mean = () if steady.mean is None or steady.mean.is_zero else (steady.mean, " + " if not sign else " ")
-    lines = [line(Name(name), " = ", *mean, sign, Name(X), f"·{wave}(", steady.argument, *lag, ")"),
+    lines = [line(shown or Name(name), " = ", *mean, sign, Name(X), f"·{wave}(", steady.argument, *lag, ")"),
              line(Name(X), " = ", formula.amplitude)]
     lines += ratio_lines(problem, formula, Name(X))
     if lag:

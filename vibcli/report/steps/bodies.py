@@ -55,10 +55,17 @@ class Bodies:
         """T of each body that moves."""
         for body in self.scene.bodies.values():
             terms = [term for term in self.scene.inertias if term.owner == body.name]
-            if body.name not in self._apart and any(self.about.small(term.s).slopes for term in terms):
+            if body.name not in self._apart and any(small.slopes for _, small in self._moved(body, terms)):
                 yield self._like_another(body, terms) or self._of_body(body, terms)
         for name in dict.fromkeys(term.owner for term in self.scene.inertias if term.owner not in self.scene.bodies):
             yield self._of_terms(name, [term for term in self.scene.inertias if term.owner == name])
+
+    def _moved(self, body, terms):
+        """(weight, s) of each term of ½ Σ w ṡ² of a body, of one on a fixed axis of its turn alone."""
+        if _is_on_an_axis(body):
+            yield self.about.tidy(self.scene.table.total(_about_the_axis(body))), self.about.small(body.frame.angle)
+        else:
+            yield from ((term.weight, self.about.small(term.s)) for term in terms)
 
     def _letter(self, name):
         return self.sheet.letter("T", name if self._several or name not in self.scene.bodies else "")
@@ -67,7 +74,7 @@ class Bodies:
         """T of a body that moves like one before it; None of others."""
         if body.frame is None or body.pieces:
             return None
-        node = self.about.half_squares([(term.weight, self.about.small(term.s)) for term in terms], rates=True)
+        node = self.about.half_squares(list(self._moved(body, terms)), rates=True)
         of = (body.mass, body.inertia, body.frame.angle.mask != 0, node)
         first = self._told.setdefault(of, body.name)
         if first == body.name or (node.op == "product" and len(node.args) <= SHORT and first in self._at_once):
@@ -83,21 +90,14 @@ class Bodies:
     def _of_body(self, body, terms):
         if body.frame is None:
             return self._of_terms(body.name, terms)
-        if body.frame.angle.mask and not any(node.mask for node in body.frame.place):
+        if _is_on_an_axis(body):
             return self._about_a_fixed_axis(body, terms)
         return self._in_the_plane(body, terms)
 
     def _about_a_fixed_axis(self, body: "Body", terms):
         """½ J_O ω², J_O by the parallel axis theorem of each part."""
-        table, about, (ox, oy) = self.scene.table, self.about, body.frame.drawn
-        parts, written = [], []
-        for mass, (x, y), own in body.pieces or ((body.mass, body.centre, body.inertia),):
-            square = textbook((x - ox) ** 2 + (y - oy) ** 2)
-            for node in (own, None if mass is None else mass * square):
-                if node is not None and not node.is_zero:
-                    parts.append(node)
-                    written.append(textbook(node))
-        J, omega = about.tidy(table.total(parts)), about.small(body.frame.angle)
+        about, parts = self.about, _about_the_axis(body)
+        written, ((J, omega),) = list(map(textbook, parts)), self._moved(body, terms)
         rate, turns = about.rate(omega), Words(f"{body.name} turns about the fixed O:  ")
         if len(parts) == 1:
             turn = about.letter(self.sheet.letter("omega", body.name))
@@ -183,6 +183,20 @@ class Bodies:
     def _number(self, node):
         value = self.about.value(node)
         return () if value is None else number(value, "kg·m²")
+
+
+def _is_on_an_axis(body):
+    """Does a body turn about a fixed axis?"""
+    return body.frame is not None and body.frame.angle.mask and not any(node.mask for node in body.frame.place)
+
+
+def _about_the_axis(body):
+    """The terms of J_O, J_C and m·OC² of each part."""
+    ox, oy = body.frame.drawn
+    squares = [(own, mass, textbook((x - ox) ** 2 + (y - oy) ** 2))
+               for mass, (x, y), own in body.pieces or ((body.mass, body.centre, body.inertia),)]
+    nodes = [node for own, mass, square in squares for node in (own, None if mass is None else mass * square)]
+    return [node for node in nodes if node is not None and not node.is_zero]
 
 
 def _is_plain(speeds, omega):

@@ -69,7 +69,7 @@ class OneDegree:
             turn, f, T = 2 * self.about.table.pi, self.sheet.letter("f"), self.sheet.letter("T")
             period = [Words(",  "), Name(T), " = ", turn / self.omega, *number(tau / value, "s")]
             self.sheet.write(Name(f), " = ", self.omega / turn, *number(value / tau, "Hz"), *period, uses=[line],
-                             settles="frequency[1]", node=self.omega / turn, value=value / tau, unit="Hz")
+                             settles="frequency[1]", node=self.omega / turn, value=value / tau, unit="Hz", joined=True)
         return line
 
     def _damping(self, of_omega):

@@ -18,6 +18,7 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import is_zero, root_of_square, textbook
+from vibcli.symbolic.radicals import without_bars
 from vibcli.symbolic.rationals import HALF, ONE
 
 if TYPE_CHECKING:
@@ -86,7 +87,7 @@ class AboutRest:
         self.undriven = {one.s: other.s for kind, terms in scene.shaken.items()
                          for one, other in zip(getattr(scene, kind), terms, strict=True)}
         self._known, self._sheet, self._named = dict(values), sheet, {}
-        self._searched, self._of_letters = bool(values), 0
+        self._searched = bool(values)
         self.index = {q: i for i, q in enumerate(self.scene.q)}
         self.samples = samples_of(problem, self._known)
 
@@ -141,6 +142,7 @@ class AboutRest:
         """An expression at rest, in its simplest form; where `named` a letter for a long one that has a number, at a
         place that a search found for one that is not short."""
         found = self.tidy(self._begun(substitute([node], self.place)[0]))
+        found = self.tidy(without_bars(found, self.samples))
         most = READABLE if self._searched else TOO_LONG
         if not named or self.problem.numeric.has_free_symbols or letters(found) <= most:
             return found
@@ -162,10 +164,9 @@ class AboutRest:
                 return -self._named[other]
             name, value = self._sheet.letter(f"b{len(self._named) + 1}"), self.value(node)
             shown = [" = ", node] if letters(node) <= SHOWN else []
-            words = "coefficients at that place:  " if self._searched else "for short:  "
-            joined = self._sheet.last == self._of_letters
-            self._of_letters = self._sheet.write(*([] if joined else [Words(words)]), Name(name), *shown, " = " + told(
-                value), settles=name, node=node, value=value, joined=joined)
+            words = [] if self._sheet.opened else [Words("with " if self._searched else "for short:  ")]
+            self._sheet.write(*words, Name(name), *shown, " = " + told(value), settles=name, node=node, value=value,
+                              opens=True)
             self._named[node] = self.table.parameter(name, positive=False)
             self.know(self._named[node], value)
         return self._named[node]

@@ -122,16 +122,22 @@ class Derivation:
             if terms:
                 line = self.sheet.write(Words("at rest  "), *slope_by(self.sheet, "V", name), " = ", SumOfTerms(
                     tuple(terms)), " = 0", uses=[one.line for one in loaded])
-        for shown in dict.fromkeys(one.shown for one in loaded if one.k is not None):
-            self._tension(next(one for one in loaded if one.shown is shown), line)
+        for i, shown in enumerate(dict.fromkeys(one.shown for one in loaded if one.k is not None)):
+            self._tension(next(one for one in loaded if one.shown is shown), line, joined=i > 0)
         return line
 
-    def _tension(self, one, line):
+    def _tension(self, one, line, joined):
+        """The tension of a spring at rest: what the balance leaves for it, or what its law gives there."""
         about, unit = self.about, self._unit_of_force(one.name)
+        follows = (self.problem.spec.get("springs") or {}).get(one.name, {}).get("preload") == "static"
+        words = "so " if follows else "" if joined else "at rest  "
+        places = [step.number for step in self.sheet.steps if step.settles.startswith("equilibrium[")]
         force = about.value(one.tension)
-        self.sheet.write(Words("so "), Name(one.shown.name), " = ", one.tension, *(() if force is None else number(
-            force, unit)), *(self._deflection(one, unit) if one.linear else ()), settles=one.shown.name,
-            node=one.tension, value=force, unit=unit, uses=[line])
+        told = () if force is None else number(force, unit)
+        self.sheet.write(Words(words), Name(one.shown.name), " = ", one.tension, *told,
+                         *(self._deflection(one, unit) if one.linear else ()), settles=one.shown.name,
+                         node=one.tension, value=force, unit=unit, uses=[line] if follows else places,
+                         joined=joined)
 
     def _deflection(self, one, unit):
         """Parts of N/k of a linear spring."""

@@ -45,6 +45,7 @@ class WorkedSolution:
         self.steps: list[WorkedLine] = []
         self._taken = set(taken)
         self._letters: dict[str, str] = {}
+        self._beside: WorkedLine | None = None
 
     @property
     def last(self) -> int:
@@ -73,12 +74,19 @@ class WorkedSolution:
 
     def write(self, *parts: Any, settles: str = "", uses: Sequence[int | None] = (), node: "Node | None" = None,
               value: float | None = None, unit: str = "", joined: bool = False, letter: str = "",
-              vanishes: "Node | None" = None) -> int:
-        """Write a line, or what is `joined` to the last one, and give its number."""
-        number = self.last if joined else self.last + 1
+              vanishes: "Node | None" = None, opens: bool = False) -> int:
+        """Write a line, or what is `joined` to the last one, and give its number; `opens`: the next one is joined to
+        it."""
+        number = self.last if joined or self.opened else self.last + 1
         known = tuple(sorted({use for use in uses if use and use < number}))
         self.steps.append(WorkedLine(number, settles, known, parts, node, value, unit, letter, vanishes))
+        self._beside = self.steps[-1] if opens else None
         return number
+
+    @property
+    def opened(self) -> bool:
+        """Will the next line be joined to the last one?"""
+        return bool(self.steps) and self.steps[-1] is self._beside
 
 
 def momentum(sheet: WorkedSolution, name: str, p: Any, change: Any, slope: Any) -> tuple:

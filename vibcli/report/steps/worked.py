@@ -11,6 +11,7 @@ from vibcli.report.steps.chosen import tell_chosen, with_letters
 from vibcli.report.steps.coordinates import tell_conditions, tell_constraints, tell_coordinates, tell_loops
 from vibcli.report.steps.degree import Degree
 from vibcli.report.steps.dry_friction import tell_friction
+from vibcli.report.steps.expansion import tell_expansion
 from vibcli.report.steps.full_equations import FullEquations
 from vibcli.report.steps.held import HINT, UNTOLD, SmallEquations, Untold
 from vibcli.report.steps.linearised import linearised
@@ -36,6 +37,7 @@ def worked(problem: "Problem") -> list[WorkedLine]:
     element by element; then to its small oscillations."""
     _require_told(problem)
     sheet = _sheet_of(problem)
+    tell_expansion(problem, sheet)
     tell_by_amplitude(problem, sheet)
     tell_asked(problem, sheet)
     if problem.choice is not None:

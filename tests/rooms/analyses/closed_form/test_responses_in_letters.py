@@ -11,6 +11,7 @@ from support.scenes import number, problem, value
 from vibcli.analyses.closed_form.steady_state import steady_state
 from vibcli.base.errors import NotInLetters, SpecError
 from vibcli.inverse import settled
+from vibcli.quantities.in_letters import quantity_in_letters
 from vibcli.report.blocks import Equations, SumOfTerms
 from vibcli.report.document import Report
 from vibcli.report.formats.text import section_lines, shown
@@ -169,7 +170,7 @@ def test_peak_of_one_degree(scene):
 
 def motion(lettered, given, t):
     """x(t) by the printed formulas of the regime that holds."""
-    blocks = [block.lines for found in response_in_letters(lettered, ["x"]) for block in found.blocks
+    blocks = [block.lines for found in response_in_letters(lettered, [("x", parse("x"))]) for block in found.blocks
               if isinstance(block, Equations)]
     known = dict(given, t=t)
     if lettered.scene.timed:
@@ -297,3 +298,33 @@ def test_resonances_are_told_once_of_each_signal_and_only_where_nothing_is_dampe
     found = problem(f"{scene}\n    find: {{response: {{of: [{', '.join(signals)}]}}}}\n")
     told = [line for line in printed(found) if line.startswith("resonance")]
     assert len(told) == (0 if "dampers:" in scene else len(signals))
+
+
+@pytest.mark.parametrize("scene", [ABSORBER, DAMPED])
+@pytest.mark.parametrize("signal", ["x1 - x2", "k1*x1 + 3*k2*(x2 - x1)", "x1'/Omega - (x2 + tuned.stretch)*m1/m2"])
+def test_sums_of_signals_have_the_amplitude_of_the_motion(scene, signal):
+    lettered = problem(scene)
+    given = numbers(lettered, 5)
+    found, = evaluate([steady_state(lettered.symbolic, parse(signal)).formula.amplitude], Floats, given)
+    assert abs(found) == pytest.approx(value(with_numbers(lettered, given), f"amplitude({signal})"), rel=1e-11)
+    asked, = evaluate([quantity_in_letters(lettered, parse(f"amplitude({signal})"))], Floats, given)
+    assert asked == pytest.approx(abs(found), rel=1e-12)
+
+
+def test_a_signal_that_is_not_found_leaves_the_others():
+    lines = printed(problem(ABSORBER + "    find: [{response: {of: [x1, x1*x2, x1 + x2]}}]\n"))
+    at = lines.index("Not found in letters")
+    assert lines[at + 1] == "x1*x2: of signals sums alone are found in letters, each with a factor that is fixed"
+    assert "x₁ + x₂ = X₂·sin(Ω·t)" in lines and lines.index("Steady state of x1 + x2") < at
+    found = Report(problem(ABSORBER + "    find: [{response: {of: [x1*x2]}}]\n"))
+    found.add("response")
+    assert isinstance(found.refusal, NotInLetters)
+
+
+def test_no_antiresonance_where_nothing_vanishes():
+    """k₁(x₁ − 2x₂) of two equal masses is −k F₀ (m Ω² + k) over the determinant."""
+    chain = ABSORBER.replace("m1: , m2: , k1: , k2: ", "m: , k: ")
+    chain = re.sub(r"\bm[12]\b", "m", re.sub(r"\bk[12]\b", "k", chain))
+    formula = steady_state(problem(chain).symbolic, parse("x1 - 2*x2")).formula
+    assert formula.zeros is None
+    assert steady_state(problem(chain).symbolic, "x1").formula.zeros is not None

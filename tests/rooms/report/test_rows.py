@@ -1,0 +1,40 @@
+"""Rows of a long formula end between clauses and words, else before a relation or a term; nothing is lost."""
+
+from support.scenes import problem
+
+from vibcli.notation.numbers import width, wrapped
+from vibcli.notation.plain import plain
+from vibcli.report.blocks import Name, Words
+from vibcli.report.formats.formula import formula, rows
+
+
+def joined(found):
+    return " ".join(" ".join(found).split())
+
+
+def test_words_are_divided_at_spaces():
+    said = "  by a search (what is left of the forces is 7.4e-18 of their terms); from now on all are counted there"
+    parts = [Words("at rest  "), Name("phi"), " = 0.168255", Words(" rad"), Words(said)]
+    found = rows(parts, plain, 60)
+    assert len(found) == 3 and all(width(row) <= 60 for row in found)
+    assert joined(found) == joined([formula(parts, plain)])
+
+
+def test_a_clause_that_fits_stands_whole():
+    parts = [Name("b1"), " = −0.0702054", Words(",  "), Name("b2"), " = 0.467208", Words(",  "), Name("b3"),
+             " = 0.459075"]
+    assert [row.strip(" ,") for row in rows(parts, plain, 40)] == ["b₁ = −0.0702054,  b₂ = 0.467208", "b₃ = 0.459075"]
+
+
+def test_no_row_is_a_letter_alone():
+    scene = problem("parameters: {m: , k: , c: , L: }\nbodies: {b: {mass: m, slide: x}}\n"
+                    "springs: {s: {k: k, between: [ground, b]}, r: {k: c + L, between: [ground, b]}}\n")
+    k, c, L = (scene.scene.parameters.nodes[name] for name in "kcL")
+    long = (k + c) * (k + L) * (c + L) * (k + c + L) / (k + 2 * c)
+    found = rows([Words("with "), Name("b1"), " = ", long, " = 0.3"], plain, 30)
+    assert found[0].startswith("with b₁ = (") and found[-1] == "= 0.3"
+
+
+def test_a_line_of_text_begins_at_its_indent_where_two_spaces_are_broken():
+    assert wrapped("aaa bbbb,  ccc = 2", 9, indent=4) == ["aaa bbbb,", "    ccc =", "    2"]
+    assert wrapped("a = 1,  b", 100) == ["a = 1,  b"]
