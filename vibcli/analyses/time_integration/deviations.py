@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from vibcli.analyses.time_integration.collocation_step import along
 from vibcli.analyses.time_integration.error_scales import EPSILON
 from vibcli.analyses.time_integration.rounded_data import DIRECTIONS, STEP, Varied
 from vibcli.analyses.time_integration.variation import NEAR, linearised, slopes
@@ -58,10 +59,9 @@ class Deviations:
     def _sizes(self):
         """How large places and velocities are, those that hardly change lifted."""
         trajectory, found = self.trajectory, []
-        states = [window.along(LOOKS) for window in trajectory.windows]
-        for rows in (np.concatenate([state[order].T for state in states]) for order in range(2)):
-            least = STILL * (np.abs(rows).max(axis=0) + (0.0 if found else STILL * self.units))
-            found.append(trajectory.sizes.lifted(np.maximum(np.ptp(rows, axis=0), least)))
+        for rows in along(trajectory.windows, LOOKS)[:2]:
+            least = STILL * (np.abs(rows).max(axis=1) + (0.0 if found else STILL * self.units))
+            found.append(trajectory.sizes.lifted(np.maximum(np.ptp(rows, axis=1), least)))
         speeds = found[1] if found[1].any() else found[0] / min(trajectory.sizes.radian, 1.0)
         return np.concatenate([found[0], speeds])
 

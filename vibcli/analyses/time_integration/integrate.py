@@ -85,7 +85,7 @@ def _followed(motion, until, rtol, points):
             stay(march, motion.stops, starts_at_rest(motion.initial) and not motion.configuration.falls)
         rests = march.t
         try:
-            _marched(march, motion.stops, events, motion.explicit_windows(rtol, again))
+            _marched(march, motion.stops, events, motion.other_windows(rtol, again))
         except Spent as spent:
             if spent.task is not task or not march.windows:
                 raise
@@ -112,8 +112,8 @@ def _unbalanced(energies):
                         "follow it for a shorter time, or let what acts change less abruptly")
 
 
-def _marched(march, stops, events, explicit):
-    """March to the end, by `explicit` windows where these pay; the events on the way go to `events`."""
+def _marched(march, stops, events, others):
+    """March to the end, by `others` where these pay; the events on the way go to `events`."""
     until, at_once = march.until, 0
     if march.t == until:
         return
@@ -121,7 +121,7 @@ def _marched(march, stops, events, explicit):
     march.begin(stops.after(march.t, until))
     while march.t < until:
         limit, instant, which = stops.after(march.t, until), None, ()
-        paying = next((windows for windows in explicit if windows.pay(march, limit)), None)
+        paying = next((windows for windows in others if windows.pay(march, limit)), None)
         if paying is not None:
             paying.follow(march, limit)
         else:

@@ -52,7 +52,7 @@ class Trajectory:
     """names: the coordinates; windows: their polynomials; until: the end asked for, and `end` that which was reached,
     earlier where a rope goes slack; events; balance; drift: the largest gaps of the constraints
     (positions, velocities) relative to the motion, None without closed loops; shared: with a second solution; sizes:
-    those of the motion; explicit: are there windows of explicit steps in it? breaks: of what drives it; struck: (t, q,
+    those of the motion; coarse: are windows in it as coarse as is asked? breaks: of what drives it; struck: (t, q,
     q̇ before, q̇ after) of each blow; fast: the oscillation that was stepped over, None where all is followed; rests: the
     instant up to which it stays in the equilibrium in which it starts."""
 
@@ -62,7 +62,7 @@ class Trajectory:
                  balance: Balance | None = None, drift: Any = None):
         self.system, self.switching, self.windows = march.system, march.switching, march.windows
         self.breaks, self.struck = breaks, tuple(march.struck)
-        self.explicit = march.explicit
+        self.coarse = march.coarse
         self.names, self.sizes, self.fast = list(march.system.scene.coordinates), march.sizes, march.fast
         self.until, self.end, self.events, self.rests = until, until, tuple(events), rests
         self.balance, self.drift, self.reason, self.advice, self.shared = balance, drift, None, None, None

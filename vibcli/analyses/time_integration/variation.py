@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vibcli.analyses.time_integration.collocation_step import Window
+from vibcli.analyses.time_integration.collocation_step import Window, along
 from vibcli.analyses.time_integration.rounded_data import DIRECTIONS, STEP
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.collocation_rule import rule
@@ -93,8 +93,7 @@ def _chunk(varied, windows, chosen, slides, steps):
     c, n, s, W = chosen.c, len(windows[0].q), chosen.points, len(windows)
     H = np.array([window.end for window in windows])
     t = np.concatenate([window.start + c * window.end for window in windows])
-    states = [window.along(c) for window in windows]
-    q, v = (np.concatenate([state[i] for state in states], axis=1) for i in range(2))
+    q, v, _ = along(windows, c)
     g = [np.repeat(senses, s) for senses in zip(*(window.g for window in windows), strict=True)] if windows[0].g else ()
     F = slopes(varied, t, q, v, g, slides, steps).reshape(n, -1, W, s).transpose(2, 0, 3, 1)    # (W, n, s, columns)
     F = np.where(np.isfinite(F), F, 0.0)
