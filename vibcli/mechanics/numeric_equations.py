@@ -7,6 +7,7 @@ Up to DIRECT coordinates without constraints M q̈ = −h is solved in the expre
 """
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -49,7 +50,6 @@ class NumericEquations:
         for i, name in enumerate(scene.coordinates):
             if (i, i) not in parts.M:
                 raise massless(name)
-        self.inertia = self.compiled([parts.M[i, i] for i in range(self.n)])
         if self.direct:
             self.solution = _solved(scene.table, parts, self.n) if like is None else like.solution
             self._compiled = self.compiled(self.solution)
@@ -59,6 +59,11 @@ class NumericEquations:
             self._compiled = self.compiled(entries)
             self._inverse = self._factors() if self.still else None
         self._closing = self.compiled([*parts.gaps, *parts.rates]) if self.m else None
+
+    @cached_property
+    def inertia(self) -> "Compiled":
+        """[Mᵢᵢ] of instants."""
+        return self.compiled([self.parts.M[i, i] for i in range(self.n)])
 
     def compiled(self, nodes: "Sequence[Node]"):
         """The nodes as a function of arrays; its switches are added to those of the system."""

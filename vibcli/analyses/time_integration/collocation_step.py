@@ -54,6 +54,15 @@ class Window:
         q = self.q[:, None] + tau * self.v[:, None] + H * H * ((self.series @ rule.twice) @ P)
         return q, v, a
 
+    def moves(self) -> np.ndarray:
+        """Legendre coefficients of q − q₀ − τ q̇₀, of q̇ − q̇₀ and of q̈, of shape (3n, points + 2)."""
+        rule, H, (n, points) = self.rule, self.length, self.series.shape
+        found = np.zeros((3, n, points + 2))
+        found[0] = H * H * (self.series @ rule.twice)
+        found[1, :, :-1] = H * (self.series @ rule.once)
+        found[2, :, :-2] = self.series
+        return found.reshape(3 * n, -1)
+
     def state(self, tau: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         q, v, a = self.states(np.array([tau]))
         return q[:, 0], v[:, 0], a[:, 0]

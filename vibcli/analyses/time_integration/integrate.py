@@ -10,6 +10,7 @@ from vibcli.analyses.time_integration.energy_balance import balance
 from vibcli.analyses.time_integration.error_scales import EPSILON
 from vibcli.analyses.time_integration.events import first_event
 from vibcli.analyses.time_integration.impulses import blow
+from vibcli.analyses.time_integration.march_ends import endless
 from vibcli.analyses.time_integration.motionless import starts_at_rest, stay
 from vibcli.analyses.time_integration.prepared_motion import PreparedMotion, loose
 from vibcli.analyses.time_integration.slack_ropes import slack
@@ -63,21 +64,21 @@ def solved(motion: PreparedMotion, rtol: float = ACCURACY, balanced: float = BAL
         if gone is not None:
             found.cut(*gone)
     if march.t < until and not found.reason:
-        found.stop(march.t, *march.endless())
+        found.stop(march.t, *endless(march))
     return found
 
 
 @np.errstate(all="ignore")
-def solved_again(motion: PreparedMotion, until: float, rtol: float = ACCURACY) -> Trajectory:
-    """A second solution: by rules of another order or longer steps, from a start that differs in its last digit, its
-    energies left alone."""
-    march, events, rests = _followed(motion, until, rtol, SECOND)
+def solved_again(motion: PreparedMotion, first: Trajectory, rtol: float = ACCURACY) -> Trajectory:
+    """A second solution to the end of the first: by rules of another order, from a start that differs in its last
+    digit, its energies left alone."""
+    march, events, rests = _followed(motion, first.end, rtol, SECOND, first)
     return Trajectory(march, march.t, events, rests, motion.stops)
 
 
-def _followed(motion, until, rtol, points):
+def _followed(motion, until, rtol, points, first=None):
     """(the March to its end or as far as it may, the Events on the way, up to when it rests)."""
-    again, work = points is SECOND, motion.configuration.numeric.work
+    again, work = first is not None, motion.configuration.numeric.work
     with work.task("the integration" + " once more" * again, MOST_STEPS * (1 + again)) as task:
         q, v = (x * (1 + EPSILON * again) for x in motion.start)
         march, events = March(motion.system, motion.switching, q, v, min(rtol, ACCURACY), until, task, points), []
@@ -85,7 +86,7 @@ def _followed(motion, until, rtol, points):
             stay(march, motion.stops, starts_at_rest(motion.initial) and not motion.configuration.falls)
         rests = march.t
         try:
-            _marched(march, motion.stops, events, motion.other_windows(rtol, again))
+            _marched(march, motion.stops, events, motion.other_windows(rtol, first))
         except Spent as spent:
             if spent.task is not task or not march.windows:
                 raise

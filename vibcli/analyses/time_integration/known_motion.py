@@ -50,4 +50,4 @@ def _twice(motion, rtol, asked, accuracy):
     found = solved(motion, rtol, max(BALANCED, asked))
     if not found.end > 0:
         raise found.unknown(0.0)
-    return found, Shared(found, solved_again(motion, found.end, rtol), motion.units, accuracy)
+    return found, Shared(found, solved_again(motion, found, rtol), motion.units, accuracy)

@@ -18,6 +18,7 @@ from vibcli.mechanics.switching import Switching
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
+    from vibcli.analyses.time_integration.trajectory import Trajectory
     from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.numeric_system import NumericSystem
     from vibcli.scene.scene import Scene
@@ -43,13 +44,14 @@ class PreparedMotion:
         self.start = vectors(scene, places, speeds)
         self.switching = Switching(self.system, bounds, owners)
 
-    def other_windows(self, rtol: float, again: bool) -> "Sequence[RefinedWindows | SeriesWindows]":
+    def other_windows(self, rtol: float, first: "Trajectory | None") -> "Sequence[RefinedWindows | SeriesWindows]":
         """Windows that are found by themselves, those before others where they pay: of compiled series; many at once,
-        of errors of `rtol`. None where collocation from one to the next is better. again: for a second solution."""
+        of errors of `rtol`. None where collocation from one to the next is better. first: the solution beside which
+        a second one is found."""
         if self._in_floats is None:
             return ()
-        return (SeriesWindows(self.system, self._in_floats.work, again),
-                RefinedWindows(self._in_floats, self.system.n, rtol, again))
+        return (SeriesWindows(self.system, self._in_floats.work, first is not None),
+                RefinedWindows(self._in_floats, self.system.n, rtol, first))
 
     @cached_property
     def _in_floats(self):

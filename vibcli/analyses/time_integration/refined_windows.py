@@ -20,6 +20,7 @@ from vibcli.symbolic.numeric_code import rooted
 
 if TYPE_CHECKING:
     from vibcli.analyses.time_integration.time_stepping import March
+    from vibcli.analyses.time_integration.trajectory import Trajectory
     from vibcli.mechanics.numeric_equations import NumericEquations
     from vibcli.mechanics.switching import Switching
 
@@ -29,6 +30,7 @@ POINTS = (40, 14), (32, 12)     # of windows, and of changes of them: of the fir
 ROUGH = 1e-4            # error of a step, relative to the motion
 FEW, MANY, LEAST = 16, 512, 4   # steps of a stretch, to begin with, and at most; without a window: stop
 MORE, AGAIN = 4.0, 1.1  # the next stretch; once part of one was not found
+TOGETHER, HELD_BESIDE = 128, 0.8    # windows of a first solution in a stretch, and in a window of the second
 HELD, STIFF = 2.5, 64.0     # of them in a window, to begin with; where more fit, forces are stiff
 RESOLVED, LAST = 0.95, 3    # of the coefficients of a window, that are to be used; those that must be small
 SMALL, SPLIT = 10.0, 1e3    # the last ones: of what need not be resolved; where halves of a window are tried
@@ -53,11 +55,14 @@ def refinable(system: "NumericEquations", switching: "Switching", driven: Any) -
 
 
 class RefinedWindows:
-    """Of a motion whose windows are resolved to `rtol` of its size; again: for a second solution."""
+    """Of a motion whose windows are resolved to `rtol` of its size; first: the solution beside which a second one is
+    found, the guess of it as long as it is near."""
 
-    def __init__(self, equations: FloatEquations, n: int, rtol: float, again: bool):
-        self.force, self.rtol, self.grids, self.step = equations.accelerations, rtol, grids(*POINTS[again]), stepper(n)
-        self.steps, self.more, self.held, self.given_up, self.h = FEW, MORE, HELD, False, 0.0
+    def __init__(self, equations: FloatEquations, n: int, rtol: float, first: "Trajectory | None" = None):
+        self.force, self.rtol, self.step = equations.accelerations, rtol, stepper(n)
+        self.grids = grids(*POINTS[first is not None])
+        self.first, self.more, self.given_up, self.h = first, MORE, False, 0.0
+        self.steps, self.held = (FEW, HELD) if first is None else (TOGETHER, HELD_BESIDE)
 
     def pay(self, march: "March", limit: float) -> bool:
         """Is what is left up to an instant long enough for them?"""
@@ -67,11 +72,23 @@ class RefinedWindows:
         """Go on to an instant, or to where forces have no value or are stiff: there they are given up."""
         self.h = self.h or ROUGH**0.125 * float(march.sizes.radian)
         while not self.given_up and limit - march.t > 1e-15 * limit:
-            times, states, accelerations = self._stepped(march, limit)
-            self.given_up = len(times) < 2 or not self._keep(march, times, states, accelerations) or march.slow
+            times, *guess = self._stepped(march, limit) if self.first is None else self._followed(march, limit)
+            self.given_up = len(times) < 2 or not self._keep(march, times, *guess) or march.slow
+
+    def _followed(self, march, limit):
+        """(instants between the next windows of the first solution, q̈ at their start, a guess of states)."""
+        first, t = self.first, float(march.t)
+        starts = first.starts[first.number(t) + 1:][:self.steps]
+        times = np.array([t, *starts[(starts > t + SHORTEST * limit) & (starts < limit)]])
+
+        def guess(at):
+            return [row.reshape(-1, *at.shape).swapaxes(0, 1) for row in first.at(at.ravel())[:2]]
+
+        return np.append(times, limit) if len(starts) < self.steps else times, first.at([t])[2][:, 0], guess
 
     def _stepped(self, march, limit):
-        """(instants, states (q, q̇), q̈) at the start and at the ends of the next steps, as many as are numbers."""
+        """(instants at the start and at the ends of the next steps, as many as have numbers, q̈ at the first, a guess of
+        states)."""
         t, limit = float(march.t), float(limit)       # NumPy's numbers would slow all others
         q, v, h, tries = tuple(march.q.tolist()), tuple(march.v.tolist()), self.h, 0
         times, states, accelerations = [], [], []
@@ -94,24 +111,29 @@ class RefinedWindows:
         except (ArithmeticError, ValueError, TypeError):    # overflow, 1/0; a logarithm, a root of what is negative
             pass
         self.h = h
-        values = np.array(states), np.array(accelerations)
-        fine = int(np.cumprod([np.isfinite(row).all(axis=1) for row in values]).sum())
-        return np.array(times)[:fine], *(row[:fine] for row in values)
+        values = np.array([[*state, *a] for state, a in zip(states, accelerations, strict=True)])
+        fine = int(np.cumprod(np.isfinite(values).all(axis=1)).sum()) if len(values) else 0
+        if fine < 2:
+            return [], None, None
+        times, values = np.array(times)[:fine], np.split(values[:fine], 3, axis=1)
+        return times, values[2][0], quintic(times, *values)
 
     def _weights(self, march, a):
         """1/(the error that is allowed of a step) of each place and velocity."""
         radian, places = march.sizes.radian, ROUGH * march.sizes.scale(march.sizes.radian, march.v, np.array(a))
         return (*(1.0 / places).tolist(), *(radian / places).tolist())
 
-    def _keep(self, march, times, states, accelerations):
+    def _keep(self, march, times, a, guess):
         """Move on by as many windows as are found and resolved; may there be more?"""
         n, count = len(march.q), len(times) - 1
         edges = np.interp(np.linspace(0, count, max(round(count / self.held), 1) + 1), np.arange(count + 1), times)
-        windows, ends = self._windows(march, edges, accelerations[0],
-                                      quintic(times, states[:, :n], states[:, n:], accelerations))
+        windows, ends = self._windows(march, edges, a, guess)
         whole = len(windows) == len(edges) - 1
         self.more = self.more if whole else AGAIN
         self.steps = min(int(self.more * (self.steps if whole else len(windows) * self.held)) + 1, MANY)
+        if not whole and self.first is not None:        # it has left this one
+            self.first, self.steps, self.held = None, FEW, HELD
+            count = FEW
         if not windows:
             return count > LEAST
         resolved, taken = self._resolved(march, windows)
@@ -122,7 +144,8 @@ class RefinedWindows:
     def _windows(self, march, edges, a, guess):
         """(the Windows between instants, as many from the first on as are found, states between them), from q̈ at their
         start and a guess of their states."""
-        stretch, radian = ManyWindows(march.accelerations, self.grids, edges), march.sizes.radian
+        start = np.concatenate([march.q, march.v])
+        stretch, radian = ManyWindows(march.accelerations, self.grids, edges, start), march.sizes.radian
         scale = march.sizes.scale(radian, march.v, a)
         try:
             found, A, (ends, Q, *_) = stretch.refined(guess, PART * self.rtol * scale,

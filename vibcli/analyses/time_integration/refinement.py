@@ -63,33 +63,43 @@ def grids(points: int, fewer: int) -> Grids:
 
 
 class ManyWindows:
-    """The windows between instants `edges` [s]; force(t, Q, V): q̈ of shape (n, instants). times: the points, and the
-    fewer."""
+    """The windows between instants `edges` [s], from a start (q, q̇); force(t, Q, V): q̈ of shape (n, instants). times:
+    the points, and the fewer."""
 
-    def __init__(self, force: Callable, chosen: Grids, edges: np.ndarray):
-        self.force, self.grids, self.edges, self.lengths = force, chosen, edges, np.diff(edges)
+    def __init__(self, force: Callable, chosen: Grids, edges: np.ndarray, start: np.ndarray):
+        self.force, self.grids, self.edges, self.start, self.lengths = force, chosen, edges, start, np.diff(edges)
         self.H = self.lengths[:, None, None]
         self.times = [edges[:-1, None] + self.lengths[:, None] * one.c for one in chosen[:2]]
 
     def refined(self, guess: Callable, allowed: np.ndarray, steps: np.ndarray) -> tuple[int, np.ndarray, JoinedStates]:
         """(how many windows from the first on are found, q̈ at the points of all, their JoinedStates). guess(t): (Q, V)
-        of shape (rows, n, columns), exact at the first of the edges; allowed: the error of each coordinate; steps: by
-        how much (q, q̇) are changed to see slopes. LinAlgError where there are none."""
-        rough, A = guess(self.times[1]), self._at(0, *guess(self.times[0]))
-        slopes = self._slopes(*rough, steps)
-        linear, here = self._linearised(slopes), self._states(np.concatenate(guess(self.edges[None]), 1)[0].T, A, 1)
+        of shape (rows, n, columns); allowed: the error of each coordinate; steps: by how much (q, q̇) are changed to see
+        slopes. LinAlgError where there are none."""
+        ends, rough, fine = self._guessed(guess)
+        A, slopes = self._at(0, *fine), self._slopes(*rough, steps)
+        linear, here = self._linearised(slopes), self._states(ends, A, 1)
         change = np.concatenate(here[1:3], axis=1) - np.concatenate(rough, axis=1)
         return self._iterated(*self._changed(here, A, np.einsum("wijs,wjs->wis", slopes, change), 0.0, linear),
                               linear, allowed)
 
+    def _guessed(self, guess):
+        """(the states between the windows, (Q, V) at the fewer points, at the points); the last state does not matter,
+        being where the last window comes to."""
+        fine, rough = self.times
+        Q, V = guess(np.concatenate([self.edges[:-1, None], rough, fine], axis=1))
+        starts, count = np.concatenate([Q[:, :, 0], V[:, :, 0]], axis=1), 1 + rough.shape[1]
+        ends = np.concatenate([self.start[None], starts[1:], starts[-1:]])
+        return ends, (Q[:, :, 1:count], V[:, :, 1:count]), (Q[:, :, count:], V[:, :, count:])
+
     def _iterated(self, here, A, linear, allowed):
         """With f at the states, until all windows are found: what is left of each falls by the same part again."""
         found, before = np.zeros(len(A), dtype=bool), np.inf
+        rounding = 0.5 * EPSILON * np.arange(1.0, len(A) + 1)[:, None, None]
         for count in range(MOST):
             residual, last = self._at(0, here.Q, here.V) - A, here.Q
             smooth = _times(residual, self.grids.down)
             here, A = self._changed(here, A, smooth, residual - _times(smooth, self.grids.up), linear)
-            change = (np.abs(here.Q - last) / (allowed[:, None] + 0.5 * EPSILON * np.abs(here.Q))).max(axis=(1, 2))
+            change = (np.abs(here.Q - last) / (allowed[:, None] + rounding * np.abs(here.Q))).max(axis=(1, 2))
             part = np.minimum(change / before, 1.0) if count else 1.0
             found |= (change * part <= 1) | ((part > SLOW) & (change <= CLOSE))
             if found.all():

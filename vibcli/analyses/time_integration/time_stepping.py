@@ -294,12 +294,3 @@ class March:
         """Put the state on the constraints of an instant, from which it drifts by rounding."""
         if self.system.m:
             self.q, self.v = self.system.projected(t, self.q, self.v, self.g)
-
-    def endless(self) -> tuple[str, str]:
-        """(why it was stopped, what may be done)."""
-        H = self.windows[-1].length
-        return (f"after {self.task.steps:.0f} of at most {self.task.limit:.0f} steps the motion has come to "
-                f"t = {self.t:.6g} s of {self.until:.6g} s: its fastest part takes steps of {H:.3g} s",
-                f"ask for a shorter time, damp what vibrates fast, or let what is very stiff be rigid; "
-                f"{self.task.hint()}")
-

@@ -181,11 +181,12 @@ def test_a_stretch_finds_all_windows_from_a_rough_guess_or_the_first_where_force
     def guess(t):
         return [row[:, None, :] for row in (np.cos(omega * t), -omega * np.sin(omega * t))]
 
-    stretch = ManyWindows(lambda t, Q, V: -np.sin(Q), grids(24, 12), edges)
+    start = np.array([1.0, 0.0])
+    stretch = ManyWindows(lambda t, Q, V: -np.sin(Q), grids(24, 12), edges, start)
     found, A, states = stretch.refined(guess, np.array([1e-14]), np.array([1e-6, 1e-6]))
     assert found == 14
     exact = float(2 * mpmath.asin(mpmath.sin(0.5) * mpmath.ellipfun("cd", 20, k=mpmath.sin(0.5))))
     assert abs(states.ends[-1, 0] - exact) < 1e-12
     assert np.abs(A + np.sin(states.Q)).max() < 1e-12 and np.abs(states.gaps).max() < 1e-14
-    assert ManyWindows(lambda t, Q, V: np.where(t < 10.0, -np.sin(Q), np.nan), grids(24, 12), edges).refined(
+    assert ManyWindows(lambda t, Q, V: np.where(t < 10.0, -np.sin(Q), np.nan), grids(24, 12), edges, start).refined(
         guess, np.array([1e-14]), np.array([1e-6, 1e-6]))[0] == 7
