@@ -129,7 +129,7 @@ class RefinedWindows:
         edges = np.interp(np.linspace(0, count, max(round(count / self.held), 1) + 1), np.arange(count + 1), times)
         windows, ends = self._windows(march, edges, a, guess)
         whole = len(windows) == len(edges) - 1
-        self.more = self.more if whole else AGAIN
+        self.more = min(LONGER * self.more, MORE) if whole else AGAIN
         self.steps = min(int(self.more * (self.steps if whole else len(windows) * self.held)) + 1, MANY)
         if not whole and self.first is not None:        # it has left this one
             self.first, self.steps, self.held = None, FEW, HELD
