@@ -145,7 +145,8 @@ class RefinedWindows:
         """(the Windows between instants, as many from the first on as are found, states between them), from q̈ at their
         start and a guess of their states."""
         start = np.concatenate([march.q, march.v])
-        stretch, radian = ManyWindows(march.accelerations, self.grids, edges, start), march.sizes.radian
+        system, radian = march.system, march.sizes.radian
+        stretch = ManyWindows(system.accelerations, system.by_state, self.grids, edges, start)
         scale = march.sizes.scale(radian, march.v, a)
         try:
             found, A, (ends, Q, *_) = stretch.refined(guess, PART * self.rtol * scale,

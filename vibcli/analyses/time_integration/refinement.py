@@ -63,11 +63,12 @@ def grids(points: int, fewer: int) -> Grids:
 
 
 class ManyWindows:
-    """The windows between instants `edges` [s], from a start (q, q̇); force(t, Q, V): q̈ of shape (n, instants). times:
-    the points, and the fewer."""
+    """The windows between instants `edges` [s], from a start (q, q̇); force(t, Q, V): q̈ of shape (n, instants), and
+    by_state(t, Q, V, steps): its slopes by (q, q̇), (2n, n, instants). times: the points, and the fewer."""
 
-    def __init__(self, force: Callable, chosen: Grids, edges: np.ndarray, start: np.ndarray):
-        self.force, self.grids, self.edges, self.start, self.lengths = force, chosen, edges, start, np.diff(edges)
+    def __init__(self, force: Callable, by_state: Callable, chosen: Grids, edges: np.ndarray, start: np.ndarray):
+        self.force, self.by_state, self.grids, self.edges, self.start = force, by_state, chosen, edges, start
+        self.lengths = np.diff(edges)
         self.H = self.lengths[:, None, None]
         self.times = [edges[:-1, None] + self.lengths[:, None] * one.c for one in chosen[:2]]
 
@@ -76,7 +77,7 @@ class ManyWindows:
         of shape (rows, n, columns); allowed: the error of each coordinate; steps: by how much (q, q̇) are changed to see
         slopes. LinAlgError where there are none."""
         ends, rough, fine = self._guessed(guess)
-        A, slopes = self._at(0, *fine), self._slopes(*rough, steps)
+        A, slopes = self._at(*fine), self._slopes(*rough, steps)
         linear, here = self._linearised(slopes), self._states(ends, A, 1)
         change = np.concatenate(here[1:3], axis=1) - np.concatenate(rough, axis=1)
         return self._iterated(*self._changed(here, A, np.einsum("wijs,wjs->wis", slopes, change), 0.0, linear),
@@ -96,7 +97,7 @@ class ManyWindows:
         found, before = np.zeros(len(A), dtype=bool), np.inf
         rounding = 0.5 * EPSILON * np.arange(1.0, len(A) + 1)[:, None, None]
         for count in range(MOST):
-            residual, last = self._at(0, here.Q, here.V) - A, here.Q
+            residual, last = self._at(here.Q, here.V) - A, here.Q
             smooth = _times(residual, self.grids.down)
             here, A = self._changed(here, A, smooth, residual - _times(smooth, self.grids.up), linear)
             change = (np.abs(here.Q - last) / (allowed[:, None] + rounding * np.abs(here.Q))).max(axis=(1, 2))
@@ -107,11 +108,11 @@ class ManyWindows:
             before = change
         return int(np.cumprod(found).sum()), A, here
 
-    def _at(self, which, Q, V):
-        """q̈ at states at the points, or the fewer, all of shape (windows, n, points)."""
+    def _at(self, Q, V):
+        """q̈ at states at the points, all of shape (windows, n, points)."""
         windows, n, points = Q.shape
         rows = (X.transpose(1, 0, 2).reshape(n, -1) for X in (Q, V))
-        return self.force(self.times[which].ravel(), *rows).reshape(n, windows, points).transpose(1, 0, 2)
+        return self.force(self.times[0].ravel(), *rows).reshape(n, windows, points).transpose(1, 0, 2)
 
     def _states(self, ends, A, which=0):
         """The JoinedStates, at the points or at the fewer, of those between the windows and of q̈ at the points."""
@@ -124,14 +125,10 @@ class ManyWindows:
 
     def _slopes(self, Q, V, steps):
         """(K, C) at the fewer points, of shape (windows, n, 2n, points)."""
-        A, n = self._at(1, Q, V), Q.shape[1]
-        found = np.empty((len(steps), *A.shape))
-        for i, step in enumerate(steps):
-            moved = [Q, V]
-            moved[i // n] = moved[i // n].copy()
-            moved[i // n][:, i % n] += step
-            found[i] = (self._at(1, *moved) - A) / step
-        return found.transpose(1, 2, 0, 3)
+        windows, n, points = Q.shape
+        rows = (X.transpose(1, 0, 2).reshape(n, -1) for X in (Q, V))
+        found = self.by_state(self.times[1].ravel(), *rows, steps)
+        return found.reshape(2 * n, n, windows, points).transpose(2, 1, 0, 3)
 
     def _linearised(self, slopes):
         rough, H, (windows, n, _, points) = self.grids.rough, self.H[..., None], slopes.shape

@@ -15,6 +15,7 @@ from vibcli.analyses.time_integration.prepared_motion import PreparedMotion
 from vibcli.analyses.time_integration.refined_windows import RefinedWindows, refinable
 from vibcli.analyses.time_integration.refinement import ManyWindows, grids
 from vibcli.base.errors import PhysicsError
+from vibcli.bench.asked_motions import links
 from vibcli.bench.trajectories import AT_100
 from vibcli.mechanics.numeric_equations import NumericEquations
 
@@ -70,6 +71,18 @@ def test_accelerations_in_floats_are_those_of_arrays(text):
         t, q, v = random.uniform(0, 9), random.uniform(-3, 3, system.n), random.uniform(-3, 3, system.n)
         expected = system.accelerations(np.array([t]), q[:, None], v[:, None])[:, 0]
         assert np.allclose(found.accelerations(t, *q.tolist(), *v.tolist()), expected, rtol=1e-12, atol=1e-12)
+
+
+@pytest.mark.parametrize("text", [PENDULUM, DOUBLE, SPRUNG, links(5), BLOCK], ids=["1", "2", "driven", "5", "still"])
+def test_slopes_of_accelerations_are_their_differences(text):
+    system, random = prepared(text).system, np.random.default_rng(8)
+    t, (q, v) = random.uniform(0, 9, 6), random.uniform(-1, 1, (2, system.n, 6))
+    found = system.by_state(t, q, v, np.full(2 * system.n, 1e-6))
+    for i, row in enumerate(found):
+        step = 1e-5 * np.eye(2 * system.n)[i][:, None]
+        ahead, back = (system.accelerations(t, q + sign * step[:system.n], v + sign * step[system.n:])
+                       for sign in (1, -1))
+        assert np.abs(row - (ahead - back) / 2e-5).max() < 1e-3 * max(np.abs(found).max(), 1.0)
 
 
 @pytest.mark.parametrize("text", UNSUITED.values(), ids=list(UNSUITED))
@@ -182,11 +195,15 @@ def test_a_stretch_finds_all_windows_from_a_rough_guess_or_the_first_where_force
         return [row[:, None, :] for row in (np.cos(omega * t), -omega * np.sin(omega * t))]
 
     start = np.array([1.0, 0.0])
-    stretch = ManyWindows(lambda t, Q, V: -np.sin(Q), grids(24, 12), edges, start)
+
+    def slopes(t, Q, V, steps):
+        return np.array([-np.cos(Q), np.zeros(Q.shape)])
+
+    stretch = ManyWindows(lambda t, Q, V: -np.sin(Q), slopes, grids(24, 12), edges, start)
     found, A, states = stretch.refined(guess, np.array([1e-14]), np.array([1e-6, 1e-6]))
     assert found == 14
     exact = float(2 * mpmath.asin(mpmath.sin(0.5) * mpmath.ellipfun("cd", 20, k=mpmath.sin(0.5))))
     assert abs(states.ends[-1, 0] - exact) < 1e-12
     assert np.abs(A + np.sin(states.Q)).max() < 1e-12 and np.abs(states.gaps).max() < 1e-14
-    assert ManyWindows(lambda t, Q, V: np.where(t < 10.0, -np.sin(Q), np.nan), grids(24, 12), edges, start).refined(
-        guess, np.array([1e-14]), np.array([1e-6, 1e-6]))[0] == 7
+    ending = ManyWindows(lambda t, Q, V: np.where(t < 10.0, -np.sin(Q), np.nan), slopes, grids(24, 12), edges, start)
+    assert ending.refined(guess, np.array([1e-14]), np.array([1e-6, 1e-6]))[0] == 7
