@@ -7,7 +7,7 @@ import mpmath
 import pytest
 from fuzz.full_bounds import DIGITS, compared
 
-from vibcli.analyses.time_integration import explicit_windows
+from vibcli.analyses.time_integration import refined_windows
 
 COARSE = (7126, 7139, *range(7110, 7120))    # of the first two errors of like steps pass one another
 SEEDS, LONGEST, LOOSE, LOOSER = range(7000, 7030), "1.2", 1e3, 2     # LOOSER: scenes whose median is beyond
@@ -28,19 +28,19 @@ def test_no_estimate_of_a_full_motion_is_exceeded():
     assert median(ratios) < LOOSE and sum(one > LOOSE for one in medians) <= LOOSER
 
 
-@pytest.mark.parametrize("asked", [1e-4, 1e-6])
-def test_no_estimate_is_exceeded_where_less_is_asked(asked, monkeypatch):
-    explicit, follow = [], explicit_windows.ExplicitWindows.follow
+@pytest.mark.parametrize("asked", [None, 1e-4, 1e-6])
+def test_no_estimate_is_exceeded_where_many_windows_are_found_at_once(asked, monkeypatch):
+    refined, follow = [], refined_windows.RefinedWindows.follow
 
     def counting(self, march, limit):
-        explicit.append(limit)
+        refined.append(limit)
         follow(self, march, limit)
 
-    monkeypatch.setattr(explicit_windows, "LONG", 2.0)
-    monkeypatch.setattr(explicit_windows.ExplicitWindows, "follow", counting)
+    monkeypatch.setattr(refined_windows, "LONG", 2.0)
+    monkeypatch.setattr(refined_windows.RefinedWindows, "follow", counting)
     with mpmath.workdps(DIGITS):
         for seed in COARSE:
             moving, found = compared(seed, "2.0", asked)
             over = [row for row in found if row[1] > row[2]]
             assert not over, (seed, moving.kind, over[0])
-    assert len(explicit) > 10
+    assert len(refined) > 10

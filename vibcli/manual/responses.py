@@ -46,11 +46,12 @@ RESPONSE = [
          "largest value where that is less; what hardly moves is held to a thousandth of where it is, or of what moves "
          "most beside it. Unless asked 1e-9 is aimed at. The errors that are printed are estimated all the same: where "
          "they exceed what is asked, steps are tightened, and where that does not help, the motion ends and says so. "
-         "Less is sooner found: from 3e-7 on, long motions of few coordinates without loops, friction, stops and "
-         "pulses go by explicit steps, which are as much longer as less is asked; all others go by collocation, which "
-         "takes as long whatever is asked. Where heyoka is installed (`pip install 'vibcli[heyoka]'`), motions of that "
-         "kind that are so long that compiling pays, as some hundred swings of a double pendulum, go by compiled "
-         "Taylor series, to all digits of floats; without it the same motions take longer."),
+         "Less is sooner found: long motions of few coordinates without loops, friction, stops and pulses are guessed "
+         "by explicit steps and refined in many windows at once, which are as much longer as less is asked; all others "
+         "go by collocation from one window to the next, which takes as long whatever is asked. Where heyoka is "
+         "installed (`pip install 'vibcli[heyoka]'`), motions of that kind that are so long that compiling pays, as "
+         "some hundred swings of a double pendulum, go by compiled Taylor series, to all digits of floats; without it "
+         "the same motions take longer."),
         ("full --digits", "With `--digits N` the full equations are followed by power series, twice, with as many "
          "digits more as neighbouring motions lose, until both agree to N digits: chaos has no horizon then. Steps and "
          "bends of the time are ends of pieces. What bends or jumps with the motion (friction, stops, ropes, "

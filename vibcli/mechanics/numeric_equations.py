@@ -7,6 +7,7 @@ Up to DIRECT coordinates without constraints M q̈ = −h is solved in the expre
 """
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -49,7 +50,6 @@ class NumericEquations:
         for i, name in enumerate(scene.coordinates):
             if (i, i) not in parts.M:
                 raise massless(name)
-        self.inertia = self.compiled([parts.M[i, i] for i in range(self.n)])
         if self.direct:
             self.solution = _solved(scene.table, parts, self.n) if like is None else like.solution
             self._compiled = self.compiled(self.solution)
@@ -59,6 +59,11 @@ class NumericEquations:
             self._compiled = self.compiled(entries)
             self._inverse = self._factors() if self.still else None
         self._closing = self.compiled([*parts.gaps, *parts.rates]) if self.m else None
+
+    @cached_property
+    def inertia(self) -> "Compiled":
+        """[Mᵢᵢ] of instants."""
+        return self.compiled([self.parts.M[i, i] for i in range(self.n)])
 
     def compiled(self, nodes: "Sequence[Node]"):
         """The nodes as a function of arrays; its switches are added to those of the system."""
@@ -101,6 +106,30 @@ class NumericEquations:
         except np.linalg.LinAlgError:
             return np.full((n, shape), np.nan), np.full((m, shape), np.nan)
         return x[:n], x[n:]
+
+    def by_state(self, t: np.ndarray, q: np.ndarray, v: np.ndarray, steps: np.ndarray) -> np.ndarray:
+        """∂q̈/∂(q, q̇) of shape (2n, n, instants) without constraints and switches, by `steps` of each: M δq̈ = −(h + M q̈)
+        with M and h of the neighbour, q̈ being that of the state itself."""
+        n, count, a = self.n, 2 * self.n, self.accelerations(t, q, v)
+        moved = np.repeat(np.concatenate([q, v])[:, None], count, axis=1)
+        moved[range(count), range(count)] += steps[:, None]
+        times, (Q, V) = np.tile(t, count), np.split(moved.reshape(count, -1), 2)
+        if self.direct or self.still:
+            found = self.accelerations(times, Q, V).reshape(n, count, -1) - a[:, None]
+            return (found / steps[:, None]).swapaxes(0, 1)
+        near, found, A = self._compiled(times, Q, V), np.empty(Q.shape), np.tile(a, count)
+        for i, value in enumerate(near[len(self._pairs):]):
+            found[i] = value
+        for (i, j), value in zip(self._pairs, near, strict=False):
+            found[i] += value * A[j]
+            if i != j:
+                found[j] += value * A[i]
+        M = _bordered(self._compiled(t, q, v), self._pairs, self._ties, n, 0, q.shape[1])
+        right = found.reshape(n, count, -1) / -steps[:, None]
+        try:
+            return np.linalg.solve(M, right.transpose(2, 0, 1)).transpose(2, 1, 0)
+        except np.linalg.LinAlgError:
+            return np.full((count, *q.shape), np.nan)
 
     def _factors(self):
         """The inverse of a constant M, as a column where it is diagonal."""

@@ -200,7 +200,7 @@ class Compiled:
         outer = _outermost([part for part in below if part.mask == time.mask and part is not time], below, nodes)
         early = Source({time: "t"}, floats, None, changed=changed)
         prepared = _tuple(early.add(outer))
-        self.prepared = function("t", early.lines, prepared, early.called.values())
+        self.prepared = function("t", early.lines, prepared, early.called.values()) if outer else _nothing
         slots = {time: "t", **{node: f"c{i}" for i, node in enumerate(outer)}}
         slots |= {node: f"{kind}{i}" for kind, symbols in (("q", scene.q), ("v", scene.v))
                   for i, node in enumerate(symbols)}
@@ -218,6 +218,11 @@ class Compiled:
                  c: Any = None) -> "tuple[float | np.ndarray, ...]":
         """The values as a tuple of arrays; those of constants are floats. g: the senses of the switches."""
         return self._evaluate(t, q, v, g, self.prepared(t) if c is None else c)
+
+
+def _nothing(t):
+    """What depends on the time alone where nothing does."""
+    return ()
 
 
 def _tuple(texts):

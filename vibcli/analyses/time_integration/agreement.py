@@ -51,7 +51,7 @@ class Shared:
         self.still = bool((np.ptp(both[0][0], axis=1) <= rounding[0].max(axis=1)).all())
         compared = [_compared(*row) for row in zip(*both, [one.sizes] * 2, rounding, fast, strict=True)]
         worst, gone = zip(*compared, strict=True)
-        self.share = ALIKE if one.explicit else 1.0
+        self.share = ALIKE if one.coarse else 1.0
         self.error = self.share * np.maximum.accumulate(np.maximum(*worst))
         self.lost = np.logical_or(*gone)
 

@@ -54,9 +54,38 @@ class Window:
         q = self.q[:, None] + tau * self.v[:, None] + H * H * ((self.series @ rule.twice) @ P)
         return q, v, a
 
+    def moves(self) -> np.ndarray:
+        """Legendre coefficients of q − q₀ − τ q̇₀, of q̇ − q̇₀ and of q̈, of shape (3n, points + 2)."""
+        rule, H, (n, points) = self.rule, self.length, self.series.shape
+        found = np.zeros((3, n, points + 2))
+        found[0] = H * H * (self.series @ rule.twice)
+        found[1, :, :-1] = H * (self.series @ rule.once)
+        found[2, :, :-2] = self.series
+        return found.reshape(3 * n, -1)
+
     def state(self, tau: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         q, v, a = self.states(np.array([tau]))
         return q[:, 0], v[:, 0], a[:, 0]
+
+
+def along(windows: Sequence[Window], c: np.ndarray) -> np.ndarray:
+    """(q, q̇, q̈), each of shape (n, windows · len(c)), at parts c of what each of some windows holds, one after the
+    other."""
+    n, groups = len(windows[0].q), {}
+    found = np.empty((3, n, len(windows), len(c)))
+    for k, window in enumerate(windows):
+        groups.setdefault(window.rule if window.end == window.length else None, []).append(k)
+    for k in groups.pop(None, ()):
+        found[:, :, k] = windows[k].along(c)
+    for rule, members in groups.items():
+        some, P = [windows[k] for k in members], rule.basis_at(c)
+        series = np.array([window.series for window in some])
+        H = np.array([window.length for window in some])[:, None, None]
+        q, v = (np.array(rows)[:, :, None] for rows in zip(*((window.q, window.v) for window in some), strict=True))
+        found[:, :, members] = np.array([
+            q + H * c * v + H * H * (series @ (rule.twice @ P)), v + H * (series @ (rule.once @ P[:-1])),
+            series @ P[:-2]]).transpose(0, 2, 1, 3)
+    return found.reshape(3, n, -1)
 
 
 def ended(window: Window, q: np.ndarray, v: np.ndarray) -> Window:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from vibcli.analyses.time_integration.collocation_step import along
 from vibcli.analyses.time_integration.error_scales import EPSILON
 from vibcli.analyses.time_integration.rounded_data import DIRECTIONS, STEP, Varied
 from vibcli.analyses.time_integration.variation import NEAR, linearised, slopes
@@ -58,10 +59,9 @@ class Deviations:
     def _sizes(self):
         """How large places and velocities are, those that hardly change lifted."""
         trajectory, found = self.trajectory, []
-        states = [window.along(LOOKS) for window in trajectory.windows]
-        for rows in (np.concatenate([state[order].T for state in states]) for order in range(2)):
-            least = STILL * (np.abs(rows).max(axis=0) + (0.0 if found else STILL * self.units))
-            found.append(trajectory.sizes.lifted(np.maximum(np.ptp(rows, axis=0), least)))
+        for rows in along(trajectory.windows, LOOKS)[:2]:
+            least = STILL * (np.abs(rows).max(axis=1) + (0.0 if found else STILL * self.units))
+            found.append(trajectory.sizes.lifted(np.maximum(np.ptp(rows, axis=1), least)))
         speeds = found[1] if found[1].any() else found[0] / min(trajectory.sizes.radian, 1.0)
         return np.concatenate([found[0], speeds])
 
@@ -121,22 +121,21 @@ class Deviations:
 
     def _follow(self, columns):
         """The columns and the covariance from window to window."""
-        trajectory, windows = self.trajectory, self.trajectory.windows
+        trajectory, windows, most = self.trajectory, self.trajectory.windows, LARGEST * self.size.max()
         P = np.zeros((len(columns), len(columns)))
         self.starts, self.covariance, before = [], [], None
         breaks = set(trajectory.breaks.times.tolist())
         with np.errstate(all="ignore"):
-            for window, linear in zip(windows, self.linear, strict=True):
+            for window, linear, rounded in zip(windows, self.linear, self._rounded(), strict=True):
                 if self._may_jump(before, window, breaks):
                     columns, P = self._over(before, window, columns, P)
                 self.starts.append(columns)
                 self.covariance.append(P)
                 if linear is not None:
-                    Phi, Psi = linear.end()
-                    columns = Phi @ columns
-                    columns[:, :DIRECTIONS] += HALF * Psi
-                    P = Phi @ P @ Phi.T + self._rounded(window)
-                    if not np.abs(columns).max() < LARGEST * self.size.max():
+                    columns = linear.Phi @ columns
+                    columns[:, :DIRECTIONS] += HALF * linear.Psi
+                    P = linear.Phi @ P @ linear.Phi.T + rounded
+                    if not np.abs(columns).max() < most:
                         columns, P = np.full(columns.shape, np.nan), np.full(P.shape, np.nan)
                 before = window
 
@@ -160,13 +159,15 @@ class Deviations:
         noise = found.later * EPSILON * window.start
         return columns, found.M @ P @ found.M.T + np.outer(noise, noise)
 
-    def _rounded(self, window):
-        """The covariance of what is rounded within a window: the state at its end, the forces before, the instant."""
-        H, noise = window.end, self.trajectory.sizes.noise
-        q, v, a = (row[:, 0] for row in window.along(AT_END))
-        state = np.concatenate([EPSILON * np.abs(q) + H * H * noise, EPSILON * np.abs(v) + H * noise])
-        late = HALF * (window.start + H) * np.concatenate([v, a])
-        return np.diag(state**2) + np.outer(late, late)
+    def _rounded(self):
+        """The covariances of what is rounded in each window: the state at its end, the forces before, the instant."""
+        windows, noise = self.trajectory.windows, self.trajectory.sizes.noise
+        H = np.array([window.end for window in windows])[:, None]
+        ends = np.array([window.start for window in windows])[:, None] + H
+        q, v, a = (row.T for row in along(windows, AT_END))
+        state = np.concatenate([EPSILON * np.abs(q) + H * H * noise, EPSILON * np.abs(v) + H * noise], axis=1)
+        late = HALF * ends * np.concatenate([v, a], axis=1)
+        return state[:, :, None] ** 2 * np.eye(2 * len(noise)) + late[:, :, None] * late[:, None, :]
 
     @property
     def sizes(self) -> np.ndarray:

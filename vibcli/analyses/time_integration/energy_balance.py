@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from vibcli.analyses.time_integration.collocation_step import along
 from vibcli.analyses.time_integration.trajectory import POINTS, Balance
 from vibcli.mechanics.power_balance import powers
 from vibcli.numerics.collocation_rule import rule
@@ -27,10 +28,9 @@ def balance(system: "NumericEquations", switching: "Switching", windows: "Sequen
     [(instant, q, q̇ before, q̇ after)] of impulses, whose work is that of loads, or of what drives the scene; corners:
     instants at which that jumps or bends."""
     r, flow = rule(POINTS), powers(system.scene, system.parts.gaps)
-    points = [window.along(r.c) for window in windows]
-    q, v, a = (np.concatenate([part[i] for part in points], axis=1) for i in range(3))
+    q, v, a = along(windows, r.c)
     t = np.concatenate([window.start + r.c * window.end for window in windows])
-    senses = _senses(switching, windows, points, r)
+    senses = _senses(switching, windows, q, v, r)
     kinetic, *rates = _rates(system, flow, t, q, v, a, senses)
     lengths = np.array([window.end for window in windows])
     loads, lost, drive = (np.concatenate([[0.0], np.cumsum(rate.reshape(-1, POINTS) @ r.w * lengths)])
@@ -99,16 +99,15 @@ def _gained(system, flow, instant, place, before, after):
     return np.diff(np.broadcast_to(found, 2))[0]
 
 
-def _senses(switching, windows, parts, rule):
+def _senses(switching, windows, q, v, rule):
     """The senses of the switches at the Gauss points of all windows, those that slide included."""
-    found = []
-    for window, (q, v, _) in zip(windows, parts, strict=True):
-        g = np.repeat(np.array(window.g, dtype=float).reshape(-1, 1), rule.points, axis=1)
+    found = np.repeat(np.array([window.g for window in windows], dtype=float).T, rule.points, axis=1)
+    for k, window in enumerate(windows):
         if window.slides:
-            g[list(window.slides)] = switching.sliding(window.slides, window.start + rule.c * window.end, q, v,
-                                                       window.g)[1]
-        found.append(g)
-    return np.concatenate(found, axis=1)
+            here = slice(k * rule.points, (k + 1) * rule.points)
+            found[list(window.slides), here] = switching.sliding(
+                window.slides, window.start + rule.c * window.end, q[:, here], v[:, here], window.g)[1]
+    return found
 
 
 def _all(system, senses, t, q, v):

@@ -10,6 +10,7 @@ from vibcli.analyses.time_integration.energy_balance import balance
 from vibcli.analyses.time_integration.error_scales import EPSILON
 from vibcli.analyses.time_integration.events import first_event
 from vibcli.analyses.time_integration.impulses import blow
+from vibcli.analyses.time_integration.march_ends import endless
 from vibcli.analyses.time_integration.motionless import starts_at_rest, stay
 from vibcli.analyses.time_integration.prepared_motion import PreparedMotion, loose
 from vibcli.analyses.time_integration.slack_ropes import slack
@@ -63,21 +64,21 @@ def solved(motion: PreparedMotion, rtol: float = ACCURACY, balanced: float = BAL
         if gone is not None:
             found.cut(*gone)
     if march.t < until and not found.reason:
-        found.stop(march.t, *march.endless())
+        found.stop(march.t, *endless(march))
     return found
 
 
 @np.errstate(all="ignore")
-def solved_again(motion: PreparedMotion, until: float, rtol: float = ACCURACY) -> Trajectory:
-    """A second solution: by rules of another order or longer steps, from a start that differs in its last digit, its
-    energies left alone."""
-    march, events, rests = _followed(motion, until, rtol, SECOND)
+def solved_again(motion: PreparedMotion, first: Trajectory, rtol: float = ACCURACY) -> Trajectory:
+    """A second solution to the end of the first: by rules of another order, from a start that differs in its last
+    digit, its energies left alone."""
+    march, events, rests = _followed(motion, first.end, rtol, SECOND, first)
     return Trajectory(march, march.t, events, rests, motion.stops)
 
 
-def _followed(motion, until, rtol, points):
+def _followed(motion, until, rtol, points, first=None):
     """(the March to its end or as far as it may, the Events on the way, up to when it rests)."""
-    again, work = points is SECOND, motion.configuration.numeric.work
+    again, work = first is not None, motion.configuration.numeric.work
     with work.task("the integration" + " once more" * again, MOST_STEPS * (1 + again)) as task:
         q, v = (x * (1 + EPSILON * again) for x in motion.start)
         march, events = March(motion.system, motion.switching, q, v, min(rtol, ACCURACY), until, task, points), []
@@ -85,7 +86,7 @@ def _followed(motion, until, rtol, points):
             stay(march, motion.stops, starts_at_rest(motion.initial) and not motion.configuration.falls)
         rests = march.t
         try:
-            _marched(march, motion.stops, events, motion.explicit_windows(rtol, again))
+            _marched(march, motion.stops, events, motion.other_windows(rtol, first))
         except Spent as spent:
             if spent.task is not task or not march.windows:
                 raise
@@ -112,8 +113,8 @@ def _unbalanced(energies):
                         "follow it for a shorter time, or let what acts change less abruptly")
 
 
-def _marched(march, stops, events, explicit):
-    """March to the end, by `explicit` windows where these pay; the events on the way go to `events`."""
+def _marched(march, stops, events, others):
+    """March to the end, by `others` where these pay; the events on the way go to `events`."""
     until, at_once = march.until, 0
     if march.t == until:
         return
@@ -121,7 +122,7 @@ def _marched(march, stops, events, explicit):
     march.begin(stops.after(march.t, until))
     while march.t < until:
         limit, instant, which = stops.after(march.t, until), None, ()
-        paying = next((windows for windows in explicit if windows.pay(march, limit)), None)
+        paying = next((windows for windows in others if windows.pay(march, limit)), None)
         if paying is not None:
             paying.follow(march, limit)
         else:

@@ -37,7 +37,7 @@ def known_motion(configuration: "Configuration", until: float, initial: Mapping[
                 raise
             rtol = least
             continue
-        if shared.largest <= asked or not found.explicit:       # collocation takes its finest steps anyhow
+        if shared.largest <= asked or rtol <= least or not found.coarse:      # collocation is as fine anyhow
             break
         part = asked / shared.largest
         rtol = max(SPARE * part * rtol, least) if part > HOPELESS else least
@@ -50,4 +50,4 @@ def _twice(motion, rtol, asked, accuracy):
     found = solved(motion, rtol, max(BALANCED, asked))
     if not found.end > 0:
         raise found.unknown(0.0)
-    return found, Shared(found, solved_again(motion, found.end, rtol), motion.units, accuracy)
+    return found, Shared(found, solved_again(motion, found, rtol), motion.units, accuracy)

@@ -1,27 +1,25 @@
 """Passages through a level, and extremes, of any signal along a trajectory: by the roots of its polynomial per window.
 
 A signal is a function of times, smooth within each window as the motion is. Its Legendre series there comes from its
-values at the Gauss points; the roots are those of that series (Boyd 2013), polished by Newton's method.
+values at the Gauss points; the roots are those of that series (numerics/legendre_roots.py), of all windows at once.
 """
 
 from collections.abc import Callable
-from functools import cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.polynomial import legendre
 
 from vibcli.numerics.collocation_rule import rule
+from vibcli.numerics.legendre_roots import overshoot, roots, sampled
 
 if TYPE_CHECKING:
     from vibcli.analyses.time_integration.trajectory import Trajectory
 
 POINTS = 40
-NODES = 400          # at which a window's series is looked at: its largest value is known to 1.2 % of its range
 NOTHING = 1e-15         # of the largest coefficient
 ALIKE = 4e-15           # of the range of a signal
 BESIDE = 1e-5           # of a window
-EDGE = 1e-12            # how far beyond the ends of a window a root may be, by rounding
 CLEAR = 64              # roundings by which a signal has left a level
 TOUCH = 1e-6            # of a window: how far apart the two roots of a touch may be by rounding
 JUMP = 1e-9             # of a signal: what is more than the rounding of its series
@@ -32,11 +30,12 @@ def passages(trajectory: "Trajectory", signal: Callable, start: float, end: floa
     """Instants in [start, end] at which a signal passes the level, ascending; a place from which it starts counts."""
     found, parts = [], list(_series(trajectory, signal, start, end))
     begins = np.asarray(signal(np.array([window.start for window, _, _ in parts])), dtype=float) - level
-    for (window, t, series), begin in zip(parts, begins, strict=True):
+    places = roots(np.array([series for *_, series in parts]) - level * np.eye(1, POINTS))
+    for (window, t, series), begin, xs in zip(parts, begins, places, strict=True):
         size = np.abs(series).max(initial=0.0)
         if not size:
             continue
-        times = [float(t(x)) for x in _roots(series - level * np.eye(1, len(series))[0])]
+        times = [float(t(x)) for x in xs]
         if abs(begin) <= NOTHING * size:
             away = window.start + _away(signal, level, window, size)
             times = [window.start, *(time for time in times if time > away)]
@@ -101,35 +100,17 @@ def extreme(trajectory: Any, signal: Callable, start: float, end: float, sense: 
 
 def _turns(parts, start, end, sense, alike):
     """[(instant, length of its window)] at which a signal turns, in the windows that can hold its extreme from start to
-    end: those that come nearest to the largest value are looked at first.
-
-    A polynomial of degree n that is within ±1 at the m > n roots of the Chebyshev polynomial Tₘ is within
-    ±1/cos(πn/2m) on all of [−1, 1] (Ehlich and Zeller 1964).
-    """
+    end."""
     series = np.array([one for _, _, one in parts])
-    values = sense * series @ _at_nodes().T
+    values = sense * sampled(series)
     middle, reach = 0.5 * (values.max(axis=1) + values.min(axis=1)), 0.5 * np.ptp(values, axis=1)
-    highest = middle + reach / np.cos(0.5 * np.pi * (POINTS - 1) / NODES)
+    highest = middle + reach * overshoot(POINTS)
     whole = [start <= float(t(-1)) and float(t(1)) <= end for _, t, _ in parts]
-    reached, turns = values[whole].max(initial=-np.inf), []
     slack = alike + CLEAR * ALIKE * (highest.max() - (middle - reach).min() + np.abs(middle).max())
-    for k in np.argsort(-highest, kind="stable"):
-        if highest[k] < reached - slack:
-            break
-        window, t, one = parts[k]
-        slope = legendre.legder(one)
-        if np.abs(slope).max(initial=0.0) > NOTHING * np.abs(one).max(initial=0.0):
-            found = _roots(slope)
-            turns += [(float(t(x)), window.length) for x in found]
-            tops = sense * legendre.legval(np.array([x for x in found if start <= t(x) <= end]), one)
-            reached = tops.max(initial=reached)
-    return turns
-
-
-@cache
-def _at_nodes():
-    """The values of the Legendre polynomials at the roots of a Chebyshev polynomial."""
-    return legendre.legvander(np.cos(np.pi * (np.arange(NODES) + 0.5) / NODES), POINTS - 1)
+    able = np.flatnonzero(highest >= values[whole].max(initial=-np.inf) - slack)
+    slopes = legendre.legder(series[able], axis=1)
+    slopes[np.abs(slopes).max(axis=1) <= NOTHING * np.abs(series[able]).max(axis=1)] = 0.0
+    return [(float(parts[k][1](x)), parts[k][0].length) for k, xs in zip(able, roots(slopes), strict=True) for x in xs]
 
 
 def _series(trajectory, signal, start, end):
@@ -143,23 +124,3 @@ def _series(trajectory, signal, start, end):
     values = np.asarray(signal(times), dtype=float).reshape(len(windows), POINTS)
     for window, length, row in zip(windows, lengths, values @ gauss.to_series, strict=True):
         yield window, (lambda x, window=window, length=length: window.start + 0.5 * (x + 1) * length), row
-
-
-def _roots(series):
-    """The real roots of a Legendre series in [−1, 1]."""
-    used = np.flatnonzero(np.abs(series) > NOTHING * np.abs(series).max(initial=0.0))
-    if not len(used) or used[-1] == 0:
-        return []
-    kept = series[:used[-1] + 1]
-    if np.abs(kept[1:]).sum() < abs(kept[0]):
-        return []
-    roots = legendre.legroots(kept)
-    real = roots[np.abs(roots.imag) <= 1e-7].real
-    real = np.clip(real[np.abs(real) <= 1 + 1e-6], -1.0, 1.0)
-    slope = legendre.legder(kept)
-    for _ in range(3):
-        basis = legendre.legvander(real, len(slope))
-        bottom = basis[:, :-1] @ slope
-        step = np.where(bottom == 0, 0.0, basis @ kept / np.where(bottom == 0, 1.0, bottom))
-        real = np.where(np.abs(step) < 1e-5, real - step, real)
-    return [x for x in real.tolist() if abs(x) <= 1 + EDGE]

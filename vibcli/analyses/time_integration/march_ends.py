@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
+    from vibcli.analyses.time_integration.time_stepping import March
     from vibcli.mechanics.numeric_equations import NumericEquations
 
 
@@ -25,3 +26,11 @@ def singular(system: "NumericEquations", t: float) -> PhysicsError:
     return PhysicsError(f"the motion cannot be followed beyond t = {t:.9g} s: it grows without bound there, "
                         "or a force or a linkage is singular", "ask for an earlier end, or mind the signs of "
                         "stiffness and damping")
+
+
+def endless(march: "March") -> tuple[str, str]:
+    """(why it was stopped before its end, what may be done)."""
+    task = march.task
+    return (f"after {task.steps:.0f} of at most {task.limit:.0f} steps the motion has come to t = {march.t:.6g} s of "
+            f"{march.until:.6g} s: its fastest part takes steps of {march.windows[-1].length:.3g} s",
+            f"ask for a shorter time, damp what vibrates fast, or let what is very stiff be rigid; {task.hint()}")

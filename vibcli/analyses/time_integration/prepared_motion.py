@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from vibcli.analyses.time_integration.driven_places import driven_places
-from vibcli.analyses.time_integration.explicit_windows import ExplicitWindows, explicit
 from vibcli.analyses.time_integration.forcing_breaks import breaks
 from vibcli.analyses.time_integration.initial_state import start, vectors
+from vibcli.analyses.time_integration.refined_windows import RefinedWindows, refinable
 from vibcli.analyses.time_integration.series_windows import SeriesWindows
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.numeric_equations import NumericEquations
@@ -18,13 +18,12 @@ from vibcli.mechanics.switching import Switching
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
+    from vibcli.analyses.time_integration.trajectory import Trajectory
     from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.numeric_system import NumericSystem
     from vibcli.scene.scene import Scene
 
 LONGEST = 1e12
-FINE = 5e-11        # the error of a step, below which collocation costs less
-PARTS = 0.03, 0.3    # of the error of a step: what its estimate may be, in the first solution and in the second
 
 
 class PreparedMotion:
@@ -45,19 +44,18 @@ class PreparedMotion:
         self.start = vectors(scene, places, speeds)
         self.switching = Switching(self.system, bounds, owners)
 
-    def explicit_windows(self, rtol: float, again: bool) -> "Sequence[ExplicitWindows | SeriesWindows]":
-        """Windows from explicit steps, those before others where they pay: of compiled series; of errors of `rtol`, by
-        longer steps where it is integrated `again`; none where collocation is better."""
-        if self._explicit is None:
+    def other_windows(self, rtol: float, first: "Trajectory | None") -> "Sequence[RefinedWindows | SeriesWindows]":
+        """Windows that are found by themselves, those before others where they pay: of compiled series; many at once,
+        of errors of `rtol`. None where collocation from one to the next is better. first: the solution beside which
+        a second one is found."""
+        if self._in_floats is None:
             return ()
-        series = SeriesWindows(self.system, self._explicit.work, again)
-        if rtol < FINE:
-            return (series,)
-        return series, ExplicitWindows(self._explicit, self.system.n, PARTS[again] * rtol, rtol)
+        return (SeriesWindows(self.system, self._in_floats.work, first is not None),
+                RefinedWindows(self._in_floats, self.system.n, rtol, first))
 
     @cached_property
-    def _explicit(self):
-        return explicit(self.system, self.switching, self.driven)
+    def _in_floats(self):
+        return refinable(self.system, self.switching, self.driven)
 
     @cached_property
     def units(self) -> np.ndarray:

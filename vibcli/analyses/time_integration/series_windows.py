@@ -57,8 +57,9 @@ class SeriesWindows:
             if self.most == 1 or not (unresolved[-LAST:] > 1).any():
                 break
             self.most = max(3 * self.most // 4, 1)
-        for window, end in zip(windows, ends, strict=True):
-            march.take(window, *end)
+        for window in windows:
+            march.sizes.meet(window.values)
+        march.take(windows, ends)
         used = np.flatnonzero(unresolved > 1)
         if (used[-1] + 1 if len(used) else 1) < RESOLVED * len(unresolved):
             self.most += self.most // 2 + 1

@@ -23,7 +23,7 @@ from vibcli.analyses.time_integration.variation import NEAR
 from vibcli.base.errors import PhysicsError
 from vibcli.numerics.collocation_rule import rule
 
-ROUNDED = 8 * EPSILON
+ROUNDED, PASSED = 8 * EPSILON, 2 * EPSILON  # of a number; of the largest that a polynomial comes to, at its zeros too
 POINTS, FINE, FINER = 12, 40, 50    # of a window: where neighbours are looked at, the motion, its error
 NEARER = (1.0, 1e-3, 1e-6)      # of NEAR: where neighbours are looked at if the signal has no value there
 ROUGH = 12.0                    # of the rate of a polynomial through values that are rounded at random
@@ -160,9 +160,9 @@ def _slopes(x, count):
 
 
 def _digits(states, t, noise, closed):
-    """Changes of the state by the last digit of each number of it, of accelerations by their rounding error, and of the
-    instant, of shapes (n, instants, columns). `closed`: the units of coordinates that close loops, which have the
-    rounding of the largest of them, or of the figure; else None."""
+    """Changes of the state by the last digits of each number of it, or of the largest that its polynomial comes to, of
+    accelerations by their rounding error, and of the instant, of shapes (n, instants, columns). `closed`: the units of
+    coordinates that close loops, which have the rounding of the largest of them, or of the figure; else None."""
     n, count = states[0].shape
     found = [np.zeros((n, count, 3 * n + 1)) for _ in range(3)]
     for order, rows in enumerate(states):
@@ -170,7 +170,7 @@ def _digits(states, t, noise, closed):
         if closed is not None and order < 2:
             least = ROUNDED * closed * max(1.0 - order, float((np.abs(rows).max(axis=1) / closed).max()))
         for i, row in enumerate(rows):
-            found[order][i, :, order * n + i] = ROUNDED * np.abs(row) + least[i]
+            found[order][i, :, order * n + i] = np.maximum(ROUNDED * np.abs(row), PASSED * np.abs(row).max()) + least[i]
     for order in (0, 1):
         found[order][:, :, -1] = EPSILON * t * states[order + 1]
     return found

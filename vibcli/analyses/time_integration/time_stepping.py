@@ -17,6 +17,7 @@ from vibcli.symbolic.numeric_code import rooted
 if TYPE_CHECKING:
     from vibcli.mechanics.numeric_equations import NumericEquations
     from vibcli.mechanics.switching import Switching
+    from vibcli.numerics.collocation_rule import Rule
 
 FIRST, SECOND = (40, 24), (32, 18)      # points (of Gauss, of Radau) of the first solution and of the second
 MORE = 3                    # iterations of a window of the second solution: what one leaves would else be left of both
@@ -55,7 +56,7 @@ class March:
         self.rule, self.windows, self.ends, self.struck = rule(points[0]), [], [], []
         self.stiff, self.held, self.calm, self.tries, self.unseen = False, 0, CALM, 0, 0
         self.sizes, self.guess, self.H, self.paced = Sizes(q), None, None, 0.0
-        self.slow, self.fast, self.factored, self.settling, self.explicit = False, None, (None, None), 0, False
+        self.slow, self.fast, self.factored, self.settling, self.coarse = False, None, (None, None), 0, False
         self.rooted, self.driven = rooted(system.parts.nodes()), Driven(system)
 
     def begin(self, limit: float, zero: Any = ()) -> None:
@@ -196,13 +197,17 @@ class March:
             A = self.v[:, None] * (H * self.rule.c) + H * H * (A @ self.rule.V2)
         return np.abs(A @ self.rule.to_series)
 
-    def allowed(self, H: float, scale: np.ndarray) -> np.ndarray:
+    def allowed(self, H: Any, scale: np.ndarray) -> np.ndarray:
         """Which of them need not be resolved."""
         if self.stiff:
             found = self.rtol * scale
             return found if self.fast is None else np.maximum(found, self.fast.allowed(self.settling))
-        from_q = 0.1 * self.rtol * scale * (2 * self.rule.points / H) ** 2
-        allowed = np.minimum(10 * self.rtol * self.sizes.largest[:, None], from_q) + 8 * self.sizes.noise[:, None]
+        return self.resolved(H, scale, self.rule, self.rtol)
+
+    def resolved(self, H: Any, scale: np.ndarray, rule: "Rule", rtol: float) -> np.ndarray:
+        """Which of those of q̈ need not be, of a rule and of errors of `rtol`."""
+        from_q = 0.1 * rtol * scale * (2 * rule.points / H) ** 2
+        allowed = np.minimum(10 * rtol * self.sizes.largest[:, None], from_q) + 8 * self.sizes.noise[:, None]
         return np.maximum(allowed, TINY)
 
     def force(self, times: np.ndarray) -> Callable:
@@ -275,26 +280,17 @@ class March:
         if window.end:
             self._keep(window)
 
-    def take(self, window: Window, q: np.ndarray, v: np.ndarray, explicit: bool = False) -> None:
-        """Keep a window that was found by itself, and move to its end, the state there; explicit: by steps as coarse as
+    def take(self, windows: Sequence[Window], ends: Sequence[tuple[np.ndarray, np.ndarray]],
+             coarse: bool = False) -> None:
+        """Keep windows that were found by themselves, and move to their ends, the states there; coarse: as coarse as
         is asked."""
-        self.count()
-        self.explicit |= explicit
-        self.sizes.meet(window.values)
-        self.t, self.q, self.v, self.guess = window.start + window.length, q, v, None
-        self.sizes.move(q)
-        self._keep(window)
+        for window, (self.q, self.v) in zip(windows, ends, strict=True):
+            self.count()
+            self.t = window.start + window.length
+            self._keep(window)
+        self.coarse, self.guess = self.coarse or coarse, None
 
     def close(self, t: float) -> None:
         """Put the state on the constraints of an instant, from which it drifts by rounding."""
         if self.system.m:
             self.q, self.v = self.system.projected(t, self.q, self.v, self.g)
-
-    def endless(self) -> tuple[str, str]:
-        """(why it was stopped, what may be done)."""
-        H = self.windows[-1].length
-        return (f"after {self.task.steps:.0f} of at most {self.task.limit:.0f} steps the motion has come to "
-                f"t = {self.t:.6g} s of {self.until:.6g} s: its fastest part takes steps of {H:.3g} s",
-                f"ask for a shorter time, damp what vibrates fast, or let what is very stiff be rigid; "
-                f"{self.task.hint()}")
-

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from functools import cached_property
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -52,7 +53,7 @@ class Trajectory:
     """names: the coordinates; windows: their polynomials; until: the end asked for, and `end` that which was reached,
     earlier where a rope goes slack; events; balance; drift: the largest gaps of the constraints
     (positions, velocities) relative to the motion, None without closed loops; shared: with a second solution; sizes:
-    those of the motion; explicit: are there windows of explicit steps in it? breaks: of what drives it; struck: (t, q,
+    those of the motion; coarse: are windows in it as coarse as is asked? breaks: of what drives it; struck: (t, q,
     q̇ before, q̇ after) of each blow; fast: the oscillation that was stepped over, None where all is followed; rests: the
     instant up to which it stays in the equilibrium in which it starts."""
 
@@ -62,12 +63,12 @@ class Trajectory:
                  balance: Balance | None = None, drift: Any = None):
         self.system, self.switching, self.windows = march.system, march.switching, march.windows
         self.breaks, self.struck = breaks, tuple(march.struck)
-        self.explicit = march.explicit
+        self.coarse = march.coarse
         self.names, self.sizes, self.fast = list(march.system.scene.coordinates), march.sizes, march.fast
         self.until, self.end, self.events, self.rests = until, until, tuple(events), rests
         self.balance, self.drift, self.reason, self.advice, self.shared = balance, drift, None, None, None
         self.lengths = np.array([window.length for window in self.windows])
-        self.starts = np.array([window.start for window in self.windows])
+        self.starts, self._known = np.array([window.start for window in self.windows]), {}
 
     def at(self, times: Sequence[float] | np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """(q, q̇, q̈), each of shape (coordinates, times), at times within 0 and `until` [s]."""
@@ -75,17 +76,34 @@ class Trajectory:
         late = times.max(initial=0.0)
         if late > self.end * (1 + LATE):
             raise self.unknown(late)
-        found = np.empty((3, len(self.names), len(times)))
         number = self._numbers(times)
-        P = rule(POINTS).basis(2 * (times - self.starts[number]) / self.lengths[number] - 1)
-        order = np.argsort(number, kind="stable")
-        cuts = np.flatnonzero(np.diff(number[order])) + 1
-        for group in np.split(order, cuts):
-            if len(group):
-                window = self.windows[number[group[0]]]
-                found[:, :, group] = window.summed(times[group] - window.start,
-                                                         P[:window.rule.points + 2, group])
-        return found[0], found[1], found[2]
+        if (number[1:] < number[:-1]).any():
+            order = np.argsort(number, kind="stable")
+            found = np.empty((3, len(self.names), len(times)))
+            found[:, :, order] = self.at(times[order])
+            return found[0], found[1], found[2]
+        tau, found = times - self.starts[number], np.empty((3 * len(self.names), len(times)))
+        P = rule(POINTS).basis(2 * tau / self.lengths[number] - 1)
+        cuts = [0, *(np.flatnonzero(np.diff(number)) + 1).tolist(), len(times)]
+        for first, last in pairwise(cuts) if len(times) else ():
+            rows = self._moves(number[first])
+            np.matmul(rows, P[:rows.shape[1], first:last], out=found[:, first:last])
+        q, v, a = found.reshape(3, len(self.names), -1)
+        return q + (self._places[number].T + tau * self._speeds[number].T), v + self._speeds[number].T, a
+
+    @cached_property
+    def _places(self):
+        return np.array([window.q for window in self.windows])
+
+    @cached_property
+    def _speeds(self):
+        return np.array([window.v for window in self.windows])
+
+    def _moves(self, k):
+        """Legendre coefficients of q − q₀ − τ q̇₀, q̇ − q̇₀ and q̈ of a window, as rows."""
+        if k not in self._known:
+            self._known[k] = self.windows[k].moves()
+        return self._known[k]
 
     def number(self, t: float) -> int:
         """Of the window in which an instant lies."""

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vibcli.analyses.time_integration.collocation_step import Window
+from vibcli.analyses.time_integration.collocation_step import Window, along
 from vibcli.analyses.time_integration.rounded_data import DIRECTIONS, STEP
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.collocation_rule import rule
@@ -26,20 +26,14 @@ NEAR = 1e-6             # of the motion: how far neighbours are from it
 
 class Linear(NamedTuple):
     """A window linearised: of rule `rule` and length `length`; A: values of δ̈ at its points for a unit of each of
-    (δ, δ̇) at its start, and of each direction of the data, of shape (n, points, 2n + directions)."""
+    (δ, δ̇) at its start, and of each direction of the data, of shape (n, points, 2n + directions); Phi, Psi of shapes
+    (2n, 2n) and (2n, directions)."""
 
     rule: Any
     length: float
     A: np.ndarray
-
-    def end(self) -> tuple[np.ndarray, np.ndarray]:
-        """(Φ, Ψ) of shapes (2n, 2n) and (2n, directions)."""
-        n, H = len(self.A), self.length
-        both = np.concatenate([H * H * np.einsum("isj,s->ij", self.A, self.rule.b2),
-                               H * np.einsum("isj,s->ij", self.A, self.rule.w)])
-        both[:, :2 * n] += np.eye(2 * n)
-        both[:n, n:2 * n] += H * np.eye(n)
-        return both[:, :2 * n], both[:, 2 * n:]
+    Phi: np.ndarray
+    Psi: np.ndarray
 
     def along(self, tau: np.ndarray, starts: np.ndarray) -> tuple[np.ndarray, ...]:
         """(δ, δ̇, δ̈), each of shape (n, instants, columns), at instants after the start; starts: (δ, δ̇) there of each
@@ -93,8 +87,7 @@ def _chunk(varied, windows, chosen, slides, steps):
     c, n, s, W = chosen.c, len(windows[0].q), chosen.points, len(windows)
     H = np.array([window.end for window in windows])
     t = np.concatenate([window.start + c * window.end for window in windows])
-    states = [window.along(c) for window in windows]
-    q, v = (np.concatenate([state[i] for state in states], axis=1) for i in range(2))
+    q, v, _ = along(windows, c)
     g = [np.repeat(senses, s) for senses in zip(*(window.g for window in windows), strict=True)] if windows[0].g else ()
     F = slopes(varied, t, q, v, g, slides, steps).reshape(n, -1, W, s).transpose(2, 0, 3, 1)    # (W, n, s, columns)
     F = np.where(np.isfinite(F), F, 0.0)
@@ -105,4 +98,9 @@ def _chunk(varied, windows, chosen, slides, steps):
     right = F.copy()
     right[..., n:2 * n] += K * (H[:, None] * c)[:, None, :, None]
     A = np.linalg.solve(big.reshape(W, n * s, n * s), right.reshape(W, n * s, -1)).reshape(W, n, s, -1)
-    return [Linear(chosen, window.end, one) for window, one in zip(windows, A, strict=True)]
+    H, rows = H[:, None, None], A.transpose(0, 1, 3, 2)
+    ends = np.concatenate([H * H * (rows @ chosen.b2), H * (rows @ chosen.w)], axis=1)
+    ends[:, :, :2 * n] += np.eye(2 * n)
+    ends[:, :n, n:2 * n] += H * np.eye(n)
+    return [Linear(chosen, window.end, one, end[:, :2 * n], end[:, 2 * n:])
+            for window, one, end in zip(windows, A, ends, strict=True)]

@@ -62,7 +62,7 @@ def ends(text, until, start, accuracy=None):
 @NEEDED
 def test_a_double_pendulum_comes_to_where_series_of_26_digits_do(followed):
     found, state = ends(DOUBLE, 100.0, START)
-    assert len(followed) == 2 and not found.explicit and found.end == 100.0
+    assert len(followed) == 2 and not found.coarse and found.end == 100.0
     assert np.abs(state - AT_100).max() < 1e-13
     assert np.abs(state - AT_100).max() <= found.shared.largest <= 1e-12
 
