@@ -17,5 +17,5 @@ def answers(p):
         "equation[x]": lambda q, v, a: (JP * a["x"] + damping * v["x"] + stiffness * q["x"]) / r,
         "zeta[1]": decay / wn,
         "omega_d[1]": sqrt((wn - decay) * (wn + decay)),
-        "T": lambda q, v: JP * (v["x"] / r) ** 2 / 2,
+        "energy: T": lambda q, v: JP * (v["x"] / r) ** 2 / 2,
     }

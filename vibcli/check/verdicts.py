@@ -12,7 +12,6 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.check.comparison import compared
 from vibcli.check.instances import Instances
 from vibcli.check.tolerance import EXACT, is_exact
-from vibcli.language.cases import document_of_case
 from vibcli.quantities.energies import equation_number
 from vibcli.quantities.expression import lowered, measure
 from vibcli.quantities.quantity import EQUATION, OF_STATE, TRUTH, asked_in, declared, kind_of
@@ -53,8 +52,11 @@ def check(problem: "Problem", root: "Mapping | None" = None) -> list[Verdict]:
     problem.draw()
     verdicts = []
     for case in (None, *problem.spec.cases):
-        part = problem if case is None else problem.case(case)
-        document = root and document_of_case(root, case)
+        part, document = problem, root
+        if case is not None:
+            from vibcli.language.cases import document_of_case
+
+            part, document = problem.case(case), root and document_of_case(root, case)
         verdicts += verdicts_of(part, part.spec.answers, case, document)
     return verdicts
 

@@ -222,6 +222,8 @@ class Scene:
                     sign = self.table.call("sign", u)
                     if sign.op != "call":
                         sign = self.table.call("sign", -u)
+                    if sign.op != "call":
+                        continue        # it has one sign at all times
                     owners[sign.args[0]] = law.owner
                     if law.bound is not None:
                         bounds[sign.args[0]] = law.bound

@@ -123,8 +123,10 @@ class Source:
                 "ramp": f"0.5*(1.0+{sense})*{args[0]}"}[node.name]
 
     def _switch(self, argument):
-        """The slot of sign(argument); of −u it is that of u, negative."""
+        """The slot of sign(argument), its value where that is one at all times; of −u it is that of u, negative."""
         sign = argument.table.call("sign", argument)
+        if sign.op == "number":
+            return number(sign.coefficient)
         if sign.op == "call":
             return self.switches.setdefault(sign.args[0], f"g{len(self.switches)}")
         return "(-" + self._switch(-argument) + ")"

@@ -21,6 +21,8 @@ def at_rest(one):
     scene = one.scene
     values = {**one.configuration.at_rest, **dict.fromkeys((node.name for node in (*scene.v, *scene.a)), 0.0)}
     found = {**one.numeric.floats, scene.time.name: np.zeros(1)}
+    own = [node for node in (*scene.q, *scene.v, *scene.a) if node.name in values]      # nodes of members too
+    found |= {node.name: np.array([values[node.name]]) for node in own}
     for name in one.spec.coordinates:
         for primes in range(3):
             found[name + "'" * primes] = np.array(evaluate([scene.symbol(name, primes)], Floats, values))
