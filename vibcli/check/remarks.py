@@ -29,7 +29,7 @@ def remark(problem: "Problem", asked: "Expression", expected: float, found: floa
         wrong = _wrong(problem, mistake, asked, found)
         off = abs(wrong / expected - 1) if wrong is not None and isfinite(wrong) else CLOSE
         if off < CLOSE and abs(wrong / found - 1) > NEAR:
-            near.append((mistake.kind != MODEL, off, mistake.sentence))
+            near.append((mistake.kind != MODEL, off, mistake.told))
     if near:
         return min(near)[-1]
     ratio = expected / found

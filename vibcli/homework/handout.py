@@ -38,7 +38,7 @@ class Handout:
     @classmethod
     def of(cls, course: "CourseProblem", found: SolvedVariants, document: "SceneDocument", text: str) -> "Handout":
         """That of a problem that was solved."""
-        sentences = {one.name: one.sentence for one in found.mistakes}
+        sentences = {one.name: one.told for one in found.mistakes}
         ranges = [("–", "–") if one.first.value is None else (one.low.written, one.high.written)
                   for one in found.summaries]
         return cls(course, found.problem, found.keys, dict(enumerate(found.accepted)), sentences, document, text,

@@ -33,15 +33,8 @@ def mistakes_of(problem: "Problem", rules: "VariantRules", document: "SceneDocum
                                         nearest(name, [one.replace("_", " ") for one in MISTAKES]))])
     catalogue = of_catalogue(problem, document.root, [key.asked for key in keys], document.settings, names)
     own = list(_of_file(problem, rules, document, keys, names))
-    return own + [_said_of_the_sheet(problem.spec, one) for one in catalogue
+    return own + [one._replace(of=one.of and name_in_words(problem.spec, one.of)) for one in catalogue
                   if not {one.name, one.name.partition(" (")[0]} & set(rules.mistakes)]
-
-
-def _said_of_the_sheet(spec, mistake):
-    """The same, with what it concerns named as the sheet does."""
-    concerns = mistake.name.partition(" (")[2].removesuffix(")")
-    rest = mistake.sentence.removeprefix(f"{concerns}: ")
-    return mistake if not concerns else mistake._replace(sentence=f"{name_in_words(spec, concerns)}: {rest}")
 
 
 def own_values(mistake: KnownMistake, rules: "VariantRules") -> "dict[str, GivenValue]":

@@ -21,9 +21,10 @@ if TYPE_CHECKING:
 
 
 class KnownMistake(NamedTuple):
-    """A mistake: its name; its kind, as in the face, or of a file; what the student is told; the scene as it takes it,
-    None where it changes nothing of it; {what is asked: the wrong expression that it gives instead}; the number that
-    it makes of a right one, (value, head, unit) ↦ number or None, where it is one of reading."""
+    """A mistake: its name; its kind, as in the face, or of a file; its sentence; the scene as it takes it, None where
+    it changes nothing of it; {what is asked: the wrong expression that it gives instead}; the number that it makes of a
+    right one, (value, head, unit) ↦ number or None, where it is one of reading; of: the part of the scene that it
+    concerns, '' where it is no one part."""
 
     name: str
     kind: str
@@ -31,6 +32,12 @@ class KnownMistake(NamedTuple):
     problem: "Problem | None" = None
     instead: "dict[str, Expression]" = {}
     reading: "Callable[[float, str, str], float | None] | None" = None
+    of: str = ""
+
+    @property
+    def told(self) -> str:
+        """What the student is told."""
+        return f"{self.of}: {self.sentence}" if self.of else self.sentence
 
     def concerns(self, asked: Expression, unit: str) -> bool:
         """May it give something else for what is asked in a unit?"""
@@ -79,8 +86,7 @@ def of_catalogue(problem: "Problem", root: "Mapping | None", asked: Sequence[Exp
     for name, one in by_kind(MODEL).items():
         if names is None or any(wanted.partition(" (")[0] == _words(name) for wanted in names):
             for concerns, scene in _scenes(problem, root, one, settings, name, names):
-                sentence = f"{concerns}: " * bool(concerns) + one.sentence
-                yield KnownMistake(_words(name, concerns), MODEL, sentence, scene)
+                yield KnownMistake(_words(name, concerns), MODEL, one.sentence, scene, of=concerns)
 
 
 def _words(name, concerns=""):
