@@ -14,9 +14,9 @@ from house.uses import Uses
 PACKAGE = Path(__file__).resolve().parents[2] / "vibcli"
 FLOORS = (      # from the ground up; a room imports rooms of lower floors only
     ("base",), ("numerics", "symbolic", "plots"), ("notation", "language"), ("elements",), ("scene",),
-    ("mechanics", "drawing"), ("analyses",), ("results",), ("quantities",), ("reader",),
-    ("inverse", "report", "mistakes"), ("check", "manual"), ("evidence", "homework"), ("api",), ("cli",),
-    ("bench", "testing", "__main__"))
+    ("mechanics", "drawing"), ("analyses",), ("results",), ("quantities",), ("reader", "inverse"),
+    ("check", "report", "mistakes"), ("evidence", "homework", "manual"), ("api",), ("cli", "bench"),
+    ("testing", "__main__"))
 FLOOR = {room: floor for floor, rooms in enumerate(FLOORS) for room in rooms}
 GROUND = 3          # floors that serve everyone: what is called there counts as no visit
 TREES = ("tree", "quantity", "literal")

@@ -6,7 +6,7 @@ from house.measure import main
 
 MOST = {        # methods of House that list or count something
     "arrows": 133,
-    "floors": 16,
+    "floors": 15,
     "taking_problem": 0,
     "set_from_outside": 3,
     "with_several_bases": 1,

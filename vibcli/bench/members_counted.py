@@ -9,9 +9,8 @@ counts others than the table, and prints what disagrees.
 import sys
 from statistics import median
 from time import process_time
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
-from vibcli.base.named_tuple import NamedTuple
 from vibcli.bench.rows import Timing
 
 if TYPE_CHECKING:

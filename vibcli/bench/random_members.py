@@ -1,9 +1,7 @@
 """Random rows of members with springs, masses and oscillators, as scenes and, by themselves, in finite elements."""
 
 import random
-from typing import TYPE_CHECKING
-
-from vibcli.base.named_tuple import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
     import numpy as np

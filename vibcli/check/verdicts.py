@@ -4,7 +4,7 @@ Numbers are compared within their tolerance (comparison.py); equations of motion
 constant, at random states. A scene with symbols is checked at several sets of random values of its symbols.
 """
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
@@ -19,13 +19,15 @@ from vibcli.quantities.response import ALONG
 from vibcli.results.random_states import at_states, states
 
 if TYPE_CHECKING:
-    from vibcli.language.document.nodes import Mapping
     from vibcli.language.reader import Expression
     from vibcli.reader.sections.answer import Answer
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
+    Mistake = Callable[[Problem, Expression, float, float, str | None], str | None]
+
 ROUNDING = 1e-13
+NEAR = 1e-4         # relative: what is told as a difference, not as a ratio
 
 
 class Verdict(NamedTuple):
@@ -46,37 +48,33 @@ class Verdict(NamedTuple):
     estimated: bool = False
 
 
-def check(problem: "Problem", root: "Mapping | None" = None) -> list[Verdict]:
-    """The Verdicts of a problem and of its cases; SpecError where the geometry of one contradicts itself. root: its
-    document, for remarks on mistakes of its model."""
+def check(problem: "Problem", mistake: "Mistake | None" = None) -> list[Verdict]:
+    """The Verdicts of a problem and of its cases; SpecError where the geometry of one contradicts itself. mistake:
+    (problem, asked, expected, found, case) ↦ the sentence of the known mistake that leads to what is expected, None
+    where none does."""
     problem.draw()
     verdicts = []
     for case in (None, *problem.spec.cases):
-        part, document = problem, root
-        if case is not None:
-            from vibcli.language.cases import document_of_case
-
-            part, document = problem.case(case), root and document_of_case(root, case)
-        verdicts += verdicts_of(part, part.spec.answers, case, document)
+        part = problem if case is None else problem.case(case)
+        verdicts += verdicts_of(part, part.spec.answers, case, mistake)
     return verdicts
 
 
 def verdicts_of(problem: "Problem", answers: "Iterable[Answer]", case: str | None = None,
-                root: "Mapping | None" = None, remarks: bool = True,
-                instances: Instances | None = None) -> list[Verdict]:
-    """The Verdicts of some answers of a scene, or of a case of it; root: its document, that of the case; remarks: with
-    the known mistakes that lead to what differs; instances: those of the scene, where they are known."""
+                mistake: "Mistake | None" = None, instances: Instances | None = None) -> list[Verdict]:
+    """The Verdicts of some answers of a scene, or of a case of it; mistake: as in `check`; instances: those of the
+    scene, where they are known."""
     instances = instances or Instances(problem)
-    return [_verdict(instances, answer, case, root, remarks) for answer in answers]
+    return [_verdict(instances, answer, case, mistake) for answer in answers]
 
 
-def _verdict(instances, answer, case, root, remarks):
+def _verdict(instances, answer, case, mistake):
     """Compare at every instance, to the first that differs; of a scene with symbols, those of a regime that has no such
     answer are passed over."""
     verdict, count = None, 0
     for instance in instances:
         try:
-            found = _compare(instance, answer, root, remarks)
+            found = _compare(instance, answer, case, mistake)
         except PhysicsError as error:
             if verdict is None:
                 verdict = Verdict(answer, False, remark="no such answer: " + error.message,
@@ -104,7 +102,7 @@ def proportional(wanted: Any, found: Any, groups: Any) -> tuple[float, tuple[int
     return factor, worst_place(wanted, factor * found, groups)
 
 
-def _compare(problem, answer, root, remarks):
+def _compare(problem, answer, case, mistake):
     tree = answer.asked.tree
     kind = kind_of(problem.spec, tree)
     head = None if kind is None else tree.head
@@ -113,22 +111,23 @@ def _compare(problem, answer, root, remarks):
     if kind == TRUTH:
         wanted, found = answer.expected.text == "true", measure(problem, tree)[0]
         return Verdict(answer, found == wanted, wanted, found)
-    return _number(problem, answer, root, remarks)
+    return _number(problem, answer, case, mistake)
 
 
-def _number(problem, answer, root, remarks):
+def _number(problem, answer, case, mistake):
     found = compared(problem, answer)
-    differs = remarks and found.agrees is False and found.digits is None
-    told = _remark(problem, answer, found, root) if differs else None
+    told = None
+    if found.agrees is False and found.digits is None and found.found and found.expected:
+        told = mistake and mistake(problem, answer.asked, found.expected, found.found, case)
+        told = told or _difference(found.expected / found.found)
     verdict = Verdict(answer, found.agrees, found.expected, found.found, told, error=found.error, digits=found.digits,
                       estimated=_estimated(problem, answer.asked.tree))
     return _uncertain(verdict) if found.agrees is None else verdict
 
 
-def _remark(problem, answer, found, root):
-    from vibcli.check.remarks import remark
-
-    return remark(problem, answer.asked, found.expected, found.found, root)
+def _difference(ratio):
+    """By how much what is expected is off what is found."""
+    return f"off by {abs(ratio - 1):.2g} of it" if abs(ratio - 1) < NEAR else f"ratio {ratio:.6g}"
 
 
 def _estimated(problem, tree):

@@ -1,13 +1,14 @@
 """Printing a scene file with its results as its answers."""
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from vibcli.base.errors import PhysicsError
-from vibcli.cli.common import show_refusal
+from vibcli.cli.common import known_mistake, show_refusal
 from vibcli.cli.reports import write_text
 
 if TYPE_CHECKING:
@@ -41,7 +42,8 @@ def _agreeing(problem, spelled):
     from vibcli.api.answers import LeftOut
     from vibcli.check.verdicts import verdicts_of
 
-    verdicts = dict(zip(spelled, verdicts_of(problem, [answer for _, answer in spelled.values()]), strict=True))
+    found = verdicts_of(problem, [answer for _, answer in spelled.values()], mistake=partial(known_mistake, None))
+    verdicts = dict(zip(spelled, found, strict=True))
     return {asked: value for asked, (value, _) in spelled.items() if verdicts[asked].agrees}, [
         LeftOut(asked, "check finds otherwise" + (f" ({one.remark})" if one.remark else ""))
         for asked, one in verdicts.items() if not one.agrees]

@@ -14,6 +14,8 @@ from vibcli.base.errors import Diagnostic, PhysicsError, Remark, SpecError
 if TYPE_CHECKING:
     from vibcli.api.source import SceneSource
     from vibcli.base.errors import Where
+    from vibcli.language.document.nodes import Mapping
+    from vibcli.language.reader import Expression
     from vibcli.results.problem import Problem
 
 MOST = 600      # steps of a million products, for --digits
@@ -261,3 +263,12 @@ def require_quick(problem: "Problem", digits: int | None) -> None:
         raise click.UsageError(f"--digits {digits} for {len(problem.scene.coordinates)} coordinates would take about "
                                f"{steps:.0f} steps of a million products each; the limit is {limit}: ask for fewer "
                                f"digits, or allow more with --patience {ceil(steps / MOST)}")
+
+
+def known_mistake(root: "Mapping | None", problem: "Problem", asked: "Expression", expected: float, found: float,
+                  case: str | None) -> str | None:
+    """The sentence of the mistake that leads to an answer which differs, None where none is known; root: the document
+    of the scene, without which mistakes of its model are not looked for."""
+    from vibcli.mistakes.nearest import nearest_mistake
+
+    return nearest_mistake(problem, asked, expected, found, root, case)

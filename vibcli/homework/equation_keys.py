@@ -126,7 +126,7 @@ class EquationKey(AnswerKey):
         """RuntimeError, a fault of ours, where a scene read anew does not give the key, or `check` does not agree; at:
         the values in words."""
         written = answer_of(equation_text(one.terms, repr), fresh.spec, self.asked)
-        verdict, = verdicts_of(fresh, [Answer(self.asked, written, None)], remarks=False)
+        verdict, = verdicts_of(fresh, [Answer(self.asked, written, None)])
         if not verdict.agrees or not alike(one.terms, self.found(fresh), ROUTES):
             raise RuntimeError(f"two ways to {self.text} differ, at {at}")
 

@@ -176,7 +176,7 @@ def agreements(problem: "Problem", pairs: "Iterable[tuple[Expression, Expression
                instances: Instances | None = None) -> list[bool]:
     """Does each expected expression equal what is asked, as `check` compares them? Sure alone counts."""
     answers = [Answer(asked, expected, None) for asked, expected in pairs]
-    return [one.agrees is True for one in verdicts_of(problem, answers, remarks=False, instances=instances)]
+    return [one.agrees is True for one in verdicts_of(problem, answers, instances=instances)]
 
 
 def _factor(number):

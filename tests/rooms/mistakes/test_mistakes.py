@@ -1,5 +1,6 @@
 """Each mistake of the catalogue against its closed form, by the quantity that it is made of."""
 
+from functools import partial
 from math import pi, sqrt
 from pathlib import Path
 
@@ -9,6 +10,7 @@ import vibcli.mistakes
 from vibcli.api.source import problem_of, text_source
 from vibcli.api.values import quantity_asked
 from vibcli.check.verdicts import check
+from vibcli.cli.common import known_mistake
 from vibcli.inverse import settled
 from vibcli.mistakes import FORMULA, MISTAKES, MODEL, READING
 from vibcli.mistakes.known import by_kind, of_catalogue
@@ -179,7 +181,7 @@ def test_angles():
 
 def test_the_catalogue_is_its_folder():
     folder = Path(vibcli.mistakes.__file__).parent
-    helpers = {"__init__", "bodies", "changed", "known", "mistake", "springs"}
+    helpers = {"__init__", "bodies", "changed", "known", "mistake", "nearest", "springs"}
     assert {path.stem for path in folder.glob("*.py")} - helpers == set(MISTAKES)
     assert len(MISTAKES) >= 25
     for name, (kind, about) in MISTAKES.items():
@@ -198,7 +200,7 @@ def test_the_catalogue_is_its_folder():
 ])
 def test_check_names_mistakes_of_the_model(scene, line, said):
     source = text_source(scene + f"answers: {{'{line.partition(':')[0]}':{line.partition(':')[2]}}}\n")
-    verdict, = check(problem_of(source), source.node)
+    verdict, = check(problem_of(source), partial(known_mistake, source.node))
     assert verdict.agrees is False and verdict.remark.startswith(said)
     without, = check(problem_of(source))
     assert without.remark != verdict.remark

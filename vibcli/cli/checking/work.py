@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Sequence
+from functools import partial
 from time import process_time
 
 import click
@@ -9,7 +10,7 @@ import click
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError, Where
 from vibcli.base.rules import DIFFERS, DOUBTFUL, INVALID, UNCERTAIN, UNSOLVED
 from vibcli.cli.checking.found import CheckedAnswer, CheckedFile, Trouble
-from vibcli.cli.common import fault, forget, problem_in, shown_lines, source_of
+from vibcli.cli.common import fault, forget, known_mistake, problem_in, shown_lines, source_of
 
 
 def checked_file(file: str, settings: Sequence[str] = (), patience: int = 1, data: bytes | None = None) -> CheckedFile:
@@ -36,7 +37,7 @@ def _checked(file, settings, patience, data):
         if any(spec.answers for spec in (problem.spec, *problem.spec.cases.values())):
             from vibcli.check.verdicts import check
 
-            verdicts = check(problem, source.node)
+            verdicts = check(problem, partial(known_mistake, source.node))
             troubles = [_trouble(UNCERTAIN if uncertain else UNSOLVED, refusal, file, True)
                         for refusal, uncertain in _once([v for v in verdicts if v.refusal])]
             code = 4 if troubles else int(any(not v.agrees for v in verdicts))

@@ -1,9 +1,10 @@
-"""What is said of an answer that differs: the known mistake that leads to it, else by how much it is off."""
+"""The known mistake that leads to an answer which differs."""
 
 from math import isfinite
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.language.cases import document_of_case
 from vibcli.mistakes import MODEL
 from vibcli.mistakes.known import KnownMistake, of_catalogue
 from vibcli.quantities.dimensions import unit_of
@@ -14,26 +15,22 @@ if TYPE_CHECKING:
     from vibcli.language.reader import Expression
     from vibcli.results.problem import Problem
 
-CLOSE, NEAR = 1e-3, 1e-4        # relative: what a mistake leads to; what is told as a difference, not as a ratio
+CLOSE, NEAR = 1e-3, 1e-4        # relative: what a mistake leads to; what is the right value itself
 
 
-def remark(problem: "Problem", asked: "Expression", expected: float, found: float,
-           root: "Mapping | None" = None) -> str | None:
-    """The sentence of the mistake that leads nearest to what is expected, one of the model first, else the ratio; root:
-    the document of the scene, without which mistakes of its model are not looked for. None where one of the two is
-    zero."""
-    if not found or not expected:
-        return None
+def nearest_mistake(problem: "Problem", asked: "Expression", expected: float, found: float,
+                    root: "Mapping | None" = None, case: str | None = None) -> str | None:
+    """The sentence of the mistake that leads nearest to what is expected, one of the model first, None where none does;
+    root: the document of the scene, without which mistakes of its model are not looked for; case: which of its cases
+    this is. Neither value is zero."""
     near = []
-    for mistake in of_catalogue(problem, root, [asked]):
+    document = root and document_of_case(root, case)
+    for mistake in of_catalogue(problem, document, [asked]):
         wrong = _wrong(problem, mistake, asked, found)
         off = abs(wrong / expected - 1) if wrong is not None and isfinite(wrong) else CLOSE
         if off < CLOSE and abs(wrong / found - 1) > NEAR:
             near.append((mistake.kind != MODEL, off, mistake.told))
-    if near:
-        return min(near)[-1]
-    ratio = expected / found
-    return f"off by {abs(ratio - 1):.2g} of it" if abs(ratio - 1) < NEAR else f"ratio {ratio:.6g}"
+    return min(near)[-1] if near else None
 
 
 def _wrong(problem: "Problem", mistake: KnownMistake, asked: "Expression", found: float) -> float | None:
