@@ -162,6 +162,26 @@ def test_what_cannot_be_asked(scene, capsys, options, said):
     assert said in capsys.readouterr().err
 
 
+def test_a_scene_that_is_wrong_as_written_is_told_with_its_place(tmp_path, capsys):
+    path = tmp_path / "wrong.yaml"
+    path.write_text("parameters: {m: 1 kg, k: 1 N/m}\nbodies: {a: {mass: m, at: [0, 0], slide: x}}\n"
+                    "springs: {s: {k: k, between: [ground, a]}}\n", encoding="utf-8")
+    told = out_of(capsys, str(path), "--over", "k=1 .. 2", "--of", "omega[1]", code=3).err
+    assert "wrong.yaml:3:31: error: 's' joins a place and bare ground" in told
+
+
+def test_frequencies_that_end_before_the_middle_of_the_range_have_a_gap(tmp_path, capsys):
+    """A bead on a rod that turns faster than its spring can hold it, ω² = k/m − Ω²: it rests nowhere near."""
+    path = tmp_path / "bead.yaml"
+    path.write_text("parameters: {m: 0.5 kg, k: 80 N/m, a: 0.3 m, Omega: 8 rad/s}\nbodies:\n"
+                    "  rod: {at: [0, 0], pin: {at: [0, 0], by: Omega*t}}\n"
+                    "  bead: {mass: m, at: [a, 0], slide: {along: [1, 0], by: u, carrier: rod}}\n"
+                    "springs:\n  s: {k: k, between: [[0, 0], bead]}\n", encoding="utf-8")
+    out = out_of(capsys, str(path), "--over", "Omega=4 rad/s .. 28 rad/s", "--points", "4").out
+    rows = [line.split() for line in out.splitlines() if line.strip()[:1].isdigit()]
+    assert rows[0] == ["4", "12"] and [row[1] for row in rows[2:]] == ["–", "–"] and "no value for Ω = 20" in out
+
+
 def test_letters_need_values(tmp_path, capsys):
     path = tmp_path / "letters.yaml"
     path.write_text(TWO.replace("m: 1 kg", "m: {unit: kg}"), encoding="utf-8")

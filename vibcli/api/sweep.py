@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from vibcli.api.axis import of_numbers
 from vibcli.api.source import settled
 from vibcli.api.values import checked_quantity, given_expression
-from vibcli.base.errors import Diagnostic, SpecError, Where
+from vibcli.base.errors import Diagnostic, PhysicsError, SpecError, Where
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.quantities.dimensions import unit_of
 from vibcli.quantities.quantity import OF_STATE, kind_of
@@ -75,6 +75,7 @@ def sweep(problem: "Problem", axes: Sequence[SweptAxis], asked: "Sequence[Expres
     found = Sweep(problem, axes, checked, [unit_of(problem.spec, one) for one in checked], settled)
     if found.invalid_end is not None:
         values, message = found.invalid_end
+        _ = problem.scene       # what is wrong as it is written is told with its place
         raise ValueError(f"there is no such scene at {values}: {message}")
     return found
 
@@ -88,14 +89,19 @@ def _require_values(problem, swept_over):
 
 
 def _natural(problem, axes):
-    """The natural frequencies of the scene at the middle of its ranges."""
+    """The natural frequencies of the scene at the middle of its ranges; at one end, where it has none there."""
     from vibcli.results.variants import Variants
 
-    middle = Variants(problem, [{axis.name: axis.values} for axis in axes], settled).alone(
-        tuple(len(axis.values) // 2 for axis in axes))
-    if isinstance(middle, Exception):
-        raise middle
-    return [given_expression(f"omega[{mode.index}]", "the quantity") for mode in middle.modal.modes.shown()]
+    variants, refused = Variants(problem, [{axis.name: axis.values} for axis in axes], settled), None
+    for place in zip(*((len(axis.values) // 2, 0, -1) for axis in axes), strict=True):
+        found = variants.alone(place)
+        try:
+            if isinstance(found, Exception):
+                raise found
+            return [given_expression(f"omega[{mode.index}]", "the quantity") for mode in found.modal.modes.shown()]
+        except (SpecError, PhysicsError) as error:
+            refused = refused or error
+    raise refused
 
 
 def _require_number(problem, asked):

@@ -35,7 +35,6 @@ class NumericEquations:
     other constants, whose expressions these are too.
     """
 
-    _sizes: Callable
     parts: "Dynamics"
     solution: "list[Node]"
 
@@ -44,7 +43,7 @@ class NumericEquations:
         self.scene, self.floats, self.redundant, self.changed = scene, floats, redundant, changed
         parts = self.parts = dynamics(scene, redundant) if like is None else like.parts
         self.n, self.m = len(scene.q), len(parts.gaps)
-        self._slots, self._sizes = {}, None
+        self._slots = {}
         self.still = self.m == 0 and all(not node.mask for node in parts.M.values())
         self.direct = self.m == 0 and self.n <= DIRECT
         for i, name in enumerate(scene.coordinates):
@@ -80,12 +79,7 @@ class NumericEquations:
                       g: Sequence[float | np.ndarray] | np.ndarray = (),
                       c: Sequence[np.ndarray] | None = None) -> np.ndarray:
         """q̈ of shape (n, instants)."""
-        if not self.direct:
-            return self.solved(t, q, v, g, c)[0]
-        a = np.empty(q.shape)
-        for i, value in enumerate(self._compiled(t, q, v, g, c)):
-            a[i] = value
-        return a
+        return self._compiled.rows(t, q, v, g, c) if self.direct else self.solved(t, q, v, g, c)[0]
 
     def solved(self, t: np.ndarray, q: np.ndarray, v: np.ndarray, g: Any = (),
                c: Sequence[np.ndarray] | None = None) -> tuple[np.ndarray, np.ndarray]:
@@ -148,21 +142,22 @@ class NumericEquations:
 
     def sizes(self, t: Any, q: Any, v: Any, g: Any = ()):
         """Σ |terms of hᵢ| at one instant: what the rounding of hᵢ is relative to."""
+        factors, compiled = self._terms_of_h
+        return factors @ np.abs(compiled.rows(np.array([t]), q[:, None], v[:, None], g)[:, 0])
+
+    @cached_property
+    def _terms_of_h(self):
+        """The |factors| of the terms of all hᵢ, a row for each, and what computes these terms without them."""
         terms = [(i, part, factor) for i, node in enumerate(self.parts.h)
                  for part, factor in (node.args if node.op == "sum" else [(node, 1)])]
-        if self._sizes is None:
-            self._sizes = self.compiled([part for _, part, _ in terms])
-        found = np.zeros(self.n)
-        values = self._sizes(np.array([t]), q[:, None], v[:, None], g)
-        for (i, _, factor), value in zip(terms, values, strict=True):
-            found[i] += abs(float(factor)) * abs(float(np.max(value)))
-        return found
+        factors = np.zeros((self.n, len(terms)))
+        for k, (i, _, factor) in enumerate(terms):
+            factors[i, k] = abs(float(factor))
+        return factors, self.compiled([part for _, part, _ in terms])
 
     def gaps(self, t: np.ndarray, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """(G, Ġ) of shapes (m, instants), which no switch changes."""
-        found = np.empty((2 * self.m, q.shape[1]))
-        for k, value in enumerate(self._closing(t, q, v, (1.0,) * len(self._slots))):
-            found[k] = value
+        found = self._closing.rows(t, q, v, (1.0,) * len(self._slots))
         return found[:self.m], found[self.m:]
 
     def slopes(self, t: np.ndarray, q: np.ndarray, v: np.ndarray, g: Sequence[Any] = ()) -> np.ndarray:

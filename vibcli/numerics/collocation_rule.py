@@ -101,7 +101,10 @@ def _legendre(x, degree):
     P = np.empty((degree + 1, len(x)), dtype=x.dtype)
     P[0], P[1] = 1, x
     for k in range(1, degree):
-        P[k + 1] = ((2 * k + 1) * x * P[k] - k * P[k - 1]) / (k + 1)
+        row = np.multiply(2 * k + 1, x, out=P[k + 1])
+        row *= P[k]
+        row -= k * P[k - 1]
+        row /= k + 1
     return P
 
 

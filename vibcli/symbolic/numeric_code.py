@@ -221,6 +221,16 @@ class Compiled:
         """The values as a tuple of arrays; those of constants are floats. g: the senses of the switches."""
         return self._evaluate(t, q, v, g, self.prepared(t) if c is None else c)
 
+    def rows(self, t: "np.ndarray", q: "np.ndarray", v: "np.ndarray",
+             g: "Sequence[float | np.ndarray] | np.ndarray" = (), c: Any = None) -> "np.ndarray":
+        """The same of shape (nodes, instants)."""
+        import numpy as np
+
+        found = np.empty((self.count, q.shape[1]))
+        for i, value in enumerate(self(t, q, v, g, c)):
+            found[i] = value
+        return found
+
 
 def _nothing(t):
     """What depends on the time alone where nothing does."""

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vibcli.analyses.time_integration.collocation_step import CLOSE
+from vibcli.analyses.time_integration.collocation_step import CLOSE, along
 from vibcli.analyses.time_integration.error_scales import EPSILON
 from vibcli.analyses.time_integration.trajectory import POINTS, Trajectory
 from vibcli.numerics.collocation_rule import rule
@@ -44,7 +44,7 @@ class Shared:
         c = rule(POINTS).c      # not the ends of windows: there forces may jump, in the other solution a little later
         times = np.concatenate([window.start + c * window.end for window in one.windows])
         self.times = times[times <= end]
-        both = [trajectory.at(self.times)[:2] for trajectory in (one, other)]
+        both = along(one.windows, c)[:2, :, :len(self.times)], other.at(self.times)[:2]
         skipped = [trajectory.fast for trajectory in (one, other) if trajectory.fast is not None]
         fast = [sum((getattr(part, row) for part in skipped), np.zeros(len(one.names))) for row in ("q", "v")]
         rounding = self._rounding(units, both[0][0])

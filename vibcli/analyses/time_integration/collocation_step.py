@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 MOST_PICARD, MOST_NEWTON, PATIENCE = 60, 12, 15
 DIFFERENCE, LEAST = 1e-4, 1.0       # of the way that a coordinate goes, or of its value
 CLOSE, HOPELESS = 1e3, 1e18         # of the tolerance
+TOGETHER = 256          # windows cut short, whose polynomials are looked at at once
 
 
 class Window:
@@ -40,11 +41,6 @@ class Window:
     def states(self, tau: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """(q, q̇, q̈) of shapes (n, instants) at the instants tau [s] after the start."""
         return self.summed(tau, self.rule.basis(2 * tau / self.length - 1))
-
-    def along(self, c: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """The same at parts c of what it holds."""
-        whole = self.end == self.length
-        return self.summed(c * self.end, self.rule.basis_at(c)) if whole else self.states(c * self.end)
 
     def summed(self, tau: Any, P: np.ndarray):
         """The same with the values of the Legendre polynomials at the instants at hand."""
@@ -74,17 +70,17 @@ def along(windows: Sequence[Window], c: np.ndarray) -> np.ndarray:
     n, groups = len(windows[0].q), {}
     found = np.empty((3, n, len(windows), len(c)))
     for k, window in enumerate(windows):
-        groups.setdefault(window.rule if window.end == window.length else None, []).append(k)
-    for k in groups.pop(None, ()):
-        found[:, :, k] = windows[k].along(c)
-    for rule, members in groups.items():
-        some, P = [windows[k] for k in members], rule.basis_at(c)
+        groups.setdefault((window.rule, None if window.end == window.length else k // TOGETHER), []).append(k)
+    for (rule, cut), members in groups.items():
+        some = [windows[k] for k in members]
         series = np.array([window.series for window in some])
-        H = np.array([window.length for window in some])[:, None, None]
+        H, end = (np.array(ends)[:, None, None] for ends in zip(*((one.length, one.end) for one in some), strict=True))
         q, v = (np.array(rows)[:, :, None] for rows in zip(*((window.q, window.v) for window in some), strict=True))
+        P = rule.basis_at(c) if cut is None else rule.basis((2 * c * (end / H) - 1).ravel()).reshape(
+            -1, len(some), len(c)).swapaxes(0, 1)
         found[:, :, members] = np.array([
-            q + H * c * v + H * H * (series @ (rule.twice @ P)), v + H * (series @ (rule.once @ P[:-1])),
-            series @ P[:-2]]).transpose(0, 2, 1, 3)
+            q + end * c * v + H * H * (series @ (rule.twice @ P)), v + H * (series @ (rule.once @ P[..., :-1, :])),
+            series @ P[..., :-2, :]]).transpose(0, 2, 1, 3)
     return found.reshape(3, n, -1)
 
 

@@ -30,10 +30,9 @@ class Sizes:
         self.origin, self.moved, self.largest = q.copy(), np.zeros(len(q)), np.zeros(len(q))
 
     def measure(self, system: "NumericEquations", accelerations: Callable, t: float, q: np.ndarray, v: np.ndarray,
-                g: Sequence[float]) -> None:
-        """Take weight, radian and noise from the system as it is at t."""
-        values = system.inertia(np.array([t]), q[:, None], v[:, None], g)
-        self.weight = np.sqrt(np.maximum([float(np.max(value)) for value in values], 1e-300))
+                g: Sequence[float]) -> np.ndarray:
+        """Take weight, radian and noise from the system as it is at t; q̈ there."""
+        self.weight = np.sqrt(np.maximum(system.inertia.rows(np.array([t]), q[:, None], v[:, None], g)[:, 0], 1e-300))
         a, J = jacobian(accelerations, t, q, v)
         n = len(q)
         self.radian, self.noise = np.inf, 4 * EPSILON * system.sizes(t, q, v, g) / self.weight**2
@@ -44,6 +43,7 @@ class Sizes:
             self.slopes = np.abs(J[:, :n])
             self.noise += EPSILON * (np.abs(J) @ np.abs(np.concatenate([q, v])))
         self.meet(a[:, None])
+        return a
 
     def roughen(self, factor: float) -> None:
         """Take the rounding error of q̈ to be so many times as large, if that is more."""
@@ -82,13 +82,11 @@ def _fastest(K, C, weight):
 def jacobian(accelerations: Callable, t: float, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(q̈, [∂q̈/∂q, ∂q̈/∂q̇]) by differences."""
     n = len(q)
-    a = accelerations(np.array([t]), q[:, None], v[:, None])[:, 0]
     span = np.max(np.abs(q), initial=0.0), np.max(np.abs(v), initial=0.0)
     size = np.concatenate([np.where(np.abs(q) > 0, np.abs(q), span[0] or 1e-3),
                            np.where(np.abs(v) > 0, np.abs(v), span[1] or 1e-3)])
     step = STEP * size
-    Q, V = np.repeat(q[:, None], 2 * n, 1), np.repeat(v[:, None], 2 * n, 1)
-    Q[range(n), range(n)] += step[:n]
-    V[range(n), range(n, 2 * n)] += step[n:]
-    with np.errstate(all="ignore"):
-        return a, (accelerations(np.full(2 * n, t), Q, V) - a[:, None]) / step
+    moved = np.repeat(np.concatenate([q, v])[:, None], 2 * n + 1, 1)
+    moved[range(2 * n), range(1, 2 * n + 1)] += step
+    found = accelerations(np.full(2 * n + 1, t), moved[:n], moved[n:])
+    return found[:, 0], (found[:, 1:] - found[:, :1]) / step

@@ -13,14 +13,23 @@ if TYPE_CHECKING:
     from vibcli.mechanics.switching import Switching
 
 ROUNDS = 100
-NEAR = 4 * 2.0**-52
+NEAR, SMALL = 4 * 2.0**-52, 64 * 2.0**-52       # of the time gone, of a window: how well an instant is known
 WITHIN = 1e-10         # of a window
+SPOTS = 12              # of a part of a window in which an argument vanishes
 
 
 @lru_cache
 def _places(points):
     """(c, Legendre polynomials there): 2s places of Chebyshev, ending at 1."""
     c = 0.5 * (1 - np.cos(np.pi * np.arange(1, 2 * points + 1) / (2 * points)))
+    return c, rule(points).basis(2 * c - 1)
+
+
+@lru_cache
+def _spots(points, part):
+    """The same at the places of Chebyshev of the part of a window that ends at such a place."""
+    ends, within = np.append(0.0, _places(points)[0]), 0.5 * (1 - np.cos(np.pi * np.arange(SPOTS) / (SPOTS - 1)))
+    c = ends[part] + (ends[part + 1] - ends[part]) * within
     return c, rule(points).basis(2 * c - 1)
 
 
@@ -41,8 +50,7 @@ def first_event(switching: "Switching", window: "Window", slack: np.ndarray,
     if not wrong.any():
         return None, ()
     first = int(np.argmax(wrong.any(axis=0)))
-    low = tau[first - 1] if first else 0.0
-    found = [(_zero(switching, window, k, low, tau[first]), int(k)) for k in np.flatnonzero(wrong[:, first])]
+    found = [(_zero(switching, window, k, first, tau[first]), int(k)) for k in np.flatnonzero(wrong[:, first])]
     instant = min(found)[0]
     return instant, tuple(k for time, k in found if time - instant <= 1e-12 * (window.start + window.length))
 
@@ -58,32 +66,34 @@ def _room(switching, window, t, q, v):
     return room
 
 
-def _zero(switching, window, k, low, high):
-    """The instant at which the room of a switch vanishes, by false position with bisection (Illinois)."""
+def _zero(switching, window, k, part, end):
+    """The instant at which the room of a switch vanishes in a part of a window that ends so long after its start."""
     def room(tau):
         q, v, _ = window.states(np.array([tau]))
         return _room(switching, window, np.array([window.start + tau]), q, v)[k, 0]
 
-    below, above = room(low), room(high)
-    if below <= 0:
-        return low if low else _after_start(room, high)
-    side = 0
-    for _ in range(ROUNDS):
-        middle = (low * above - high * below) / (above - below)
-        if not low < middle < high:
-            middle = 0.5 * (low + high)
-        value = room(middle)
-        if high - low <= NEAR * (window.start + high) or value == 0:
-            break
-        if value < 0:
-            high, above = middle, value
-            below = 0.5 * below if side < 0 else below
-            side = -1
-        else:
-            low, below = middle, value
-            above = 0.5 * above if side > 0 else above
-            side = 1
-    return middle
+    c, P = _spots(window.rule.points, part)
+    tau = np.minimum(c * window.length, end)
+    values = _room(switching, window, window.start + tau, *window.summed(tau, P)[:2])[k]
+    if values[0] <= 0:
+        return float(tau[0]) if part else _after_start(room, end)
+    below = int(np.argmax(values < 0))
+    if (np.diff(values) < 0).all():
+        at_zero, apart = _inverse(tau, values)
+        known = NEAR * (window.start + end) + SMALL * window.length
+        if apart <= known and tau[below - 1] <= at_zero <= tau[below]:
+            return at_zero
+    return last_place(lambda tau: room(tau) > 0, tau[below - 1], tau[below], ROUNDS)[1]
+
+
+def _inverse(places, values):
+    """Where a function with these values at places vanishes, by the polynomial of its inverse (Neville), and how far
+    apart the last two are that are a degree lower."""
+    found, before = places, places
+    for order in range(1, len(values)):
+        ahead, behind = values[order:], values[:-order]
+        before, found = found, (ahead * found[:-1] - behind * found[1:]) / (ahead - behind)
+    return float(found[0]), float(abs(before[1] - before[0]))
 
 
 def _after_start(room, high):

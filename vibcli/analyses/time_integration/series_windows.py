@@ -17,9 +17,11 @@ if TYPE_CHECKING:
     from vibcli.mechanics.numeric_equations import NumericEquations
 
 PAYS = 14_000.0         # radians · √(operations for q̈), beyond which importing the engine and compiling take less
-AT_ONCE = 2_000         # steps
+AT_ONCE, FIRST = 2_000, 2   # steps; windows, as long as they grow
 FEW, MOST = 12, 64      # steps in a window, to begin with; where more fit, stability keeps them short: forces are stiff
 RESOLVED, LAST = 0.6, 3     # of the coefficients of a window, below which the next one is longer; those that are small
+WIDE = 8.0              # radians of the fastest oscillation in a window at most: changes of it are to be known as well
+IDLE = 0.3              # of the coefficients of one so long, below which nothing of that oscillation is in it
 TOLERANCES = 2.0**-52, 1e-18    # of a step: of the first solution, and of the second, by series of higher order
 
 
@@ -42,16 +44,19 @@ class SeriesWindows:
         except (ImportError, ArithmeticError, ValueError):
             self.given_up = True
             return
+        grows = True
         while not self.given_up and limit - march.t > 1e-15 * limit:
-            ends, states = series.steps(limit, AT_ONCE)
+            before, (ends, states) = self.most, series.steps(limit, FIRST * self.most if grows else AT_ONCE)
             if len(ends):
                 self._keep(march, np.append(march.t, ends), states)
+            grows = self.most > before
             self.given_up = not len(ends) or march.slow or self.most > MOST
 
     def _keep(self, march, instants, states):
         """Move on by windows, each of as many steps as it resolves; instants: their ends."""
+        widest = max(int(WIDE * march.sizes.radian * (len(instants) - 1) / (instants[-1] - instants[0])), 1)
         while True:
-            cuts = np.unique([*range(0, len(instants), self.most), len(instants) - 1])
+            cuts = np.unique([*range(0, len(instants), min(self.most, widest)), len(instants) - 1])
             windows, ends = self._windows(march, instants[cuts], states)
             unresolved = _unresolved(march, windows)
             if self.most == 1 or not (unresolved[-LAST:] > 1).any():
@@ -61,7 +66,8 @@ class SeriesWindows:
             march.sizes.meet(window.values)
         march.take(windows, ends)
         used = np.flatnonzero(unresolved > 1)
-        if (used[-1] + 1 if len(used) else 1) < RESOLVED * len(unresolved):
+        part = (used[-1] + 1 if len(used) else 1) / len(unresolved)
+        if part < (RESOLVED if self.most <= widest else IDLE):
             self.most += self.most // 2 + 1
 
     def _windows(self, march, instants, states):

@@ -42,6 +42,7 @@ class March:
     """The state of an integration: time, position, velocity, senses of switches, and what steers the next window."""
 
     guess: Any
+    begun: Any
     g: Any
     slides: Any
     H: float
@@ -57,16 +58,16 @@ class March:
         self.stiff, self.held, self.calm, self.tries, self.unseen = False, 0, CALM, 0, 0
         self.sizes, self.guess, self.H, self.paced = Sizes(q), None, None, 0.0
         self.slow, self.fast, self.factored, self.settling, self.coarse = False, None, (None, None), 0, False
-        self.rooted, self.driven = rooted(system.parts.nodes()), Driven(system)
+        self.rooted, self.driven, self.begun = rooted(system.parts.nodes()), Driven(system), None
 
     def begin(self, limit: float, zero: Any = ()) -> None:
         """Look at the system as it is from now on: at the start, and after an event or break. zero: the switches whose
         arguments vanish now."""
         soon = self._soon(limit)
         self.g, self.slides = self.switching.settled(soon, self.q, self.v, self.g, zero, self.slides)
-        self.sizes.measure(self.system, self.accelerations, soon, self.q, self.v, self.g)
+        self.begun = soon, self.sizes.measure(self.system, self.accelerations, soon, self.q, self.v, self.g)
         self.H = min(self.H or np.inf, RADIANS * self.sizes.radian)
-        self.guess = None
+        self.guess, self.unseen = None, 0
         if self.fast is not None:
             self._leap()
 
@@ -82,7 +83,7 @@ class March:
 
     def advance(self, limit: float) -> Window:
         """The next Window, at most up to the instant `limit`."""
-        a = self.accelerations(np.array([self._soon(limit)]), self.q[:, None], self.v[:, None])
+        a = self._present(self._soon(limit))
         if not np.isfinite(a).all():
             raise undefined(self.system, self.t)
         left = limit - self.t
@@ -135,13 +136,19 @@ class March:
         """Does what is left of the series of q̈ change no velocity?"""
         return bool((H * self.coefficients(H, done.A)[:, -TAIL:].max(axis=1) <= self.rtol * np.abs(self.v)).all())
 
+    def _present(self, soon):
+        """q̈ of the state as it is, an instant after, that which is known from its begin."""
+        begun, self.begun = self.begun, None
+        if begun is not None and begun[0] == soon:
+            return begun[1][:, None]
+        return self.accelerations(np.array([soon]), self.q[:, None], self.v[:, None])
+
     def _ahead(self, H, a):
         """|q̈| at its largest within a window, the velocities being kept: a force that begins at zero grows there, and
         the motion with it."""
         steps = H * self.rule.c
-        with np.errstate(all="ignore"):
-            A = self.force(self.t + steps)(self.q[:, None] + self.v[:, None] * steps, np.repeat(
-                self.v[:, None], len(steps), 1))
+        A = self.force(self.t + steps)(self.q[:, None] + self.v[:, None] * steps, np.repeat(
+            self.v[:, None], len(steps), 1))
         largest = np.abs(A).max(axis=1)
         return np.where(np.isfinite(largest), np.maximum(largest, np.abs(a)), np.abs(a))
 
@@ -161,10 +168,9 @@ class March:
         is used)."""
         scale = self.sizes.scale(H, self.v, a)[:, None]
         solve, part, known = (newton, 1e-4, self._factored(H)) if self.stiff else (iterated, 1e-2, self.unseen)
-        with np.errstate(all="ignore"):
-            done = solve(self.force(self.t + H * self.rule.c), self.rule, H, self.q, self.v, guess,
-                         (part * self.rtol * scale if self.fast is None else 1e-2 * self.allowed(H, scale))
-                         + 0.5 * EPSILON * np.abs(self.q)[:, None], known, self.more)  # type: ignore[arg-type]
+        done = solve(self.force(self.t + H * self.rule.c), self.rule, H, self.q, self.v, guess,
+                     (part * self.rtol * scale if self.fast is None else 1e-2 * self.allowed(H, scale))
+                     + 0.5 * EPSILON * np.abs(self.q)[:, None], known, self.more)  # type: ignore[arg-type]
         self.factored = (H, self.g, self.slides), done.inverse
         if done.A is None:
             return None, np.inf, 1.0

@@ -171,7 +171,7 @@ def test_the_points_of_every_window_obey_the_equations(followed):
     found = simulate(problem(SPRUNG).configuration, 60.0, initial={"x": 0.3, "phi": 2.0})
     assert followed[0] == 1 and len(found.windows) > 20
     for window in found.windows:
-        q, v, a = window.along(window.rule.c)
+        q, v, a = window.states(window.rule.c * window.end)
         forces = found.system.accelerations(window.start + window.end * window.rule.c, q, v)
         assert np.abs(a - forces).max() < 1e-10 and np.abs(a - window.values).max() < 1e-10
 
