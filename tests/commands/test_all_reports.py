@@ -5,11 +5,12 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
-from support.renderings import FORMATS, faults, unbalanced
+from support.renderings import FORMATS, Page, faults, unbalanced
 from support.scenes import kept_problem_of
 
 from vibcli.api.reports import data, report, solution
 from vibcli.base.errors import PhysicsError
+from vibcli.cli import run
 from vibcli.inverse import settled
 
 FILES = sorted((Path(__file__).parents[2] / "problems").glob("*/*.yaml"))
@@ -30,3 +31,20 @@ def test_what_is_not_closed_is_seen():
     assert unbalanced(r"\begin{align*} \left( \frac{a}{b} \right) \\{x\\} \end{align*}") == []
     for wrong in (r"\frac{a}{b", r"a}", r"\left( a", r"\begin{align*} a", r"\begin{a} { \end{a} }"):
         assert unbalanced(wrong)
+
+
+@pytest.mark.parametrize("words", (["--pictures"], ["--steps"]))
+def test_pages_hold_what_the_standard_knows(tmp_path, words):
+    """With the figure, a plot whose unit has a gap, formulas on several rows."""
+    scene = next(path for path in FILES if path.stem == "ball_let_go_on_a_thread")
+    assert run(["solve", str(scene), "-o", str(tmp_path / "page.html"), *words]) == 0
+    page = Page()
+    page.feed((tmp_path / "page.html").read_text(encoding="utf-8"))
+    assert not page.wrong and not page.open
+
+
+def test_what_the_standard_does_not_know_is_seen():
+    page = Page()
+    page.feed('<figure role="group" id="a"><svg viewBox="0 0 1 1"><path id="b"/><path d=""/></svg></figure>'
+              '<math><mtable displaystyle="true"><mtr><mtd displaystyle="true"></mtd></mtr></mtable></math>')
+    assert page.wrong == ["figure role", "path without d", "mtd displaystyle"] and not page.open

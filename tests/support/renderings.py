@@ -20,21 +20,37 @@ ROUNDING = re.compile(r"(?<![\d.])\d(?:\.\d+)?e-1[3-9]")
 BOUNDS = re.compile("error|what is left|residual|left of")    # heads of numbers that tell how small something is
 BOUNDED = re.compile("what is left|by a search|holds to|agrees to|stay closed|±")
 VOID = {"meta", "br", "img", "link", "hr", "input"}
+# Attributes of the elements of a page that the standards of HTML and MathML know; others than `id` and `class` of all.
+ATTRIBUTES = {
+    "html": "lang", "meta": "charset name content http-equiv", "a": "href", "nav": "aria-label", "p": "role",
+    "th": "scope", "math": "alttext displaystyle display", "mi": "mathvariant", "mspace": "width", "mover": "accent",
+    "mtable": "columnalign displaystyle", "mo": "stretchy fence separator form lspace rspace minsize maxsize symmetric",
+    "mfrac": "linethickness displaystyle", "mpadded": "width lspace height depth voffset", "mtd": "columnspan rowspan",
+    "mstyle": "displaystyle scriptlevel", "mrow": "displaystyle"}
 
 
-class Balanced(HTMLParser):
-    """HTML in which every element is closed where it should be."""
+class Page(HTMLParser):
+    """HTML in which every element is closed where it should be and has attributes that it may have; paths of pictures
+    say where they run."""
 
     def __init__(self):
         super().__init__()
         self.open, self.wrong = [], []
 
     def handle_starttag(self, tag, attrs):
+        self._look(tag, dict(attrs))
         if tag not in VOID:
             self.open.append(tag)
 
     def handle_startendtag(self, tag, attrs):
-        pass
+        self._look(tag, dict(attrs))
+
+    def _look(self, tag, attributes):
+        if "svg" in self.open:
+            self.wrong += ["path without d"] * (tag == "path" and "d" not in attributes)
+        elif tag != "svg":
+            known = {"id", "class", *ATTRIBUTES.get(tag, "").split()}
+            self.wrong += [f"{tag} {name}" for name in attributes if name not in known]
 
     def handle_endtag(self, tag):
         if not self.open or self.open.pop() != tag:
@@ -85,7 +101,7 @@ def faults(document: Document, formats: Iterable[ModuleType]) -> list[str]:
         if kind is text:
             found += [line for line in shown.split("\n") if width(line) > WIDEST]
         elif kind is html:
-            page = Balanced()
+            page = Page()
             page.feed(shown)
             found += [f"html: {page.wrong or page.open}"] * bool(page.wrong or page.open)
         elif kind is latex:

@@ -59,7 +59,8 @@ class VariantRules(NamedTuple):
 
 def preferred(series: str, low: Fraction, high: Fraction) -> list[Fraction]:
     """The preferred numbers of a series from one number to another, both positive."""
-    every = (Fraction(text) * Fraction(10)**decade for decade in DECADES for text in PREFERRED[series].split())
+    tens = [ten for decade in DECADES if low < 10 * (ten := Fraction(10)**decade) and ten <= high]
+    every = (Fraction(text) * ten for ten in tens for text in PREFERRED[series].split())
     return [number for number in every if low <= number <= high]
 
 

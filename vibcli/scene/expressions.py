@@ -11,7 +11,16 @@ from vibcli.language.reader import Expression, Record
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
-from vibcli.symbolic.normal_form import TooLong, collected, expanded, is_zero, reduced, root_of_square, textbook
+from vibcli.symbolic.normal_form import (
+    TooLong,
+    collected,
+    expanded,
+    factors_of,
+    is_zero,
+    reduced,
+    root_of_square,
+    textbook,
+)
 from vibcli.symbolic.rationals import ONE
 from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import ExpressionError, Sum, parts_of
@@ -167,17 +176,29 @@ class Expressions:
         return self.table.sqrt(textbook(square) if square.mask & self.coordinates.time.mask else square)
 
     def unrooted(self, nodes: "Iterable[Node]"):
-        """The nodes with √(L² cos² θ) as L cos θ, with its sign as drawn."""
+        """The nodes with √(L² cos² θ) as L cos θ, with its sign as drawn; what stands beside it in factors."""
         simpler = {}
         for part in reachable(nodes):
             roots = {base: root_of_square(base) for base, e in part.args
                      if e.denominator == 2 and base.mask} if part.op == "product" else {}
             if any(root is not None for root in roots.values()):
-                factors = [(base, e) if (root := roots.get(base)) is None else
-                           (self.absolute(root), 2 * e) for base, e in part.args]
-                simpler[part] = self.table.product((self.table.number(part.coefficient), ONE), *factors)
-        return substitute(nodes, simpler) if simpler else nodes
+                factors = [(self.table.number(part.coefficient), ONE)]
+                for base, e in part.args:
+                    root = roots.get(base)
+                    factors += _factors(base, e) if root is None else [(self.absolute(root), 2 * e)]
+                simpler[part] = self.table.product(*factors)
+        return self.unrooted(substitute(nodes, simpler)) if simpler else nodes      # roots within others are left
 
     def height_of(self, surface: Record, x: "Node"):
         """f(x) of a curve y = f(x)."""
         return self.lower(surface["curve"], (surface["in"], x))
+
+
+def _factors(base, exponent):
+    """[(factor, its exponent)] of a sum; a power, anything else and what is too long are one."""
+    try:
+        if exponent == 1 and base.op == "sum":
+            return factors_of(base.table, reduced(expanded(base)))
+    except (TooLong, ZeroDivisionError):
+        pass
+    return [(base, exponent)]

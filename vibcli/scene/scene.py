@@ -17,6 +17,8 @@ from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import ONE
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
     from vibcli.language.parameters import Parameters
     from vibcli.language.spec import Spec
     from vibcli.scene.contents import Contents
@@ -156,6 +158,10 @@ class Scene:
     def drawn_anew(self, attempt: int) -> "Scene":
         """The same drawn with other sample values for its symbols, of the first attempt from this one that fits."""
         return self.setting.draw(attempt, self.setting.variant)
+
+    def drawn_with(self, letters: "Mapping[str, Fraction]") -> "Scene":
+        """The same drawn with given values of its symbols."""
+        return self.setting.draw.func(self.spec, letters, 0, self.setting.variant)
 
     @property
     def hidden(self) -> list[str]:

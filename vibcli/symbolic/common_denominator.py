@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters, nested
-from vibcli.symbolic.node import remembered
-from vibcli.symbolic.normal_form import TooLong, add, cleared, expanded, factors_of, reduced, times
+from vibcli.symbolic.node import remembered, times
+from vibcli.symbolic.normal_form import TooLong, add, cleared, expanded, factors_of, reduced
 from vibcli.symbolic.rationals import ONE, ZERO
 
 if TYPE_CHECKING:

@@ -7,12 +7,12 @@ A node is one of
     call     a function of nodes                   pi
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import wraps
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
-from vibcli.symbolic.rationals import HALF, ONE
+from vibcli.symbolic.rationals import HALF, ONE, ZERO
 
 if TYPE_CHECKING:
     from vibcli.symbolic.expression import Table
@@ -122,3 +122,16 @@ def rooted_square(base: Node, exponent: Fraction) -> tuple[Node, Fraction]:
         inner = base.table.product(*((one, e * HALF) for one, e in base.args))
         return base.table.call("abs", inner), 2 * exponent
     return base, exponent
+
+
+def times(a: Sequence[tuple[Node, Fraction | int]], b: Any,
+          power: int = 1) -> tuple[tuple[Node, Fraction | int], ...]:
+    """The monomial a·b^power."""
+    exponents = dict(a)
+    for atom, e in b:
+        total = exponents.get(atom, ZERO) + e * power
+        if total:
+            exponents[atom] = total
+        else:
+            exponents.pop(atom, None)
+    return tuple(sorted(exponents.items(), key=lambda pair: pair[0].index))

@@ -4,7 +4,7 @@ The rules are few: expand, sin² + cos² = 1, the addition theorems for products
 factors taken out. Work is bounded; what grows beyond MOST terms is left as it is.
 """
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping
 from fractions import Fraction
 from functools import reduce
 from math import gcd
@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.expression_graph import reachable
-from vibcli.symbolic.node import remembered
+from vibcli.symbolic.node import remembered, times
 from vibcli.symbolic.rationals import HALF, ONE, ZERO, exact_root
 
 if TYPE_CHECKING:
@@ -89,19 +89,6 @@ def multiplied(left: Any, right: Any) -> "dict[tuple[tuple[Node, Fraction | int]
     return found
 
 
-def times(a: "Sequence[tuple[Node, Fraction | int]]", b: Any,
-          power: int = 1) -> "tuple[tuple[Node, Fraction | int], ...]":
-    """The monomial a·b^power."""
-    exponents = dict(a)
-    for atom, e in b:
-        total = exponents.get(atom, ZERO) + e * power
-        if total:
-            exponents[atom] = total
-        else:
-            exponents.pop(atom, None)
-    return tuple(sorted(exponents.items(), key=lambda pair: pair[0].index))
-
-
 def reduced(terms: Any) -> "dict[tuple[tuple[Node, Fraction | int], ...], Fraction | int]":
     """The same polynomial with the trigonometric identities applied wherever they shorten it."""
     changed = True
@@ -117,7 +104,7 @@ def _shorten(terms, monomial):
     """Apply one identity that starts from `monomial`; True if one was found."""
     sines = [(atom, e) for atom, e in monomial if atom.name in ("sin", "cos") and e >= 1 and e.denominator == 1]
     for atom, e in sines:
-        if e >= 2 and _square(terms, monomial, atom):
+        if (e >= 2 and _square(terms, monomial, atom)) or (e >= 4 and _fourth_power(terms, monomial, atom)):
             return True
     for i, (a, _) in enumerate(sines):
         for b, _ in sines[i + 1:]:
@@ -139,6 +126,19 @@ def _square(terms, monomial, atom):
         _move(terms, (monomial, rest), partner, -value)
         return True
     return False
+
+
+def _fourth_power(terms, monomial, atom):
+    """c·R·f⁴ + 2·c·R·f²·g² + c·R·g⁴ = c·R for f, g = sin u, cos u."""
+    value = terms[monomial]
+    other = atom.table.call("cos" if atom.name == "sin" else "sin", *atom.args)
+    rest = times(monomial, ((atom, Fraction(4)),), -1)
+    mixed, last = (times(rest, factors) for factors in (((atom, Fraction(2)), (other, Fraction(2))),
+                                                        ((other, Fraction(4)),)))
+    if terms.get(mixed) != 2 * value or terms.get(last) != value:
+        return False
+    _move(terms, (monomial, mixed, last), rest, value)
+    return True
 
 
 def _addition(terms, monomial, a, b):

@@ -5,9 +5,11 @@ from pathlib import Path
 import pytest
 from support.scenes import problem, problem_of
 
+from vibcli.drawing.canvas.primitives import extent
 from vibcli.drawing.drawing import draw
 from vibcli.drawing.layout import compose, letters, plane
 
+PROBLEMS = Path(__file__).parents[3] / "problems"
 PLATFORM = """
     parameters: {{m: 2 kg, M: 5 kg, L: 1 m, g: 9.81 m/s^2}}
     gravity: g
@@ -107,10 +109,50 @@ def test_what_is_on_the_rim_itself_hangs_on_no_rope(mass, kind):
 
 
 def test_the_mass_centre_of_a_bent_frame_in_letters_is_drawn_among_its_places():
-    path = Path(__file__).parents[3] / "problems/1_statics_and_energy/three_hinged_shed_in_the_wind.yaml"
+    path = PROBLEMS / "1_statics_and_energy/three_hinged_shed_in_the_wind.yaml"
     stage = letters.pleasing(problem_of(path), compose.Scenery)
     assert letters.crowding(stage) <= letters.ENOUGH < letters.crowding(compose.Scenery(problem_of(path).scene))
     for name in ("left", "right"):
         (left, bottom), (right, top) = plane.corners([stage.sketch.pivot(name).drawn, *stage.ties.carried[name]])
         x, y = stage.sketch.centre(name)
         assert left <= x <= right and bottom <= y <= top
+
+
+SNATCHED = """
+    parameters: {{m: 12 kg, r: 0.2 m, k: 3 kN/m, g: 9.81 m/s^2}}
+    gravity: g
+    bodies:
+      pulley: {{shape: disc, mass: m, radius: r, at: [0, 0], move: [{x}, {y}, {turn}]}}
+      strand: {{at: [r, 0], slide: {{along: [0, 1], by: 2*y}}}}
+    springs: {{s: {{k: k, between: [strand, [r, 1 m]], preload: static}}}}
+"""
+
+
+@pytest.mark.parametrize("y, x, turn, side", [
+    ("y", "0", "y/r", -1), ("y", "0", "-y/r", 1), ("y", "0", "y/(2*r)", 0), ("y", "y", "y/r", 0), ("y", "0", "0", 0)])
+def test_a_pulley_hangs_in_a_rope_where_its_rim_stands_still(y, x, turn, side):
+    stage = stage_of(SNATCHED, x=x, y=y, turn=turn)
+    found = stage.ropes.get("standing pulley")
+    assert (found is not None) == bool(side)
+    if found:
+        assert found[0].at.carrier is None and found[0].at.drawn[1] > stage.sketch.centre("pulley")[1]
+        assert found[0].at.drawn[0] == pytest.approx(side * found[1].radius)
+        assert [stop.at.carrier for stop in found[1:]] == ["pulley", "strand"][:1 + (side < 0)]
+
+
+def test_single_lengths_are_drawn_otherwise_until_pulleys_stand_apart():
+    for name in ("1_statics_and_energy/differential_hoist", "6_two_degrees/three_weights_two_pulleys"):
+        found = problem_of(PROBLEMS / f"{name}.yaml")
+        assert letters.crowding(compose.Scenery(found.scene)) > letters.ENOUGH
+        assert letters.crowding(letters.pleasing(found, compose.Scenery)) <= letters.ENOUGH
+
+
+@pytest.mark.parametrize("slope", ["0.3 m^-1", "40 m^-1", "{unit: m^-1}"])
+def test_a_path_without_a_length_is_as_wide_as_high(slope):
+    found = problem(f"""
+        parameters: {{m: 2 kg, a: {slope}, g: 9.81 m/s^2}}
+        gravity: g
+        bodies: {{bead: {{mass: m, at: [0, 0], move: [x, a*x^2, 0]}}}}
+    """)
+    left, bottom, right, top = extent([part for part in draw(found) if getattr(part, "dashed", False)])
+    assert 0.2 < (top - bottom) / (right - left) < 1.2

@@ -35,7 +35,10 @@ def of(name, case=None):
     ("linear_and_quadratic_damper_in_series", None, ["c_d = 0 N·s/m", "Φ_d = 0", "c_e = c/2 = 4 N·s/m"]),
     ("feeder_tray_driven_by_a_sawtooth", None, ["speed across d: u̇_d = L·cos β·φ̇ (first order)"]),
     ("block_with_play", None, ["from rest, to the first order: m·ẍ = 0"]),
-    ("sledge_hauled_up_by_a_falling_weight", None, ["Φ_snow = m·μ·g·cos α·|ṡ|"]),
+    ("sledge_hauled_up_by_a_falling_weight", None, [
+        "Φ_snow = m·μ·g·cos α·|ṡ|", "sledge.reaction.x = −m·g·cos α·sin α",
+        "sledge.reaction.y = m·g·cos² α"]),
+    ("drum_on_a_slope_with_a_cord", None, ["∂V/∂s = (4·k₁ + k₂)·s"]),
     ("unround_shaft", None, ["V0_disc = −m·Ω²·u²/2 − m·Ω²·v²/2"]),
 ])
 def test_lines_of_problems(name, case, wanted):

@@ -265,6 +265,8 @@ def test_identities_that_are_shown():
     x, y = table.variable("x"), table.variable("y")
     sin, cos = (lambda u: table.call("sin", u)), (lambda u: table.call("cos", u))
     assert is_zero(sin(x) ** 2 + cos(x) ** 2 - 1)
+    assert is_zero(3 * cos(x)**4 + 6 * cos(x)**2 * sin(x)**2 + 3 * sin(x)**4 - 3)
+    assert not is_zero(cos(x)**4 + cos(x)**2 * sin(x)**2 + sin(x)**4 - 1)
     assert is_zero(cos(x) * cos(y) + sin(x) * sin(y) - cos(x - y))
     assert is_zero(sin(x) * cos(y) + cos(x) * sin(y) - sin(x + y))
     assert is_zero(cos(x) * cos(y) - sin(x) * sin(y) - cos(x + y))

@@ -38,6 +38,8 @@ class Scenery:
                       for name, record in (scene.spec.get("constraints") or {}).items() if "rope" in record}
         for number, found in enumerate(self.ties.implied):
             self.ropes[f"implied {number}"] = rope.implied(found, self.sketch, self.looks)
+        for found in self.ties.standing:
+            self.ropes[f"standing {found.wheel}"] = rope.standing(found, self.sketch)
         for cord in self.ties.cords:
             self.ropes[cord.end.carrier] = rope.wound(cord, self.sketch)
             self.bunches.append(connection.Bunch([cord.record], cord.wall, cord.end))

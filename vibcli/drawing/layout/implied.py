@@ -33,7 +33,7 @@ def ropes(sketch: "Sketch") -> list[Any]:
         slide = body.record.get("slide")
         if name not in sketch.frames or slide is None or name in tied or set(slide) & {"surface", "carrier"}:
             continue
-        rates = rates or {other: _rates(sketch, other) for other in sketch.frames if other in sketch.scene.bodies}
+        rates = rates or {other: rates_of(sketch, other) for other in sketch.frames if other in sketch.scene.bodies}
         others = [other for other in rates if other != name]
         if not any(plane.distance(sketch.centre(other), sketch.centre(name)) < CLOSE for other in others):
             found += [rope for other in others if (rope := _between(other, name, rates, sketch))][:1]
@@ -75,7 +75,7 @@ def _tied(sketch):
     return names
 
 
-def _rates(sketch, name):
+def rates_of(sketch: "Sketch", name: str) -> list[tuple[float, ...]]:
     """[(∂x/∂q, ∂y/∂q, ∂angle/∂q)] of the centre of a body's circle as drawn, one for each coordinate."""
     body, zero = sketch.scene.bodies[name], sketch.scene.table.zero
     rim = sketch.scene.rim(body, body.record.where)

@@ -1,16 +1,22 @@
 """Values of letters that make a good figure: those of the scene, unless bodies or fixed places then lie over others."""
 
+from collections.abc import Iterator
+from fractions import Fraction
+from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import SpecError
+from vibcli.base.units import LENGTH
 from vibcli.drawing.layout import plane
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
     from vibcli.drawing.layout.compose import Scenery
+    from vibcli.scene.scene import Scene
 
 TRIES, ENOUGH, SAME, OUTSIDE = 8, 0.05, 1e-9, 0.4
+FACTORS = Fraction(2), Fraction(1, 2), Fraction(3)      # by which single lengths are drawn otherwise
 
 
 def pleasing(problem: Any, stage_of: type[Any]) -> "Scenery":
@@ -18,18 +24,36 @@ def pleasing(problem: Any, stage_of: type[Any]) -> "Scenery":
     stage = stage_of(problem.scene)
     if not problem.numeric.has_free_symbols or crowding(stage) <= ENOUGH:
         return stage
-    scene, best = problem.scene, (crowding(stage), stage)
+    best = crowding(stage), stage
+    for tries in (_anew, _stretched):
+        for scene in tries(best[1].scene):
+            if _same(problem.scene, scene):
+                other = stage_of(scene)
+                best = min(best, (crowding(other), other), key=lambda pair: pair[0])
+                if best[0] <= ENOUGH:
+                    return best[1]
+    return best[1]
+
+
+def _anew(scene: "Scene") -> "Iterator[Scene]":
+    """The scene with other values of all its letters."""
     for _ in range(TRIES):
         try:
             scene = scene.drawn_anew(scene.attempt + 1)
         except SpecError:
-            break
-        if _same(problem.scene, scene):
-            other = stage_of(scene)
-            best = min(best, (crowding(other), other), key=lambda pair: pair[0])
-            if best[0] <= ENOUGH:
-                break
-    return best[1]
+            return
+        yield scene
+
+
+def _stretched(scene: "Scene") -> "Iterator[Scene]":
+    """The scene with one of its lengths without value longer or shorter."""
+    letters = {name: Fraction(scene.sample[name]) for name in scene.parameters.free}
+    for name in letters:
+        for factor in FACTORS if scene.spec.dimensions.of(name) == LENGTH else ():
+            try:
+                yield scene.drawn_with({**letters, name: letters[name] * factor})
+            except SpecError:
+                continue
 
 
 def _same(scene, other):
@@ -61,6 +85,7 @@ def crowding(stage: "Scenery") -> float:
         for two in names[i + 1:]:
             if not _joined(one, two, sketch):
                 total += _overlap(looks[one], looks[two])
+    total += sum(_shared(one, two) for one, two in combinations(_pulleys(stage), 2))
     for pair in stage.ties.ends:
         for end in pair:
             for name, look in looks.items():
@@ -69,6 +94,14 @@ def crowding(stage: "Scenery") -> float:
                 if end.carrier != name and any(plane.inside(end.drawn, list(part.points)) for part in look.outlines):
                     total += not _joined(name, end.carrier, sketch) or end.carrier is None
     return total
+
+
+def _pulleys(stage):
+    """The boxes of pulleys without a body, and of bodies that ropes run about."""
+    circles = [(at.drawn, radius) for at, radius in stage.ties.pegs]
+    circles += [(stage.sketch.rim(name).drawn, max(radii)) for name, radii in stage.ties.radii.items()
+                if name in stage.sketch.frames and stage.looks[name].kind == "wheel"]
+    return [plane.bounds(plane.circle(*circle)) for circle in circles]
 
 
 def _is_outside(name, stage):
@@ -104,7 +137,11 @@ def _overlap(one, two):
     """The part of the smaller body that the boxes of two bodies share; thin rods and frames count for nothing."""
     if {"rod", "frame"} & {one.kind, two.kind} or not (one.outlines and two.outlines):
         return 0.0
-    a, b = (plane.bounds([p for part in look.outlines for p in part.points]) for look in (one, two))
+    return _shared(*(plane.bounds([p for part in look.outlines for p in part.points]) for look in (one, two)))
+
+
+def _shared(a, b):
+    """The part of the smaller of two boxes that they share."""
     wide, high = min(a[2], b[2]) - max(a[0], b[0]), min(a[3], b[3]) - max(a[1], b[1])
     if wide <= 1.0 or high <= 1.0:
         return 0.0

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
     from vibcli.scene.scene import Scene
 
-BOX, LONG, DISC, GAP, LANE, STACK = 40.0, 68.0, 13.0, 64.0, 22.0, 18.0
+BOX, LONG, DISC, GAP, LANE, STACK, NAME = 40.0, 68.0, 13.0, 64.0, 22.0, 18.0, 10.0
 HALF, RIM, ROOM, SUPPORT, MARGIN = 18.0, 30.0, 46.0, 2.5, 8.0
 
 
@@ -120,7 +120,8 @@ def _special(row, scene, left, top):
 def _across(edges):
     """How much room elements between the same two take."""
     records = [edge.record for edge in edges]
-    return 2 * max(offsets(records, STACK)[0], 0.0) + max(STACK, ROW * rows(records[0]))
+    named = NAME if len(records) > 1 or rows(records[0]) > 1 else 0.0
+    return 2 * max(offsets(records, STACK)[0], 0.0) + max(STACK, ROW * rows(records[0])) + named
 
 
 def draw(layout: Layout,

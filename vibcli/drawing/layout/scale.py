@@ -6,7 +6,7 @@ from typing import Any
 from vibcli.base.units import LENGTH
 from vibcli.drawing.layout import plane
 from vibcli.drawing.layout.ties import Ties
-from vibcli.drawing.symbols import tracks
+from vibcli.drawing.symbols import path, tracks
 from vibcli.drawing.symbols.shape import outline
 
 WIDE, HIGH, SHORT, GROWTH, ALONE = 300.0, 210.0, 46.0, 1.8, 90.0
@@ -35,7 +35,8 @@ def scale_of(sketch: Any) -> float:
         size = sketch.numbers["size"] = 0.0
         halves = [tracks.half_width(record, sketch) for record in (sketch.spec.get("surfaces") or {}).values()
                   if "curve" in record]
-        sizes = halves or _given_lengths(sketch)
+        half = None if halves else path.half_width(sketch)
+        sizes = halves or _given_lengths(sketch) or ([half] if half else [])
         return ALONE / (sizes[0] * sketch.scale) if sizes else 1.0 / sketch.scale
     much = sum(len(sketch.spec.get(section) or ()) for section in ("bodies", "points", "forces"))
     much += len(sketch.spec.connections)

@@ -3,7 +3,7 @@ carries, and the places at which anything is joined."""
 
 from typing import TYPE_CHECKING
 
-from vibcli.drawing.layout import cords, implied, joined, plane
+from vibcli.drawing.layout import cords, implied, joined, plane, standing
 
 if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
@@ -15,8 +15,9 @@ class Ties:
     """`radii`: {body: radii}, `toothed`: bodies in gears, `rims`: those with inner teeth, `arms`: bodies that carry
     gears, `pegs`: [(place, radius)] of pulleys without a body, `carried`: {body: places}, `surfaces`: {body: records},
     `slots`: {body: [(place, direction)]} of what slides along a body, `ends`: [(Attachment, Attachment)] of springs,
-    dampers and links, `implied`: ropes that are not named, `fastened`: what is on them, `cords`: those that an element
-    without ends stretches, `hinges`: [Attachment] of pins that are not named."""
+    dampers and links, `implied`: ropes that are not named, `fastened`: what is on them, `standing`: those from
+    fixed places, `cords`: those that an element without ends stretches, `hinges`: [Attachment] of pins that are
+    not named."""
 
     def __init__(self, sketch: "Sketch"):
         self.radii, self.carried, self.surfaces, self.slots = {}, {}, {}, {}
@@ -38,8 +39,10 @@ class Ties:
             self._carries(name, end.drawn)
             self.hinges.append(end)
         self.implied = []
-        for rope in implied.ropes(sketch):
+        ropes = implied.ropes(sketch)
+        for rope in ropes:
             self._implied(rope, sketch)
+        self.standing = standing.ropes(sketch, ropes, self.ends)
         self.cords = cords.cords(sketch)
         for cord in self.cords:
             self._rim(cord.wheel, cord.radius)

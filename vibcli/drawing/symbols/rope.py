@@ -14,6 +14,7 @@ from vibcli.drawing.layout.ties import SIDES
 if TYPE_CHECKING:
     from vibcli.drawing.layout.cords import Cord
     from vibcli.drawing.layout.implied import Implied
+    from vibcli.drawing.layout.standing import Standing
     from vibcli.drawing.symbols.look import Look
     from vibcli.language.reader import Record
 
@@ -92,6 +93,12 @@ def implied(found: "Implied", sketch: Sketch, looks: "Mapping[str, Look]") -> li
     sense = 1 if plane.across(side, plane.minus(offset, side)) > 0 else -1
     start = DrawnStop(wheel, found.radius, sense)
     return [start, _edge(DrawnStop(weight), start._replace(sense=-sense), looks)]
+
+
+def standing(found: "Standing", sketch: Sketch) -> list[DrawnStop]:
+    """The Stops of a rope from a fixed place about a wheel that goes up and down along it."""
+    stops = [DrawnStop(Attachment(None, found.top)), DrawnStop(sketch.rim(found.wheel), found.radius, found.sense)]
+    return stops if found.weight is None else [*stops, DrawnStop(Attachment(found.weight, sketch.centre(found.weight)))]
 
 
 def wound(cord: "Cord", sketch: Sketch) -> list[DrawnStop]:

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 READABLE = 60           # letters of a reaction; beyond, the shorter of both forms is told
+FIRST = 6               # equations, the shortest, of which each is once the first to give multipliers
 
 
 def along_the_motion(numeric: "NumericSystem") -> "dict[str, Node]":
@@ -35,7 +36,7 @@ def along_the_motion(numeric: "NumericSystem") -> "dict[str, Node]":
     slopes = [[_steady_slope(released, row[q]) if q in row else table.zero for q in scene.q]
               for row in (gradient(constraint.node) for constraint in scene.constraints)]
     slopes = [substitute(row, still) for row in slopes]
-    parts = substitute([equation_of(scene, i) for i in range(len(scene.q))], still)
+    parts = scene.unrooted(substitute([equation_of(scene, i) for i in range(len(scene.q))], still))
     ties = [[row[i] * symbol for row, symbol in zip(slopes, symbols, strict=True)] for i in range(len(scene.q))]
     equations = {q: textbook(table.total([part, *forces]))
                  for q, part, forces in zip(scene.q, parts, ties, strict=True)}
@@ -43,8 +44,8 @@ def along_the_motion(numeric: "NumericSystem") -> "dict[str, Node]":
     found = {symbol.name: equations[symbol] for symbol in released.held
              if not any(is_zero(equations[symbol] - sign * node) for node in free for sign in (1, -1))}
     found |= dict(_normals(released, found, still))
-    known = _eliminated(released, symbols, slopes, parts)
-    return found if known is None else {signal: _shorter(node, known) for signal, node in found.items()}
+    ways = _eliminated(released, symbols, slopes, parts)
+    return {signal: _shorter(node, ways) for signal, node in found.items()} if ways else found
 
 
 def _normals(released, found, still) -> "Iterator[tuple[str, Node]]":
@@ -57,40 +58,44 @@ def _normals(released, found, still) -> "Iterator[tuple[str, Node]]":
 
 
 def _eliminated(released, symbols, slopes, parts):
-    """{λ, dependent coordinate or rate: what it is}; None where loops are closed in numbers or supports share loads."""
+    """[{λ, dependent coordinate or rate: what it is}], one for each choice of equations for the λ; none where loops are
+    closed in numbers or supports share loads."""
     scene, table, plain = released.scene, released.scene.table, released.numeric.scene
     if plain.loops is not None:
-        return None
+        return []
     known = {}
     for name in plain.dependent:
         nodes = copied([plain.symbol(name, order) for order in range(3)], table)
         known |= dict(zip((scene.symbol(name, order) for order in range(3)), nodes, strict=True))
     if not symbols:
-        return known
-    rows, picked = _shortest_rows(released, slopes, parts)
-    if len(picked) < len(symbols):
-        return None
-    solution = solve_linear([[slopes[k][i] for k in picked] + [-parts[i]] for i in rows], table.zero)
-    return known | {symbols[k]: substitute([node], known)[0] for k, node in zip(picked, solution, strict=True)}
+        return [known]
+    order, ways = sorted(range(len(released.real)), key=lambda i: letters(parts[i])), {}
+    for first in order[:FIRST]:
+        rows, picked = _regular_rows(released, slopes, sorted(order, key=lambda i: i != first))
+        if len(picked) == len(symbols) and frozenset(rows) not in ways:
+            solution = solve_linear([[slopes[k][i] for k in picked] + [-parts[i]] for i in rows], table.zero)
+            ways[frozenset(rows)] = known | {
+                symbols[k]: substitute([node], known)[0] for k, node in zip(picked, solution, strict=True)}
+    return list(ways.values())
 
 
-def _shortest_rows(released, slopes, parts):
-    """(equations, multipliers) of a largest regular system of the E_q + Σ λ_k ∂G_k/∂q = 0, of the shortest E_q."""
+def _regular_rows(released, slopes, order):
+    """(equations, multipliers) of a largest regular system of the E_q + Σ λ_k ∂G_k/∂q = 0, the first of an order."""
     scene, n = released.scene, len(released.real)
     at = {**scene.sample, **dict.fromkeys((q.name for q in released.held), 0.0), **_beside(released, 1),
           scene.time.name: 0.0}
     sizes = [evaluate(row[:n], Floats, at) for row in slopes]
     rows, picked = [], []
-    for i in sorted(range(n), key=lambda i: letters(parts[i])):
+    for i in order:
         found, columns = pivots([[size[k] for size in sizes] for k in (*rows, i)])
         if len(found) > len(rows):
             rows, picked = [(*rows, i)[k] for k in found], columns
     return rows, picked
 
 
-def _shorter(node, known):
-    """The node with what is known put in, unless that is too long to read and longer."""
-    short = textbook(substitute([node], known)[0])
+def _shorter(node, ways):
+    """The node with what is known put in the way that is shortest, unless that is too long to read and longer."""
+    short = min((textbook(substitute([node], known)[0]) for known in ways), key=letters)
     return short if letters(short) <= max(READABLE, letters(node)) else node
 
 

@@ -23,6 +23,7 @@ from vibcli.report.formats.latex import is_signed
 COLUMNS = 105       # of plain text, in a row of a formula
 DISPLAYED = ' displaystyle="true"'
 _PROLOGUE = re.compile(r"<\?xml.*?\?>|<!DOCTYPE[^>]*>|<metadata>.*?</metadata>", re.DOTALL)
+_GAPS = re.compile(r"<path(?![^>]*\sd=)")       # letters without strokes, as gaps are drawn
 _DEFINED = re.compile(r'\bid="|href="#|url\(#')
 
 
@@ -83,8 +84,8 @@ def _equation(line):
     inner = row(first)
     if others:
         cells = [first, *(f'<mspace width="2em"/>{other}' for other in others)]
-        inner = ('<mtable columnalign="left">'
-                 + "".join(f'<mtr><mtd displaystyle="true">{row(cell)}</mtd></mtr>' for cell in cells) + "</mtable>")
+        inner = (f'<mtable columnalign="left"{DISPLAYED}>'
+                 + "".join(f"<mtr><mtd>{row(cell)}</mtd></mtr>" for cell in cells) + "</mtable>")
     return f'<div class="equation">{label}{_math(inner, _said(line.parts), DISPLAYED)}</div>'
 
 
@@ -129,8 +130,8 @@ def _picture(block, _):
     drawn = block.draw("svg") if block.animated is None else block.animated()
     svg = _PROLOGUE.sub("", drawn.decode()).strip()
     svg = _DEFINED.sub(rf"\g<0>{re.sub('[^A-Za-z0-9]', '-', block.name)}-", svg)
-    return (f'<figure role="group" aria-label="{words(block.caption)}">{svg}'
-            f"<figcaption>{words(block.caption)}</figcaption></figure>")
+    svg = _GAPS.sub('<path d=""', svg)
+    return f"<figure>{svg}<figcaption>{words(block.caption)}</figcaption></figure>"
 
 
 _RENDER = {Equations: _equations, Paragraph: _paragraph, Heading: _heading, TableBlock: _table,

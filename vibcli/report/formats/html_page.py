@@ -11,7 +11,7 @@ STYLE = f"""
 @font-face {{ font-family: "Brackets of vibcli"; src: url("data:font/woff;base64,{FONT}") format("woff"); }}
 math {{ font-family: {FONTS}"Brackets of vibcli", math; }}
 """ + """
-:root { color-scheme: light dark; --rule: color-mix(in srgb, currentColor 25%, transparent); }
+:root { color-scheme: light dark; --rule: #8886; }
 body { max-width: 60rem; margin: 2rem auto; padding: 0 1rem; font: 1rem/1.5 "Latin Modern Roman", Georgia, serif;
   overflow-wrap: anywhere; }
 h1, h2, h3, h4 { line-height: 1.25; margin: 1.6em 0 0.5em; }
