@@ -8,8 +8,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.results.enough_modes import FINEST, enough, finest, first_modes
 from vibcli.results.not_by_modes import CoupledModes, NotByModes, ShakenSupports
 from vibcli.results.response_of_members import ResponseOfMembers
-from vibcli.results.resting_shape import quartic_at_rest
-from vibcli.symbolic.rationals import fraction_of
+from vibcli.results.resting_shape import polynomial_at_rest, with_polynomials
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.modal_motion import ModalMotion
@@ -147,13 +146,14 @@ class ModalResponse(ResponseOfMembers):
         import numpy as np
 
         from vibcli.analyses.continuous.disturbances import Disturbances, Start
-        from vibcli.analyses.continuous.start_of_fields import start_of_field
+        from vibcli.analyses.continuous.start_of_fields import StartOfNodes, start_of_field
         from vibcli.analyses.continuous.uncounted_modes import UncountedModes
 
         M, _, K = self.matrices
         uncounted = UncountedModes(basis, K, M, self._driven_ends, self.spread_drives, inputs, damping)
-        found = [start_of_field(uncounted, [given[rate] for given in self.fields], 0, np.array(part, float), not rate,
-                                () if rate else self.let_go) for rate, part in enumerate(self.deviations)]
+        found = [start_of_field(uncounted, [given[rate] for given in self.fields], StartOfNodes(*nodes), not rate,
+                                () if rate else self.let_go)
+                 for rate, nodes in enumerate(zip(self.deviations, self.sizes, strict=True))]
         start = Start(np.array([one.held for one in found]), np.array([one.spread for one in found]))
         given = self.problem.modal.member_damping
         creeping = given.series if given is not None and given.creeps else ()
@@ -266,19 +266,20 @@ class ModalResponse(ResponseOfMembers):
 
     def _field(self, piece, given):
         """(u, u̇) over one piece as Forcings; None of a u that is the shape at rest between its ends, and of no u̇."""
-        from vibcli.symbolic.derivatives import substitute
-
-        scene, u, rate = self.problem.scene, None, None
-        place = {scene.time: scene.time + scene.table.number(fraction_of(float(piece.start)))}
-        if given is not None and given.displacement is not None:
-            u = substitute([given.displacement], place)[0] - self._resting(self.configuration, piece)
-        if given is not None and given.rate is not None:
-            rate = substitute([given.rate], place)[0]
-        return tuple(None if node is None else self.over_place(piece, {0: node}, [order])
-                     for node, order in ((u, piece.piece.order), (rate, 0)))
+        nodes, orders = self._given(piece, given), (piece.piece.order, 0)
+        u, speed = (self.over_place(piece, {0: nodes[rate]}, [orders[rate]]) if rate in nodes else None
+                    for rate in range(2))
+        if u is not None:
+            u = with_polynomials(u, 0, [-self._resting(self.configuration, piece)], float(piece.piece.length))
+        return u, speed
 
     def _resting(self, configuration, piece):
-        return quartic_at_rest(configuration, piece, self.problem.scene)
+        """u of a piece in the equilibrium of a Configuration: of the fourth degree, as an even load bends it."""
+        found = polynomial_at_rest(configuration, piece, 4)
+        if found is None:
+            raise NotByModes(f"'{piece.owner}' rests in a shape that is no polynomial of the fourth degree",
+                             "take its tension or what varies along it out")
+        return found
 
     def moved(self, direct: Any = ()):
         """The same motion, read with nodes of the time on further channels."""

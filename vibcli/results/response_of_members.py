@@ -4,10 +4,13 @@ that they start with, and signals of places between stations."""
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
 from vibcli.analyses.excitation.linear_output import FieldPoint, LinearOutput
 from vibcli.base.errors import PhysicsError
 from vibcli.results.responses import SmallResponse
+from vibcli.results.resting_shape import ROUNDING, polynomial_at_rest, with_polynomials
 from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
@@ -22,7 +25,6 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 EARLY = "; values at instants by travelling waves as long as their fronts stay few"
-CHECKED, SAME = 0.2, 1e-9       # where on a piece a parabola is checked, relative to its length, and how closely
 
 
 class ResponseOfMembers(SmallResponse):
@@ -68,8 +70,26 @@ class ResponseOfMembers(SmallResponse):
 
     @cached_property
     def deviations(self):
-        found = super().deviations
-        return found if self.part is None else tuple(one[self.part.coordinates] for one in found)
+        q, v = super().deviations
+        q = np.where(np.abs(q) > ROUNDING * self._subtracted, q, 0.0)
+        return self._among(q), self._among(v)
+
+    @property
+    def sizes(self) -> "tuple[np.ndarray, np.ndarray]":
+        """What the deviations are rounded from."""
+        q, v = self.deviations
+        return np.maximum(np.abs(q), self._among(self._subtracted)), np.abs(v)
+
+    def _among(self, values):
+        return values if self.part is None else values[self.part.coordinates]
+
+    @cached_property
+    def _subtracted(self):
+        """How large the coordinates are, both at the start and at rest, of which the deviations are the differences:
+        the largest of each unit."""
+        names, unit = self.problem.scene.coordinates, self.problem.spec.dimensions.of
+        return np.array([min(max(abs(one[other]) for other in names if unit(other) == unit(name)) for one in (
+            self.problem.initial.start[0], self.problem.configuration.equilibrium.values)) for name in names])
 
     @cached_property
     def drive(self):
@@ -159,24 +179,32 @@ class ResponseOfMembers(SmallResponse):
         return not (started or driven or self.let_go or self.spread_forces or self.loads)
 
     def _field(self, piece, given):
-        """u and u̇ over one piece; the time of the scene stands for the place along it."""
-        from vibcli.symbolic.derivatives import substitute
-
-        scene, held = self.problem.scene, self.configuration.preloaded
-        place = {scene.time: scene.time + scene.table.number(fraction_of(float(piece.start)))}
-        if given is not None and given.displacement is not None:
-            u = substitute([given.displacement], place)[0] - self._resting(self.configuration, piece)
+        """u and u̇ over one piece, channels of the place along it; None of what rests straight between its ends."""
+        scene, held, nodes = self.problem.scene, self.configuration.preloaded, self._given(piece, given)
+        if 0 in nodes:
+            added = [-self._resting(self.configuration, piece)]
         elif held is not None and (given is not None or scene.gravity or held.scene.spread_loads):
-            u = self._resting(held, piece) - self._resting(self.configuration, piece)
+            added = [self._resting(held, piece), -self._resting(self.configuration, piece)]
         elif given is not None:
-            q = super().deviations[0]
-            u = self._powers(piece, *(sum(x * q[i] for i, x in row.items() if i < len(q)) for row in piece.rows))
+            added = [self._straight(piece)]
         else:
             return None
-        nodes = {0: u}
-        if given is not None and given.rate is not None:
-            nodes[1] = substitute([given.rate], place)[0]
-        return self.over_place(piece, nodes, [piece.piece.order, 0])
+        field = self.over_place(piece, nodes, [piece.piece.order, 0])
+        return with_polynomials(field, 0, added, float(piece.piece.length))
+
+    def _given(self, piece, given):
+        """{0: u, 1: u̇} of those that are given, nodes; the time of the scene stands for the place along a piece."""
+        from vibcli.symbolic.derivatives import substitute
+
+        scene, parts = self.problem.scene, () if given is None else (given.displacement, given.rate)
+        place = {scene.time: scene.time + scene.table.number(fraction_of(float(piece.start)))}
+        return {rate: substitute([part], place)[0] for rate, part in enumerate(parts) if part is not None}
+
+    def _straight(self, piece):
+        """u of a piece straight between its ends as they start."""
+        q = self.deviations[0]
+        left, right = (sum(x * q[i] for i, x in self._own(row).items() if i < len(q)) for row in piece.rows)
+        return np.array([left, (right - left) / float(piece.piece.length)])
 
     def over_place(self, piece: "PlacedPiece", nodes: "dict[int, Node]", orders: "list[int]") -> "Forcing":
         """{channel: node} of functions of the place on a piece as Forcing; as polynomials to rounding where they are no
@@ -199,25 +227,10 @@ class ResponseOfMembers(SmallResponse):
 
     def _resting(self, configuration, piece):
         """u of a piece in the equilibrium of a Configuration: a parabola, as weight may lengthen it."""
-        from vibcli.mechanics.inputs_outputs.displacements import resting
-        from vibcli.symbolic.evaluation import Floats, evaluate
-
-        scene, start, length = configuration.scene.resting, float(piece.start), float(piece.piece.length)
-        signal = scene.members[piece.owner].signal_stem
-        nodes = [resting(scene, f"{signal}({start + share * length!r} m)") for share in (0.0, 0.5, 1.0, CHECKED)]
-        left, middle, right, other = evaluate(nodes, Floats, configuration.at_rest)
-        bend = 2 * (left + right) - 4 * middle
-        found = left + (right - left) * CHECKED + bend * (CHECKED**2 - CHECKED)
-        if abs(found - other) > SAME * max(map(abs, (left, middle, right))):
+        found = polynomial_at_rest(configuration, piece, 2)
+        if found is None:
             raise NotByWaves(f"'{piece.owner}' rests under a load that varies along it")
-        return self._powers(piece, left, right, bend)
-
-    def _powers(self, piece, left, right, bend=0.0):
-        """left + (right − left) ξ + bend·(ξ² − ξ), ξ being the part of the piece up to a place."""
-        scene = self.problem.scene
-        number, xi = scene.table.number, scene.time / scene.table.number(fraction_of(float(piece.piece.length)))
-        return (number(fraction_of(left)) + number(fraction_of(right - left)) * xi
-                + number(fraction_of(bend)) * (xi * xi - xi))
+        return found
 
     @cached_property
     def kept_up(self) -> "SteadyResponse":

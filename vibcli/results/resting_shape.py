@@ -1,36 +1,54 @@
-"""The shape in which a piece of a member rests, as a function of its place, which the time stands for."""
+"""The shape in which a piece of a member rests, and fields counted from it."""
 
 from typing import TYPE_CHECKING
 
-from vibcli.results.not_by_modes import NotByModes
-from vibcli.results.response_of_members import CHECKED, SAME
-from vibcli.symbolic.rationals import fraction_of
+import numpy as np
+
+from vibcli.analyses.excitation.forcing import Forcing, Wave
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from vibcli.analyses.excitation.forcing import Segment
     from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.factored_system import PlacedPiece
-    from vibcli.scene.scene import Scene
-    from vibcli.symbolic.node import Node
 
-SHARES = 0.0, 0.25, 0.5, 0.75, 1.0      # of a piece
+CHECKED, SAME = 0.2, 1e-9       # where on a piece a polynomial is checked, relative to its length, and how closely
+ROUNDING = 1e-12                # of what is subtracted: no difference
 
 
-def quartic_at_rest(configuration: "Configuration", piece: "PlacedPiece", scene: "Scene") -> "Node":
-    """u of a piece in the equilibrium of a Configuration, of the fourth degree as an even load bends it; NotByModes
-    where it is none."""
-    import numpy as np
-
+def polynomial_at_rest(configuration: "Configuration", piece: "PlacedPiece", degree: int) -> np.ndarray | None:
+    """u of a piece in the equilibrium of a Configuration as coefficients of powers of the place along it; None where it
+    is no polynomial of this degree."""
     from vibcli.mechanics.inputs_outputs.displacements import resting
     from vibcli.symbolic.evaluation import Floats, evaluate
 
-    still, start, length = configuration.scene.resting, float(piece.start), float(piece.piece.length)
-    signal = still.members[piece.owner].signal_stem
-    nodes = [resting(still, f"{signal}({start + share * length!r} m)") for share in (*SHARES, CHECKED)]
+    scene, start, length = configuration.scene.resting, float(piece.start), float(piece.piece.length)
+    signal, shares = scene.members[piece.owner].signal_stem, np.linspace(0.0, 1.0, degree + 1)
+    nodes = [resting(scene, f"{signal}({start + share * length!r} m)") for share in (*shares.tolist(), CHECKED)]
     *values, other = evaluate(nodes, Floats, configuration.at_rest)
-    powers = np.linalg.solve(np.vander(SHARES, increasing=True), values)
+    powers = np.linalg.solve(np.vander(shares, increasing=True), values)
     if abs(np.polynomial.polynomial.polyval(CHECKED, powers) - other) > SAME * max(map(abs, values)):
-        raise NotByModes(f"'{piece.owner}' rests in a shape that is no polynomial of the fourth degree",
-                         "take its tension or what varies along it out")
-    table = scene.table
-    xi = scene.time / table.number(fraction_of(length))
-    return sum((table.number(fraction_of(float(c))) * xi**k for k, c in enumerate(powers) if c), table.zero)
+        return None
+    small = np.abs(powers) <= ROUNDING * np.abs(powers).max()
+    return np.where(small, 0.0, powers) / length ** np.arange(degree + 1)
+
+
+def with_polynomials(field: Forcing, channel: int, added: "Sequence[np.ndarray]", length: float) -> Forcing:
+    """A field over a piece, and polynomials of the place added on a channel; powers are left out in which they cancel
+    it, or each other, to rounding. What does not cancel stands side by side, to tell what it is rounded from."""
+    segments = field.segments(length)
+    ends = [*(one.start for one in segments[1:]), length]
+    return Forcing(field.channels, [_added(one, channel, added, end - one.start)
+                                    for one, end in zip(segments, ends, strict=True)])
+
+
+def _added(segment: "Segment", channel: int, added: "Sequence[np.ndarray]", length: float) -> "Segment":
+    moved = [np.polynomial.Polynomial(powers)(np.polynomial.Polynomial([segment.start, 1.0])).coef for powers in added]
+    waves = [*segment.waves, *(Wave(channel, c, k, 0j) for powers in moved for k, c in enumerate(powers.tolist()) if c)]
+    powered = [wave for wave in waves if wave.channel == channel and not wave.exponent]
+    size = max((abs(c) * length**k for powers in moved for k, c in enumerate(powers.tolist())), default=0.0)
+    gone = {k for k in {wave.power for wave in powered} if abs(sum(
+        wave.coefficient for wave in powered if wave.power == k).real) * length**k <= ROUNDING * size}
+    return segment._replace(waves=tuple(
+        wave for wave in waves if wave.channel != channel or wave.exponent or wave.power not in gone))

@@ -7,7 +7,7 @@ e being how far ends of the field are from their nodes, Q the forces of the mode
 Σ (∫ φ L u dx)² = ∫ (L u)²/μ dx over all modes (Parseval). Where a field has a corner the piece is cut in two.
 """
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -24,7 +24,7 @@ from vibcli.numerics.pieces.graded_parts import is_slack
 from vibcli.numerics.pieces.stiffness import stiffness_and_slope
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
     from vibcli.analyses.continuous.spread_drives import SpreadDrive
     from vibcli.analyses.continuous.uncounted_modes import UncountedModes
@@ -53,6 +53,22 @@ class FieldStart(NamedTuple):
         return np.where(np.abs(found) > np.minimum(own, lost), found, 0.0), np.minimum(own, lost)
 
 
+class StartOfNodes(NamedTuple):
+    """Displacements, or rates, of nodes and the sizes that they are rounded from, (nodes,) each."""
+
+    q: np.ndarray
+    size: np.ndarray
+
+    def of(self, rows: "Sequence[Mapping[int, float]]") -> tuple[np.ndarray, np.ndarray]:
+        """What rows over the nodes read, and the sizes of that."""
+        return (np.array([sum(x * self.q[i] for i, x in row.items()) for row in rows]),
+                np.array([sum(abs(x) * self.size[i] for i, x in row.items()) for row in rows]))
+
+    def with_more(self, q: np.ndarray, size: np.ndarray) -> "StartOfNodes":
+        """With more nodes behind these."""
+        return StartOfNodes(np.append(self.q, q), np.append(self.size, size))
+
+
 class _Stretch(NamedTuple):
     """A part of piece `number` from `start` of it on, u and what its ends need there with what they are rounded from,
     (order,) each; None of a part at rest."""
@@ -66,23 +82,24 @@ class _Stretch(NamedTuple):
     forces_size: np.ndarray | None
 
 
-def start_of_field(uncounted: "UncountedModes", given: "Sequence[Forcing | None]", channel: int, q: np.ndarray,
-                   resting: bool, let_go: "Sequence[SpreadDrive]" = ()) -> FieldStart:
-    """Of fields, a channel of Forcings over pieces, and coordinates q; where none is given a piece is at rest under
-    its ends and loads that are let go if it is `resting`, else 0."""
-    n, stretches, nodes = len(uncounted.K), [], list(q)
+def start_of_field(uncounted: "UncountedModes", given: "Sequence[Forcing | None]", start: StartOfNodes, resting: bool,
+                   let_go: "Sequence[SpreadDrive]" = ()) -> FieldStart:
+    """Of fields u, Forcings over pieces, and of coordinates; where none is given a piece is at rest under its ends and
+    loads that are let go if it is `resting`, else 0."""
+    n, stretches, nodes = len(uncounted.K), [], start
     for number, forcing in enumerate(given):
-        stretches += _stretches(uncounted.pieces[number], number, forcing, channel, nodes)
-    held = np.zeros(len(uncounted.begins))
-    held[:n], size = uncounted.K @ q, np.abs(uncounted.K) @ np.abs(q)
-    forces, sizes = np.append(held[:n], np.zeros(len(nodes) - n)), np.append(size, np.zeros(len(nodes) - n))
+        found, nodes = _stretches(uncounted.pieces[number], number, forcing, nodes)
+        stretches += found
+    held, added = np.zeros(len(uncounted.begins)), len(nodes.q) - n
+    held[:n] = uncounted.K @ start.q
+    forces, sizes = (np.pad(part, (0, added)) for part in (held[:n], np.abs(uncounted.K) @ start.size))
     ends = {}
     for k, one in enumerate(stretches):
-        moved = np.array([sum(x * nodes[i] for i, x in row.items()) for row in one.placed.rows])
+        moved, moved_size = nodes.of(one.placed.rows)
         F, F_size = one.forces, one.forces_size
         if one.forces is None:
             d = stiffness_and_slope(one.placed.piece, np.float64(one.placed.piece.foundation))[0]
-            F, F_size = (d @ moved, np.abs(d) @ np.abs(moved)) if resting else (0 * moved, 0 * moved)
+            F, F_size = (d @ moved, np.abs(d) @ moved_size) if resting else (0 * moved, 0 * moved)
             for put in (drive.end_loads(one.placed, 0.0) for drive in let_go if drive.on(one.placed) is not None):
                 F, F_size = F - put, F_size + np.abs(put)
         for row, force, rounded in zip(one.placed.rows, F, F_size, strict=True):
@@ -91,7 +108,7 @@ def start_of_field(uncounted: "UncountedModes", given: "Sequence[Forcing | None]
                 sizes[i] += abs(x) * rounded
         if one.u is not None or not resting:
             u, u_size = (0 * moved, 0 * moved) if one.u is None else (one.u, one.u_size)
-            rounded = np.tile(np.maximum(*np.split(u_size + np.abs(moved), 2)), 2)     # on the whole stretch
+            rounded = np.tile(np.maximum(*np.split(u_size + moved_size, 2)), 2)     # on the whole stretch
             apart = (np.abs(u - moved) > ROUNDING * rounded) & ~_loose(one.placed.piece)
             gaps = np.where(apart, u - moved, 0.0)
             ends |= {(k, end): gap for end, gap in enumerate(gaps.tolist()) if gap}
@@ -103,7 +120,7 @@ def start_of_field(uncounted: "UncountedModes", given: "Sequence[Forcing | None]
             held[n + j] = ends.pop((k, end))
     inputs, rounded = uncounted.inputs, np.append(sizes[:n], np.abs(held[n:]))
     at_corners, pointed = _pointed(uncounted, stretches, forces, ends)
-    along, spread, norm = _spread(uncounted, given, channel, let_go)
+    along, spread, norm = _spread(uncounted, given, let_go)
     return FieldStart(held, at_corners + along, inputs @ held + pointed + spread,
                       np.abs(inputs) @ rounded + np.abs(pointed) + norm)
 
@@ -115,29 +132,29 @@ def _loose(piece):
     return np.array([is_slack(piece), is_slack(mirrored(piece))])
 
 
-def _stretches(placed, number, forcing, channel, nodes):
-    """The _Stretches of a piece; appends to `nodes` what nodes at corners have."""
+def _stretches(placed, number, forcing, nodes):
+    """The _Stretches of a piece, and the StartOfNodes with those at corners."""
     if forcing is None:
-        return [_Stretch(number, 0.0, placed, None, None, None, None)]
+        return [_Stretch(number, 0.0, placed, None, None, None, None)], nodes
     found, segments, start = [], forcing.segments(np.inf), 0.0
     length, half = placed.piece.length, placed.piece.order // 2
     for segment, end in zip(segments, [*(one.start for one in segments[1:]), length], strict=True):
         if start < end < length:
-            placed, rest = divided_at(placed, end - start, len(nodes))
-            nodes += _along(segment, channel, end - segment.start)[0][:half].tolist()
+            placed, rest = divided_at(placed, end - start, len(nodes.q))
+            nodes = nodes.with_more(*(part[:half] for part in _along(segment, end - segment.start)))
         elif start < length:
             rest, end = placed, length
         else:
             break
-        left, right = (_along(segment, channel, x - segment.start) for x in (start, end))
+        left, right = (_along(segment, x - segment.start) for x in (start, end))
         found.append(_Stretch(number, start, placed, *_at_ends(placed.piece, left, right)))
         placed, start = rest, end
-    return found
+    return found, nodes
 
 
-def _along(segment, channel, x):
+def _along(segment, x):
     """u … u‴ of a field, and the sizes that they are rounded from."""
-    parts = [derivatives(wave, x, 4) for wave in segment.waves if wave.channel == channel]
+    parts = [derivatives(wave, x, 4) for wave in segment.waves]
     return tuple(sum((part[side] for part in parts), np.zeros(4)) for side in range(2))
 
 
@@ -199,14 +216,14 @@ def _force(basis, one, x, at, right):
     return sign * (force - piece.bending * basis.field(one.number, x, 3) if piece.order == 4 else force)
 
 
-def _spread(uncounted, given, channel, let_go):
+def _spread(uncounted, given, let_go):
     """√(Σ (∫ φ L u dx)²/ω²ᵖ), at each of POWERS, ∫ φ L u dx of the first modes, and the most that it can be."""
     total, known = 0.0, np.zeros(len(uncounted.basis.squares))
     for number, (placed, forcing) in enumerate(zip(uncounted.pieces, given, strict=True)):
         piece = placed.piece
         forms = [form for drive in let_go if (form := drive.on(placed)) is not None]
         if forcing is not None:
-            segments = [Segment(one.start, tuple(_answered(piece, one, channel))) for one in forcing.segments(np.inf)]
+            segments = [Segment(one.start, tuple(_answered(piece, one))) for one in forcing.segments(np.inf)]
             forms = [load_form(Forcing(1, segments), 0, piece.length)]
         known += sum((of_load(uncounted.basis, number, form) for form in forms), 0 * known)
         total += float(overlaps(forms).sum()) / piece.inertia
@@ -214,14 +231,22 @@ def _spread(uncounted, given, channel, let_go):
     return left, known, np.sqrt(total)
 
 
-def _answered(piece, segment, channel):
-    """Waves of L u, on channel 0."""
-    u = [wave._replace(channel=0) for wave in segment.waves if wave.channel == channel]
+def _answered(piece, segment):
+    """Waves of L u."""
+    u = _together(segment.waves)
     slope = _slope(u)
     bent = _slope(slope)
     found = [*_scaled(u, piece.foundation), *_scaled(bent, -piece.tension - piece.gradient * segment.start),
              *_scaled(slope, -piece.gradient), *_scaled(_slope(_slope(bent)), piece.bending)]
     return found + [wave._replace(power=wave.power + 1) for wave in _scaled(bent, -piece.gradient)]
+
+
+def _together(waves):
+    """Those of the same form as one."""
+    found: dict[Any, complex] = {}
+    for _, coefficient, power, exponent in waves:
+        found[power, exponent] = found.get((power, exponent), 0.0) + coefficient
+    return [Wave(0, coefficient, *form) for form, coefficient in found.items() if coefficient]
 
 
 def _slope(waves):
