@@ -2,16 +2,17 @@
 
     ẏ = A y,  A W = W B,  W real:   D⁻¹ = R (s − B)⁻¹ L,   B = [σ, ω; −ω, σ] for a pair λ = σ ± iω,
 
-or D⁻¹ = Φ (s² + 2ζω s + ω²)⁻¹ Φᵀ where damping does not couple the modes. With x and y what they give for D⁻¹b and
-D⁻ᵀc, and r = b − D x of the matrices themselves,
+or D⁻¹ = Φ (s² + 2ζω s + ω²)⁻¹ Φᵀ where damping does not couple the modes. For a given b all is a sum of the same
+functions of s, x = X f(s), and so is r = b − D x: what the modes miss of A W = W B, of rounding's size from the start.
+With y = Y f(s) for D⁻ᵀc,
 
     H = cᵀx + yᵀr + d,     off by (D⁻ᵀc − y)ᵀ r <= β² |D⁻¹| |x| |y|,     β = |r|/|x| of scaled coordinates,
 
-besides the rounding of the sums. A frequency at which that is more than rounding of Σ |yᵢ| |Dᵢᵢ| |xᵢ| is left to LU, as
-is one at which a far end of a chain hardly feels the other, so that this sum is lost in |x| |y|.
+besides the rounding of the sum. A frequency at which that is more than rounding of Σ |yᵢ| |Dᵢᵢ| |xᵢ| is left to LU, as
+is one at which a far end of a chain hardly feels the other, so that this sum is lost in |x| |y|. What is put right and
+told is some 10⁻⁷ of itself off in single precision.
 """
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -24,6 +25,8 @@ from vibcli.numerics.state_space import first_order
 COUPLED = 1e-14         # coupling by damping, relative to the damping of two modes
 DEPENDENT = 1e8         # condition of the modes from which on LU has too much left to do
 ROUNDING = 2.0**-51
+SINGLE = 2.0**-20       # what single precision makes of a product, relative
+TURNED = 1e-13          # of the largest entry, by which D and its transpose may differ and count as one
 BLOCK = 2.0**15         # frequencies times modes that are summed at once
 
 
@@ -33,87 +36,215 @@ def modal_solution(system: Any, otherwise: Any, most: float = np.inf) -> "ModalS
     reduced = _reduced(system)
     if reduced is None:
         return None
-    parts = _real_modes(system, *reduced)
-    if parts is None and system.n <= most:
-        parts = _complex_modes(*reduced)
-    return None if parts is None else ModalSolution(system, otherwise, *parts)
+    found = _decoupled(system, *reduced)
+    if found is not None:
+        return ModalSolution(system, otherwise, RealModes(system, *found))
+    modes = _complex_modes(system, *reduced) if system.n <= most else None
+    return modes and ModalSolution(system, otherwise, modes)
+
+
+class RealModes:
+    """Modes that damping does not couple: f = 1/(s² + 2ζω s + ω²), and s times as much."""
+
+    def __init__(self, system: Any, squares: np.ndarray, rates: np.ndarray, shapes: np.ndarray):
+        self.squares, self.rates, self.shapes, self.inertia = squares, rates, shapes, system.M @ shapes
+        self.missed = system.K @ shapes - self.inertia * squares, system.C @ shapes - self.inertia * rates
+        self.pace = np.sqrt(max(np.abs(squares).max(), np.finfo(float).tiny))
+
+    def functions(self, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """(how near s is to a pole, f), (N,) and (m, N)."""
+        squares, rates = self.squares[:, None], self.rates[:, None]
+        stiffness = squares + s * (rates + s)
+        near = np.sqrt(_squared(stiffness) / (np.abs(squares) + _squared(s))**2).min(axis=0)
+        along = 1 / stiffness
+        return near, np.concatenate([along, s * along])
+
+    def slopes(self, s: np.ndarray, f: np.ndarray) -> np.ndarray:
+        """df/ds."""
+        along = f[:len(self.squares)]
+        steep = -(2 * s + self.rates[:, None]) * along * along
+        return np.concatenate([steep, along + s * steep])
+
+    def driven(self, b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """X, (n, m), and [what r is more of f, 1, s], (n, m + 2)."""
+        share, none = self.shapes.T @ b, np.zeros((len(b), 1))
+        missed = np.hstack([-self.missed[0] * share, -self.missed[1] * share])
+        return self.seen(b), np.hstack([missed, (b - self.inertia @ share)[:, None], none])
+
+    def seen(self, c: np.ndarray) -> np.ndarray:
+        """Y, (n, m)."""
+        return np.hstack([self.shapes * (self.shapes.T @ c), np.zeros(self.shapes.shape)])
+
+
+class ComplexModes:
+    """Pairs and real eigenvalues: f = Re and Im of 1/(s − λ), as functions of s, and 1/(s − λ) of real ones. left:
+    (m, n), None where D is the same as Dᵀ; shares: L of b and c."""
+
+    def __init__(self, system: Any, pairs: np.ndarray, real: np.ndarray, right: np.ndarray, left: np.ndarray | None,
+                 shares: Any, pace: float):
+        self.pairs, self.real, self.right, self.left, self.shares, self.pace = pairs, real, right, left, shares, pace
+        velocity, self.inertia = self._turned(right), system.M @ right
+        self.momentum = system.C @ right + system.M @ velocity
+        self.missed = system.K @ right + self._turned(self.momentum)
+
+    def _turned(self, of_modes):
+        """The product with B."""
+        first, second, alone = self._parts(of_modes)
+        straight, across = self.pairs.real, self.pairs.imag
+        return np.hstack([first * straight - second * across, first * across + second * straight, alone * self.real])
+
+    def _parts(self, of_modes):
+        count = len(self.pairs)
+        return of_modes[..., :count], of_modes[..., count:2 * count], of_modes[..., 2 * count:]
+
+    def _spread(self, of_modes, share, sign=1):
+        """The coefficients of f in (s − B)⁻¹ of shares, or with −1 of Bᵀ."""
+        (first, second, alone), (one, two, three) = self._parts(of_modes), self._parts(share)
+        return np.hstack([first * one + second * two, sign * (first * two - second * one), alone * three])
+
+    def functions(self, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """(how near s is to a pole, f), (N,) and (m, N)."""
+        pairs, real, count = self.pairs[:, None], self.real[:, None], len(self.pairs)
+        ahead, alone, size = s - pairs, s - real, np.sqrt(_squared(s))
+        above = ahead if (s.imag >= 0).all() else np.where(s.imag < 0, s.conj(), s) - pairs
+        near = np.sqrt(np.concatenate([_squared(above) / (size + np.abs(pairs))**2,
+                                       _squared(alone) / (size + np.abs(real))**2]).min(axis=0))
+        f = np.empty((2 * count + len(real), len(s)), complex)
+        f[count:2 * count] = 1 / (ahead * (s - pairs.conj()))
+        f[:count] = (s - pairs.real) * f[count:2 * count]
+        f[count:2 * count] *= pairs.imag
+        f[2 * count:] = 1 / alone
+        return near, f
+
+    def slopes(self, s: np.ndarray, f: np.ndarray) -> np.ndarray:
+        """df/ds."""
+        (straight, across, alone) = (part.T for part in self._parts(f.T))
+        return np.concatenate([across**2 - straight**2, -2 * straight * across, -alone**2])
+
+    def driven(self, b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """X, (n, m), and [what r is more of f, 1, s], (n, m + 2)."""
+        share = self.shares(b)
+        rest = b - self.momentum @ share, -self.inertia @ share
+        return self._spread(self.right, share), np.hstack([-self._spread(self.missed, share), np.stack(rest, axis=1)])
+
+    def seen(self, c: np.ndarray) -> np.ndarray:
+        """Y, (n, m)."""
+        if self.left is None:
+            return self._spread(self.right, self.shares(c))
+        return self._spread(self.left.T, self.right.T @ c, -1)
 
 
 class ModalSolution:
-    """right: (n, m), left: (m, n); small(s): how near s is to a pole, and the function that gives (s − B)⁻¹ g, or with
-    −1 that of Bᵀ."""
+    """H of what RealModes or ComplexModes tell."""
 
-    __slots__ = ("b", "c", "left", "otherwise", "right", "small")
+    __slots__ = ("modes", "otherwise", "rows", "scales", "single", "sizes", "x", "y")
 
-    def __init__(self, system: Any, otherwise: Any, right: np.ndarray, left: np.ndarray, small: Callable):
-        self.otherwise, self.right, self.left, self.small = otherwise, right, left, small
-        self.b, self.c = system.b @ left.T, system.c @ right
+    def __init__(self, system: Any, otherwise: Any, modes: Any):
+        self.otherwise, self.modes, pace = otherwise, modes, modes.pace
+        driven = [(power, factor, *modes.driven(part)) for power, factor, part in _terms(system.b)]
+        self.x = [(power, factor, X) for power, factor, X, _ in driven]
+        self.y = [(power, factor, modes.seen(part)) for power, factor, part in _terms(system.c)]
+        self.rows = [(k + j, f * g, c @ X) for j, g, c in _terms(system.c) for k, f, X in self.x]
+        none = np.zeros((system.n, 2))
+        parts = [[pace**k * np.hstack([X / pace, none]) for k, _, X in self.x],
+                 [pace**k * np.hstack([Y / pace, none]) for k, _, Y in self.y],
+                 [pace**k * missed * np.append(np.full(X.shape[1], 1 / pace), [1.0, pace])
+                  for k, _, X, missed in driven]]
+        self.scales = [max(np.abs(part).max() for part in group) or 1.0 for group in parts]
+        self.single = np.vstack([part / scale for group, scale in zip(parts, self.scales, strict=True)
+                                 for part in group]).astype(np.float32)
+        self.sizes = np.abs(np.stack([np.diag(matrix) for matrix in (system.K, system.C, system.M)], axis=1))
 
     def __call__(self, system: Any, s: np.ndarray, steep: bool = False) -> tuple:
         """(H, dH/ds or None, whether there is a pole)."""
-        values, slopes, lost = zip(*(self._values(system, part, steep) for part in self._parts(s)), strict=True)
-        return repaired(system, s, np.concatenate(values), np.concatenate(slopes) if steep else None,
-                        np.flatnonzero(np.concatenate(lost)), self.otherwise)
+        with np.errstate(all="ignore"):
+            found = [self._values(part, steep) for part in self._parts(s)]
+        values, slopes, lost = zip(*found, strict=True)
+        values = np.concatenate(values) + polynomial(system.d, s)
+        slopes = np.concatenate(slopes) + slope(system.d, s) if steep else None
+        return repaired(system, s, values, slopes, np.flatnonzero(np.concatenate(lost)), self.otherwise)
 
     def fields(self, system: Any, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """(D⁻¹b, D⁻ᵀc), (N, n) each."""
-        found = [self._solved(system, part) for part in self._parts(s)]
-        x, y, lost = (np.concatenate([part[k] for part in found]) for k in (0, 1, -1))
+        with np.errstate(all="ignore"):
+            found = [self._fields(part) for part in self._parts(s)]
+        x, y, lost = (np.concatenate([part[k] for part in found]) for k in range(3))
         if lost.any():
             x[lost], y[lost] = self.otherwise.fields(system, s[lost])
         return x, y
 
     def _parts(self, s):
-        many = max(1, int(BLOCK / len(self.left)))
+        many = max(1, int(BLOCK / self.single.shape[1]))
         return [s[k:k + many] for k in range(0, max(len(s), 1), many)]
 
-    def _values(self, system, s, steep):
-        x, y, missed, (_, Cx, Mx), lost = self._solved(system, s)
-        values = (_row(system.c, s) * x + y * missed).sum(axis=1) + polynomial(system.d, s)
-        if not steep:
-            return values, None, lost
-        turned = slope(system.b, s) - Cx - 2 * s[:, None] * Mx
-        return values, (slope(system.c, s) * x + y * turned).sum(axis=1) + slope(system.d, s), lost
+    def _fields(self, s):
+        near, f = self.modes.functions(s)
+        x, y = (_sum(terms, s, [_times(part, f) for *_, part in terms]).T for terms in (self.x, self.y))
+        return x, y, self._told(s, near, f)[1]
 
-    def _solved(self, system, s):
-        """x, y, r, what K, C and M make of x, and whether something may be lost."""
-        near, solved = self.small(s)
-        x = _times(solved(_row(self.b, s), 1), self.right.T)
-        y = _times(solved(_row(self.c, s), -1), self.left)
-        parts = [_times(x, matrix.T) for matrix in (system.K, system.C, system.M)]
-        missed = _row(system.b, s) - (parts[0] + s[:, None] * (parts[1] + s[:, None] * parts[2]))
-        return x, y, missed, parts, _lost(system, s, x, y, missed, near)
+    def _values(self, s, steep):
+        near, f = self.modes.functions(s)
+        missed, lost = self._told(s, near, f)
+        values, slopes = _sum(self.rows, s, [row @ f for *_, row in self.rows]) + missed, None
+        if steep:
+            turned = self.modes.slopes(s, f)
+            slopes = _sum(self.rows, s, [row @ turned for *_, row in self.rows])
+            slopes += _sum([(k - 1, k * factor) for k, factor, _ in self.rows if k], s,
+                           [row @ f for k, _, row in self.rows if k])
+        return values, slopes, lost
 
+    def _told(self, s, near, f):
+        """(yᵀr, whether something else than rounding may be left of each H): x and y may be off by β/near of their
+        size."""
+        at, (_, y0, r0) = s / self.modes.pace, self.scales
+        single = np.concatenate([f * self.modes.pace, np.ones((1, len(s))), at[None]]).astype(np.complex64)
+        parts = list(_times(self.single, single).reshape(-1, len(self.sizes), len(s)))
+        driven, seen = len(self.x), len(self.x) + len(self.y)
+        x, y, missed = (_sum(terms, at.astype(np.complex64), of) for terms, of in (
+            (self.x, parts[:driven]), (self.y, parts[driven:seen]), (self.x, parts[seen:])))
+        lost = self._lost(s, x, y, missed, near, np.abs(single[:-2]))
+        return y0 * r0 * (y * missed).sum(axis=0).astype(complex), lost
 
-def _row(coefficients, s):
-    """The polynomial in s of rows, (N, n), or (1, n) where it does not change."""
-    return polynomial(coefficients, s if coefficients[1:].any() else s[:1])
-
-
-def _lost(system, s, x, y, missed, near):
-    """Whether something else than rounding may be left of each H: x and y may be off by β/near of their size."""
-    Omega = np.abs(s)[:, None]
-    K, C, M = (np.abs(np.diag(matrix)) for matrix in (system.K, system.C, system.M))
-    size = K + Omega * (C + Omega * M)
-    x, y, missed = _squares(x) * size, _squares(y) * size, _squares(missed) / size
-    told = np.sqrt(x * y).sum(axis=1)
-    x, y, missed = (part.sum(axis=1) for part in (x, y, missed))
-    with np.errstate(all="ignore"):
-        together, beta = np.sqrt(x * y), np.sqrt(missed / x)
+    def _lost(self, s, x, y, missed, near, f):
+        x0, y0, r0 = self.scales
+        Omega = np.sqrt(_squared(s))
+        size = self.sizes @ np.stack([np.ones(len(s)), Omega, Omega**2])
+        largest = size.max(axis=0)
+        size = (size / largest).astype(np.float32)
+        x, y, missed = _squared(x) * size, _squared(y) * size, _squared(missed) / size
+        told = np.sqrt(x * y).sum(axis=0).astype(float) * x0 * y0 * largest
+        x, y, missed = (part.sum(axis=0).astype(float) for part in (x, y, missed))
+        together, beta = np.sqrt(x * y) * x0 * y0 * largest, np.sqrt(missed / x) * r0 / x0 / largest
+        summed = sum(Omega**k * (np.abs(row).astype(np.float32) @ f) for k, _, row in self.rows) / self.modes.pace
         told -= 2 * beta / near * together
-        return (near <= 64 * SINGULAR) | ((missed != 0) & ~(beta**2 / near * together <= ROUNDING * told))
+        small = ((beta + TURNED) / near + SINGLE) * beta * together <= ROUNDING * told
+        return (near <= 64 * SINGULAR) | ((missed != 0) & ~(small & (summed <= len(self.sizes) * told)))
 
 
-def _squares(x):
+def _terms(coefficients):
+    """[(power of s, 1 or i, real coefficients)], as many as are not zero, at least one."""
+    found = [(power, factor, part) for power, whole in enumerate(coefficients)
+             for factor, part in ((1.0, whole.real), (1j, whole.imag)) if part.any()]
+    return found or [(0, 1.0, np.zeros(len(coefficients[0])))]
+
+
+def _sum(terms, s, parts):
+    """Σ factor sᵏ part."""
+    return sum(part if not power and factor == 1.0 else s.dtype.type(factor) * s**power * part
+               for (power, factor, *_), part in zip(terms, parts, strict=True))
+
+
+def _same(matrix, other):
+    return np.abs(matrix - other).max() <= TURNED * np.abs(matrix).max()
+
+
+def _squared(x):
     return x.real**2 + x.imag**2
 
 
-def _times(x, matrix):
-    """Complex rows times a real matrix."""
-    diagonal = np.diag(matrix)
-    if matrix.shape[0] == matrix.shape[1] and np.count_nonzero(matrix) == np.count_nonzero(diagonal):
-        return x * diagonal
-    return np.stack([x.real @ matrix, x.imag @ matrix], axis=-1).view(complex)[..., 0]
+def _times(matrix, x):
+    """A real matrix times complex columns."""
+    return (matrix @ x.view(x.real.dtype)).view(x.dtype)
 
 
 def _reduced(system):
@@ -158,23 +289,6 @@ def _decoupled(system, K, C, back):
     return squares, np.diag(damping), back @ turn
 
 
-def _real_modes(system, K, C, back):
-    """(right, left, small) by real modes where damping does not couple them, else None."""
-    found = _decoupled(system, K, C, back)
-    if found is None:
-        return None
-    squares, rates, shapes = found
-
-    def small(s):
-        at = s[:, None]
-        stiffness = squares + at * (rates + at)
-        near = (np.abs(stiffness) / (np.abs(squares) + np.abs(at) ** 2)).min(axis=1)
-        stiffness[near == 0] = 1.0
-        return near, lambda g, turned: g / stiffness
-
-    return shapes, shapes.T, small
-
-
 def _commute(K, C):
     """Whether K C = C K but for rounding, as seen along one vector."""
     along = probe(len(K))
@@ -183,44 +297,35 @@ def _commute(K, C):
     return (np.abs(apart) <= COUPLED * len(K) * (K @ (C @ along) + C @ (K @ along))).all()
 
 
-def _complex_modes(K, C, back):
-    """(right, left, small) by complex modes, in real numbers; None where these are nearly dependent."""
+def _complex_modes(system, K, C, back):
+    """The ComplexModes, in real numbers; None where these are nearly dependent."""
     n = len(K)
     pace = np.sqrt(max(np.abs(K).max(), np.finfo(float).tiny))
     count_floats(2 * n)
     values, vectors = np.linalg.eig(first_order(K, C, pace))
-    pairs, real = values[values.imag > 0], values[values.imag == 0].real
-    above = vectors[:, values.imag > 0]
-    W = np.hstack([above.real, above.imag, vectors[:, values.imag == 0].real])
+    above, alone = values.imag > 0, values.imag == 0
+    W = np.hstack([vectors[:, above].real, vectors[:, above].imag, vectors[:, alone].real])
     try:
-        inverse = np.linalg.inv(W)
+        shares, left = _shares(system, W, back)
     except np.linalg.LinAlgError:
         return None
-    if not np.linalg.norm(inverse) * np.linalg.norm(W) < DEPENDENT:
-        return None
-    return back @ W[:n] / pace, inverse[:, n:] @ back.T, _pairs(pairs, real)
+    return shares and ComplexModes(system, values[above], values[alone].real, back @ W[:n] / pace, left, shares, pace)
 
 
-def _pairs(pairs, real):
-    """(s − B)⁻¹ of pairs λ, λ̄ and of real eigenvalues."""
-    count, size = len(pairs), np.abs(np.concatenate([pairs, real]))
-
-    def small(s):
-        at = s[:, None]
-        ahead, behind, alone = at - pairs, at - pairs.conj(), at - real
-        above = np.where(s.imag < 0, s.conj(), s)[:, None] - np.concatenate([pairs, real])
-        near = (np.abs(above) / (np.abs(at) + size)).min(axis=1)
-        lost = near == 0
-        ahead[lost], alone[lost] = 1.0, 1.0
-        straight, across = 0.5 / ahead, 0.5 / behind
-        straight, across = straight + across, -1j * (straight - across)
-        alone = 1 / alone
-
-        def solved(g, turned):
-            first, second, across_ = g[:, :count], g[:, count:2 * count], turned * across
-            return np.hstack([straight * first + across_ * second, straight * second - across_ * first,
-                              alone * g[:, 2 * count:]])
-
-        return near, solved
-
-    return small
+def _shares(system, W, back):
+    """(the function that gives L b, L), the latter None where D is the same as Dᵀ; (None, None) where the modes are
+    nearly dependent, as seen along b and c."""
+    n = len(back)
+    if not all(_same(matrix, matrix.T) for matrix in (system.K, system.C, system.M)):
+        inverse = np.linalg.inv(W)
+        left = inverse[:, n:] @ back.T
+        known = np.linalg.norm(inverse) * np.linalg.norm(W) < DEPENDENT
+        return (lambda b: left @ b, left) if known else (None, None)
+    asked = [part for coefficients in (system.b, system.c) for *_, part in _terms(coefficients)]
+    right = np.concatenate([np.zeros((n, len(asked))), back.T @ np.stack(asked, axis=1)])
+    found = np.linalg.solve(W, right)
+    if not (np.linalg.norm(found, axis=0) * np.linalg.norm(W)
+            <= DEPENDENT * np.linalg.norm(right, axis=0)).all():
+        return None, None
+    kept = {part.tobytes(): share for part, share in zip(asked, found.T, strict=True)}
+    return (lambda b: kept[b.tobytes()]), None
