@@ -29,7 +29,6 @@ if TYPE_CHECKING:
 
 SHARES = (3 - 5**0.5) / 2, 0.5, 1 - 0.5**0.5     # of a piece at which it is divided, as tried: no mode has nodes at all
 BLOWN = 32.0        # times its natural size: where a piece is as large, it is near a frequency with its ends held
-BLOCK = 2.0**17     # entries of the matrices that are held at once
 
 
 class PieceStack:

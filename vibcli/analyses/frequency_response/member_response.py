@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vibcli.analyses.continuous.dynamic_matrix import BLOCK, BLOWN, SHARES
+from vibcli.analyses.continuous.dynamic_matrix import BLOWN, SHARES
 from vibcli.analyses.frequency_response import member_marks
 from vibcli.analyses.frequency_response.frequency_response_function import FrequencyResponseFunction
 from vibcli.analyses.frequency_response.member_errors import of_value
@@ -52,12 +52,19 @@ class MemberTransfer(FrequencyResponseFunction):
         return [float(mode.omega) for mode in self.marks.shown()]
 
     def at(self, s: np.ndarray, steep: bool = False) -> "tuple[np.ndarray, np.ndarray | None, np.ndarray]":
-        """In blocks of frequencies; near what a held piece vibrates at by divided pieces."""
-        size = max(1, int(BLOCK / max(self.system.matrix.n, 4) ** 2))
-        blocks = [self._block(s[k:k + size], steep) for k in range(0, max(len(s), 1), size)]
-        values, slopes, resonant, _, singular = zip(*blocks, strict=True)
-        self._require_digits(s[np.concatenate(singular)])
-        return np.concatenate(values), np.concatenate(slopes) if steep else None, np.concatenate(resonant)
+        """Near what a held piece vibrates at by divided pieces."""
+        found = self.system.in_blocks(s, steep)
+        for share in SHARES:
+            near = np.flatnonzero(~(found.excess < BLOWN))
+            if not len(near):
+                break
+            other = self.system.divided(share).in_blocks(s[near], steep)
+            better = ~(other.excess > found.excess[near])
+            for part, put in zip(found, other, strict=True):
+                if part is not None:
+                    part[near[better]] = put[better]
+        self._require_digits(s[found.singular])
+        return found.values, found.slopes, found.resonant
 
     def _require_digits(self, s):
         """LostDigits where D is nearly singular away from all natural frequencies."""
@@ -68,19 +75,6 @@ class MemberTransfer(FrequencyResponseFunction):
                 raise LostDigits("responses lose their digits: places on a member are too near each other beside its "
                                  f"length: {float(piece.length):.3g} m",
                                  "move them further apart, or put what they hold at one place")
-
-    def _block(self, s, steep):
-        found = self.system.solved(s, steep)
-        for share in SHARES:
-            near = np.flatnonzero(~(found.excess < BLOWN))
-            if not len(near):
-                break
-            other = self.system.divided(share).solved(s[near], steep)
-            better = ~(other.excess > found.excess[near])
-            for part, put in zip(found, other, strict=True):
-                if part is not None:
-                    part[near[better]] = put[better]
-        return found
 
     def to_pole(self, s: np.ndarray) -> np.ndarray:
         """Newton's step towards the next pole of any response of the scene, seen at its nodes."""

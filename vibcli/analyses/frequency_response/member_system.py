@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix, EvaluatedMatrix
+
+BLOCK = 2.0**18     # entries of the matrices that are held at once
 UNIT = 2.0**-52
 
 
@@ -114,6 +116,12 @@ class MemberSystem:
         y = solutions(np.swapaxes(D, 1, 2), r)[:, :, 0] * scale.T
         moved = np.einsum("ki,ijk,kj->k", y, found.slope[np.ix_(self.free, self.free)], x)
         return -np.einsum("ki,ki->k", y / scale.T, r[:, :, 0]) / moved, found.excess
+
+    def in_blocks(self, s: np.ndarray, steep: bool) -> Solved:
+        """At each s, so many at a time as are held at once."""
+        size = max(1, int(BLOCK / max(self.matrix.n, 4) ** 2))
+        blocks = [self.solved(s[k:k + size], steep) for k in range(0, max(len(s), 1), size)]
+        return Solved(*(None if parts[0] is None else np.concatenate(parts) for parts in zip(*blocks, strict=True)))
 
     def solved(self, s: np.ndarray, steep: bool) -> Solved:
         """At each s: (N,)."""

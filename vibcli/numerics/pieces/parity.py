@@ -80,37 +80,33 @@ def _put(found, part, chosen):
 
 
 def _series(nu, chi, numbers, steep):
-    """X_k = (Aᵏ + Bᵏ)/2 and Y_k = (Aᵏ − Bᵏ)/(A − B) by their recurrence, both as one array, (2, …).
-
-    Arrays stand before numbers in products: a number of mpmath before an array writes it out in full to refuse it.
-    """
-    total, product = 2 * nu, nu * nu - 4 * chi
-    zero = nu * chi * 0
-    powers = [np.stack([zero + 1, zero]), np.stack([zero + nu, zero + 1])]
-    for k in range(1, terms(ALIKE, numbers)):
-        powers.append(total * powers[k] - product * powers[k - 1])
+    """By sums of Xₖ = (Aᵏ + Bᵏ)/2 and Yₖ = (Aᵏ − Bᵏ)/(A − B), both weighed by 1/(2k)! and by 1/(2k + 1)!."""
     weights = [numbers.array(1)]
-    for k in range(1, 2 * len(powers)):
+    for k in range(1, 2 * terms(ALIKE, numbers) + 2):
         weights.append(weights[-1] / k)
-    even_odd = np.array(weights).reshape(-1, 2, 1)          # of each power
-    (c, s), (d, sigma) = _summed(np.array(powers)[:, None] * np.stack([even_odd, even_odd * 2], axis=2))
-    slopes = (sigma / 2, *_series_slopes(total, product, np.array(powers)[:, 1], even_odd)) if steep else ()
+    even, odd = (_summed(nu, chi, weights[first::2], steep) for first in (0, 1))
+    (c, s), (d, sigma) = even[:2], odd[:2]
+    slopes = (sigma / 2, even[3], *odd[2:]) if steep else ()
     return (c, s, d, sigma, c * d - chi * s * sigma, chi * sigma * sigma - d * d, c * sigma - d * s), slopes
 
 
-def _series_slopes(total, product, y, even_odd):
-    """Of s, d and σ by χ, from the derivatives of Y_k by their recurrence."""
-    dy, added = [product * 0, product * 0], y * 4
-    for k in range(1, len(y) - 1):
-        dy.append(total * dy[k] - product * dy[k - 1] + added[k - 1])
-    s_slope, sigma_slope = _summed(np.array(dy)[:, None] * (even_odd * 2))
-    d_slope = _summed(y[:-1] * (even_odd[1:, 1] * (2 * np.arange(1, len(y)))[:, None]))
-    return s_slope, d_slope, sigma_slope
+def _summed(nu, chi, weights, steep):
+    """(Σ wₖ Xₖ, 2 Σ wₖ Yₖ and, if it is `steep`, their derivatives by χ): both obey Xₖ₊₁ = (A + B) Xₖ − A B Xₖ₋₁, and
+    are summed by Clenshaw's recurrence from the last term on, which is least.
 
-
-def _summed(terms_):
-    """The sum from the last on, which are least."""
-    return np.add.accumulate(terms_[::-1])[-1]
+    Arrays stand before numbers in sums: a number of mpmath before an array writes it out in full to refuse it.
+    """
+    total, product = 2 * nu, 4 * chi - nu * nu      # A + B and −A B, of which the derivative is 4
+    leaning, nothing = bool(total.any()), product * 0
+    one, two, slope_one, slope_two = (nothing,) * 4
+    for weight in reversed(weights[1:]):
+        if steep:
+            slope = product * slope_two + two * 4
+            slope_one, slope_two = slope + total * slope_one if leaning else slope, slope_one
+        value = product * two + weight
+        one, two = value + total * one if leaning else value, one
+    sums = product * two + nu * one + weights[0], one * 2
+    return (*sums, product * slope_two + two * 4 + nu * slope_one, slope_one * 2) if steep else sums
 
 
 def _by_roots(nu, chi, numbers, steep):
