@@ -231,8 +231,8 @@ def test_sharing_of_problems_that_are_picked(course, capsys):
 
 
 def test_manifests_that_are_none(course, capsys):
-    for text, said in (("{", "this is no manifest"), ("[]", "no manifest of this version"),
-                       ('{"form": 1}', "no manifest")):
+    for text, said in (("{", "this is no manifest"), ("[" * 100_000, "this is no manifest"),
+                       ("[]", "no manifest of this version"), ('{"form": 1}', "no manifest")):
         (course / "m.json").write_text(text)
         assert run(["grade", "m.json", "--student", "s1", "--answer", "x=1"]) == 3
         assert said in capsys.readouterr().err

@@ -104,19 +104,15 @@ def _evidence(problem, quantities, quick):
 
 def _older(path):
     """An older comparison as data; a usage error of what is none."""
-    import json
-
-    from vibcli.evidence.against import beside
+    from vibcli.evidence.against import older
 
     if path is None:
         return None
     try:
-        found = json.loads(Path(path).read_text(encoding="utf-8"))
-        beside(found, found)
-    except ValueError as error:
-        reason = "it is no JSON" if isinstance(error, (json.JSONDecodeError, UnicodeDecodeError)) else str(error)
+        return older(path)
+    except (ValueError, OSError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
         raise click.UsageError(f"--against {path}: {reason}") from None
-    return found
 
 
 def _against(before, found, again):
@@ -127,7 +123,7 @@ def _against(before, found, again):
     last = beside(before, _data(again())) if any(row.worse for row in first.rows) else first
     worse = worse_in_both(first, last)
     click.echo(render([document(last, worse)]))
-    return 1 if worse else 0
+    return 1 if worse else 0 if last.rows else 4
 
 
 def _data(found):

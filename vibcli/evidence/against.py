@@ -1,16 +1,22 @@
 """A comparison beside an older one: ratios of run times to those of the other methods, never times.
 
+Of a method whose time is 0, as a coarse clock tells short ones, there is no ratio.
+
 A row is worse where its ratio has grown by more than 30 % and by more than three times the spread of its runs, in two
 runs out of two.
 """
 
+import json
+import math
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.report.blocks import Document, Section, TableBlock, paragraph
 
 GROWN, SPREADS = 1.3, 3.0
+LARGEST = 20 * 2**20    # bytes of a comparison
 
 
 class RatioRow(NamedTuple):
@@ -29,15 +35,30 @@ class RatioRow(NamedTuple):
 
 
 class Beside(NamedTuple):
-    """rows that both have; alone: names of those that one side has; remark: where it was measured otherwise."""
+    """rows that both have; alone: names of those of which one side has a ratio; remark: where it was measured
+    otherwise."""
 
     rows: list[RatioRow]
     alone: list[str]
     remark: str
 
 
+def older(path: str) -> dict[str, Any]:
+    """A comparison that was written, as data; ValueError where it is none, OSError where it cannot be read."""
+    with Path(path).open("rb") as stream:
+        text = stream.read(LARGEST + 1)
+    if len(text) > LARGEST:
+        raise ValueError(f"it is longer than {LARGEST} bytes")
+    try:
+        found = json.loads(text)
+    except (ValueError, RecursionError):
+        raise ValueError("it is no JSON") from None
+    _rows(found)
+    return found
+
+
 def beside(before: Mapping[str, Any], now: Mapping[str, Any]) -> Beside:
-    """Of two comparisons as data; ValueError where one is none."""
+    """Of two comparisons as data."""
     old, new = _rows(before), _rows(now)
     rows = [RatioRow(name, old[name][0], new[name][0], max(old[name][1], new[name][1])) for name in new if name in old]
     other = [f"{what} {before.get(what)}" for what in ("version", "machine") if before.get(what) != now.get(what)]
@@ -45,23 +66,27 @@ def beside(before: Mapping[str, Any], now: Mapping[str, Any]) -> Beside:
 
 
 def _rows(data):
-    """{name: (ratio, spread)} of all pairs of our time and another's."""
+    """{name: (ratio, spread)} of all pairs of our time and another's; ValueError of data that are no comparison."""
     try:
         found = {}
         for one in data["compared"]:
             ours, *others = one["points"]
-            for other in others:
-                if ours["error"] is not None and other["error"] is not None and other["runs"] > 1:
+            (time, spread), *times = map(_time, one["points"])
+            for other, (its, its_spread) in zip(others, times, strict=True):
+                if ours["error"] is not None and other["error"] is not None and other["runs"] > 1 and time and its:
                     name = f"{one['asked']}: {other['method']} {other['with'] or ''}".strip()
-                    found[name] = ours["seconds"] / other["seconds"], max(_spread(ours), _spread(other))
+                    found[name] = time / its, max(spread, its_spread)
         return found
-    except (KeyError, TypeError, ValueError, ZeroDivisionError, AttributeError):
+    except (KeyError, TypeError, ValueError, ArithmeticError, AttributeError):
         raise ValueError("it holds no comparison: `vibcli bench FILE --json` writes one") from None
 
 
-def _spread(point):
+def _time(point):
+    """(seconds, their relative spread)."""
     low, high = point["quartiles"]
-    return (high - low) / point["seconds"]
+    if not all(0.0 <= float(time) < math.inf for time in (low, point["seconds"], high)):
+        raise ValueError
+    return point["seconds"], (high - low) / (point["seconds"] or 1.0)
 
 
 def worse_in_both(first: Beside, again: Beside) -> list[str]:
@@ -73,7 +98,8 @@ def document(found: Beside, worse: list[str]) -> Document:
     """The rows, those that are worse marked, and what is on one side alone."""
     rows = tuple((row.name, f"{row.before:.3g}", f"{row.now:.3g}", f"{row.now / row.before:.2f} ×",
                   f"± {100 * row.spread:.0f} %", "worse" if row.name in worse else "") for row in found.rows)
-    blocks: list[Any] = [TableBlock(("our time over that of", "before", "now", "grown", "spread", ""), rows)]
+    blocks: list[Any] = [TableBlock(("our time over that of", "before", "now", "grown", "spread", ""), rows)
+                         if rows else paragraph("Nothing is on both sides with a time that was measured.")]
     if found.remark:
         blocks.append(paragraph(f"The older one is of {found.remark}."))
     if found.alone:

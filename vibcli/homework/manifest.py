@@ -88,7 +88,7 @@ def read_manifest(path: str) -> dict[str, Any]:
         raise refused(f"the manifest is longer than {MAX_BYTES} bytes")
     try:
         found = json.loads(data)
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise refused(f"this is no manifest: {error}", "it is the manifest.json beside the keys") from None
     if not isinstance(found, dict) or found.get("form") != FORM:
         raise refused("this is no manifest of this version", "it is the manifest.json beside the keys")

@@ -29,7 +29,8 @@ BENCH = [
     "imports, by asking it in a process of its own.",
     "`vibcli bench FILE --json > old.json`, and later `vibcli bench FILE --against old.json`: the ratios of run times "
     "to those of the other methods beside the older ones; a row is worse where its ratio has grown by more than 30 % "
-    "and by three times its spread, in two runs out of two (exit code 1).",
+    "and by three times its spread, in two runs out of two (exit code 1); where no row is on both sides nothing is "
+    "compared (exit code 4).",
     "`-o curve.svg` (png, pdf) draws it: relative error across, time up, a cross at the edge for what was refused or "
     "stopped; `-o table.md` (html, txt) writes the tables; `--json` holds all points. Letters without value are given "
     "the same ones at every run, which are told. Without FILE the project's own measurements are made, against "
