@@ -29,7 +29,8 @@ def mistakes_of(problem: "Problem", rules: "VariantRules", document: "SceneDocum
     SpecError where one of the file is no scene, or none of the catalogue."""
     for name, part in rules.mistakes.items():
         if isinstance(part, Scalar) and name.replace(" ", "_") not in MISTAKES:
-            raise SpecError([Diagnostic(part.where, f"there is no known mistake {quoted(name)} to be switched off",
+            said = f"there is no known mistake {quoted(name)} to be switched off"
+            raise SpecError([Diagnostic(rules.mistakes.place(name), said,
                                         nearest(name, [one.replace("_", " ") for one in MISTAKES]))])
     catalogue = of_catalogue(problem, document.root, [key.asked for key in keys], document.settings, names)
     own = list(_of_file(problem, rules, document, keys, names))

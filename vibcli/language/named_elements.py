@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.document.document import Mapping
 from vibcli.language.fields import Element
-from vibcli.language.reader import check_name
+from vibcli.language.reader import ByName, check_name
 
 if TYPE_CHECKING:
     from types import ModuleType
@@ -60,7 +60,7 @@ class Named(NamedTuple):
     def read(self, node: Any, reader: Any):
         if not isinstance(node, Mapping):
             return reader.expected(node, self.wants)
-        records = {}
+        records, places = {}, {}
         for key, (key_node, value_node) in node.entries.items():
             name = check_name(key_node, reader, self.forbidden)
             if name is None:
@@ -72,8 +72,8 @@ class Named(NamedTuple):
             record = (self.kind.read(value_node, reader, name, key_node.where) if isinstance(self.kind, (Element, Lazy))
                       else self.kind.read(value_node, reader))
             if record is not None:
-                records[name] = record
-        return records
+                records[name], places[name] = record, key_node.where
+        return ByName(records, places)
 
     def schema(self):
         return {"type": "object", "additionalProperties": self.kind.schema()}

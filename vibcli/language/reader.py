@@ -139,6 +139,19 @@ class Record(dict):
         return Record(self.element, self.name, self.where, values, self.places)
 
 
+class ByName(dict):
+    """{name: value} as written, and the place of each name."""
+
+    __slots__ = ("places",)
+
+    def __init__(self, values: Any, places: "dict[str, Where]"):
+        super().__init__(values)
+        self.places = places
+
+    def place(self, name: str) -> Where:
+        return self.places[name]
+
+
 def _meant(text: str) -> str:
     """The hint for what is no name: a value that lost its colon, or the rest of a decimal with a comma."""
     name, blank, value = text.partition(" ")

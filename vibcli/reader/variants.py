@@ -8,7 +8,7 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.spelling import nearest
 from vibcli.language.document.document import Scalar
 from vibcli.language.given_values import FIGURES, GivenValue, converted, giver, number_and_unit, unit_of_text
-from vibcli.language.reader import Expression, Reader, Record
+from vibcli.language.reader import ByName, Expression, Reader
 from vibcli.quantities.quantity import FUNCTION, OF_STATE, TRUTH, kind_of
 from vibcli.reader.answer_check import as_quantity, check_question, checked
 from vibcli.reader.choices import check_sides, finished_sides
@@ -19,7 +19,6 @@ from vibcli.symbolic.parser import parse
 
 if TYPE_CHECKING:
     from vibcli.base.errors import Where
-    from vibcli.language.document.nodes import Mapping
     from vibcli.language.spec import Spec
 
 PREFERRED = {       # ISO 3 (1973), between 1 and 10
@@ -42,7 +41,7 @@ class VariantRules(NamedTuple):
     require: list[Requirement]
     printed: dict[str, str]
     ask: list[AskedQuantity]
-    mistakes: "dict[str, Mapping | Scalar]"
+    mistakes: ByName
     sample: int | None
     without: tuple[str, ...]
     where: "Where"
@@ -89,8 +88,9 @@ def with_variants(spec: "Spec", reader: Reader) -> "Spec":
                if (found := _comparison(spec, reader, one)) is not None]
     for name in record.get("printed", {}):
         if name not in spec.named.get("choose", ()):
-            reader.report(record.place("printed"), f"'{name}' is not chosen: `printed` says how chosen parameters are "
-                          "rounded", nearest(name, spec.choices) if spec.choices else "this scene chooses none")
+            reader.report(record["printed"].place(name), f"'{name}' is not chosen: `printed` says how chosen "
+                          "parameters are rounded",
+                          nearest(name, spec.choices) if spec.choices else "this scene chooses none")
     letters = stays_in_letters(spec, axes)
     ask = [found for one in record.get("ask", ()) if (found := _asked(spec, reader, one, letters)) is not None]
     seen: set[str] = set()
@@ -104,7 +104,7 @@ def with_variants(spec: "Spec", reader: Reader) -> "Spec":
     if len(reader.diagnostics) > before:
         return spec
     rules = VariantRules(axes, require, record.get("printed", {}), ask or _from_answers(spec, letters),
-                         record.get("mistakes", {}), record.get("sample"), tuple(record.get("without", ())),
+                         record.get("mistakes", ByName({}, {})), record.get("sample"), tuple(record.get("without", ())),
                          record.where)
     if not rules.ask:
         reader.report(record.where, "nothing is asked: " + ("there are no `answers`" if letters else
@@ -118,11 +118,10 @@ def with_variants(spec: "Spec", reader: Reader) -> "Spec":
 
 def _axes(spec, reader, record):
     """[{parameter: values}] of all axes."""
-    axes, taken = [], {}
+    axes, taken = [], []
     for name, values in record.get("parameters", {}).items():
-        place = values.where if isinstance(values, Record) else values[0].where
-        taken[name] = place
-        if _free(spec, reader, name, place):
+        taken.append(name)
+        if _free(spec, reader, name, record["parameters"].place(name)):
             found = _values(spec, reader, name, values)
             axes += [{name: found}] if found else []
     rows = record.get("rows", [])
@@ -131,16 +130,17 @@ def _axes(spec, reader, record):
                       "their values, as in m: [1 kg, 2 kg]")
         return axes
     for row in rows:
-        first = next(iter(row.values())).where
         if set(row) != set(rows[0]):
-            other = next(iter(set(row) ^ set(rows[0])))
-            reader.report(first, f"this row and the first one give values to different parameters: '{other}' stands in "
-                          "one of them", "all rows have the same names")
+            other = min(set(row) ^ set(rows[0]))
+            place = row.place(other if other in row else next(iter(row)))
+            reader.report(place, "this row and the first one give values to different parameters: "
+                          f"'{other}' stands in one of them", "all rows have the same names")
             return axes
-    for name, value in (rows[0] if rows else {}).items():
+    for name in rows[0] if rows else ():
+        place = rows[0].place(name)
         if name in taken:
-            reader.report(value.where, f"'{name}' stands under `parameters` and under `rows`", "leave it out of one")
-        if not _free(spec, reader, name, value.where):
+            reader.report(place, f"'{name}' stands under `parameters` and under `rows`", "leave it out of one")
+        if not _free(spec, reader, name, place):
             return axes
     together = {name: [_given(reader, name, row[name]) for row in rows] for name in (rows[0] if rows else ())}
     return axes + [together] * bool(together)

@@ -10,7 +10,7 @@ from vibcli.language.document.document import Mapping, Scalar
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Choice, Kind, Many, OneOf, Quantity, WholeNumber
 from vibcli.language.named_elements import Named
-from vibcli.language.reader import Expression, Record
+from vibcli.language.reader import ByName, Expression, Record
 from vibcli.language.sections.parameter import UNIT
 from vibcli.reader.sides import report_unreadable, side
 from vibcli.symbolic.parser import parse
@@ -133,7 +133,8 @@ class _Mistakes(Kind):
                 reader.expected(value, f"the part of the scene that this mistake changes, or the word {OFF}")
             for word in {"cases", "variants"} & set(value.entries if isinstance(value, Mapping) else ()):
                 reader.report(key_node.where, f"the mistake {quoted(key)} cannot hold {word}")
-        return {key: value for key, (_, value) in node.entries.items()}
+        return ByName({key: value for key, (_, value) in node.entries.items()},
+                      {key: key_node.where for key, (key_node, _) in node.entries.items()})
 
     def schema(self):
         return {"type": "object", "additionalProperties": {"anyOf": [{"type": "object"}, {"enum": [OFF, False]}]}}
