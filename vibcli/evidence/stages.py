@@ -48,6 +48,7 @@ def _touch(stage: str) -> Callable[[Problem], object]:
     """What takes a stage of a Problem."""
     if stage in OF_MODES:
         return lambda problem: problem.modal.result(stage)
-    parts = {"damped": "modal", "energies": "symbolic", "equations": "symbolic", "reactions": "configuration"}
+    parts = {"damped": "modal", "energies": "symbolic", "equations": "symbolic", "reactions": "configuration",
+             "linearisation": "system"}
     return lambda problem: getattr(getattr(problem, parts[stage]) if stage in parts else problem, stage)
 

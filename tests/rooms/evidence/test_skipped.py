@@ -75,3 +75,12 @@ def test_what_is_skipped_would_have_a_cost():
     assert found["energies"].seconds > 0 and not found["energies"].taken and "no shapes" in found["ritz"].why
     many = {one.stage: one for one in stage_costs(problem_of(text_source(scenes.chain(5))), {"modes"})}
     assert many["closed_forms"].why == many["equilibria"].why == "not measured"
+
+
+@pytest.mark.parametrize("scene", [
+    "beams: {b: {length: L, EI: 20 N*m^2, mass_per_length: 1 kg/m, left: clamped}}",
+    "beams: {b: {length: L, EI: 20 N*m^2, mass_per_length: 1 kg/m, left: clamped, right: {clamped: a}}}\n"
+    "bodies: {a: {mass: 1 kg, slide: y}}"])
+def test_stages_of_members_have_a_cost_or_none_that_is_found(scene):
+    problem = problem_of(text_source("parameters: {L: 1 m}\n" + scene))
+    assert [one.stage for one in stage_costs(problem, {"modes"})] == list(STAGES)

@@ -8,7 +8,7 @@ from support.scenes import problem
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.asked import subjects
 from vibcli.evidence.reference import member_responses, steady_state
-from vibcli.evidence.subject import ALONE
+from vibcli.evidence.subject import ALONE, Subject
 from vibcli.evidence.subjects.motions import of_motion
 from vibcli.quantities.expression import measure
 
@@ -74,6 +74,30 @@ def test_an_rms_value_is_that_of_what_swings_about_where_it_rests():
         rest = (mpmath.mpf("19.62") - 5) / 800
         assert abs(found.values[0] ** 2 - (H**2 / 2 + rest**2)) < mpmath.mpf(10) ** -45
     assert measure(one, tree)[0] == pytest.approx(float(found.values[0]), rel=1e-13)
+
+
+FREE = """
+parameters: {m: 2 kg, k: 800 N/m}
+bodies: {a: {mass: m, slide: x}, b: {mass: m, slide: y}}
+springs: {s: {k: k, between: [a, b]}}
+forces: {F: {at: a, force: %s}, G: {at: b, force: %s}}
+answers: {'%s(x)': 1 cm}
+"""
+
+
+def test_what_is_free_to_move_swings_about_no_place_of_its_own():
+    for head in ("amplitude", "rms"):
+        one, _ = asked(FREE % ("(3 N)*sin((17 rad/s)*t)", "0 N", head))
+        true = steady_state.feature(steady_state.driven(one), "x", 0, head)
+        with mpmath.workdps(60):
+            H = 3 * (800 - 2 * mpmath.mpf(17) ** 2) / (17**2 * (4 * mpmath.mpf(17) ** 2 - 3200))
+            H = abs(H) / (1 if head == "amplitude" else mpmath.sqrt(2))
+            assert abs(true.values[0] / H - 1) < mpmath.mpf(10) ** -38
+        subject, = subjects(one, [answer.asked for answer in one.spec.answers], False)
+        assert isinstance(subject, Subject)
+    one, _ = asked(FREE % ("(3 N)*sin((17 rad/s)*t) + 1 N", "-1 N", "rms"))
+    with pytest.raises(PhysicsError, match="degenerate"):
+        steady_state.feature(steady_state.driven(one), "x", 0, "rms")
 
 
 def test_a_beam_alone_has_the_receptance_of_its_closed_form():

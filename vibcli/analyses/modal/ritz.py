@@ -47,7 +47,8 @@ def ritz(modal: Any, asked: Any):
 
     if asked is None:
         raise PhysicsError("no shapes are assumed for the Ritz estimates",
-                           "ask with find: [{ritz: {shapes: [{" + modal.scene.coordinates[0] + ": 1}]}}]")
+                           "ask with find: [{ritz: {shapes: [{"
+                           + next((f"{name}: 1" for name in modal.scene.coordinates), "wing.u: x^2") + "}]}}]")
     if modal.scene.pieces:
         from vibcli.analyses.continuous.assumed_bounds import member_bounds
 

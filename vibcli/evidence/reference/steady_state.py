@@ -86,8 +86,10 @@ def middle(known: HarmonicLoads, name: str, primes: int) -> Any:
     motion, n = known.motion, len(known.loads)
     numbers = motion.values(mpmath.mp.prec)
     exact, Omega = transfer(known, name, 0)
-    means = _loads_over_a_period(known, numbers, Omega)[1]
-    moved = mpmath.lu_solve(exact.K, mpmath.matrix(means)) if any(means) else mpmath.zeros(n, 1)
+    found, means = _loads_over_a_period(known, numbers, Omega)
+    rounding = mpmath.mpf(10) ** (8 - mpmath.mp.dps) * max(map(abs, found))
+    loaded = max(map(abs, means)) > rounding
+    moved = mpmath.lu_solve(exact.K, mpmath.matrix(means)) if loaded else mpmath.zeros(n, 1)
     rest, = evaluate([motion.coordinate(name)], multiprecision(), {**numbers, **dict.fromkeys(
         motion.scene.coordinates, mpmath.mpf(0))})
     return rest + moved[motion.scene.coordinates.index(name)]

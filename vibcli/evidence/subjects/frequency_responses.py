@@ -82,8 +82,8 @@ def amplitude(problem: "Problem", tree: QuantityRef) -> Subject:
     true = steady_state.feature(known, signal.name, signal.primes, tree.head)
     with mpmath.workdps(30):
         exact, Omega = steady_state.transfer(known, signal.name, signal.primes)
-        middle = float(steady_state.middle(known, signal.name, signal.primes))
-    data = reference.in_floats(exact), float(Omega), READ[tree.head](middle)
+        middle = steady_state.middle(known, signal.name, signal.primes) if tree.head == "rms" else 0
+    data = reference.in_floats(exact), float(Omega), READ[tree.head](float(middle))
     return _subject(problem, tree, "response", "steady state under loads of one frequency", true, data)
 
 
