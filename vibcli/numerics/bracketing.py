@@ -20,19 +20,18 @@ def zeros_between(function: Callable, low: np.ndarray, high: np.ndarray, level: 
     the level of each interval. known: its values at the ends, where they are.
 
     Inverse quadratic interpolation where three values stand for it, else halving (Chandrupatla 1997, Adv. Eng. Softw.
-    28, 145); a step falls no nearer to an end than half of what is told apart, so that both ends close in, and farther
-    each time that this end stays: where a function is level but for rounding, they would close in by single floats.
+    28, 145); a step falls no nearer to an end than half of what is told apart, so that both ends close in.
     """
     level, least = np.broadcast_to(level, low.shape), NOTHING * (high - low)
     a, b, found = high.copy(), low.copy(), (low + high) / 2
     fb, fa = (ends - level for ends in known or (function(b), function(a)))
-    open_, share, least_step = np.arange(len(low)), np.full(len(low), 0.5), np.full(len(low), 0.5)
+    open_, share = np.arange(len(low)), np.full(len(low), 0.5)
     for _ in range(ROUNDS):
         near = np.maximum(SAME * np.maximum(np.abs(a), np.abs(b)), least)
         wide = np.abs(b - a) > near
         found[open_] = (a + b) / 2
-        open_, level, least, near, a, b, fa, fb, share, least_step = (
-            part[wide] for part in (open_, level, least, near, a, b, fa, fb, share, least_step))
+        open_, level, least, near, a, b, fa, fb, share = (
+            part[wide] for part in (open_, level, least, near, a, b, fa, fb, share))
         if not len(open_):
             break
         trial = a + share * (b - a)
@@ -41,18 +40,17 @@ def zeros_between(function: Callable, low: np.ndarray, high: np.ndarray, level: 
         c, fc = np.where(same, a, b), np.where(same, fa, fb)
         b, fb = np.where(same | (f == 0), b, a), np.where(same, fb, fa)
         a, fa, b = trial, f, np.where(f == 0, trial, b)
-        least_step = np.where(same, 2 * least_step, least_step)
-        share = _share(a, b, c, fa, fb, fc, least_step * near)
+        share = _share(a, b, c, fa, fb, fc, near)
     return found
 
 
-def _share(a, b, c, fa, fb, fc, least):
-    """How far from a to b the next place lies, `least` away from either."""
+def _share(a, b, c, fa, fb, fc, near):
+    """How far from a to b the next place lies."""
     with np.errstate(all="ignore"):
         place, height = (a - b) / (c - b), (fa - fb) / (fc - fb)
         share = fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb)
         smooth = (height**2 < place) & ((1 - height)**2 < 1 - place) & np.isfinite(share)
-        edge = np.minimum(least / np.abs(b - a), 0.5)
+        edge = np.minimum(near / 2 / np.abs(b - a), 0.5)
     return np.clip(np.where(smooth, share, 0.5), edge, 1 - edge)
 
 

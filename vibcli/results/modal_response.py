@@ -266,7 +266,7 @@ class ModalResponse(ResponseOfMembers):
 
     def _field(self, piece, given):
         """(u, u̇) over one piece as Forcings; None of a u that is the shape at rest between its ends, and of no u̇."""
-        nodes, orders = self._given(piece, given), (piece.piece.order, 0)
+        nodes, orders = self._given_along(piece, given), (piece.piece.order, 0)
         u, speed = (self.over_place(piece, {0: nodes[rate]}, [orders[rate]]) if rate in nodes else None
                     for rate in range(2))
         if u is not None:

@@ -180,7 +180,7 @@ class ResponseOfMembers(SmallResponse):
 
     def _field(self, piece, given):
         """u and u̇ over one piece, channels of the place along it; None of what rests straight between its ends."""
-        scene, held, nodes = self.problem.scene, self.configuration.preloaded, self._given(piece, given)
+        scene, held, nodes = self.problem.scene, self.configuration.preloaded, self._given_along(piece, given)
         if 0 in nodes:
             added = [-self._resting(self.configuration, piece)]
         elif held is not None and (given is not None or scene.gravity or held.scene.spread_loads):
@@ -192,7 +192,7 @@ class ResponseOfMembers(SmallResponse):
         field = self.over_place(piece, nodes, [piece.piece.order, 0])
         return with_polynomials(field, 0, added, float(piece.piece.length))
 
-    def _given(self, piece, given):
+    def _given_along(self, piece, given):
         """{0: u, 1: u̇} of those that are given, nodes; the time of the scene stands for the place along a piece."""
         from vibcli.symbolic.derivatives import substitute
 

@@ -38,12 +38,12 @@ def modal_solution(system: Any, otherwise: Any, most: float = np.inf) -> "ModalS
         return None
     found = _decoupled(system, *reduced)
     if found is not None:
-        return ModalSolution(system, otherwise, RealModes(system, *found))
+        return ModalSolution(system, otherwise, DecoupledModalSum(system, *found))
     modes = _complex_modes(system, *reduced) if system.n <= most else None
     return modes and ModalSolution(system, otherwise, modes)
 
 
-class RealModes:
+class DecoupledModalSum:
     """Modes that damping does not couple: f = 1/(s² + 2ζω s + ω²), and s times as much."""
 
     def __init__(self, system: Any, squares: np.ndarray, rates: np.ndarray, shapes: np.ndarray):
@@ -76,7 +76,7 @@ class RealModes:
         return np.hstack([self.shapes * (self.shapes.T @ c), np.zeros(self.shapes.shape)])
 
 
-class ComplexModes:
+class CoupledModalSum:
     """Pairs and real eigenvalues: f = Re and Im of 1/(s − λ), as functions of s, and 1/(s − λ) of real ones. left:
     (m, n), None where D is the same as Dᵀ; shares: L of b and c."""
 
@@ -135,7 +135,7 @@ class ComplexModes:
 
 
 class ModalSolution:
-    """H of what RealModes or ComplexModes tell."""
+    """H of what DecoupledModalSum or CoupledModalSum tell."""
 
     __slots__ = ("modes", "otherwise", "rows", "scales", "single", "sizes", "x", "y")
 
@@ -298,7 +298,7 @@ def _commute(K, C):
 
 
 def _complex_modes(system, K, C, back):
-    """The ComplexModes, in real numbers; None where these are nearly dependent."""
+    """The CoupledModalSum, in real numbers; None where these are nearly dependent."""
     n = len(K)
     pace = np.sqrt(max(np.abs(K).max(), np.finfo(float).tiny))
     count_floats(2 * n)
@@ -309,7 +309,7 @@ def _complex_modes(system, K, C, back):
         shares, left = _shares(system, W, back)
     except np.linalg.LinAlgError:
         return None
-    return shares and ComplexModes(system, values[above], values[alone].real, back @ W[:n] / pace, left, shares, pace)
+    return shares and CoupledModalSum(system, values[above], values[alone].real, back @ W[:n] / pace, left, shares, pace)
 
 
 def _shares(system, W, back):
