@@ -55,7 +55,10 @@ class Switching:
 
     def values(self, t: np.ndarray, q: np.ndarray, v: np.ndarray, g: Sequence[float] | np.ndarray) -> np.ndarray:
         """The arguments at instants, of shape (count, instants)."""
-        return self._values.rows(t, q, v, g)
+        found = np.empty((self.count, q.shape[1]))
+        for k, value in enumerate(self._values(t, q, v, g)):
+            found[k] = value
+        return found
 
     def rates(self, which: Sequence[int], t: np.ndarray, q: np.ndarray, v: np.ndarray, a: np.ndarray,
               g: Sequence[float | np.ndarray] | np.ndarray) -> np.ndarray:
@@ -74,7 +77,7 @@ class Switching:
     def sizes(self, t: float, q: np.ndarray, v: np.ndarray, g: Sequence[float] | np.ndarray):
         """What each argument is made of: Σ |∂g/∂x|·|x| at one instant."""
         n = len(q)
-        slopes = self._slopes.rows(np.array([t]), q[:, None], v[:, None], g)
+        slopes = np.array([float(np.max(value)) for value in self._slopes(np.array([t]), q[:, None], v[:, None], g)])
         return np.abs(slopes.reshape(self.count, 2 * n)) @ np.abs(np.concatenate([q, v]))
 
     def sliding(self, which: Sequence[int], t: np.ndarray, q: np.ndarray, v: np.ndarray,
@@ -82,21 +85,18 @@ class Switching:
                 c: Sequence[np.ndarray] | None = None) -> tuple[np.ndarray, np.ndarray]:
         """(q̈, σ of the switches that slide) at instants: σ of shape (len(which), instants)."""
         accelerations = self.system.accelerations
-        g = [0.0 if k in which else sense for k, sense in enumerate(g)]
-        a = accelerations(t, q, v, g, c)
+        g = [np.zeros(q.shape[1]) if k in which else sense for k, sense in enumerate(g)]
+        a0 = accelerations(t, q, v, g, c)
         turned = []
         for k in which:
-            g[k] = 1.0
-            turned.append(accelerations(t, q, v, g, c) - a)
-            g[k] = 0.0
+            g[k] = np.ones(q.shape[1])
+            turned.append(accelerations(t, q, v, g, c) - a0)
+            g[k] = np.zeros(q.shape[1])
         terms = self._terms(which, t, q, v, g)
-        held = self._along(which, terms, a)
-        slope = np.array([[_summed(self._rates[k][0], (0.0, *of[1:]), turn) for turn in turned]
-                          for k, of in zip(which, terms, strict=True)])
-        sigma = _balancing(slope.transpose(2, 0, 1), -held.T).T
-        for turn, s in zip(turned, sigma, strict=True):
-            a += turn * s
-        return a, sigma
+        held = self._along(which, terms, a0)
+        slope = np.array([self._along(which, terms, a0 + turn) - held for turn in turned]).transpose(2, 1, 0)
+        sigma = _balancing(slope, -held.T).T
+        return a0 + sum(turn * s for turn, s in zip(turned, sigma, strict=True)), sigma
 
     def settled(self, t: float, q: np.ndarray, v: np.ndarray, before: Sequence[float] | None = None,
                 zero: Sequence[int] = (), slides: Sequence[int] = ()) -> tuple[tuple[float, ...], tuple[int, ...]]:
@@ -133,7 +133,7 @@ class Switching:
         if len(fast) > MOST_TOGETHER:
             raise PhysicsError(f"{len(fast)} elements with friction come to rest at the same instant",
                                "friction is followed for at most six at once")
-        opposed = self._opposed([k for k in fast if k not in leaving], t, q, v, g)
+        opposed = self._opposed(fast, t, q, v, g)
         choices = [(g[k],) if k in leaving else (0, 1, -1) if k in opposed else (1, -1) for k in fast]
         ranked = sorted(product(*choices), key=lambda senses: sum(map(abs, senses)))
         for senses in ranked:

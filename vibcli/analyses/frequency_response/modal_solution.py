@@ -309,7 +309,8 @@ def _complex_modes(system, K, C, back):
         shares, left = _shares(system, W, back)
     except np.linalg.LinAlgError:
         return None
-    return shares and CoupledModalSum(system, values[above], values[alone].real, back @ W[:n] / pace, left, shares, pace)
+    right = back @ W[:n] / pace
+    return shares and CoupledModalSum(system, values[above], values[alone].real, right, left, shares, pace)
 
 
 def _shares(system, W, back):
