@@ -10,7 +10,7 @@ def main():
     """Run the command line and leave with its exit code; 130 where it is interrupted, while importing too."""
     gc.set_threshold(YOUNG)
     try:
-        from vibcli.cli import run
+        from vibcli.cli.program import run
         from vibcli.cli.streams import provide
 
         provide()

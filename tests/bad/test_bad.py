@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from support.wrong_scenes import BAD, diagnostics, expected
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 
 
 @pytest.mark.parametrize("path", BAD, ids=lambda path: path.stem)

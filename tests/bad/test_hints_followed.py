@@ -6,7 +6,7 @@ import re
 import pytest
 from support.wrong_scenes import BAD, diagnostics, expected
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.quantities import FAMILIES
 from vibcli.quantities.quantity import named
 

@@ -10,7 +10,7 @@ from support.scenes import kept_problem_of
 
 from vibcli.api.reports import data, report, solution
 from vibcli.base.errors import PhysicsError
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.inverse import settled
 
 FILES = sorted((Path(__file__).parents[2] / "problems").glob("*/*.yaml"))

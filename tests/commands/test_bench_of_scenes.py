@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.evidence import timing
 
 SCENE = """title: A damped mass that is driven

@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 from support.checked import SCENE
 
-from vibcli.cli import run
 from vibcli.cli.checking import cache as caching
+from vibcli.cli.program import run
 
 RECORD = """
 bodies: {a: {mass: 1 kg, slide: x}}
@@ -149,7 +149,7 @@ def test_two_at_once_leave_whole_entries(folder):
 
 
 def test_nothing_is_computed_with_from_the_cache(folder):
-    code = ("import sys; from vibcli.cli import run; run(['check', 'sets', '-q']); "
+    code = ("import sys; from vibcli.cli.program import run; run(['check', 'sets', '-q']); "
             "print([name for name in ('numpy', 'scipy', 'sympy', 'yaml', 'vibcli.results', 'vibcli.reader')"
             " if name in sys.modules])")
     environment = {name: value for name, value in os.environ.items() if name != "VIBCLI_NO_CACHE"}

@@ -14,11 +14,11 @@ from support.checked import SCENE
 
 from vibcli.base.rules import RULES
 from vibcli.check import comparison
-from vibcli.cli import run
 from vibcli.cli.checking import work
 from vibcli.cli.checking.cache import folder_of
 from vibcli.cli.checking.found import CheckedFile
 from vibcli.cli.checking.text import summary
+from vibcli.cli.program import run
 
 junitparser = pytest.importorskip("junitparser")
 ROOT = Path(__file__).parents[2]

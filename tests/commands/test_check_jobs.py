@@ -11,8 +11,9 @@ from pathlib import Path
 import pytest
 from support.checked import SCENE
 
-from vibcli.cli import progress, run
+from vibcli.cli import progress
 from vibcli.cli.checking import work
+from vibcli.cli.program import run
 
 ROOT = Path(__file__).parents[2]
 

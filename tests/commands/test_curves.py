@@ -8,7 +8,7 @@ import warnings
 import pytest
 from support.scenes import problem
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.manual import scenes
 
 SHAKEN = """

@@ -3,7 +3,7 @@
 import pytest
 from support.scenes import problem
 
-from vibcli.cli import main
+from vibcli.cli.program import main
 
 BEAM = "EI: 1000 N*m^2, mass_per_length: 3 kg/m"
 MAST = f"""

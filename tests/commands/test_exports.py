@@ -8,7 +8,7 @@ import pytest
 from support import course_systems
 from support.homework_scenes import EIGHTEEN as SCENE
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.homework.exports import FORMATS
 from vibcli.manual.exports import EXPORTS
 

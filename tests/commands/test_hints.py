@@ -10,7 +10,8 @@ import pytest
 from support.wrong_scenes import BAD, expected
 
 import vibcli
-from vibcli.cli import COMMANDS, group, run
+from vibcli.cli import COMMANDS
+from vibcli.cli.program import group, run
 from vibcli.language.dimension_check import unit_of_a_number
 from vibcli.manual.index import words
 from vibcli.quantities import FAMILIES

@@ -9,7 +9,7 @@ import jsonschema
 import pytest
 import yaml
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.homework.leaks import leak, text_of_page
 from vibcli.homework.manifest import seal
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.homework.leaks import comments_of, text_of_page
 
 SCENE = """title: A block on shaken ground

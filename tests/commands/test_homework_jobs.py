@@ -9,7 +9,7 @@ from support.homework_scenes import LETTERS
 
 from vibcli.api.source import file_source, problem_of
 from vibcli.base.errors import PhysicsError
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.homework.course import course_of
 from vibcli.homework.document import SceneDocument
 from vibcli.homework.folder import Leak

@@ -10,7 +10,8 @@ import pytest
 from support.motions import DOUBLE
 from support.scenes import kept_problem_of
 
-from vibcli.cli import common, run
+from vibcli.cli import common
+from vibcli.cli.program import run
 
 PROBLEMS = sorted((Path(__file__).parents[2] / "problems").glob("*/*.yaml"))
 EQUATIONS = ["coordinate", "text", "latex", "linear_text", "linear_latex", "left_out"]

@@ -14,7 +14,7 @@ from support.homework_scenes import BLOCK
 import vibcli
 from vibcli.base.units import UNITS
 from vibcli.check.verdicts import check
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.elements import ELEMENTS
 from vibcli.language.document.document import read, read_file
 from vibcli.language.fields import Element
@@ -345,7 +345,7 @@ def test_templates_are_commented_and_narrow(path):
 @pytest.mark.parametrize("arguments", [["explain"], ["explain", "spring"], ["explain", "shapes"], ["explain", "by"],
                                        ["schema"], ["new"], ["new", "--list"]], ids=" ".join)
 def test_the_manual_imports_nothing_heavy(arguments):
-    program = ("import sys; from vibcli.cli import run; code = run(sys.argv[1:]); "
+    program = ("import sys; from vibcli.cli.program import run; code = run(sys.argv[1:]); "
                f"print(code, [name for name in {HEAVY} if name in sys.modules], file=sys.stderr)")
     done = subprocess.run([sys.executable, "-c", program, *arguments], capture_output=True, text=True, timeout=60,
                           env={**os.environ, "PYTHONIOENCODING": "utf-8"})

@@ -10,7 +10,7 @@ from support.scenes import problem
 import vibcli
 from vibcli.analyses.modal.mode_sequence import Modes
 from vibcli.analyses.modal.undamped import Mode
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.report.sections.shown_modes import shown
 
 CHAIN = Path(vibcli.__file__).parent / "examples" / "many_modes.yaml"

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from support.browser import NEEDED, measured, picture
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.report.blocks import Document, Equations, Section, line
 from vibcli.report.formats import html
 from vibcli.report.formats.html_page import FONTS

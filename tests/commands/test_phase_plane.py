@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.plots.words import width
 
 SWING = """title: A pendulum

@@ -31,7 +31,7 @@ def course(pytester):
 
 def ran(course, *args):
     """In a process of its own, as users run it; by its module, as the tree at hand may be another than is installed."""
-    return course.runpytest_subprocess("-p", "no:vibcli", "-p", "vibcli.testing.plugin", *args)
+    return course.runpytest_subprocess("-p", "no:vibcli", "-p", "vibcli.cli.pytest_plugin", *args)
 
 
 @pytest.mark.sweep
@@ -67,10 +67,10 @@ def test_without_the_setting_nothing_is_collected(pytester):
 
 
 def test_pytest_of_others_imports_nothing_of_it(pytester):
-    code = ("import sys, vibcli.testing.plugin; "
+    code = ("import sys, vibcli.cli.pytest_plugin; "
             "print(sorted(name for name in sys.modules if name.partition('.')[0] in ('vibcli', 'click', 'yaml')))")
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
-    assert found.strip() == "['vibcli', 'vibcli.testing', 'vibcli.testing.plugin']"
+    assert found.strip() == "['vibcli', 'vibcli.cli', 'vibcli.cli.pytest_plugin']"
 
 
 def test_pytest_finds_it_by_its_entry():

@@ -5,7 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from vibcli.cli import COMMANDS, run
+from vibcli.cli import COMMANDS
+from vibcli.cli.program import run
 
 README = (Path(__file__).parents[2] / "README.md").read_text()
 

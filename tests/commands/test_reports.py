@@ -12,7 +12,7 @@ import pytest
 from support.imported import modules
 from support.scenes import kept_problem_of, problem
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.notation.latex import latex
 from vibcli.notation.latex_text import escaped
 from vibcli.notation.mathml import mathml

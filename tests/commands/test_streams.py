@@ -10,7 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from vibcli.cli import COMMANDS, run, streams
+from vibcli.cli import COMMANDS, streams
+from vibcli.cli.program import run
 from vibcli.homework.manifest import seal
 
 ROOT = Path(__file__).parents[2]

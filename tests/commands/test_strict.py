@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.notation.numbers import figure, supported
 from vibcli.report.blocks import EXPLAINED
 from vibcli.results import certificate

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from vibcli.cli import run
 from vibcli.cli.checking import files
+from vibcli.cli.program import run
 
 ROOT = Path(__file__).parents[2]
 SCENE = """

@@ -6,7 +6,7 @@ import json
 import pytest
 
 import vibcli
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.plots.words import width
 
 TWO = """title: Two oscillators on a weak spring

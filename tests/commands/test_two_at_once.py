@@ -39,7 +39,7 @@ def test_of_two_writers_one_is_refused(way, tmp_path, monkeypatch, capsys):
     """Another one writes the file between the look at it and the end of the work."""
     from importlib import import_module
 
-    from vibcli.cli import run
+    from vibcli.cli.program import run
 
     monkeypatch.chdir(tmp_path)
     (tmp_path / "scene.yaml").write_text(SCENE)

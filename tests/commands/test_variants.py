@@ -5,7 +5,7 @@ import json
 import pytest
 from support.homework_scenes import BY_STRETCH as SCENE
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 
 GRID = """variants:
   parameters: {m: {from: 1 kg, to: 3 kg, step: 0.5 kg}, k: [600 N/m, 800 N/m]}

@@ -17,7 +17,7 @@ import pytest
 from support.browser import BROWSER, NEEDED, QUIET, dom, measured
 from support.imported import modules
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.cli.viewing.following import Asked, Following
 from vibcli.cli.viewing.page import page
 from vibcli.cli.viewing.server import serving

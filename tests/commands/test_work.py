@@ -14,8 +14,9 @@ from vibcli.analyses.time_integration import integrate, time_stepping
 from vibcli.analyses.transient import extremes, isolating_intervals, pieces, zeros
 from vibcli.base.errors import PhysicsError
 from vibcli.base.work import Spent, Work
-from vibcli.cli import COMMANDS, progress, run
+from vibcli.cli import COMMANDS, progress
 from vibcli.cli.common import require_quick
+from vibcli.cli.program import run
 from vibcli.mechanics.equilibrium import all_equilibria
 from vibcli.results import frequency_response
 from vibcli.symbolic.syntax import NameRef

@@ -9,7 +9,8 @@ import pytest
 
 from vibcli.base.errors import PhysicsError
 from vibcli.base.output_files import refuse_unwritable, write_whole
-from vibcli.cli import COMMANDS, new, pictures, run
+from vibcli.cli import COMMANDS, new, pictures
+from vibcli.cli.program import run
 from vibcli.cli.reports import SUFFIXES
 
 SCENE = """

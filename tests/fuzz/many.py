@@ -24,7 +24,7 @@ if __name__ == "__main__":
 from fuzz.test_document_fuzz import bad_bytes, read_and_checked
 from fuzz.test_fuzz import a_text, mutated_text, tree_of, try_expression, try_scene, with_changed_text
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 
 COMMANDS = (["solve"], ["check", "--no-cache"], ["equations"], ["frequencies"], ["solve", "--steps"],
             ["draw", "-o", "a.svg"], ["solve", "-o", "a.html"], ["solve", "-o", "a.tex"], ["solve", "--json"],

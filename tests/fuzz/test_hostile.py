@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from support.counting import calls
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 
 SCENE = "bodies: {{a: {{mass: 1 kg, slide: x}}}}\nsprings: {{s: {{k: {}, between: [ground, a]}}}}\n"
 FEW, MANY = 10**5, 3 * 10**6     # calls of functions: for a wrong expression, for a scene of many lines
@@ -156,7 +156,7 @@ def test_expected_answers(text, tmp_path, capsys):
 
 
 PEAK = """import sys
-from vibcli.cli import run
+from vibcli.cli.program import run
 code = run(["solve", sys.argv[1]])
 print(next(line.split()[1] for line in open("/proc/self/status") if line.startswith("VmHWM")))
 sys.exit(code)"""

@@ -15,10 +15,11 @@ PACKAGE = Path(__file__).resolve().parents[2] / "vibcli"
 FLOORS = (      # from the ground up; a room imports rooms of lower floors only
     ("base",), ("numerics", "symbolic", "plots"), ("notation", "language"), ("elements",), ("scene",),
     ("mechanics", "drawing"), ("analyses",), ("results",), ("quantities",), ("reader", "inverse"),
-    ("check", "report", "mistakes"), ("evidence", "homework", "manual"), ("api",), ("cli", "bench"),
-    ("testing", "__main__"))
+    ("check", "report"), ("evidence", "homework"), ("manual", "api"), ("cli", "bench"))
 FLOOR = {room: floor for floor, rooms in enumerate(FLOORS) for room in rooms}
+FLAT = ("__init__", "__main__")         # the files that stand in no room
 GROUND = 3          # floors that serve everyone: what is called there counts as no visit
+LATER = ("evidence", "homework")        # rooms that the plan of the house did not know
 TREES = ("tree", "quantity", "literal")
 NODES = "vibcli.symbolic.expression"
 LOADER = "named_elements"       # of language/: what it loads is loaded for those who ask it
@@ -112,13 +113,17 @@ class House:
     def upward(self):
         """Imports from a room on the same floor or a higher one, as text; the package itself opens the door, api/."""
         return [f"{module}:{line} imports {name}" for module, imports in self.imports.items() for name, line in imports
-                if room_of(name) not in (room_of(module), "__init__") and room_of(module) != "__init__"
+                if room_of(name) not in (room_of(module), "__init__") and room_of(module) not in FLAT
                 and FLOOR[room_of(name)] >= FLOOR[room_of(module)]]
 
-    def arrows(self):
-        """{(room, room that it imports)}."""
+    def arrows(self, without=()):
+        """{(room, room that it imports)}, those of some rooms left out where asked."""
         pairs = {(room_of(module), room_of(name)) for module, imports in self.imports.items() for name, _ in imports}
-        return {(a, b) for a, b in pairs if a != b and "__init__" not in (a, b)}
+        return {(a, b) for a, b in pairs if a != b and not {a, b} & {*FLAT, *without}}
+
+    def arrows_of_the_plan(self):
+        """Those between the rooms that the plan of the house knew."""
+        return self.arrows(without=LATER)
 
     def floors(self):
         """The number of rooms on the longest way down."""
@@ -238,33 +243,36 @@ def _last_name(node):
 
 
 def walked(args):
-    """(rooms above the ground entered, moves between rooms) of one command in this process."""
-    from vibcli.cli import run
+    """(rooms above the ground entered, moves between rooms, those of them into rooms above the ground) of one command
+    in this process."""
+    from vibcli.cli.program import run
 
-    prefix, rooms, moves = str(PACKAGE) + "/", set(), 0
+    prefix, rooms, moves, up = str(PACKAGE) + "/", set(), 0, 0
 
     def room(frame):
         name = frame.f_code.co_filename
         return name[len(prefix):].removesuffix(".py").split("/")[0] if name.startswith(prefix) else None
 
     def profile(frame, event, _):
-        nonlocal moves
+        nonlocal moves, up
         if event == "call" and (here := room(frame)) and frame.f_code.co_name != "<module>":
             rooms.add(here)
             caller = frame.f_back
             while caller is not None and room(caller) is None:
                 caller = caller.f_back
-            moves += caller is not None and room(caller) != here
+            moved = caller is not None and room(caller) != here
+            moves, up = moves + moved, up + (moved and FLOOR.get(here, GROUND) >= GROUND)
 
     sys.setprofile(profile)
     try:
         run(list(args))
     finally:
         sys.setprofile(None)
-    return {name for name in rooms if FLOOR.get(name, GROUND) >= GROUND}, moves
+    return {name for name in rooms if FLOOR.get(name, GROUND) >= GROUND}, moves, up
 
 
-def main(house):
+def walks():
+    """What is walked by `frequencies` of a mass on a spring, and by `check` of its max(x)."""
     import contextlib
     import io
     import tempfile
@@ -274,17 +282,22 @@ def main(house):
         path.write_text("parameters: {m: 2 kg, k: 800 N/m}\nbodies: {b: {mass: m, slide: x}}\n"
                         "springs: {s: {k: k, between: [ground, b]}}\ninitial: {x: 1 cm}\nanswers: {max(x): 1 cm}\n")
         with contextlib.redirect_stdout(io.StringIO()):
-            rooms, moves = walked(["frequencies", str(path)])
-            _, in_check = walked(["check", str(path)])
+            return walked(["frequencies", str(path)]), walked(["check", str(path)])
+
+
+def main(house):
+    (rooms, moves, up), (_, in_check, up_in_check) = walks()
     flat = [entry for entry in PACKAGE.iterdir() if entry.suffix == ".py"]
     rooms_of = {room_of(module) for module in house.trees if "." in module}
     rows = [
         ("files directly in vibcli/ + rooms", f"{len(flat)} + {len(rooms_of - {p.stem for p in flat})}"),
         ("floors", house.floors()), ("import arrows between rooms", len(house.arrows())),
+        (f"the same without {' and '.join(LATER)}", len(house.arrows_of_the_plan())),
         ("import circles of files", len(house.circles())),
         ("the same by the names in tables too", len(house.circles(by_name=True))),
         ("rooms that `frequencies` of a mass on a spring enters", f"{len(rooms)}: {' '.join(sorted(rooms))}"),
         ("moves between rooms in that run / in `check` of max(x)", f"{moves} / {in_check}"),
+        ("of these into rooms above the ground", f"{up} / {up_in_check}"),
         ("functions of mechanics and analyses that take the whole problem", len(house.taking_problem())),
         ("subscripts of syntax trees", len(house.subscripts())),
         ("attributes set on an object from outside it", f"{len(house.set_from_outside())} in "

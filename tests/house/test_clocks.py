@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 
 ROOT = Path(__file__).parents[2]
 MODULES = {"time", "datetime", "timeit", "sched", "asyncio", "resource"}

@@ -18,8 +18,8 @@ from vibcli.report import formats
 from vibcli.report import sections as of_report
 from vibcli.symbolic.parser import OF_SIGNALS
 
-FACES = ("analyses", "drawing/symbols", "elements", "evidence/stress/families", "homework/exports", "language/sections",
-         "quantities", "reader/sections", "report/formats", "report/sections")
+FACES = ("analyses", "cli", "drawing/symbols", "elements", "evidence/stress/families", "homework/exports",
+         "language/sections", "quantities", "reader/sections", "report/formats", "report/sections")
 
 
 def defines(path, name):

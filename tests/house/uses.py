@@ -11,8 +11,8 @@ import re
 from vibcli.analyses import ANALYSES
 
 FACES = ("bench", "cli", "drawing.symbols", "elements", "evidence.methods", "evidence.stress.families",
-         "evidence.subjects", "homework.exports", "language.sections", "mistakes", "quantities", "reader.sections",
-         "report.formats", "report.sections",
+         "evidence.subjects", "homework.exports", "homework.mistakes", "language.sections", "quantities",
+         "reader.sections", "report.formats", "report.sections",
          *("analyses." + row[0].replace("/", ".") for row in ANALYSES.values()))
 ANY = r"\w+"
 FUNCTION = (ast.FunctionDef, ast.AsyncFunctionDef)

@@ -18,7 +18,7 @@ import pytest
 from support.browser import BROWSER, NEEDED, QUIET
 from support.exported import grades
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 
 HERE, SETS = Path(__file__).parent, Path(__file__).parents[2] / "problems" / "sets"
 MODULES = Path(os.environ.get("NODE_PATH") or Path(sys.prefix) / "peers" / "node_modules")

@@ -13,7 +13,7 @@ from zipfile import ZipFile
 import pytest
 from support.homework_scenes import EIGHTEEN, LETTERS
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 
 etree = pytest.importorskip("lxml.etree", reason="no lxml here: make peers")
 SCHEMAS = Path(os.environ.get("VIBCLI_SCHEMAS", ""))

@@ -40,7 +40,7 @@ def looked(frame, event, _):
         if code.co_name == "_make" and code.co_filename.replace("\\\\", "/").endswith("vibcli/symbolic/expression.py"):
             nodes += 1
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 exec(sys.argv[3])
 sys.setprofile(looked)
 with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):

@@ -8,7 +8,7 @@ from functools import cache
 HEAVY = ("numpy", "scipy", "sympy", "matplotlib", "mpmath")
 RUN = """
 import json, sys
-from vibcli.cli import run
+from vibcli.cli.program import run
 code = run(sys.argv[1:])
 sys.stdout.flush()
 print(json.dumps([code, sorted(sys.modules)]), file=sys.stderr)

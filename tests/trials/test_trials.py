@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 
 TRIALS = sorted(Path(__file__).parent.glob("*.yaml"))
 

@@ -269,6 +269,6 @@ def known_mistake(root: "Mapping | None", problem: "Problem", asked: "Expression
                   case: str | None) -> str | None:
     """The sentence of the mistake that leads to an answer which differs, None where none is known; root: the document
     of the scene, without which mistakes of its model are not looked for."""
-    from vibcli.mistakes.nearest import nearest_mistake
+    from vibcli.homework.mistakes.nearest import nearest_mistake
 
     return nearest_mistake(problem, asked, expected, found, root, case)

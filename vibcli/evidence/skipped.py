@@ -21,7 +21,7 @@ QUESTIONS = {
 }
 IN_A_PROCESS = """
 import contextlib, io, json, sys
-from vibcli.cli import run
+from vibcli.cli.program import run
 out, err = io.StringIO(), io.StringIO()
 with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
     code = run(sys.argv[1:])

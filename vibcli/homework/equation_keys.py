@@ -20,8 +20,8 @@ from vibcli.reader.sections.answer import Answer
 
 if TYPE_CHECKING:
     from vibcli.homework.bands import KeyBand
+    from vibcli.homework.mistakes.known import KnownMistake
     from vibcli.homework.terms import Terms
-    from vibcli.mistakes.known import KnownMistake
     from vibcli.results.problem import Problem
 
 

@@ -21,8 +21,8 @@ from vibcli.symbolic.syntax import QuantityRef
 
 if TYPE_CHECKING:
     from vibcli.homework.bands import KeyBand
+    from vibcli.homework.mistakes.known import KnownMistake
     from vibcli.language.reader import Expression
-    from vibcli.mistakes.known import KnownMistake
     from vibcli.report.blocks import Maths
     from vibcli.results.problem import Problem
 

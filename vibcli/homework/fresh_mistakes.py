@@ -3,17 +3,17 @@
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError, SpecError
-from vibcli.homework.mistakes import mistakes_of
+from vibcli.homework.mistakes import MISTAKES, MODEL
+from vibcli.homework.problem_mistakes import mistakes_of
 from vibcli.inverse import settled
-from vibcli.mistakes import MISTAKES, MODEL
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from vibcli.homework.document import SceneDocument
     from vibcli.homework.keys import AnswerKey
+    from vibcli.homework.mistakes.known import KnownMistake
     from vibcli.homework.variants import ProblemVariant
-    from vibcli.mistakes.known import KnownMistake
     from vibcli.results.problem import Problem
 
 

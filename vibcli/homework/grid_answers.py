@@ -11,8 +11,8 @@ from vibcli.quantities.at_once import AnswersAtOnce
 from vibcli.quantities.expression import value_of
 
 if TYPE_CHECKING:
+    from vibcli.homework.mistakes.known import KnownMistake
     from vibcli.language.reader import Expression
-    from vibcli.mistakes.known import KnownMistake
     from vibcli.results.problem import Problem
     from vibcli.results.variants import Place, Variants
 

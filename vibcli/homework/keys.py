@@ -18,9 +18,9 @@ from vibcli.quantities.expression import value_of
 from vibcli.quantities.quantity import quantity_of
 
 if TYPE_CHECKING:
+    from vibcli.homework.mistakes.known import KnownMistake
     from vibcli.language.reader import Expression
     from vibcli.language.spec import Spec
-    from vibcli.mistakes.known import KnownMistake
     from vibcli.reader.sections.variants import AskedQuantity
     from vibcli.results.problem import Problem
 

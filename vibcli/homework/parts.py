@@ -12,8 +12,8 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.homework.asked_keys import key_of
 from vibcli.homework.candidates import sampled
 from vibcli.homework.key_summary import KeySummary, joined, summaries
-from vibcli.homework.mistakes import mistakes_of
 from vibcli.homework.packed import PackedVariants, packed
+from vibcli.homework.problem_mistakes import mistakes_of
 from vibcli.homework.solved import Rejected, own_scene
 from vibcli.homework.variants import SolvedVariants, solve_variants
 

@@ -16,7 +16,7 @@ from vibcli.quantities.expression import value_of
 
 if TYPE_CHECKING:
     from vibcli.homework.keys import AnswerKey
-    from vibcli.mistakes.known import KnownMistake
+    from vibcli.homework.mistakes.known import KnownMistake
     from vibcli.reader.variants import VariantRules
     from vibcli.results.problem import Problem
     from vibcli.results.variants import Place

@@ -3,14 +3,14 @@
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError, SpecError
-from vibcli.homework.mistakes import OF_FILE, own_values
+from vibcli.homework.mistakes import MODEL
 from vibcli.homework.printed import with_printed
-from vibcli.mistakes import MODEL
+from vibcli.homework.problem_mistakes import OF_FILE, own_values
 from vibcli.results.variants import with_given
 
 if TYPE_CHECKING:
+    from vibcli.homework.mistakes.known import KnownMistake
     from vibcli.homework.variants import SolvedVariants
-    from vibcli.mistakes.known import KnownMistake
 
 UNTOLD = "it has no such answer"
 

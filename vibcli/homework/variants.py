@@ -15,14 +15,14 @@ from vibcli.homework.grid_answers import GridAnswers
 from vibcli.homework.key_summary import KeySummary, summaries
 from vibcli.homework.keys import AnswerKey
 from vibcli.homework.leaks import numbers_in
-from vibcli.homework.mistakes import held_at, mistakes_of, own_values
+from vibcli.homework.mistakes.known import KnownMistake
 from vibcli.homework.printed import with_printed
+from vibcli.homework.problem_mistakes import held_at, mistakes_of, own_values
 from vibcli.homework.routes import hold_against_closed_forms
 from vibcli.homework.solved import SOLVED, Rejected, solve_candidates
 from vibcli.homework.told import untold
 from vibcli.homework.unsolved import unsolved
 from vibcli.language.given_values import GivenValue, number_and_unit
-from vibcli.mistakes.known import KnownMistake
 from vibcli.reader.read import QUOTE
 from vibcli.reader.sections.variants import GATES
 from vibcli.results.variants import with_given

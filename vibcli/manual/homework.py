@@ -1,6 +1,6 @@
 """Pages of the manual on homework. Data alone."""
 
-from vibcli.mistakes import FORMULA, MISTAKES, MODEL, READING
+from vibcli.homework.mistakes import FORMULA, MISTAKES, MODEL, READING
 from vibcli.reader.sections.variants import GATES
 
 

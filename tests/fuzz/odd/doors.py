@@ -7,7 +7,7 @@ import re
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.check.verdicts import check
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.language.document.document import read
 from vibcli.reader.read import read_spec
 from vibcli.results.problem import Problem

@@ -9,7 +9,7 @@ from vibcli.api.answers import entries, spelled, with_answers
 from vibcli.api.reports import solution
 from vibcli.base.errors import PhysicsError
 from vibcli.check.verdicts import check
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.notation.scene_language import unit_in_scene
 
 PROBLEMS = sorted((Path(__file__).parents[3] / "problems").glob("*/*.yaml"))

@@ -18,7 +18,7 @@ from vibcli.api.pictures import SceneDrawing
 from vibcli.api.response import SampledResponse
 from vibcli.api.values import QuantityValue
 from vibcli.check.verdicts import check
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.manual.index import page
 from vibcli.manual.python import EXAMPLE
 

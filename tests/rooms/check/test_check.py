@@ -8,8 +8,8 @@ import pytest
 from support.scenes import problem, problem_of
 
 from vibcli.check.verdicts import check
-from vibcli.cli import run
 from vibcli.cli.common import known_mistake
+from vibcli.cli.program import run
 from vibcli.manual import scenes
 from vibcli.results.random_states import reach, states
 

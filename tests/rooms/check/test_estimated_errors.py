@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 
 ARM = """
 parameters: {L: 1.2 m, EI: 2400 N*m^2, mu: 3 kg/m}

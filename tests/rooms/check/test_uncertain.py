@@ -12,7 +12,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.check import comparison
 from vibcli.check.comparison import verdict
 from vibcli.check.verdicts import check
-from vibcli.cli import run
+from vibcli.cli.program import run
 
 MASS = """
 parameters: {m: 2 kg, k: 800 N/m}

@@ -16,7 +16,7 @@ import pytest
 from support.scenes import kept_problem_of, problem, problem_of
 
 from vibcli.base.errors import PhysicsError
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.drawing import animation, vibration
 from vibcli.drawing.canvas import pillow_canvas
 from vibcli.drawing.canvas.matplotlib_canvas import MARGIN, figure, picture
@@ -464,7 +464,7 @@ def test_hostile_names_make_plain_files(tmp_path, monkeypatch, capsys):
 
 RUN = """
 import json, sys
-from vibcli.cli import run
+from vibcli.cli.program import run
 code = run(sys.argv[1:])
 print(json.dumps([code, sorted(sys.modules)]))
 """

@@ -12,7 +12,7 @@ from support.scenes import number
 from vibcli.analyses.nonlinear.period import exact_period
 from vibcli.analyses.time_integration.integrate import simulate
 from vibcli.base.errors import PhysicsError
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.symbolic.antiderivatives import from_zero
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate

@@ -9,7 +9,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import vibcli
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.drawing.symbols.spring import between
 
 UNITS = {"m": "kg", "k1": "N/m", "k2": "N/m", "g": "N/m^3", "P": "N", "c1": "N*s/m", "c2": "N*s^2/m^2"}

@@ -4,7 +4,7 @@ import pytest
 
 from vibcli.api.source import problem_of, text_source
 from vibcli.bench import scenes
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.evidence import skipped
 from vibcli.evidence.stages import stage_costs
 from vibcli.results.problem import STAGES
@@ -35,7 +35,8 @@ def test_stages_that_a_question_takes_are_those_that_it_needs(found, question):
 def test_packages_that_a_question_imports(found, question):
     digits = {"mpmath"} if question in ("solve --insight", "frequencies --digits 30") else set()
     assert set(found[question].packages) == ({"numpy"} | digits if question != "equations" else set())
-    assert not {"drawing", "plots", "bench", "evidence", "inverse", "mistakes", "testing"} & set(found[question].rooms)
+    assert not {"drawing", "plots", "bench", "evidence", "inverse"} & set(found[question].rooms)
+    assert ("homework" in found[question].rooms) == (question == "check")      # what its sets of problems are named
     assert ("report" in found[question].rooms) == (question != "check")
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 
 PROBLEMS = Path(__file__).parents[3] / "problems"
 GIVEN = re.compile(r'<li><math alttext="([^"]+)">.*?</math> = ([-−\d.]+) ?([^<]*)</li>')

@@ -7,7 +7,7 @@ from math import pi, sqrt
 import pytest
 
 from vibcli.api.source import problem_of, text_source
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.homework.asked_keys import key_of
 from vibcli.homework.candidates import candidates
 from vibcli.homework.document import SceneDocument

@@ -8,7 +8,7 @@ from support.scenes import problem, value
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.check.verdicts import check
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.inverse import search, settled
 from vibcli.inverse.admissible_ranges import admissible, natural_scale
 from vibcli.inverse.conditions import ConditionSystem

@@ -9,7 +9,7 @@ import pytest
 
 from vibcli.base.errors import SpecError
 from vibcli.check.verdicts import check
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.language import data_columns
 from vibcli.language.document.document import read_file
 from vibcli.reader.read import read_spec

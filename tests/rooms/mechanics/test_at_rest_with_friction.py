@@ -7,7 +7,7 @@ import re
 import pytest
 from support.scenes import problem
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.mechanics.equilibrium.dry_friction import span
 
 BLOCK = """

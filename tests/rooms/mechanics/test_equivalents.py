@@ -12,7 +12,7 @@ from support.scenes import problem, value
 import vibcli
 from vibcli.api.reports import report, solution
 from vibcli.base.errors import NotInLetters, PhysicsError
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.results.equivalent_pair import with_pair
 
 PARTS = ("xx", "xy", "yy", "max", "min", "angle")

@@ -9,7 +9,7 @@ import pytest
 from support.scenes import kept_problem_of, problem
 
 import vibcli
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.mechanics.lagrange import equation_of
 from vibcli.results.problem import Problem
 from vibcli.scene.displacements import Displacements, stays_bounded

@@ -9,7 +9,7 @@ from scipy.optimize import linprog
 from support.scenes import problem
 
 from vibcli.base.errors import PhysicsError
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.mechanics.equations_of_motion import dynamics
 from vibcli.mechanics.equilibrium.redundant_friction import Redundancy
 from vibcli.quantities.expression import measure

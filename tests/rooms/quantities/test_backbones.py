@@ -8,7 +8,7 @@ from support.motions import DUFFING, PENDULUM, problem
 
 from vibcli.api.values import given_expression
 from vibcli.base.errors import PhysicsError, SpecError
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.quantities.expression import measure
 
 TWO_WELLS = """

@@ -11,7 +11,7 @@ from support.motions import problem
 
 from vibcli.api.values import given_expression
 from vibcli.base.errors import PhysicsError
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.quantities.expression import measure
 
 PAIR = """

@@ -7,7 +7,7 @@ import pytest
 import sympy
 
 import vibcli
-from vibcli.cli import run
+from vibcli.cli.program import run
 
 UNITS = {"m": "kg", "k1": "N/m", "k2": "N/m", "g": "N/m^3", "h": "N/m^5", "q": "N/m^2", "D": "m", "c1": "N*s/m",
          "c2": "N*s^3/m^3", "kappa": "N*m"}

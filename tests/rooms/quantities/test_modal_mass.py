@@ -11,7 +11,7 @@ from support.scenes import problem, problem_of, value
 import vibcli
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.check.instances import Instances
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.quantities.expression import measure
 from vibcli.symbolic.parser import parse
 

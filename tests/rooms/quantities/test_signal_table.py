@@ -14,7 +14,7 @@ from support.scenes import problem
 
 import vibcli
 from vibcli.base.errors import PhysicsError
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.quantities import FAMILIES
 from vibcli.quantities.expression import measure
 from vibcli.symbolic.parser import parse

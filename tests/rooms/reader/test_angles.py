@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.language.document.document import read
 from vibcli.reader.read import read_spec
 

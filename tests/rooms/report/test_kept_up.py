@@ -3,7 +3,7 @@
 import pytest
 
 import vibcli
-from vibcli.cli import run
+from vibcli.cli.program import run
 
 MOTOR = """
 title: A motor on springs

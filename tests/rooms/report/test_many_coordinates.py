@@ -5,7 +5,7 @@ import json
 import pytest
 
 from vibcli.api.source import problem_of, text_source
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.report.sections.equations_of_motion import equation_rows
 from vibcli.report.sections.too_long import TALL, TOLD, places_told
 

@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 
 CART = """
 title: A pendulum on a cart

@@ -15,7 +15,7 @@ from support.scenes import kept_problem_of, problem
 
 import vibcli
 from vibcli.base.errors import PhysicsError
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.language.parameter_samples import sample_values
 from vibcli.notation.plain import plain
 from vibcli.report.blocks import Document, Factor, Name, SumOfTerms, WithNumbers, Words

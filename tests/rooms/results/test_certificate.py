@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from support.scenes import problem
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.results.certificate import certificate, orthogonality, residual_ratio
 
 ROUNDING = 20

@@ -84,7 +84,8 @@ def test_quantities_to_digits():
 @pytest.mark.sweep
 def test_twelve_right_digits_are_printed_and_mpmath_stays_out_without_need(tmp_path):
     path = tmp_path / "scene.yaml"
-    program = ("import sys\nfrom vibcli.cli import main\ntry:\n    main(sys.argv[1:])\nexcept SystemExit:\n    pass\n"
+    program = ("import sys\nfrom vibcli.cli.program import main\ntry:\n    main(sys.argv[1:])\n"
+               "except SystemExit:\n    pass\n"
                "print('mpmath' in sys.modules, file=sys.stderr)\n")
 
     def run(scene, *args):

@@ -10,7 +10,7 @@ import sympy
 from support.scenes import problem, problem_of, value
 
 from vibcli.base.errors import PhysicsError, SpecError
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.mechanics.lagrange import equation_of
 from vibcli.symbolic.evaluation import Floats, evaluate
 

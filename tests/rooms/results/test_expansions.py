@@ -8,7 +8,7 @@ from support.scenes import problem, value
 from support.truncated_series import FIELD, Taylor
 
 from vibcli.base.errors import PhysicsError
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.notation.scene_language import language
 from vibcli.quantities.quantity import declared
 from vibcli.results.expansions import expansions

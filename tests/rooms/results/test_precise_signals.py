@@ -12,7 +12,7 @@ from support.signals import signal_of
 
 from vibcli.api.given import expression
 from vibcli.base.errors import PhysicsError
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.quantities.expression import measure
 
 DIGITS = 40

@@ -11,7 +11,7 @@ from support.motions import DOUBLE, FOUR_BAR, PENDULUM
 from support.scenes import problem, value
 
 from vibcli.base.errors import PhysicsError
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.symbolic.syntax import NameRef
 
 DIGITS = 25

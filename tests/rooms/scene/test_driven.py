@@ -8,7 +8,7 @@ from support.scenes import problem, problem_of, value
 
 from vibcli.analyses.time_integration.integrate import simulate
 from vibcli.base.errors import PhysicsError
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.report.sections.numeric_equations import numeric_drive
 from vibcli.symbolic import normal_form
 from vibcli.symbolic.evaluation import Floats, evaluate

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 import vibcli
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.symbolic import node
 from vibcli.symbolic.node import first_variable, one_variable, union
 

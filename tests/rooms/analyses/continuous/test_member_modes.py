@@ -9,7 +9,7 @@ import pytest
 from support.scenes import problem, value
 
 from vibcli.base.errors import PhysicsError
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.report.document import Report
 from vibcli.report.formats.text import render
 

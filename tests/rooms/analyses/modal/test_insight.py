@@ -11,7 +11,7 @@ import pytest
 from support.scenes import problem, value
 
 from vibcli.base.errors import PhysicsError, SpecError
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.symbolic.dual_numbers import Dual, Duals, slope
 from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
 from vibcli.symbolic.expression import Table

@@ -11,7 +11,7 @@ import pytest
 import vibcli
 from vibcli.analyses.modal.lowest_modes import LowestModes
 from vibcli.base.errors import PhysicsError, SpecError
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.mechanics.factored_system import MOST_DENSE
 
 N = MOST_DENSE + 100

@@ -13,7 +13,7 @@ from support.scenes import kept_problem_of, problem, problem_of
 import vibcli
 from vibcli.base.errors import PhysicsError
 from vibcli.check.instances import Instances
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.language.document.document import read
 from vibcli.language.reader import Reader
 from vibcli.reader.sections.find import QUESTIONS

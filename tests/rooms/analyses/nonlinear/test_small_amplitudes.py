@@ -10,7 +10,7 @@ from vibcli import loads
 from vibcli.analyses.nonlinear.closed_forms import ByGamma, closed_form
 from vibcli.analyses.nonlinear.small_amplitudes import kappa_in_letters
 from vibcli.base.errors import PhysicsError
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 

@@ -9,7 +9,7 @@ from support.motions import problem
 from vibcli import loads
 from vibcli.api.values import given_expression
 from vibcli.base.errors import PhysicsError
-from vibcli.cli import run
+from vibcli.cli.program import run
 
 MASSES, LAWS = (2.0, 1.3, 0.8), ((80, 90, 500), (50, -140, 900), (70, 60, 300), (90, -30, 700))
 CHAIN = "bodies:\n" + "".join(f"  b{i}: {{mass: {m} kg, slide: x{i}}}\n" for i, m in enumerate(MASSES)) + \

@@ -15,7 +15,7 @@ from vibcli.analyses.time_integration.refined_windows import RefinedWindows
 from vibcli.analyses.time_integration.time_stepping import March
 from vibcli.bench.asked_motions import links
 from vibcli.bench.trajectories import AT_100
-from vibcli.cli import run
+from vibcli.cli.program import run
 
 SWINGING = "motion: full\n" + DOUBLE + "initial: {p: 0.3, r: 0.5}\nfind: [{response: {until: 100 s}}]\n"
 FAR_UP = SWINGING.replace("p: 0.3, r: 0.5", "p: 2.5, r: 2.5").replace("100 s", "25 s")

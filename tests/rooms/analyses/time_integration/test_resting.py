@@ -8,7 +8,7 @@ from support.motions import AT_THE_TOP, RESTING, problem
 
 from vibcli.analyses.time_integration import integrate as simulating
 from vibcli.analyses.time_integration.known_motion import known_motion
-from vibcli.cli import run
+from vibcli.cli.program import run
 
 HANGING = """
 motion: full

@@ -14,7 +14,7 @@ from vibcli.analyses.modal.stability import WORDS, stability
 from vibcli.analyses.transient.high_precision import precise_value
 from vibcli.analyses.transient.linear_response import linear_motion
 from vibcli.base.errors import PhysicsError
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.quantities.expression import measure
 from vibcli.symbolic.parser import parse
 

@@ -6,7 +6,7 @@ import pytest
 from support.scenes import problem
 
 from vibcli.analyses.modal.stability import FALLING, HELD, NEUTRAL, stability
-from vibcli.cli import run
+from vibcli.cli.program import run
 
 SCENE = "parameters: {J: 1 kg*m^2, E: 1 J}\ncoordinates: [x]\nenergies:\n  T: J*x'^2/2\n  V: E*(POTENTIAL)\n"
 RING = """

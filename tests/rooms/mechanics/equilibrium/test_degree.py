@@ -14,7 +14,7 @@ import pytest
 from support.scenes import scene_of_potential, value
 
 from vibcli.base.errors import PhysicsError
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.mechanics.equilibrium import all_equilibria, indices, multistart
 from vibcli.mechanics.equilibrium.completeness import ForceBounds
 from vibcli.mechanics.equilibrium.degree import degree

@@ -15,7 +15,7 @@ from support.scenes import problem, value
 
 from vibcli.analyses.modal.stability import FALLING, HELD, NEUTRAL, STABLE, UNSTABLE, judged, stability
 from vibcli.base.errors import PhysicsError
-from vibcli.cli import run
+from vibcli.cli.program import run
 
 SCALE = 1e-14
 

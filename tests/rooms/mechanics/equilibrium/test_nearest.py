@@ -11,7 +11,7 @@ from math import hypot, pi
 import pytest
 from support.scenes import problem, value
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
 from vibcli.symbolic.evaluation import Floats, evaluate
 

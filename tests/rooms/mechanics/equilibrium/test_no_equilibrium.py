@@ -6,7 +6,7 @@ import pytest
 from support.scenes import problem
 
 from vibcli.base.errors import PhysicsError
-from vibcli.cli import run
+from vibcli.cli.program import run
 
 SCENES = {
     "numbers": "parameters: {m: 1 kg, F: 3 N}\nbodies: {b: {mass: m, slide: x}}\nforces: {P: {at: b, force: F}}\n",

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from support.scenes import scene_of_potential
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.mechanics.equilibrium import all_equilibria
 from vibcli.symbolic.evaluation import evaluate, multiprecision
 from vibcli.symbolic.expression import Table

@@ -10,7 +10,7 @@ from support.motions import problem
 
 import vibcli
 from vibcli.base.errors import Kinked, PhysicsError
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.symbolic.evaluation import multiprecision
 
 BLOCK = """

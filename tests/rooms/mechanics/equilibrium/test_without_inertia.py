@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from support.scenes import problem, value
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 
 POST = """
 points: {A: {body: b, at: [0, L]}}

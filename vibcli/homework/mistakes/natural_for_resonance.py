@@ -1,0 +1,10 @@
+"""The natural frequency for the frequency of the largest amplitude."""
+
+from vibcli.homework.mistakes.mistake import CommonMistake
+
+
+def _wrong(asked):
+    return f"omega[{asked.indices[0]}]" if asked.head == "peak" and asked.component == "Omega" else None
+
+
+MISTAKE = CommonMistake("this is the natural frequency: the largest amplitude comes at another one", formula=_wrong)

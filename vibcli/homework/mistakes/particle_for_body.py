@@ -1,0 +1,13 @@
+"""A body that turns without a moment of inertia of its own."""
+
+from vibcli.homework.mistakes.bodies import is_wheel, massive, without_inertia
+from vibcli.homework.mistakes.mistake import CommonMistake
+
+
+def _changed(problem):
+    for name, body in massive(problem):
+        if "roll" not in body.record and not is_wheel(body):
+            yield name, without_inertia(name)
+
+
+MISTAKE = CommonMistake("its own moment of inertia is forgotten: it is no particle", model=_changed)

@@ -1,6 +1,0 @@
-"""A factor 4 missing under the root."""
-
-from vibcli.mistakes.mistake import FREQUENCIES, RATES, CommonMistake, by_formula
-
-MISTAKE = CommonMistake("half of it: is a factor 4 missing under the root?",
-                  formula=by_formula("{}/2", RATES + FREQUENCIES))

@@ -1,6 +1,0 @@
-"""The arc tangent beyond resonance, half a turn away."""
-
-from vibcli.mistakes.mistake import CommonMistake, by_formula
-
-MISTAKE = CommonMistake("half a turn away: beyond resonance the phase is more than a right angle",
-                  formula=by_formula("{0} - pi*sign({0})", ("phase",)))

@@ -1,5 +1,0 @@
-"""The opposite direction."""
-
-from vibcli.mistakes.mistake import CommonMistake
-
-MISTAKE = CommonMistake("the sign differs: which direction is positive?", reading=lambda value, head, unit: -value)

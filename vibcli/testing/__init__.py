@@ -1,1 +1,0 @@
-"""Answers of scenes as tests of pytest."""
