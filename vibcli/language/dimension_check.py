@@ -41,7 +41,7 @@ def check(spec: "Spec", reader: "Reader", expression: "Expression",
             _primes(spec, reader, expression, name, primes, start, end)
         elif name != "pi":
             told = _misplaced_unit(expression, name, start, names) or _unknown(
-                spec, name, names, expression.scalar in reader.motions)
+                spec, name, names, expression.scalar in reader.motions, local)
             reader.report(expression.scalar.place(start, end - start), *told)
     _ambiguous(spec, reader, expression, local)
     _of_time_alone(spec, reader, expression)
@@ -184,7 +184,7 @@ def _misplaced_unit(expression, name, start, names):
     return f"unknown name '{name}'", f"a unit stands right after its number: write {written}"
 
 
-def _unknown(spec, name, names, moves):
+def _unknown(spec, name, names, moves, local):
     if name == "t":
         return "the time t cannot stand here", "it stands in motions, driven points, forces, energies and constraints"
     if name in spec.named.get("records", ()):
@@ -197,6 +197,8 @@ def _unknown(spec, name, names, moves):
     if power and power.group(1) in units.UNITS:
         return f"unknown name '{name}'", f"a power of a unit is written {power.group(1)}^{power.group(2)}"
     hint = nearest(name, names)
+    if local and not (hint or "").startswith("did"):
+        return f"unknown name '{name}'", f"what it depends on is called {local[0]} here"
     if names is not spec.parameters and (not hint or hint.startswith("valid")):
         hint = "a parameter is declared under `parameters:`, a coordinate " + (
             f"within an expression by `coordinates: [{name}]`" if moves else f"by a motion such as `slide: {name}`")

@@ -18,7 +18,8 @@ def integration(trajectory: "Trajectory") -> Iterator[Section]:
     balance = trajectory.balance
     largest = max(abs(float(x)) for x in (*balance.energy, *balance.work, *balance.dissipated, *balance.driving))
     off = float(balance.error) * largest
-    rows = [("T + V at the start", figure(float(balance.energy[0]))),
+    start = float(balance.energy[0])
+    rows = [("T + V at the start", figure(start if abs(start) > LEAST * largest else 0.0)),
             ("at the end", supported(float(balance.energy[-1]), off))]
     for words, values in (("work of the loads", balance.work), ("dissipated", balance.dissipated),
                           ("work of what drives the motion", balance.driving)):
