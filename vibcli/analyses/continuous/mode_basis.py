@@ -59,11 +59,11 @@ class ModesOnPart(NamedTuple):
         return found
 
     def told_by(self, along: int) -> np.ndarray:
-        """How large end values are in what tells a derivative inside, (modes,)."""
+        """How large end values are together in what tells a derivative inside, (modes,): each rounds by itself."""
         half, length = self.piece.order // 2, self.piece.length
         if along < half:
             return np.zeros(len(self.modes))
-        sizes = (abs(self.ends) * ([1.0] if half == 1 else [1.0, length / 2] * 2)).max(axis=1)
+        sizes = (abs(self.ends) * ([1.0] if half == 1 else [1.0, length / 2] * 2)).sum(axis=1)
         far = (1.0 if half == 1 else 6.0 * (along - 1)) * sizes / length**along
         return far if self.bends is None else np.where(told(self.piece, self.kappa), 0.0, far)
 
