@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.results.response_of_members import ResponseOfMembers
+from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -33,12 +34,28 @@ class WaveResponse(ResponseOfMembers):
 
         if self.problem.spec.get("damping") is not None:
             raise NotByWaves("damping that is given of modes acts on modes, not on travelling waves")
-        if self.spread_forces:
-            raise NotByWaves("loads along members in time are followed by modes")
         numbered = self._numbered_ends
         pieces = [wave_piece(placed, *(end[:2] for end in numbered[2 * k:2 * k + 2]))
                   for k, placed in enumerate(self.placed)]
-        return wave_motion(*self.matrices, pieces, self._forces, *self.deviations, self.fields, self.problem.work)
+        return wave_motion(*self.matrices, pieces, self._forces, *self.deviations, self.fields, self.problem.work,
+                           self._bends if self._lasting else None)
+
+    @cached_property
+    def _lasting(self):
+        """The LastingLoads along members."""
+        from vibcli.results.lasting_loads import lasting_load
+
+        return [lasting_load(force, drive, self._forcing_of({0: force.weight}))
+                for force, drive in zip(self.spread_forces, self.spread_drives, strict=False)]
+
+    def _bent(self, piece):
+        fields = [load.field(piece, self.problem.scene.time) for load in self._lasting]
+        return sum((one for one in fields if one is not None), self.problem.scene.table.zero) if any(
+            one is not None for one in fields) else None
+
+    def _bends(self, place):
+        """What stands still at a FieldPoint."""
+        return sum(load.bends(self.placed[place.piece], place.x, place.along) for load in self._lasting)
 
     @property
     def _numbered_ends(self):
@@ -49,8 +66,19 @@ class WaveResponse(ResponseOfMembers):
     @cached_property
     def _forces(self):
         """The Forcing of all channels."""
-        return self._forcing_of(self.loads | {
+        return self._forcing_of(self._with_lasting(self.loads) | {
             channel: node for _, channel, node in self._numbered_ends if channel is not None})
+
+    def _with_lasting(self, loads):
+        """{i: node of the time}, and what LastingLoads put on the ends of pieces."""
+        table, found = self.problem.scene.table, dict(loads)
+        for load in self._lasting:
+            sizes = [size for placed in self.placed for size in load.on_ends(placed)]
+            for (row, _), size in zip(self.ends_of_pieces, sizes, strict=True):
+                for i, x in row.items():
+                    weight = table.number(fraction_of(size * x))
+                    found[i] = found.get(i, table.zero) + load.force.weight * weight
+        return found
 
     def reach(self, until: float) -> None:
         """Follow the waves up to an instant; NotByWaves where their fronts are too many."""

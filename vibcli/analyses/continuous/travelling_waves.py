@@ -4,7 +4,7 @@ Along a piece u = f(t − x/c) + g(t − (l − x)/c), f leaving its left end an
 follows from what arrives by the motion of the station that the end belongs to.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -18,25 +18,26 @@ from vibcli.base.work import Work
 
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.forcing import Forcing
-    from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.analyses.excitation.linear_output import FieldPoint, LinearOutput
 
 LONG = 8            # times the sum of all delays: how long it may take until waves are swallowed
 
 
 def wave_motion(M: np.ndarray, C: np.ndarray, K: np.ndarray, pieces: Sequence[WavePiece], forcing: "Forcing",
                 q0: np.ndarray, v0: np.ndarray, fields: "Sequence[Forcing | None] | None" = None,
-                work: Work | None = None) -> "WaveMotion":
+                work: Work | None = None, still: "Callable[[FieldPoint], float] | None" = None) -> "WaveMotion":
     """M q̈ + C q̇ + K q + what waves bring = f(t), from q(0) = q0 and q̇(0) = v0.
 
     forcing: its first n channels are the forces on the coordinates; fields: for each piece u(x) and u̇(x) at the start
-    as a Forcing over x with two channels, None where it is at rest, straight between its ends.
+    as a Forcing over x with two channels, None where it is at rest, straight between its ends; still: what stands still
+    at a place within a piece, from which its motion is counted.
     """
     q0, v0, n, work = np.asarray(q0, float), np.asarray(v0, float), len(q0), work or Work()
     shapes = [_straight(piece, q0) if field is None else field
               for piece, field in zip(pieces, fields or [None] * len(pieces), strict=True)]
     stations = [_station(group, (M, C, K), pieces, q0, v0) for group in _groups(n, (M, C, K), pieces)]
     stations += [_held(number, pieces) for number in range(2 * len(pieces)) if not _end(pieces, number)[0]]
-    return WaveMotion(WaveMarch(pieces, stations, shapes, forcing, n, work), forcing, work)
+    return WaveMotion(WaveMarch(pieces, stations, shapes, forcing, n, work), forcing, work, still)
 
 
 def _straight(piece, q0):
@@ -47,22 +48,28 @@ def _straight(piece, q0):
 class WaveMotion:
     """The motion of what waves travel through, read by LinearOutputs; forcing: that whose channels these read."""
 
-    def __init__(self, march: WaveMarch, forcing: "Forcing", work: Work):
-        self.march, self.pieces, self.forcing, self.work = march, march.pieces, forcing, work
+    def __init__(self, march: WaveMarch, forcing: "Forcing", work: Work,
+                 still: "Callable[[FieldPoint], float] | None" = None):
+        self.march, self.pieces, self.forcing, self.work, self._still = march, march.pieces, forcing, work, still
 
     def under(self, forcing: "Forcing") -> "WaveMotion":
         """The same motion, whose outputs read further channels of the loads."""
-        return WaveMotion(self.march, forcing, self.work)
+        return WaveMotion(self.march, forcing, self.work, self._still)
 
     def values(self, output: "LinearOutput", times: np.ndarray, order: int = 0, before: bool = False) -> np.ndarray:
         """The order-th rate of the output at instants; at a front that after it, or before it."""
         times = np.asarray(times, float)
         t = times.ravel()
         self.march.reach(t.max(initial=0.0) * (1 + 2 * SAME) + self._slack)
-        found = np.full(len(t), output.constant if not order else 0.0)
+        found = np.full(len(t), self._constant(output) if not order else 0.0)
         for factor, curve, level, delay in self._terms(output, order):
             found += factor * curve.at(t - delay, level, SAME * np.maximum(t, self._slack), before)
         return (found + self._direct(output, t, order, before)).reshape(times.shape)
+
+    def _constant(self, output):
+        """What does not move of an output."""
+        places = {} if self._still is None else output.places
+        return output.constant + sum(x * self._still(place) for place, x in places.items() if not place.rates)
 
     def _direct(self, output, t, order, before):
         """What loads add of themselves."""
@@ -86,7 +93,7 @@ class WaveMotion:
         """How far the same values may be off by rounding: that of each stretch so far, and of the instant."""
         t = np.asarray(times, float)
         self.march.reach(t.max(initial=0.0))
-        found = np.full(t.shape, EPSILON * abs(output.constant))
+        found = np.full(t.shape, EPSILON * (abs(output.constant) + abs(self._constant(output))))
         for factor, curve, level, delay in self._terms(output, order):
             found += EPSILON * abs(factor) * (curve.rounding(t - delay, level) + 4 * t * curve.scale[min(
                 level + 1, LEVELS - 1)])
