@@ -20,6 +20,7 @@ CALLS = {       # {what is counted: {file, from the package or library on: its f
     "factorisations": {"numpy/linalg/_linalg.py": (
         "cholesky", "eig", "eigh", "eigvals", "eigvalsh", "inv", "lstsq", "qr", "solve", "svd")},
 }
+KERNELS = "Nehalem"         # of OpenBLAS: how often a search looks hangs on last digits, and these on the processor
 IN_A_PROCESS = """
 import contextlib, io, json, sys
 calls, names, found = json.loads(sys.argv[2]), {}, {}
@@ -53,8 +54,9 @@ print(json.dumps(found))
 
 def counters(file: str, planted: str = "") -> dict[str, int]:
     """{what is counted: how often} in checking a scene, with the exit code; planted: what is done before."""
+    same = {"PYTHONHASHSEED": "0", "OPENBLAS_CORETYPE": KERNELS}
     done = subprocess.run([sys.executable, "-c", IN_A_PROCESS, file, json.dumps(CALLS), planted], capture_output=True,
-                          text=True, check=True, env={**os.environ, "PYTHONHASHSEED": "0"})
+                          text=True, check=True, env=os.environ | same)
     return json.loads(done.stdout)
 
 
