@@ -11,7 +11,7 @@ import numpy as np
 
 from vibcli.analyses.time_integration.driven_places import driven_places
 from vibcli.analyses.time_integration.impulses import blow
-from vibcli.symbolic.numeric_code import Compiled
+from vibcli.symbolic.compiled_arrays import Compiled
 
 if TYPE_CHECKING:
     from vibcli.analyses.time_integration.forcing_breaks import Breaks

@@ -12,7 +12,7 @@ from vibcli.base.errors import Unknown
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.equilibrium.redundant_friction import Redundancy
 from vibcli.numerics.collocation_rule import rule
-from vibcli.symbolic.numeric_code import Compiled
+from vibcli.symbolic.compiled_arrays import Compiled
 
 if TYPE_CHECKING:
     from vibcli.analyses.time_integration.forcing_breaks import Breaks

@@ -16,7 +16,7 @@ from vibcli.analyses.time_integration.prepared_motion import PreparedMotion
 from vibcli.analyses.time_integration.rounded_data import ChangeOfData, changed
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.numeric_equations import NumericEquations
-from vibcli.symbolic import numeric_code
+from vibcli.symbolic import compiled_arrays
 
 # tests/support/motions.double_pendulum, started at (0.3, 0.5, 0, 0)
 DOUBLE_AT = {10: [0.06119017075929614, 0.0954503879536078, 0.9151202995981838, 0.8611561862026417],
@@ -315,8 +315,8 @@ def test_forces_that_end_somewhere_give_numbers_or_a_refusal(law):
 
 def test_generated_source_holds_no_name_of_the_file(monkeypatch):
     sources = []
-    build = numeric_code.function
-    monkeypatch.setattr(numeric_code, "function", lambda *args: sources.append(repr(args[:3])) or build(*args))
+    build = compiled_arrays.code
+    monkeypatch.setattr(compiled_arrays, "code", lambda *args: sources.append(repr(args)) or build(*args))
     scene = problem(PENDULUM.replace("phi", "exec").replace("m:", "eval:").replace("mass: m", "mass: eval"))
     simulate(scene.configuration, 0.1, initial={"exec": 1})
     assert sources and not any(name in source for source in sources for name in ("exec", "eval", "bob"))
