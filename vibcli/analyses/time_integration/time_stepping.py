@@ -10,7 +10,8 @@ from vibcli.analyses.time_integration.driven_places import Driven
 from vibcli.analyses.time_integration.error_scales import EPSILON, Sizes
 from vibcli.analyses.time_integration.fast_oscillation import fast_part
 from vibcli.analyses.time_integration.march_ends import singular, undefined
-from vibcli.base.work import Spent, Task
+from vibcli.analyses.time_integration.pace import Pace
+from vibcli.base.work import Task
 from vibcli.numerics.collocation_rule import rule
 from vibcli.symbolic.numeric_code import rooted
 
@@ -24,8 +25,6 @@ MORE = 3                    # iterations of a window of the second solution: wha
 TAIL = 3                    # coefficients which must be small
 LOOKS = 4                   # at the last iterations of a window, taken to be as many as before
 RADIANS = 5.0               # of the fastest oscillation in the first window
-PACE, HOPELESS = 2_000, 10   # steps after which the pace is looked at; how far beyond the limit is hopeless
-LONG = 0.05                 # of the limit: so much work a fast oscillation is not worth that moves next to nothing
 SHORTEST = 1e-13            # of the time gone
 SOON, TINY = 1e-10, 1e-300
 MOST_UNKNOWNS = 1200        # of Newton's method
@@ -51,13 +50,13 @@ class March:
 
     def __init__(self, system: "NumericEquations", switching: "Switching", q: np.ndarray, v: np.ndarray, rtol: float,
                  until: float, task: Task, points: tuple[int, int] = FIRST):
-        self.system, self.switching, self.rtol, self.until, self.task = system, switching, rtol, until, task
+        self.system, self.switching, self.rtol, self.until = system, switching, rtol, until
         self.t, self.q, self.v, self.g, self.slides = 0.0, q, v, None, ()
         self.points, self.more = points, MORE * (points is SECOND)
         self.rule, self.windows, self.ends, self.struck = rule(points[0]), [], [], []
-        self.stiff, self.held, self.calm, self.tries, self.unseen = False, 0, CALM, 0, 0
-        self.sizes, self.guess, self.H, self.paced = Sizes(q), None, None, 0.0
-        self.slow, self.fast, self.factored, self.settling, self.coarse = False, None, (None, None), 0, False
+        self.stiff, self.held, self.calm, self.unseen, self.pace = False, 0, CALM, 0, Pace(until, task)
+        self.sizes, self.guess, self.H = Sizes(q), None, None
+        self.fast, self.factored, self.settling, self.coarse = None, (None, None), 0, False
         self.rooted, self.driven, self.begun = rooted(system.parts.nodes()), Driven(system), None
 
     def begin(self, limit: float, zero: Any = ()) -> None:
@@ -93,7 +92,7 @@ class March:
         guess = np.repeat(a, self.rule.points, 1) if begins else self.guess
         tails = []
         while True:
-            self.count()
+            self.pace.step(self.t, self.stiff)
             done, tail, used = self._attempt(H, guess, self._ahead(H, a[:, 0]) if begins else a[:, 0])
             if done is not None:
                 if tail <= 1:
@@ -114,7 +113,7 @@ class March:
         window = Window(self.rule, self.t, H, self.q, self.v, done.A, self.g, self.slides)
         self.settling -= 1
         self._steer(H, done.iterations, used, wanted > H, bool(tails))
-        if self.slow and not self.stiff:
+        if self.pace.slow and not self.stiff:
             self._step_over(window, a[:, 0])
         return window
 
@@ -152,17 +151,6 @@ class March:
         largest = np.abs(A).max(axis=1)
         return np.where(np.isfinite(largest), np.maximum(largest, np.abs(a)), np.abs(a))
 
-    def count(self) -> None:
-        """Stop a motion which takes too many windows, or would at the pace of the last ones."""
-        self.task.step(self.t / self.until)
-        self.tries += 1
-        if self.tries % PACE == 0:
-            before, self.paced = self.paced, self.t
-            needed = PACE * (self.until - self.t) / (self.t - before) if self.t > before else np.inf
-            self.slow = needed > LONG * self.task.limit
-            if needed > HOPELESS * self.task.limit and (self.stiff or self.tries > PACE):
-                raise Spent(self.task)
-
     def _attempt(self, H, guess, a):
         """(the Attempt, None where it failed; its tail relative to what is allowed; the part of the coefficients that
         is used)."""
@@ -186,7 +174,7 @@ class March:
 
     def _step_over(self, window, a):
         """Leave a fast oscillation alone that is too small to be worth the work."""
-        self.slow = False
+        self.pace.forget()
         self.fast = fast_part(window, self.sizes, self.sizes.scale(window.length, window.v, a))
         if self.fast is not None:
             self._stiffen()
@@ -291,7 +279,7 @@ class March:
         """Keep windows that were found by themselves, and move to their ends, the states there; coarse: as coarse as
         is asked."""
         for window, (self.q, self.v) in zip(windows, ends, strict=True):
-            self.count()
+            self.pace.step(self.t, self.stiff)
             self.t = window.start + window.length
             self._keep(window)
         self.coarse, self.guess = self.coarse or coarse, None
