@@ -108,6 +108,16 @@ class Attempt(NamedTuple):
     inverse: np.ndarray | None = None
 
 
+def expected(radians: float, left: float, most: int) -> int:
+    """How many of Picard's iterations a window of a swing takes that begins with what holds at its start: until
+    (ωH)²ᵏ/(2k)! is no more than may be left."""
+    count, part = 0, 1.0
+    while part > left and count < most:
+        count += 1
+        part *= radians**2 / (2 * count * (2 * count - 1))
+    return count
+
+
 def iterated(force: Callable, rule: "Rule", H: float, q: np.ndarray, v: np.ndarray, guess: np.ndarray,
              allowed: np.ndarray, unseen: int = 0, more: int = 0) -> Attempt:
     """Picard's iteration. force(Q, V) gives q̈ at the points; allowed: the error of each coordinate, (n, 1); unseen: how

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vibcli.analyses.time_integration.collocation_step import Window, iterated, newton
+from vibcli.analyses.time_integration.collocation_step import Window, expected, iterated, newton
 from vibcli.analyses.time_integration.driven_places import Driven
 from vibcli.analyses.time_integration.error_scales import EPSILON, Sizes
 from vibcli.analyses.time_integration.fast_oscillation import fast_part
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 FIRST, SECOND = (40, 24), (32, 18)      # points (of Gauss, of Radau) of the first solution and of the second
 MORE = 3                    # iterations of a window of the second solution: what one leaves would else be left of both
 TAIL = 3                    # coefficients which must be small
-LOOKS = 4                   # at the last iterations of a window, taken to be as many as before
+LOOKS, LEFT = 4, 1e-2       # at the last iterations of a window, taken to be as many as before; of an error of a step
 RADIANS = 5.0               # of the fastest oscillation in the first window
 SHORTEST = 1e-13            # of the time gone
 SOON, TINY = 1e-10, 1e-300
@@ -89,7 +89,11 @@ class March:
         wanted = min(self.H, left if left <= self.H or left >= 2 * self.H else 0.5 * left)
         H = self.driven.resolved(self.t, wanted, self.rule)
         begins = self.guess is None
-        guess = np.repeat(a, self.rule.points, 1) if begins else self.guess
+        if begins:
+            guess = np.repeat(a, self.rule.points, 1)
+            self.unseen = max(expected(H / self.sizes.radian, LEFT * self.rtol, STRAINED) - LOOKS, 0)
+        else:
+            guess = self.guess
         tails = []
         while True:
             self.pace.step(self.t, self.stiff)
@@ -155,7 +159,7 @@ class March:
         """(the Attempt, None where it failed; its tail relative to what is allowed; the part of the coefficients that
         is used)."""
         scale = self.sizes.scale(H, self.v, a)[:, None]
-        solve, part, known = (newton, 1e-4, self._factored(H)) if self.stiff else (iterated, 1e-2, self.unseen)
+        solve, part, known = (newton, 1e-4, self._factored(H)) if self.stiff else (iterated, LEFT, self.unseen)
         done = solve(self.force(self.t + H * self.rule.c), self.rule, H, self.q, self.v, guess,
                      (part * self.rtol * scale if self.fast is None else 1e-2 * self.allowed(H, scale))
                      + 0.5 * EPSILON * np.abs(self.q)[:, None], known, self.more)  # type: ignore[arg-type]
