@@ -83,7 +83,7 @@ def jacobian(accelerations: Callable, t: float, q: np.ndarray, v: np.ndarray) ->
     """(q̈, [∂q̈/∂q, ∂q̈/∂q̇]) by differences."""
     n = len(q)
     size = np.abs([q, v])
-    largest = size.max(axis=1, keepdims=True)
+    largest = size.max(axis=1, keepdims=True, initial=0.0)
     step = STEP * np.where(size > 0, size, np.where(largest > 0, largest, 1e-3)).ravel()
     moved = np.repeat(np.concatenate([q, v])[:, None], 2 * n + 1, 1)
     moved[range(2 * n), range(1, 2 * n + 1)] += step

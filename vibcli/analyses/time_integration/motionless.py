@@ -27,6 +27,8 @@ def starts_at_rest(initial: Mapping[str, float] | None) -> bool:
 
 def stay(march: "March", stops: "Breaks", in_equilibrium: bool) -> None:
     """Let the march stay where it is as long as nothing acts: in its equilibrium, or where friction holds it."""
+    if not in_equilibrium and not march.switching.count and len(march.q):
+        return
     moving = _of_time(march.system)
     while march.t < march.until and blow(march, stops) is None:
         limit = stops.after(march.t, march.until)
