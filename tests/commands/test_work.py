@@ -10,7 +10,7 @@ from support.scenes import problem
 from vibcli.analyses.closed_form import characteristic, many_degrees
 from vibcli.analyses.excitation import forcing
 from vibcli.analyses.modal import modal_analysis as modes
-from vibcli.analyses.time_integration import integrate, time_stepping
+from vibcli.analyses.time_integration import integrate, pace
 from vibcli.analyses.transient import extremes, isolating_intervals, pieces, zeros
 from vibcli.base.errors import PhysicsError
 from vibcli.base.work import Spent, Work
@@ -95,7 +95,7 @@ def test_a_motion_far_beyond_the_limit_is_given_up_early(times, early, monkeypat
     whole = problem(MOTION)
     per_second = len(integrate.simulate(whole.configuration, 20.0, initial=whole.initial.given).windows) / 20
     monkeypatch.setattr(integrate, "MOST_STEPS", 400)
-    monkeypatch.setattr(time_stepping, "PACE", 20)
+    monkeypatch.setattr(pace, "STEPS", 20)
     found = integrate.simulate(whole.configuration, times * 400 / per_second, initial=whole.initial.given)
     windows = len(found.windows)
     assert windows <= 60 if early else 300 <= windows <= 400

@@ -14,20 +14,26 @@ from vibcli.bench.trajectories import AT_100, DOUBLE, measured, problem_of_text,
 
 ASKED = ((None, 1e-12), (1e-6, 1e-10), (1e-4, 1e-8))     # and the tolerance of LSODA whose error is next to it
 STEPS = ((1e-12, 1e-12), (1e-10, 1e-10), (1e-8, 1e-8))
+ALIKE = {1e-4: (1e-13, 1.2), 1e-8: (1e-12, 1.0)}     # the last ones: of LSODA with an error above theirs; the gate
 LINKS, UNTIL = 10, 20.0
 
 
 def rows(runs: Any) -> list[Timing]:
-    """Errors and times as rows; a row asks of the error of the motion that it is what was asked at most."""
+    """Errors and times as rows; a row asks of the error of the motion that it is what was asked at most, the last of
+    each motion of its time beside LSODA where that has no more digits."""
     found, result = json.loads(answer("from vibcli.bench.asked_motions import main; main()", runs)), []
-    for case, gate, ours, lsoda in found:
+    for case, gate, ours, lsoda, alike, budget in found:
         result.append(Timing(case, ours[0], "", gate, "scipy odeint: error", lsoda[0], absolute=True))
         result.append(Timing("  time", ours[1], "ms", None, "scipy odeint", lsoda[1]))
+        if alike:
+            result.append(Timing("  beside as many digits: error", ours[0], "", None, "scipy odeint: error", alike[0]))
+            result.append(Timing("  time", ours[1], "ms", budget, "scipy odeint", alike[1]))
     return result
 
 
 def main() -> None:
-    """Child process: print [[case, what is asked, [error, ms], [error, ms] of LSODA]]."""
+    """Child process: print [[case, what is asked, [error, ms], [error, ms] of LSODA, the same of LSODA with an error
+    above ours or None, the gate of our time beside that]]."""
     import sys
 
     runs = min(int(sys.argv[1]), 5)
@@ -42,17 +48,25 @@ def _double(runs):
     from vibcli.analyses.time_integration.known_motion import known_motion
 
     scene = problem_of_text(DOUBLE).configuration
+
+    def ours(asked):
+        q, v, _ = known_motion(scene, 100.0, {"p": 0.3, "r": 0.5}, asked).at([100.0])
+        return np.concatenate([q[:, 0], v[:, 0]])
+
+    def theirs(tolerance):
+        return odeint(lambda y, t: rates_of_double(y), [0.3, 0.5, 0.0, 0.0], [0.0, 100.0], rtol=tolerance,
+                      atol=tolerance, mxstep=10**6)[-1]
+
     for asked, tolerance in ASKED:
-        def ours(asked=asked):
-            q, v, _ = known_motion(scene, 100.0, {"p": 0.3, "r": 0.5}, asked).at([100.0])
-            return np.concatenate([q[:, 0], v[:, 0]])
-
-        def theirs(tolerance=tolerance):
-            return odeint(lambda y, t: rates_of_double(y), [0.3, 0.5, 0.0, 0.0], [0.0, 100.0], rtol=tolerance,
-                          atol=tolerance, mxstep=10**6)[-1]
-
         yield [f"double pendulum, 100 s, {asked or 1e-9:g} asked, with its estimate", asked or 1e-9,
-               measured(ours, AT_100, runs), measured(theirs, AT_100, runs)]
+               *_beside(ours, theirs, asked, tolerance, AT_100, runs)]
+
+
+def _beside(ours, theirs, asked, tolerance, exact, runs):
+    """([error, ms], of LSODA, of LSODA with an error above ours, the gate)."""
+    finer, gate = ALIKE.get(asked, (None, None))
+    return [measured(lambda: ours(asked), exact, runs), measured(lambda: theirs(tolerance), exact, runs),
+            finer and measured(lambda: theirs(finer), exact, runs), gate]
 
 
 def _links(runs):
@@ -75,8 +89,7 @@ def _links(runs):
 
     exact = ours(1e-13)
     for rtol, tolerance in STEPS:
-        yield [f"ten links, 20 s, steps of {rtol:g}", 1e3 * rtol, measured(lambda rtol=rtol: ours(rtol), exact, runs),
-               measured(lambda tolerance=tolerance: theirs(tolerance), exact, runs)]
+        yield [f"ten links, 20 s, steps of {rtol:g}", 1e3 * rtol, *_beside(ours, theirs, rtol, tolerance, exact, runs)]
 
 
 def links(count: int) -> str:

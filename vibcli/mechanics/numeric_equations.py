@@ -14,9 +14,9 @@ import numpy as np
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.equations_of_motion import drift, dynamics
+from vibcli.symbolic.compiled_arrays import Compiled
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.numeric_code import Compiled
 
 if TYPE_CHECKING:
     from vibcli.mechanics.equations_of_motion import Dynamics
@@ -32,18 +32,19 @@ class NumericEquations:
 
     switches: the arguments whose signs stay as they are while the motion is smooth, in the order of their senses g.
     changed: what each constant of the equations is written as instead, None: itself; like: those of the same scene with
-    other constants, whose expressions these are too.
+    other constants, whose expressions these are too, compiled once for all of them.
     """
 
     parts: "Dynamics"
     solution: "list[Node]"
+    _named: dict
 
     def __init__(self, scene: "Scene", floats: Mapping[str, float], redundant: Sequence[Any] = (),
                  changed: Callable[[float], float] | None = None, like: "NumericEquations | None" = None):
         self.scene, self.floats, self.redundant, self.changed = scene, floats, redundant, changed
         parts = self.parts = dynamics(scene, redundant) if like is None else like.parts
         self.n, self.m = len(scene.q), len(parts.gaps)
-        self._slots = {}
+        self._slots, self._named = {}, {} if like is None else like._named
         self.still = self.m == 0 and all(not node.mask for node in parts.M.values())
         self.direct = self.m == 0 and self.n <= DIRECT
         for i, name in enumerate(scene.coordinates):
@@ -66,7 +67,14 @@ class NumericEquations:
 
     def compiled(self, nodes: "Sequence[Node]"):
         """The nodes as a function of arrays; its switches are added to those of the system."""
-        return Compiled(self.scene, self.floats, self._slots, nodes, self.changed)
+        if self.changed is None:
+            return Compiled(self.scene, self.floats, self._slots, nodes)
+        key = tuple(nodes), tuple(self._slots)
+        if key not in self._named:      # the first of those with other constants
+            self._named[key] = Compiled(self.scene, self.floats, dict(self._slots), nodes, named=True)
+        named = self._named[key]
+        self._slots.update(named.switches or {})
+        return named.of_data(self.floats, self.changed)
 
     @property
     def switches(self):

@@ -71,8 +71,10 @@ class Switching:
 
     def _along(self, which, terms, a):
         """ġ of the switches for accelerations."""
-        return np.array([_summed(self._rates[k][0], of, a) for k, of in zip(which, terms, strict=True)]).reshape(
-            len(which), a.shape[1])
+        found = np.zeros((len(which), a.shape[1]))
+        for row, k, of in zip(found, which, terms, strict=True):
+            _add(row, self._rates[k][0], of, a)
+        return found
 
     def sizes(self, t: float, q: np.ndarray, v: np.ndarray, g: Sequence[float] | np.ndarray):
         """What each argument is made of: Σ |∂g/∂x|·|x| at one instant."""
@@ -85,16 +87,17 @@ class Switching:
                 c: Sequence[np.ndarray] | None = None) -> tuple[np.ndarray, np.ndarray]:
         """(q̈, σ of the switches that slide) at instants: σ of shape (len(which), instants)."""
         accelerations = self.system.accelerations
-        g = [np.zeros(q.shape[1]) if k in which else sense for k, sense in enumerate(g)]
+        g = [0.0 if k in which else sense for k, sense in enumerate(g)]
         a0 = accelerations(t, q, v, g, c)
         turned = []
         for k in which:
-            g[k] = np.ones(q.shape[1])
+            g[k] = 1.0
             turned.append(accelerations(t, q, v, g, c) - a0)
-            g[k] = np.zeros(q.shape[1])
+            g[k] = 0.0
         terms = self._terms(which, t, q, v, g)
         held = self._along(which, terms, a0)
-        slope = np.array([self._along(which, terms, a0 + turn) - held for turn in turned]).transpose(2, 1, 0)
+        rates = [(0.0, *slopes) for _, *slopes in terms]
+        slope = np.array([self._along(which, rates, turn) for turn in turned]).transpose(2, 1, 0)
         sigma = _balancing(slope, -held.T).T
         return a0 + sum(turn * s for turn, s in zip(turned, sigma, strict=True)), sigma
 
@@ -164,13 +167,12 @@ class Switching:
 
     def _opposed(self, fast, t, q, v, g):
         """The switches whose σ drives their own argument back."""
-        found = []
+        found, state = [], (np.repeat(t, 2), np.repeat(q, 2, axis=1), np.repeat(v, 2, axis=1))
         for k in fast:
-            up, down = g.copy(), g.copy()
-            up[k], down[k] = 1.0, -1.0
-            rates = [self.rates([k], t, q, v, self.system.accelerations(t, q, v, side), side)[0, 0]
-                     for side in (up, down)]
-            if rates[0] < rates[1]:
+            sides = list(g)
+            sides[k] = np.array([1.0, -1.0])
+            up, down = self.rates([k], *state, self.system.accelerations(*state, sides), sides)[0]
+            if up < down:
                 found.append(k)
         return found
 
@@ -197,15 +199,16 @@ def _balancing(slope, wanted):
 
 
 def _rate(places, compiled, t, q, v, a, g):
-    return _summed(places, compiled(t, q, v, g), a)
+    found = np.zeros(a.shape[1])
+    _add(found, places, compiled(t, q, v, g), a)
+    return found
 
 
-def _summed(places, terms, a):
+def _add(total, places, terms, a):
     drift, *slopes = terms
-    total = np.zeros(a.shape[1]) + drift
+    total += drift
     for i, slope in zip(places, slopes, strict=True):
-        total = total + slope * a[i]
-    return total
+        total += slope * a[i]
 
 
 def _slopes(scene, node):

@@ -14,7 +14,7 @@ from numpy.polynomial import legendre
 NODES = 400
 NOTHING = 1e-15         # of the largest coefficient
 EDGE = 1e-6             # how far beyond the ends a root may be, by rounding
-ROUNDS = 4              # of Newton's method
+ROUNDS, NEAR = 4, 1e-10     # of Newton's method; a step whose square is nothing, wherever signs tell of the root
 
 
 def overshoot(count: int) -> float:
@@ -23,53 +23,95 @@ def overshoot(count: int) -> float:
 
 
 def sampled(series: np.ndarray) -> np.ndarray:
-    """The values of Legendre series, rows of coefficients, at the roots of a Chebyshev polynomial, ascending."""
-    return series @ _basis(series.shape[1])[:, 1:-1]
+    """The values of Legendre series, rows of coefficients, at the ends and the roots of a Chebyshev polynomial between
+    them, ascending: the ends of cells."""
+    return series @ _basis(series.shape[1])
+
+
+def slopes(series: np.ndarray) -> np.ndarray:
+    """The rows of coefficients of the slopes of Legendre series, as many."""
+    return series @ _derivative(series.shape[1])
+
+
+def coming_to(level: float, series: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """In which cells may a series, of these values at their ends, have a maximum that comes to a level? Of shape (rows,
+    cells). About a maximum s is within max |s″| δ²/2 of it, δ being no more than half a cell to the nearer end."""
+    bends = _most(sampled(slopes(slopes(series))), series.shape[1])
+    return np.maximum(values[:, 1:], values[:, :-1]) >= level - bends[:, None] * (_gaps() ** 2 / 8)
 
 
 def roots(series: np.ndarray) -> list[np.ndarray]:
     """The real roots in [−1, 1] of each row of Legendre coefficients, ascending; none of what vanishes."""
+    rows, places = numbered_roots(series)
+    return np.split(places, np.searchsorted(rows, np.arange(1, len(series)))) if len(series) else []
+
+
+def numbered_roots(series: np.ndarray, cells: np.ndarray | None = None) -> tuple[np.ndarray, np.ndarray]:
+    """(the row of each root, these roots), ascending; cells: where roots are sought, of shape (rows, cells); elsewhere
+    some may be found."""
     sizes = np.abs(series)
     series = np.where(sizes > NOTHING * sizes.max(axis=1, keepdims=True, initial=0.0), series, 0.0)
     sizes = np.abs(series)
     rows = np.flatnonzero(sizes[:, 1:].any(axis=1) & (sizes[:, 1:].sum(axis=1) >= sizes[:, 0]))
-    found = [np.zeros(0) for _ in series]
-    for row, places in zip(rows, _found(series[rows]) if len(rows) else (), strict=True):
-        found[row] = places
-    return found
+    if not len(rows):
+        return rows, np.zeros(0)
+    row, places = _found(series[rows], None if cells is None else cells[rows])
+    return rows[row], places
 
 
-def _found(series):
+def _found(series, sought):
     """The same of rows that may have roots."""
-    count, x = series.shape[1], _places()
-    slopes = series @ _derivative(count)
-    values, rates, bends = (rows @ _basis(count) for rows in (series, slopes, slopes @ _derivative(count)))
-    small = [_least(rows) <= np.diff(x) * overshoot(count) * np.abs(more).max(axis=1, keepdims=True)
-             for rows, more in ((values, rates), (rates, bends))]
-    unclear = (small[0] & small[1]).any(axis=1)
-    row, cell = np.nonzero(((values[:, :-1] < 0) != (values[:, 1:] < 0)) & ~unclear[:, None])
-    part = values[row, cell] / (values[row, cell] - values[row, cell + 1])
-    places = _polished(series[row], slopes[row], x[cell] + part * (x[cell + 1] - x[cell]))
+    count, of_slopes = series.shape[1], slopes(series)
+    values, rates, bends = map(sampled, (series, of_slopes, slopes(of_slopes)))
+    near = _most(rates, count)[:, None] * _gaps()
+    row, cell = np.nonzero(_least(values[:, 1:], values[:, :-1]) <= near if sought is None else sought)
+    ends = [(both[row, cell], both[row, cell + 1]) for both in (values, rates, bends)]
+    unclear, bent = np.zeros(len(series), dtype=bool), _most(bends, count)[row] * _gaps()[cell]
+    unclear[row[(_least(*ends[0]) <= near[row, cell]) & (_least(*ends[1]) <= bent)]] = True
+    passed = ((ends[0][0] < 0) != (ends[0][1] < 0)) & ~unclear[row]
+    row, cell, ends = row[passed], cell[passed], [(one[passed], other[passed]) for one, other in ends]
+    places = _polished(series[row], of_slopes[row], _places()[cell] + _about(*ends, _gaps()[cell]))
+    for k in np.flatnonzero(unclear):
+        more = _of_companion(series[k])
+        row, places = np.concatenate([row, np.full(len(more), k)]), np.concatenate([places, more])
     touched = np.abs(values[:, [0, -1]]) <= EDGE * np.abs(rates[:, [0, -1]])
-    for k, one in enumerate(series):
-        inside = np.sort(places[row == k]) if not unclear[k] else _of_companion(one)
-        first, last = (touched[k] & [not (inside < EDGE - 1).any(), not (inside > 1 - EDGE).any()]).tolist()
-        yield np.concatenate([[-1.0][:first], inside, [1.0][:last]])
+    touched[row[places < EDGE - 1], 0] = touched[row[places > 1 - EDGE], 1] = False
+    more, end = np.nonzero(touched)
+    row, places = np.concatenate([row, more]), np.concatenate([places, 2.0 * end - 1.0])
+    order = np.lexsort((places, row))
+    return row[order], places[order]
 
 
-def _least(rows):
-    """The smaller |value| of both ends of each cell."""
-    rows = np.abs(rows)
-    return np.minimum(rows[:, 1:], rows[:, :-1])
+def _about(values, rates, bends, gap):
+    """How far after the start of a cell a root is in it: by the polynomial of degree 5 of the inverse, whose slope is
+    1/s′ and whose bend −s″/s′³ at both ends; by a line where that leaves the cell."""
+    s, change = values[0] / (values[0] - values[1]), values[1] - values[0]
+    slope, bend = [change / rate for rate in rates], [-change**2 * b / r**3 for b, r in zip(bends, rates, strict=True)]
+    left = 1 - s
+    found = s**3 * (gap * (10 - 15 * s + 6 * s * s) - left * (slope[1] * (4 - 3 * s) - bend[1] * left / 2)) + (
+        s * left**3 * (slope[0] * (1 + 3 * s) + bend[0] * s / 2))
+    return np.where((found >= 0) & (found <= gap), found, s * gap)
 
 
-def _polished(series, slopes, x):
-    """Roots by Newton's method, each of its own row."""
+def _least(one, other):
+    """The smaller |value| of both ends of cells."""
+    return np.minimum(np.abs(one), np.abs(other))
+
+
+def _most(values, count):
+    """The largest |value| that series of so many terms have between their samples at most."""
+    return overshoot(count) * np.abs(values).max(axis=1)
+
+
+def _polished(series, of_slopes, x):
+    """Roots by Newton's method, each of its own row, until steps are so small that the next would be none."""
     for _ in range(ROUNDS):
         P = legendre.legvander(x, series.shape[1] - 1)
-        bottom = np.einsum("ij,ij->i", P, slopes)
+        bottom = np.einsum("ij,ij->i", P, of_slopes)
         step = np.einsum("ij,ij->i", P, series) / np.where(bottom == 0, np.inf, bottom)
         x = np.clip(x - np.clip(step, -1.0 / NODES, 1.0 / NODES), -1.0, 1.0)
+        if np.abs(step).max(initial=0.0) <= NEAR:
+            break
     return x
 
 
@@ -91,6 +133,12 @@ def _of_companion(series):
 def _places():
     """The ends, and the roots of a Chebyshev polynomial between them."""
     return np.concatenate([[-1.0], -np.cos(np.pi * (np.arange(NODES) + 0.5) / NODES), [1.0]])
+
+
+@cache
+def _gaps():
+    """The lengths of the cells between them."""
+    return np.diff(_places())
 
 
 @cache

@@ -13,8 +13,8 @@ from vibcli.analyses.nonlinear.harmonics import AmplitudeOfCombination, Amplitud
 from vibcli.analyses.nonlinear.small_amplitudes_of_modes import kappa_of_mode, near_resonance
 from vibcli.base.errors import PhysicsError
 from vibcli.results.motion_signals import amplitude_told, node_of, require_positive
+from vibcli.symbolic.compiled_arrays import Compiled
 from vibcli.symbolic.derivatives import gradient
-from vibcli.symbolic.numeric_code import Compiled
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem

@@ -14,8 +14,8 @@ from vibcli.analyses.nonlinear.period import periods_of
 from vibcli.analyses.nonlinear.well import Well
 from vibcli.base.errors import Kinked, NotInLetters, PhysicsError
 from vibcli.results.motion_signals import amplitude_told, node_of, require_families, require_positive
+from vibcli.symbolic.compiled_arrays import Compiled
 from vibcli.symbolic.evaluation import multiprecision
-from vibcli.symbolic.numeric_code import Compiled
 
 if TYPE_CHECKING:
     from vibcli.results.families_of_modes import FamiliesOfModes

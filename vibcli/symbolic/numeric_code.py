@@ -1,7 +1,6 @@
 """Expressions compiled to Python source with their shared parts computed once, for floats and NumPy arrays alike.
 
-The source is made of our own slot names and the repr of floats alone: no name and no text of a file gets into it. Parts
-that depend on the time alone are a function of their own, so that an iteration at fixed instants computes them once.
+The source is made of our own slot names and the repr of floats alone: no name and no text of a file gets into it.
 What bends or jumps with the motion is smooth while its switches σ stay as they are:
 
     sign u = σ      |u| = σ u      min(a, b) = (a + b − σ (a − b))/2      max(a, b) = (a + b + σ (a − b))/2
@@ -9,17 +8,14 @@ What bends or jumps with the motion is smooth while its switches σ stay as they
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import PhysicsError
-from vibcli.symbolic.discontinuous_functions import PULSES
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import HALF
 
 if TYPE_CHECKING:
-    import numpy as np
-
     from vibcli.symbolic.node import Node
 
 NUMPY = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2", "min": "minimum", "max": "maximum"}
@@ -33,13 +29,13 @@ class Source:
     """Lines of assignments to slots that compute expressions, given {symbol: slot} and the values of parameters.
     switches: {argument: slot} of the sign of each argument, to which unknown ones are added; None: |u|, sign u, min,
     max and pulses are what they are. called: {name: (slot, function)} of the records and defined functions. constants:
-    {node: value} of what is known already. changed: what each constant is written as instead, None: itself."""
+    {node: value} of what is known already. named: constants are written as slots, which have other values with other
+    data."""
 
     def __init__(self, slots: "Mapping[Node, str]", floats: Mapping[str, float], switches: "dict[Node, str] | None",
-                 constants: "Mapping[Node, float] | Sequence[Any]" = (),
-                 changed: Callable[[float], float] | None = None):
-        self.slots, self.floats, self.switches, self.changed = dict(slots), floats, switches, changed
-        self.lines, self.constants, self.called = [], dict(constants), {}
+                 constants: "Mapping[Node, float] | Sequence[Any]" = (), named: bool = False):
+        self.slots, self.floats, self.switches, self.named = dict(slots), floats, switches, named
+        self.lines, self.constants, self.called, self._data = [], dict(constants), {}, {}
 
     def add(self, nodes: Any) -> list[str]:
         """Write what computes the nodes; their slots or constants are returned as texts."""
@@ -54,23 +50,38 @@ class Source:
         return [self.text(node) for node in nodes]
 
     def text(self, node: Any) -> str:
-        return self.slots[node] if node.mask else number(self._written(self.constants[node]))
+        return self.slots[node] if node.mask else self._constant(lambda constants: constants[node])
 
-    def _written(self, value):
-        """A constant as it is written."""
-        if self.changed is None:
-            return value
-        return self.changed(value if isinstance(value, float) else Floats.number(value))
+    def values(self, floats: Mapping[str, float], changed: Callable[[float], float]) -> dict[str, float]:
+        """{slot: value} of the constants that have one, for these values of parameters, each changed."""
+        constants = dict(zip(self.constants, evaluate(list(self.constants), Floats, floats), strict=True))
+        return {slot: changed(_float(of(constants))) for slot, of in self._data.items()}
+
+    def _constant(self, of):
+        """A constant, as it follows from others, as source."""
+        if not self.named:
+            return number(of(self.constants))
+        slot = f"k{len(self._data)}"
+        self._data[slot] = of
+        return slot
+
+    def _term(self, of, factors=""):
+        """The same times factors, with its sign."""
+        if not self.named:
+            return _signed(of(self.constants), factors)
+        return f"+{self._constant(of)}" + (f"*{factors}" if factors else "")
 
     def _symbol(self, node):
         raise KeyError(node.name)
 
     def _sum(self, node):
-        total = node.coefficient + sum(c * self.constants[part] for part, c in node.args if not part.mask)
-        terms = [_signed(self._written(c), self.slots[part]) for part, c in node.args if part.mask]
+        def total(constants):
+            return node.coefficient + sum(c * constants[part] for part, c in node.args if not part.mask)
+
+        terms = [self._term(lambda _, c=c: c, self.slots[part]) for part, c in node.args if part.mask]
         terms.sort(key=lambda term: term[0] == "-")
-        if total:
-            terms.append(_signed(self._written(total)))
+        if self.named or total(self.constants):
+            terms.append(self._term(total))
         while len(terms) > LONGEST:
             slot = f"y{len(self.lines)}"
             self.lines.append(f"{slot}=" + "".join(terms[:LONGEST]).removeprefix("+"))
@@ -78,19 +89,23 @@ class Source:
         return "".join(terms).removeprefix("+")
 
     def _product(self, node):
-        factor, above, below = Floats.number(node.coefficient), [], []
+        def factor(constants):
+            value = Floats.number(node.coefficient)
+            for base, e in node.args:
+                if not base.mask:
+                    value *= Floats.power(constants[base], e)
+            return value
+
+        above, below = [], []
         for base, e in node.args:
-            if not base.mask:
-                factor *= Floats.power(self.constants[base], e)
-            else:
+            if base.mask:
                 bent = self.switches is not None and _never_negative(base)
                 (above if e > 0 else below).extend(_powers(self.slots[base], abs(e), bent))
-        factor = self._written(factor)
         if len(above) + len(below) > LONGEST:
             above += [f"(1.0/{slot})" for slot in below]
-            return "*".join([number(factor), *(f"({'*'.join(above[i:i + LONGEST])})"
-                                               for i in range(0, len(above), LONGEST))])
-        text = _signed(factor, "*".join(above)).removeprefix("+")
+            return "*".join([self._constant(factor), *(f"({'*'.join(above[i:i + LONGEST])})"
+                                                       for i in range(0, len(above), LONGEST))])
+        text = self._term(factor, "*".join(above)).removeprefix("+")
         return text + (f"/({'*'.join(below)})" if len(below) > 1 else f"/{below[0]}" if below else "")
 
     def _call(self, node):
@@ -134,14 +149,17 @@ class Source:
 
 def number(value: Any) -> str:
     """A rational or float as source: the repr of a float."""
-    if not isinstance(value, float):
-        value = Floats.number(value)
+    value = _float(value)
     return f"({value!r})" if value < 0 else repr(value) if value - value == 0 else "nan"
+
+
+def _float(value):
+    return value if isinstance(value, float) else Floats.number(value)
 
 
 def _signed(c, factors=""):
     """+c·factors as source, with its sign."""
-    c = Floats.number(c) if not isinstance(c, float) else c
+    c = _float(c)
     if abs(c) == 1 and factors:
         return ("-" if c < 0 else "+") + factors
     if c != c or c in (float("inf"), float("-inf")):
@@ -178,84 +196,26 @@ def _powers(slot, exponent, bent=False):
 
 def function(head: str, lines: Sequence[str], result: str, called: Iterable[Any] = ()) -> Callable:
     """The function of a text made of slots; NumPy's functions act on floats and arrays. `called`: (slot, function)."""
+    return made(code(head, lines, result), called)
+
+
+def code(head: str, lines: Sequence[str], result: str) -> Any:
+    """The code of this function, to be made with constants or functions of others."""
+    body = "".join(f"    {line}\n" for line in lines)
+    return compile(f"def f({head}):\n{body}    return {result}\n", "<motion>", "exec")
+
+
+def made(of: Any, called: Iterable[Any]) -> Callable:
+    """The function of a code, given the (slot, value) of what it calls or holds."""
+    space = {**_functions(), **dict(called)}
+    exec(of, space)       # slots and floats only
+    return space["f"]
+
+
+@cache
+def _functions():
     import numpy as np
 
     from vibcli.symbolic.discontinuous_functions import on_arrays
 
-    space = {NUMPY.get(name, name): getattr(np, NUMPY.get(name, name)) for name in (*PLAIN, "sqrt", "nan")}
-    space.update(on_arrays(), **dict(called))
-    body = "".join(f"    {line}\n" for line in lines)
-    exec(compile(f"def f({head}):\n{body}    return {result}\n", "<motion>", "exec"), space)  # slots and floats only
-    return space["f"]
-
-
-class Compiled:
-    """Expressions of (t, q, v) as functions of arrays over instants: q and v are of shape (coordinates, instants).
-    `switches`: {argument: slot}, shared by what is to be smooth; None where |u|, sign u, min and max may bend.
-    `prepared(t)`: the parts that depend on the time alone, at the instants t; changed: as that of a Source."""
-
-    def __init__(self, scene: Any, floats: Mapping[str, float], switches: "dict[Node, str] | None", nodes: Any,
-                 changed: Callable[[float], float] | None = None):
-        time = scene.time
-        below = reachable(nodes)
-        _require_known(below, time)
-        outer = _outermost([part for part in below if part.mask == time.mask and part is not time], below, nodes)
-        early = Source({time: "t"}, floats, None, changed=changed)
-        prepared = _tuple(early.add(outer))
-        self.prepared = function("t", early.lines, prepared, early.called.values()) if outer else _nothing
-        slots = {time: "t", **{node: f"c{i}" for i, node in enumerate(outer)}}
-        slots |= {node: f"{kind}{i}" for kind, symbols in (("q", scene.q), ("v", scene.v))
-                  for i, node in enumerate(symbols)}
-        late = Source(slots, floats, switches, early.constants, changed)
-        result = late.add(nodes)
-        head = [f"{_tuple(f'{kind}{i}' for i in range(len(scene.q)))}={kind}" for kind in "qv"]
-        if outer:
-            head.append(f"{_tuple(f'c{i}' for i in range(len(outer)))}=c")
-        if switches:
-            head.append(f"{_tuple(switches.values())}=g[:{len(switches)}]")
-        self.count, self.work = len(nodes), len(late.lines)
-        self._evaluate = function("t,q,v,g,c", head + late.lines, _tuple(result), late.called.values())
-
-    def __call__(self, t: "np.ndarray", q: Any, v: "np.ndarray", g: "Sequence[float | np.ndarray] | np.ndarray" = (),
-                 c: Any = None) -> "tuple[float | np.ndarray, ...]":
-        """The values as a tuple of arrays; those of constants are floats. g: the senses of the switches."""
-        return self._evaluate(t, q, v, g, self.prepared(t) if c is None else c)
-
-    def rows(self, t: "np.ndarray", q: "np.ndarray", v: "np.ndarray",
-             g: "Sequence[float | np.ndarray] | np.ndarray" = (), c: Any = None) -> "np.ndarray":
-        """The same of shape (nodes, instants)."""
-        import numpy as np
-
-        found = np.empty((self.count, q.shape[1]))
-        for i, value in enumerate(self(t, q, v, g, c)):
-            found[i] = value
-        return found
-
-
-def _nothing(t):
-    """What depends on the time alone where nothing does."""
-    return ()
-
-
-def _tuple(texts):
-    return "(" + "".join(text + "," for text in texts) + ")"
-
-
-def _require_known(below, time):
-    """Pulses that repeat, impulses and records are functions of the time."""
-    for part in below:
-        if part.mask & ~time.mask and (part.name in part.table.records or
-                                       (part.name in PULSES and part.name not in SWITCHED)):
-            raise PhysicsError(f"{part.name} of what moves is not defined: it is a function of the time",
-                               "write it of t, as in square(Omega*t)")
-
-
-def _outermost(driven, below, nodes):
-    """Those of `driven` which something that is not driven is made of, or which are wanted themselves."""
-    kept, inner = set(driven), set()
-    for part in below:
-        if part not in kept and part.mask:
-            args = (arg for arg, _ in part.args) if part.op in ("sum", "product") else part.args
-            inner.update(arg for arg in args if arg in kept)
-    inner.update(node for node in nodes if node in kept)
-    return sorted(inner, key=lambda node: node.index)
+    return {NUMPY.get(name, name): getattr(np, NUMPY.get(name, name)) for name in (*PLAIN, "sqrt", "nan")} | on_arrays()

@@ -122,7 +122,7 @@ class LawFromTable(DefinedFunction):
         import numpy as np
 
         law, u = self.law, np.asarray(args[0], dtype=float)
-        passed = np.add.reduce([0.5 * (1 + np.asarray(sense)) for sense in senses], axis=0) if senses else 0.0
+        passed = sum((0.5 * (1 + np.asarray(sense)) for sense in senses), 0.0)
         k = np.array(law.first_pieces)[np.asarray(passed, dtype=int)]
         cut = law.cut
         return self._within(u, k if cut is None else np.where((k == cut) & (u >= 0), k + 1, k))

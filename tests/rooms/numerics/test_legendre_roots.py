@@ -6,7 +6,7 @@ import pytest
 from numpy.polynomial import legendre, polynomial
 
 from vibcli.numerics import legendre_roots
-from vibcli.numerics.legendre_roots import overshoot, roots, sampled
+from vibcli.numerics.legendre_roots import coming_to, numbered_roots, overshoot, roots, sampled, slopes
 
 
 def of_roots(*places, count=40):
@@ -57,3 +57,29 @@ def test_no_series_is_larger_than_its_samples_tell(decay):
     dense, values = series @ legendre.legvander(np.linspace(-1, 1, 20_001), 39).T, sampled(series)
     middle, reach = 0.5 * (values.max(axis=1) + values.min(axis=1)), 0.5 * np.ptp(values, axis=1)
     assert (dense.max(axis=1) <= middle + reach * overshoot(40)).all() and overshoot(40) < 1.012
+
+
+@pytest.mark.parametrize("decay", [0.3, 0.6, 0.9])
+def test_no_maximum_that_comes_to_a_level_is_passed_over(decay):
+    """In few cells all turns are found that come to it, those that all rows have alike among them."""
+    series = np.random.default_rng(7).normal(size=(40, 40)) * decay ** np.arange(40)
+    series = np.concatenate([series, series[:5] * (1 - 1e-15)])
+    rates, x = slopes(series), np.linspace(-1, 1, 20_001)
+    dense = series @ legendre.legvander(x, 39).T
+    for part in (0.0, 0.02, 0.5):
+        level = dense.max() - part * np.ptp(dense)
+        cells = coming_to(level, series, sampled(series))
+        rows, places = numbered_roots(rates, cells)
+        every = [(k, place) for k, some in enumerate(roots(rates)) for place in some
+                 if legendre.legval(place, series[k]) >= level]
+        for k, place in every:
+            assert np.abs(places[rows == k] - place).min(initial=1.0) < 1e-9
+        assert (part == 0.5 or cells.mean() < 0.01) and (np.diff(rows) >= 0).all()
+
+
+def test_roots_begin_a_step_from_their_last_digits(monkeypatch):
+    steps, polished = [], legendre_roots._polished
+    monkeypatch.setattr(legendre_roots, "_polished", lambda *args: steps.append(
+        np.abs(polished(*args) - args[2]).max(initial=0.0)) or polished(*args))
+    roots(np.random.default_rng(4).normal(size=(150, 40)) * 0.4 ** np.arange(40))
+    assert len(steps) == 1 and steps[0] < 1e-10

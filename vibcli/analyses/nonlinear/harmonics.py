@@ -9,7 +9,7 @@ from functools import lru_cache
 import numpy as np
 
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.symbolic.numeric_code import Compiled
+from vibcli.symbolic.compiled_arrays import Compiled
 
 FINER, NEWTON = 4, 8        # places to a harmonic where the extremes of a signal are looked for
 SETTLED = 1e-9              # a step of θ after which an extreme, where the rate vanishes, is known to rounding

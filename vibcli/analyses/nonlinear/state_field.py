@@ -7,8 +7,8 @@ import numpy as np
 
 from vibcli.mechanics.equations_of_motion import dynamics
 from vibcli.mechanics.numeric_equations import massless
+from vibcli.symbolic.compiled_arrays import Compiled
 from vibcli.symbolic.derivatives import gradient
-from vibcli.symbolic.numeric_code import Compiled
 
 if TYPE_CHECKING:
     from vibcli.scene.scene import Scene

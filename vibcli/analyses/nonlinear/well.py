@@ -15,10 +15,10 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.energies import effective_potential
 from vibcli.mechanics.equations_of_motion import dynamics
 from vibcli.numerics.bracketing import zeros_between
+from vibcli.symbolic.compiled_arrays import Compiled
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.kinks import kinks_of
-from vibcli.symbolic.numeric_code import Compiled
 from vibcli.symbolic.running_errors import Rounded, RunningErrors, error_in
 
 if TYPE_CHECKING:

@@ -50,15 +50,6 @@ class Window:
         q = self.q[:, None] + tau * self.v[:, None] + H * H * ((self.series @ rule.twice) @ P)
         return q, v, a
 
-    def moves(self) -> np.ndarray:
-        """Legendre coefficients of q − q₀ − τ q̇₀, of q̇ − q̇₀ and of q̈, of shape (3n, points + 2)."""
-        rule, H, (n, points) = self.rule, self.length, self.series.shape
-        found = np.zeros((3, n, points + 2))
-        found[0] = H * H * (self.series @ rule.twice)
-        found[1, :, :-1] = H * (self.series @ rule.once)
-        found[2, :, :-2] = self.series
-        return found.reshape(3 * n, -1)
-
     def state(self, tau: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         q, v, a = self.states(np.array([tau]))
         return q[:, 0], v[:, 0], a[:, 0]
@@ -84,6 +75,21 @@ def along(windows: Sequence[Window], c: np.ndarray) -> np.ndarray:
     return found.reshape(3, n, -1)
 
 
+def moves(windows: Sequence[Window]) -> list[np.ndarray]:
+    """Legendre coefficients of q − q₀ − τ q̇₀, of q̇ − q̇₀ and of q̈ of some windows, each of shape (3n, points + 2)."""
+    groups, found = {}, {}
+    for k, window in enumerate(windows):
+        groups.setdefault(window.rule, []).append(k)
+    for rule, members in groups.items():
+        series, H = np.array([windows[k].series for k in members]), np.array([windows[k].length for k in members])
+        rows, (count, n, points) = np.zeros((len(members), 3, *series.shape[1:-1], rule.points + 2)), series.shape
+        rows[:, 0] = (H * H)[:, None, None] * (series @ rule.twice)
+        rows[:, 1, :, :-1] = H[:, None, None] * (series @ rule.once)
+        rows[:, 2, :, :-2] = series
+        found.update(zip(members, rows.reshape(count, 3 * n, points + 2), strict=True))
+    return [found[k] for k in range(len(windows))]
+
+
 def ended(window: Window, q: np.ndarray, v: np.ndarray) -> Window:
     """The window that ends in a state (q, q̇): with a constant and a slope in q̈ for what it lacks."""
     rule, H, A = window.rule, window.length, window.values
@@ -100,6 +106,16 @@ class Attempt(NamedTuple):
     A: np.ndarray
     iterations: int
     inverse: np.ndarray | None = None
+
+
+def expected(radians: float, left: float, most: int) -> int:
+    """How many of Picard's iterations a window of a swing takes that begins with what holds at its start: until
+    (ωH)²ᵏ/(2k)! is no more than may be left."""
+    count, part = 0, 1.0
+    while part > left and count < most:
+        count += 1
+        part *= radians**2 / (2 * count * (2 * count - 1))
+    return count
 
 
 def iterated(force: Callable, rule: "Rule", H: float, q: np.ndarray, v: np.ndarray, guess: np.ndarray,

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from vibcli.analyses.time_integration.error_scales import EPSILON
+from vibcli.symbolic.compiled_arrays import Compiled
 from vibcli.symbolic.expression_graph import reachable
-from vibcli.symbolic.numeric_code import Compiled
 
 if TYPE_CHECKING:
     from vibcli.mechanics.numeric_equations import NumericEquations

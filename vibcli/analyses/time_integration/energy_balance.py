@@ -9,7 +9,7 @@ from vibcli.analyses.time_integration.collocation_step import along
 from vibcli.analyses.time_integration.trajectory import POINTS, Balance
 from vibcli.mechanics.power_balance import powers
 from vibcli.numerics.collocation_rule import rule
-from vibcli.symbolic.numeric_code import Compiled
+from vibcli.symbolic.compiled_arrays import Compiled
 
 if TYPE_CHECKING:
     from vibcli.analyses.time_integration.collocation_step import Window

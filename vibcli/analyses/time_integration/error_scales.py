@@ -82,10 +82,9 @@ def _fastest(K, C, weight):
 def jacobian(accelerations: Callable, t: float, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(q̈, [∂q̈/∂q, ∂q̈/∂q̇]) by differences."""
     n = len(q)
-    span = np.max(np.abs(q), initial=0.0), np.max(np.abs(v), initial=0.0)
-    size = np.concatenate([np.where(np.abs(q) > 0, np.abs(q), span[0] or 1e-3),
-                           np.where(np.abs(v) > 0, np.abs(v), span[1] or 1e-3)])
-    step = STEP * size
+    size = np.abs([q, v])
+    largest = size.max(axis=1, keepdims=True, initial=0.0)
+    step = STEP * np.where(size > 0, size, np.where(largest > 0, largest, 1e-3)).ravel()
     moved = np.repeat(np.concatenate([q, v])[:, None], 2 * n + 1, 1)
     moved[range(2 * n), range(1, 2 * n + 1)] += step
     found = accelerations(np.full(2 * n + 1, t), moved[:n], moved[n:])

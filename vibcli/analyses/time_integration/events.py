@@ -89,11 +89,12 @@ def _zero(switching, window, k, part, end):
 def _inverse(places, values):
     """Where a function with these values at places vanishes, by the polynomial of its inverse (Neville), and how far
     apart the last two are that are a degree lower."""
-    found, before = places, places
-    for order in range(1, len(values)):
-        ahead, behind = values[order:], values[:-order]
-        before, found = found, (ahead * found[:-1] - behind * found[1:]) / (ahead - behind)
-    return float(found[0]), float(abs(before[1] - before[0]))
+    found, y = places.tolist(), values.tolist()
+    before = found
+    for order in range(1, len(y)):
+        before, found = found, [(y[i + order] * found[i] - y[i] * found[i + 1]) / (y[i + order] - y[i])
+                                for i in range(len(y) - order)]
+    return found[0], abs(before[1] - before[0])
 
 
 def _after_start(room, high):

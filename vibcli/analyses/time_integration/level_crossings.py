@@ -8,10 +8,10 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.polynomial import legendre
 
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.collocation_rule import rule
-from vibcli.numerics.legendre_roots import overshoot, roots, sampled
+from vibcli.numerics.legendre_roots import coming_to, numbered_roots, overshoot, roots, sampled, slopes
 
 if TYPE_CHECKING:
     from vibcli.analyses.time_integration.trajectory import Trajectory
@@ -26,16 +26,30 @@ JUMP = 1e-9             # of a signal: what is more than the rounding of its ser
 SAME = 1e-11            # of a window: roots closer than this are one
 
 
+class SignalWindows(NamedTuple):
+    """Of the windows that an interval meets: their starts and lengths [s], as far as the motion is known, and the
+    Legendre series of a signal in each, as rows; windows: these themselves."""
+
+    windows: list
+    starts: np.ndarray
+    lengths: np.ndarray
+    series: np.ndarray
+
+    def times(self, rows: Any, x: Any) -> np.ndarray:
+        """The instants at places in [−1, 1] of windows."""
+        return self.starts[rows] + 0.5 * (x + 1) * self.lengths[rows]
+
+
 def passages(trajectory: "Trajectory", signal: Callable, start: float, end: float, level: float = 0.0) -> list[float]:
     """Instants in [start, end] at which a signal passes the level, ascending; a place from which it starts counts."""
-    found, parts = [], list(_series(trajectory, signal, start, end))
-    begins = np.asarray(signal(np.array([window.start for window, _, _ in parts])), dtype=float) - level
-    places = roots(np.array([series for *_, series in parts]) - level * np.eye(1, POINTS))
-    for (window, t, series), begin, xs in zip(parts, begins, places, strict=True):
+    found, parts = [], _parts(trajectory, signal, start, end)
+    begins = np.asarray(signal(parts.starts), dtype=float) - level
+    places = roots(parts.series - level * np.eye(1, POINTS))
+    for k, (window, series, begin, xs) in enumerate(zip(parts.windows, parts.series, begins, places, strict=True)):
         size = np.abs(series).max(initial=0.0)
         if not size:
             continue
-        times = [float(t(x)) for x in xs]
+        times = parts.times(k, xs).tolist()
         if abs(begin) <= NOTHING * size:
             away = window.start + _away(signal, level, window, size)
             times = [window.start, *(time for time in times if time > away)]
@@ -74,53 +88,55 @@ def extreme(trajectory: Any, signal: Callable, start: float, end: float, sense: 
     """(instant, value) of the largest (sense 1) or smallest (−1) value in [start, end]; where the signal jumps, the
     limits on both sides count. alike: by how much values may differ that are taken for the same, of which the first
     counts: at the start, or where the signal turns."""
-    candidates, before, parts = [start, end], {}, list(_series(trajectory, signal, start, end))
-    for window, _, series in parts:
-        last = min(window.start + window.end, trajectory.end)
-        candidates += [window.start, last]
-        before[float(last)] = float(series.sum()), float(np.abs(series).sum())
-    turns = _turns(parts, start, end, sense, alike)
-    times = np.array(sorted({float(time) for time in [*candidates, *(turn for turn, _ in turns)]
-                             if start <= time <= end}))
+    parts = _parts(trajectory, signal, start, end)
+    begins, lasts, (rows, places), spread = _places(parts, start, end, sense, alike)
+    turns, lengths, limits = parts.times(rows, places), parts.lengths[rows], parts.series[lasts].sum(axis=1)
+    ends = np.minimum(parts.starts[lasts] + parts.lengths[lasts], trajectory.end)
+    times = np.unique(np.concatenate([[start, end], parts.starts[begins], ends, turns]))
+    times = times[(start <= times) & (times <= end)]
     values, jumps = np.array(signal(times), dtype=float), set()
-    for i, time in enumerate(times):
-        limit, size = before.get(float(time), (values[i], 0.0))
-        if abs(limit - values[i]) > JUMP * size and sense * limit > sense * values[i]:
-            values[i] = limit
-            jumps.add(i)
-    best = int(np.argmax(sense * values >= max(sense * values) - ALIKE * np.ptp(values)))    # the first of those alike
+    at, sizes = np.searchsorted(times[:-1], ends), np.abs(parts.series[lasts]).sum(axis=1)
+    for k in np.flatnonzero((times[at] == ends) & (sense * (limits - values[at]) > JUMP * sizes)):
+        values[at[k]] = limits[k]
+        jumps.add(int(at[k]))
+    spread = max(spread, float(np.ptp(values)))
+    best = int(np.argmax(sense * values >= max(sense * values) - ALIKE * spread))       # the first of those alike
     if alike:
-        turning = np.isin(times, [start, times[best], *(turn for turn, _ in turns)])
+        turning = np.isin(times, [start, times[best], *turns])
         best = int(np.argmax(turning & (sense * values >= sense * values[best] - alike)))
-    beside = [turn for turn, length in turns if abs(turn - times[best]) <= BESIDE * length and start <= turn <= end]
-    if beside and best not in jumps and start < times[best] < end:      # the end of a window next to its turn
-        best = int(np.searchsorted(times, min(beside, key=lambda turn: abs(turn - times[best]))))
+    beside = turns[(np.abs(turns - times[best]) <= BESIDE * lengths) & (start <= turns) & (turns <= end)]
+    if len(beside) and best not in jumps and start < times[best] < end:     # the end of a window next to its turn
+        best = int(np.searchsorted(times, beside[np.argmin(np.abs(beside - times[best]))]))
     return float(times[best]), float(values[best])
 
 
-def _turns(parts, start, end, sense, alike):
-    """[(instant, length of its window)] at which a signal turns, in the windows that can hold its extreme from start to
-    end."""
-    series = np.array([one for _, _, one in parts])
-    values = sense * sampled(series)
-    middle, reach = 0.5 * (values.max(axis=1) + values.min(axis=1)), 0.5 * np.ptp(values, axis=1)
-    highest = middle + reach * overshoot(POINTS)
-    whole = [start <= float(t(-1)) and float(t(1)) <= end for _, t, _ in parts]
-    slack = alike + CLEAR * ALIKE * (highest.max() - (middle - reach).min() + np.abs(middle).max())
-    able = np.flatnonzero(highest >= values[whole].max(initial=-np.inf) - slack)
-    slopes = legendre.legder(series[able], axis=1)
-    slopes[np.abs(slopes).max(axis=1) <= NOTHING * np.abs(series[able]).max(axis=1)] = 0.0
-    return [(float(parts[k][1](x)), parts[k][0].length) for k, xs in zip(able, roots(slopes), strict=True) for x in xs]
+def _places(parts, start, end, sense, alike):
+    """Where a signal can have its extreme from start to end: (windows at whose start, windows at whose end, (windows in
+    which it turns, places of this in each), and its range in the windows within)."""
+    series = sense * parts.series
+    values = sampled(series)
+    highest, lowest = values.max(axis=1), values.min(axis=1)
+    middle, reach = 0.5 * (highest + lowest), 0.5 * (highest - lowest)
+    most = middle + reach * overshoot(POINTS)
+    whole = (start <= parts.times(slice(None), -1)) & (parts.times(slice(None), 1) <= end)
+    slack = alike + CLEAR * ALIKE * (most.max() - (middle - reach).min() + np.abs(middle).max())
+    level = highest[whole].max(initial=-np.inf) - slack
+    able = np.flatnonzero(most >= level)
+    rates = slopes(series[able])
+    rates[np.abs(rates).max(axis=1) <= NOTHING * np.abs(series[able]).max(axis=1)] = 0.0
+    rows, places = numbered_roots(rates, coming_to(level, series[able], values[able]))
+    spread = highest[whole].max(initial=-np.inf) - lowest[whole].min(initial=np.inf)
+    at_ends = [np.flatnonzero(values[:, k] >= level - slack) for k in (0, -1)]
+    return *at_ends, (able[rows], places), float(spread)
 
 
-def _series(trajectory, signal, start, end):
-    """(window, map of [−1, 1] to its times, Legendre series of the signal on it) of the windows that [start, end]
-    meets."""
+def _parts(trajectory, signal, start, end):
+    """The SignalWindows that [start, end] meets."""
     gauss = rule(POINTS)
     windows = [window for window in trajectory.windows if window.start <= min(end, trajectory.end)
                and window.start + window.end >= start]
-    lengths = [min(window.end, trajectory.end - window.start) for window in windows]
-    times = np.concatenate([window.start + gauss.c * length for window, length in zip(windows, lengths, strict=True)])
-    values = np.asarray(signal(times), dtype=float).reshape(len(windows), POINTS)
-    for window, length, row in zip(windows, lengths, values @ gauss.to_series, strict=True):
-        yield window, (lambda x, window=window, length=length: window.start + 0.5 * (x + 1) * length), row
+    starts = np.array([window.start for window in windows])
+    lengths = np.minimum([window.end for window in windows], trajectory.end - starts)
+    times = starts[:, None] + gauss.c * lengths[:, None]
+    values = np.asarray(signal(times.ravel()), dtype=float).reshape(times.shape)
+    return SignalWindows(windows, starts, lengths, values @ gauss.to_series)

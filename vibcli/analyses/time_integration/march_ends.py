@@ -30,7 +30,7 @@ def singular(system: "NumericEquations", t: float) -> PhysicsError:
 
 def endless(march: "March") -> tuple[str, str]:
     """(why it was stopped before its end, what may be done)."""
-    task = march.task
+    task = march.pace.task
     return (f"after {task.steps:.0f} of at most {task.limit:.0f} steps the motion has come to t = {march.t:.6g} s of "
             f"{march.until:.6g} s: its fastest part takes steps of {march.windows[-1].length:.3g} s",
             f"ask for a shorter time, damp what vibrates fast, or let what is very stiff be rigid; {task.hint()}")

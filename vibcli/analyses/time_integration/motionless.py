@@ -11,7 +11,7 @@ import numpy as np
 
 from vibcli.analyses.time_integration.driven_places import driven_places
 from vibcli.analyses.time_integration.impulses import blow
-from vibcli.symbolic.numeric_code import Compiled
+from vibcli.symbolic.compiled_arrays import Compiled
 
 if TYPE_CHECKING:
     from vibcli.analyses.time_integration.forcing_breaks import Breaks
@@ -27,6 +27,8 @@ def starts_at_rest(initial: Mapping[str, float] | None) -> bool:
 
 def stay(march: "March", stops: "Breaks", in_equilibrium: bool) -> None:
     """Let the march stay where it is as long as nothing acts: in its equilibrium, or where friction holds it."""
+    if not in_equilibrium and not march.switching.count and len(march.q):
+        return
     moving = _of_time(march.system)
     while march.t < march.until and blow(march, stops) is None:
         limit = stops.after(march.t, march.until)

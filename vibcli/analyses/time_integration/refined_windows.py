@@ -73,7 +73,7 @@ class RefinedWindows:
         self.h = self.h or ROUGH**0.125 * float(march.sizes.radian)
         while not self.given_up and limit - march.t > 1e-15 * limit:
             times, *guess = self._stepped(march, limit) if self.first is None else self._followed(march, limit)
-            self.given_up = len(times) < 2 or not self._keep(march, times, *guess) or march.slow
+            self.given_up = len(times) < 2 or not self._keep(march, times, *guess) or march.pace.slow
 
     def _followed(self, march, limit):
         """(instants between the next windows of the first solution, q̈ at their start, a guess of states)."""

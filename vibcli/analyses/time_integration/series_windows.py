@@ -50,7 +50,7 @@ class SeriesWindows:
             if len(ends):
                 self._keep(march, np.append(march.t, ends), states)
             grows = self.most > before
-            self.given_up = not len(ends) or march.slow or self.most > MOST
+            self.given_up = not len(ends) or march.pace.slow or self.most > MOST
 
     def _keep(self, march, instants, states):
         """Move on by windows, each of as many steps as it resolves; instants: their ends."""

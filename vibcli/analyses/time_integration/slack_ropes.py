@@ -11,8 +11,8 @@ import numpy as np
 from vibcli.analyses.time_integration.level_crossings import passages
 from vibcli.analyses.time_integration.switch_senses import senses
 from vibcli.symbolic.array_arithmetic import Arrays
+from vibcli.symbolic.compiled_arrays import Compiled
 from vibcli.symbolic.evaluation import evaluate
-from vibcli.symbolic.numeric_code import Compiled
 
 if TYPE_CHECKING:
     from vibcli.analyses.time_integration.trajectory import Trajectory

@@ -5,12 +5,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vibcli.analyses.time_integration.collocation_step import Window, iterated, newton
+from vibcli.analyses.time_integration.collocation_step import Window, expected, iterated, newton
 from vibcli.analyses.time_integration.driven_places import Driven
 from vibcli.analyses.time_integration.error_scales import EPSILON, Sizes
 from vibcli.analyses.time_integration.fast_oscillation import fast_part
 from vibcli.analyses.time_integration.march_ends import singular, undefined
-from vibcli.base.work import Spent, Task
+from vibcli.analyses.time_integration.pace import Pace
+from vibcli.base.work import Task
 from vibcli.numerics.collocation_rule import rule
 from vibcli.symbolic.numeric_code import rooted
 
@@ -22,10 +23,8 @@ if TYPE_CHECKING:
 FIRST, SECOND = (40, 24), (32, 18)      # points (of Gauss, of Radau) of the first solution and of the second
 MORE = 3                    # iterations of a window of the second solution: what one leaves would else be left of both
 TAIL = 3                    # coefficients which must be small
-LOOKS = 4                   # at the last iterations of a window, taken to be as many as before
+LOOKS, LEFT = 4, 1e-2       # at the last iterations of a window, taken to be as many as before; of an error of a step
 RADIANS = 5.0               # of the fastest oscillation in the first window
-PACE, HOPELESS = 2_000, 10   # steps after which the pace is looked at; how far beyond the limit is hopeless
-LONG = 0.05                 # of the limit: so much work a fast oscillation is not worth that moves next to nothing
 SHORTEST = 1e-13            # of the time gone
 SOON, TINY = 1e-10, 1e-300
 MOST_UNKNOWNS = 1200        # of Newton's method
@@ -51,13 +50,13 @@ class March:
 
     def __init__(self, system: "NumericEquations", switching: "Switching", q: np.ndarray, v: np.ndarray, rtol: float,
                  until: float, task: Task, points: tuple[int, int] = FIRST):
-        self.system, self.switching, self.rtol, self.until, self.task = system, switching, rtol, until, task
+        self.system, self.switching, self.rtol, self.until = system, switching, rtol, until
         self.t, self.q, self.v, self.g, self.slides = 0.0, q, v, None, ()
         self.points, self.more = points, MORE * (points is SECOND)
         self.rule, self.windows, self.ends, self.struck = rule(points[0]), [], [], []
-        self.stiff, self.held, self.calm, self.tries, self.unseen = False, 0, CALM, 0, 0
-        self.sizes, self.guess, self.H, self.paced = Sizes(q), None, None, 0.0
-        self.slow, self.fast, self.factored, self.settling, self.coarse = False, None, (None, None), 0, False
+        self.stiff, self.held, self.calm, self.unseen, self.pace = False, 0, CALM, 0, Pace(until, task)
+        self.sizes, self.guess, self.H = Sizes(q), None, None
+        self.fast, self.factored, self.settling, self.coarse = None, (None, None), 0, False
         self.rooted, self.driven, self.begun = rooted(system.parts.nodes()), Driven(system), None
 
     def begin(self, limit: float, zero: Any = ()) -> None:
@@ -90,10 +89,14 @@ class March:
         wanted = min(self.H, left if left <= self.H or left >= 2 * self.H else 0.5 * left)
         H = self.driven.resolved(self.t, wanted, self.rule)
         begins = self.guess is None
-        guess = np.repeat(a, self.rule.points, 1) if begins else self.guess
+        if begins:
+            guess = np.repeat(a, self.rule.points, 1)
+            self.unseen = max(expected(H / self.sizes.radian, LEFT * self.rtol, STRAINED) - LOOKS, 0)
+        else:
+            guess = self.guess
         tails = []
         while True:
-            self.count()
+            self.pace.step(self.t, self.stiff)
             done, tail, used = self._attempt(H, guess, self._ahead(H, a[:, 0]) if begins else a[:, 0])
             if done is not None:
                 if tail <= 1:
@@ -114,7 +117,7 @@ class March:
         window = Window(self.rule, self.t, H, self.q, self.v, done.A, self.g, self.slides)
         self.settling -= 1
         self._steer(H, done.iterations, used, wanted > H, bool(tails))
-        if self.slow and not self.stiff:
+        if self.pace.slow and not self.stiff:
             self._step_over(window, a[:, 0])
         return window
 
@@ -152,22 +155,11 @@ class March:
         largest = np.abs(A).max(axis=1)
         return np.where(np.isfinite(largest), np.maximum(largest, np.abs(a)), np.abs(a))
 
-    def count(self) -> None:
-        """Stop a motion which takes too many windows, or would at the pace of the last ones."""
-        self.task.step(self.t / self.until)
-        self.tries += 1
-        if self.tries % PACE == 0:
-            before, self.paced = self.paced, self.t
-            needed = PACE * (self.until - self.t) / (self.t - before) if self.t > before else np.inf
-            self.slow = needed > LONG * self.task.limit
-            if needed > HOPELESS * self.task.limit and (self.stiff or self.tries > PACE):
-                raise Spent(self.task)
-
     def _attempt(self, H, guess, a):
         """(the Attempt, None where it failed; its tail relative to what is allowed; the part of the coefficients that
         is used)."""
         scale = self.sizes.scale(H, self.v, a)[:, None]
-        solve, part, known = (newton, 1e-4, self._factored(H)) if self.stiff else (iterated, 1e-2, self.unseen)
+        solve, part, known = (newton, 1e-4, self._factored(H)) if self.stiff else (iterated, LEFT, self.unseen)
         done = solve(self.force(self.t + H * self.rule.c), self.rule, H, self.q, self.v, guess,
                      (part * self.rtol * scale if self.fast is None else 1e-2 * self.allowed(H, scale))
                      + 0.5 * EPSILON * np.abs(self.q)[:, None], known, self.more)  # type: ignore[arg-type]
@@ -186,7 +178,7 @@ class March:
 
     def _step_over(self, window, a):
         """Leave a fast oscillation alone that is too small to be worth the work."""
-        self.slow = False
+        self.pace.forget()
         self.fast = fast_part(window, self.sizes, self.sizes.scale(window.length, window.v, a))
         if self.fast is not None:
             self._stiffen()
@@ -291,7 +283,7 @@ class March:
         """Keep windows that were found by themselves, and move to their ends, the states there; coarse: as coarse as
         is asked."""
         for window, (self.q, self.v) in zip(windows, ends, strict=True):
-            self.count()
+            self.pace.step(self.t, self.stiff)
             self.t = window.start + window.length
             self._keep(window)
         self.coarse, self.guess = self.coarse or coarse, None

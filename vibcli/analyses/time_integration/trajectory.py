@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from vibcli.analyses.time_integration.collocation_step import moves
 from vibcli.base.errors import Unknown
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.equilibrium.redundant_friction import Redundancy
 from vibcli.numerics.collocation_rule import rule
-from vibcli.symbolic.numeric_code import Compiled
+from vibcli.symbolic.compiled_arrays import Compiled
 
 if TYPE_CHECKING:
     from vibcli.analyses.time_integration.forcing_breaks import Breaks
@@ -85,8 +86,8 @@ class Trajectory:
         tau, found = times - self.starts[number], np.empty((3 * len(self.names), len(times)))
         P = rule(POINTS).basis(2 * tau / self.lengths[number] - 1)
         cuts = [0, *(np.flatnonzero(np.diff(number)) + 1).tolist(), len(times)]
-        for first, last in pairwise(cuts) if len(times) else ():
-            rows = self._moves(number[first])
+        parts = self._moves(number[cuts[:-1]].tolist()) if len(times) else []
+        for (first, last), rows in zip(pairwise(cuts), parts, strict=False):
             np.matmul(rows, P[:rows.shape[1], first:last], out=found[:, first:last])
         q, v, a = found.reshape(3, len(self.names), -1)
         return q + (self._places[number].T + tau * self._speeds[number].T), v + self._speeds[number].T, a
@@ -99,11 +100,12 @@ class Trajectory:
     def _speeds(self):
         return np.array([window.v for window in self.windows])
 
-    def _moves(self, k):
-        """Legendre coefficients of q − q₀ − τ q̇₀, q̇ − q̇₀ and q̈ of a window, as rows."""
-        if k not in self._known:
-            self._known[k] = self.windows[k].moves()
-        return self._known[k]
+    def _moves(self, numbers):
+        """Legendre coefficients of q − q₀ − τ q̇₀, q̇ − q̇₀ and q̈ of windows, as rows of each."""
+        missing = [k for k in numbers if k not in self._known]
+        if missing:
+            self._known.update(zip(missing, moves([self.windows[k] for k in missing]), strict=True))
+        return [self._known[k] for k in numbers]
 
     def number(self, t: float) -> int:
         """Of the window in which an instant lies."""
