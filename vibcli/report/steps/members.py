@@ -12,7 +12,8 @@ from vibcli.notation.numbers import figure
 from vibcli.notation.plain import GREEK, lowered
 from vibcli.report.blocks import Factor, Name, WithNumbers, Words
 from vibcli.report.place_letter import by_letter, place_letter
-from vibcli.report.sections.members import SIMPLE, carried, differential, station_conditions
+from vibcli.report.sections.frequency_equation import SIMPLE
+from vibcli.report.sections.members import carried, differential, station_conditions
 from vibcli.report.steps.ends import Ends
 from vibcli.report.steps.held import HINT
 from vibcli.report.steps.step import WorkedSolution, number, of_time, told
