@@ -1,11 +1,13 @@
 """Frequency equations of members as textbooks write them: the equation, its roots, shapes, what is orthogonal."""
 
 from collections.abc import Iterator
+from functools import partial
+from itertools import combinations_with_replacement
 from typing import TYPE_CHECKING
 
-from vibcli.report.blocks import Factor, Section, Words, equations, line, section
+from vibcli.report.blocks import Factor, Name, Section, Words, equations, line, section
 from vibcli.report.place_letter import lines_by_letter, place_letter
-from vibcli.report.sections.members import integrals
+from vibcli.report.sections.members import integrals, terms_of
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
 
@@ -14,6 +16,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 SIMPLE, PRINTED = {"sin": "n·π", "cos": "(2n − 1)·π/2"}, 5
+HUNG = "YZWVU"      # amplitudes of what hangs on members
 CLOSE = 1e-8        # of ω²: frequencies that are one
 
 
@@ -81,26 +84,59 @@ def _roots(problem, found):
 
 
 def _orthogonality(problem, found):
-    """∫ μ X_i X_j dx + M X_i(L) X_j(L) = 0 of two modes."""
+    """∫ μ X_i X_j dx + M X_i(L) X_j(L) = 0 of two modes, with all that has inertia among what members move."""
     scene, M = problem.scene, problem.symbolic.discrete_matrices[0]
     along = integrals(found.pieces, lambda placed: [(placed.piece.inertia, "X_i·X_j·dx")])
     several, told = len({owner for owner, *_ in along}) > 1, []
     for number, (owner, inner, where) in enumerate(along):
         told += [" + ∫" if number else "∫", *inner, *([Words(f" ({owner})")] if several else []), *where]
-    stations = {scene.q.index(node): (part, station.place) for member in map(scene.members.get, found.members)
-                for station in member.stations for part, node in enumerate(member.motions(station)) if node in scene.q}
-    for i in dict.fromkeys([*stations, *found.hung]):
-        if (i, i) in M:
-            told += [" + ", Factor(M[i, i]), *_product(*stations[i])] if i in stations else [
-                " + ", Factor(M[i, i]), "·Y_i·Y_j"]
-    hung = [scene.q[i].name for i in found.hung if (i, i) in M and i not in stations]
-    yield line(*told, " = 0, i ≠ j", *([Words("   Y that of " + ", ".join(hung))] if hung else []), inset=2)
+    amplitudes = _amplitudes(found, several)
+    hung = [i for i in found.hung if any(i in pair for pair in M)]
+    taken = {*scene.coordinates, *scene.parameters.nodes}
+    letters = [letter for letter in HUNG if letter not in taken]
+    if len(hung) > len(letters):
+        return
+    named = list(zip(hung, letters, strict=False))
+    amplitudes |= {i: (scene.table.one, lambda mode, letter=letter: (f"{letter}_{mode}",)) for i, letter in named}
+    lumped = terms_of([term for i, j in combinations_with_replacement(amplitudes, 2) if (i, j) in M
+                       for term in _lumped(M[i, j], amplitudes[i], amplitudes[j], i == j)])
+    joined = _joined(lumped) if told and lumped else lumped
+    meaning = [part for i, letter in named
+               for part in (Words(",  "), letter, Words(" that of "), Name(scene.q[i].name))]
+    yield line(*told, *joined, " = 0, ω_i ≠ ω_j", *([Words("   "), *meaning[1:]] if meaning else []), inset=2)
 
 
-def _product(part, place):
-    """X_i(L)·X_j(L) of displacements, of slopes ∂X_i/∂x(L)·∂X_j/∂x(L)."""
-    for index in "ij":
-        yield from (f"·∂X_{index}/∂x(" if part else f"·X_{index}(", place, ")")
+def _joined(terms):
+    """Terms of a sum behind others: the first with its sign."""
+    return [" − ", *terms[1:]] if terms[0] == "−" else [" + ", *terms]
+
+
+def _amplitudes(found, several):
+    """{coordinate: (what it is of the motion X or ∂X/∂x of a member at a place, that as text, of mode i or j)}."""
+    amplitudes: dict = {}
+    for placed in found.pieces:
+        half = len(placed.rows) // 2
+        for place, rows in ((placed.start, placed.rows[:half]), (
+                textbook(placed.start + placed.piece.length), placed.rows[half:])):
+            for part, row in enumerate(rows):
+                for i, slope in row.items():
+                    amplitudes.setdefault(i, (1 / slope, partial(_motion, part, place, placed.owner if several else "")))
+    return amplitudes
+
+
+def _motion(part, place, owner, mode):
+    """X_i(L), or ∂X_i/∂x(L) of a turn; with the member, where there are several."""
+    head = f"∂X_{mode}/∂x(" if part else f"X_{mode}("
+    return (head, place, ")", *([Words(f" ({owner})")] if owner else []))
+
+
+def _lumped(inertia, one, other, alike):
+    """What an entry of the mass matrix adds, by the motions of which its coordinates are parts."""
+    (scale, first), (factor, second) = one, other
+    size = textbook(inertia * scale * factor)
+    if alike:
+        return [(size, (*first("i"), "·", *first("j")))]
+    return [(size, (*first("i"), "·", *second("j"))), (size, (*second("i"), "·", *first("j")))]
 
 
 def _frequency(found):

@@ -1,6 +1,6 @@
 """Members: differential equation and conditions at their stations, in letters."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.report.blocks import Factor, Heading, Line, Name, Section, Words, equations, line, paragraph, section
@@ -192,7 +192,7 @@ def _pulls(i, pieces, scene):
                                (text, Words(f" of {placed.owner}"), Words(" at x = "), place))
 
 
-def terms_of(terms: "Sequence[tuple[Node, Any]]") -> list:
+def terms_of(terms: "Iterable[tuple[Node, Any]]") -> list:
     """Σ coefficient·text as parts of a formula, without what is zero."""
     parts: list = []
     for node, text in terms:
