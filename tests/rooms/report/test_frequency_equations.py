@@ -1,7 +1,7 @@
 """Frequency equations of members as they are printed: what they say, read back from the text, holds."""
 
 import pytest
-from support.printed_equations import orthogonality, printed
+from support.printed_equations import PrintedEquation, numbers, orthogonality, printed
 from support.scenes import problem
 
 BAR, BEAM = "EA: 2 MN, mass_per_length: 2.5 kg/m", "EI: 4 kN*m^2, mass_per_length: 2.5 kg/m"
@@ -70,3 +70,106 @@ def test_modes_are_orthogonal_as_printed(text):
             total, size = orthogonality(scene, told, list(scene.scene.members), (mode, other))
             assert size > 0
             assert abs(total) <= 1e-10 * size, told
+
+
+PAIRS = {
+    "bars on both sides of a block": """
+        parameters: {L: 1.2 m, M: 3 kg, k: 40 kN/m, m: 1 kg, E: 70 GPa, rho: 2700 kg/m^3, d: 20 mm}
+        bars:
+          one: {length: L, E: E, rho: rho, section: {circle: d}, left: clamped, right: {clamped: block}}
+          two: {length: 2*L, E: E, rho: rho, section: {circle: 2*d}, left: {k: k}, right: {clamped: other},
+                attached: [{at: 0, mass: m}]}
+        coordinates: [x]
+        bodies: {block: {mass: M, slide: x}, other: {slide: -x}}
+        springs: {s: {between: [ground, block], k: k}}
+        """,
+    "shafts through a pair of gears": """
+        parameters: {L: 1.2 m, GIo: 4 kN*m^2, j: 0.02 kg*m, J1: 0.01 kg*m^2, J2: 0.2 kg*m^2, r1: 60 mm, r2: 150 mm}
+        bodies: {pinion: {inertia: J1, turn: phi1}, wheel: {inertia: J2, turn: phi2}}
+        shafts:
+          one: {length: L, GIo: GIo, inertia_per_length: j, right: {clamped: pinion}, attached: [{at: 0, inertia: J2}]}
+          two: {length: 2*L, GIo: 3*GIo, inertia_per_length: j, left: {clamped: wheel}, right: clamped}
+        constraints: {mesh: {equation: r1*phi1 = -r2*phi2}}
+        """,
+    "beams that a spring ties": """
+        parameters: {L: 1.2 m, EI: 4 kN*m^2, mu: 2 kg/m, M: 3 kg, k: 40 kN/m}
+        beams:
+          upper: {length: L, EI: EI, mass_per_length: mu, left: clamped, right: {pinned: block}}
+          lower: {length: 2*L, EI: 3*EI, mass_per_length: mu, left: {pinned: other}, right: clamped}
+        bodies: {block: {mass: M, slide: x}, other: {mass: 2*M, slide: y}}
+        springs: {s: {between: [block, other], k: k}}
+        """,
+    "equal columns under a floor": """
+        parameters: {H: 3 m, EI: 4 MN*m^2, mu: 60 kg/m, M: 900 kg}
+        beams:
+          one: {length: H, EI: EI, mass_per_length: mu, left: clamped, right: {clamped: floor}}
+          two: {length: H, EI: EI, mass_per_length: mu, left: clamped, right: {clamped: floor}}
+        bodies: {floor: {mass: M, slide: x}}
+        """,
+    "equal beams on a spring": """
+        parameters: {L: 1.2 m, EI: 4 kN*m^2, mu: 2 kg/m, k: 40 kN/m}
+        coordinates: [x, y]
+        beams:
+          upper: {length: L, EI: EI, mass_per_length: mu, left: clamped, right: {pinned: block}}
+          lower: {length: L, EI: EI, mass_per_length: mu, left: clamped, right: {pinned: other}}
+        bodies: {block: {slide: x}, other: {slide: y}}
+        springs: {s: {between: [block, other], k: k}}
+        """,
+    "a string at the tip of a beam, in a bed, with an oscillator": """
+        parameters: {L: 1.2 m, EI: 4 kN*m^2, mu: 2 kg/m, S: 900 N, kf: 9 kN/m^2, m: 1 kg, k: 3 kN/m}
+        beams: {mast: {length: L, EI: EI, mass_per_length: mu, left: clamped, right: {pinned: tip}, foundation: kf}}
+        strings: {cord: {length: 2*L, preload: S, mass_per_length: mu/10, left: {clamped: tip}, right: {k: k},
+                         attached: [{at: 2*L, mass: m}]}}
+        bodies: {tip: {slide: x}, weight: {mass: m, slide: z}}
+        springs: {s: {between: [tip, weight], k: k}}
+        """,
+    "a string in a bed that a mass at its end draws below what the bed alone would have": """
+        parameters: {L: 1.2 m, mu: 0.2 kg/m, S: 900 N, kf: 9 kN/m^2, M: 40 kg}
+        strings: {cord: {length: L, preload: S, mass_per_length: mu, left: clamped, foundation: kf,
+                         attached: [{at: L, mass: M}]}}
+        """,
+    "a beam in a bed that a mass at its end draws below what the bed alone would have": """
+        parameters: {L: 1.2 m, mu: 2 kg/m, EI: 4 kN*m^2, kf: 90 kN/m^2, M: 90 kg, kt: 2 kN*m}
+        beams: {b: {length: L, EI: EI, mass_per_length: mu, left: {torsion: kt}, foundation: kf,
+                    attached: [{at: L, mass: M}]}}
+        """,
+    "a beam on springs with a mass and an oscillator": """
+        parameters: {L: 1.2 m, EI: 4 kN*m^2, mu: 2 kg/m, k: 40 kN/m, kt: 2 kN*m, M: 3 kg, m: 1 kg}
+        beams: {b: {length: L, EI: EI, mass_per_length: mu, left: {k: k, torsion: kt},
+                    attached: [{at: L, mass: M}, {at: L, oscillator: {mass: m, k: k/40}}]}}
+        """,
+    "a stepped bar with a mass at its step and on a spring": """
+        parameters: {L: 1.2 m, EA: 2 MN, mu: 2 kg/m, M: 3 kg, k: 900 kN/m}
+        bars: {b: {segments: [{length: L, EA: EA}, {length: 2*L, EA: 3*EA}], mass_per_length: mu, left: {k: k},
+                   attached: [{at: L, mass: M}]}}
+        """,
+}
+
+
+@pytest.mark.parametrize("text", PAIRS.values(), ids=PAIRS)
+def test_roots_of_what_is_printed_are_the_frequencies(text):
+    """All of them and no others, as its lines are read."""
+    scene = problem(text)
+    modes = [float(mode.omega) for mode in scene.modal.modes.first(8) if mode.omega]
+    lines, = printed(scene)
+    found = PrintedEquation(lines).roots(numbers(scene), modes[-1] * (1 + 1e-6))
+    assert found == pytest.approx(modes, rel=1e-9)
+
+
+@pytest.mark.parametrize("text", [text for name, text in PAIRS.items() if name[:6] != "equal "])
+def test_what_is_printed_of_pairs_is_orthogonal(text):
+    scene = problem(text)
+    lines, = printed(scene)
+    told = next(line for line in lines if "X_i" in line)
+    one, other = [mode for mode in scene.modal.modes.first(4) if mode.omega][:2]
+    total, size = orthogonality(scene, told, list(scene.scene.members), (one, other))
+    assert abs(total) <= 1e-9 * size
+
+
+def test_what_has_no_equation_in_closed_form_tells_its_determinant():
+    (line,), = printed(problem("""
+        parameters: {L: 1.2 m, EI: 4 kN*m^2, mu: 2 kg/m, M: 3 kg}
+        beams: {b: {length: L, EI: EI, mass_per_length: mu, left: clamped, preload: 300 N,
+                    attached: [{at: L/2, mass: M}, {at: L, mass: M}]}}
+        """))
+    assert line.startswith("det D(ω) = 0,  4 × 4")

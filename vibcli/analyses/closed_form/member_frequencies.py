@@ -1,16 +1,20 @@
 """Frequency equations of members as textbooks write them: βL·tan βL = μL/M, cos βL·cosh βL = −1.
 
 A chain of one or two uniform pieces, bars end to end or a beam with something at an inner place, whose stations carry
-what acts on one motion each: masses, springs to the ground, oscillators. Of what is coupled otherwise there is none.
+what acts on one motion each: masses, springs to the ground, what hangs on these. An impedance that is neither a spring
+nor an inertia alone stands as a letter.
 """
 
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
+from vibcli.analyses.closed_form.free_letters import FREQUENCY, IMPEDANCES, free_letter, free_letters, in_order
 from vibcli.analyses.closed_form.frequency_functions import UniformPiece, frequency_function
+from vibcli.analyses.closed_form.lumped_impedances import acting, coupled, over, stands_apart
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.symbolic_matrices import matrices_in_letters
 from vibcli.symbolic.common_denominator import single
+from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.rationals import HALF
@@ -26,24 +30,41 @@ WAVE_NUMBER = "βL"      # of notation.PRODUCTS
 
 class FrequencyEquation(NamedTuple):
     """What vanishes at the natural frequencies of the `members`: {functions of the arguments: coefficient}; βL, β that
-    of the first piece and L the length of the chain, ω² by βL, the argument of each piece, what acts on the stations,
-    and the coordinates of what hangs on those."""
+    of the first piece and L the length of the chain, ω, ω² by βL, the argument of each piece, what acts on the
+    stations, the same as it stands in the function, {letter: impedance} by ω of what stands there as a letter, and the
+    coordinates of what hangs on the stations."""
 
     members: tuple
     order: int
     wave_number: "Node"
+    omega: "Node"
     square: "Node"
     arguments: list
     function: dict
     pieces: "list[PlacedPiece]"
     impedances: "list[tuple]"
+    standing: "list[tuple]"
+    letters: "dict[Node, Node]"
     hung: list
+
+    def by_wave_number(self, *nodes: "Node") -> "list[Node]":
+        """Nodes without letters of impedances and ω."""
+        return substitute(substitute(list(nodes), self.letters), {self.omega: self.omega.table.sqrt(self.square)})
+
+    @property
+    def terms(self) -> "list[Node]":
+        """What the function adds up, by βL alone."""
+        table = self.wave_number.table
+        return self.by_wave_number(*(coefficient * table.product(*(
+            (table.call(name, self.arguments[i]), 1) for i, *called in functions for name in called))
+                for functions, coefficient in self.function.items()))
 
 
 def frequency_equations(symbolic: "SymbolicSystem") -> "list[FrequencyEquation | None]":
     """One of each chain of pieces; None of those for which there is none in closed form."""
     form = symbolic.linearisation
-    return [_equation(form, chain) for chain in chains(form.pieces)]
+    taken = {*symbolic.scene.coordinates, *symbolic.scene.parameters.nodes}
+    return [_equation(form, chain, taken) for chain in chains(form.pieces)]
 
 
 def chains(pieces: "Sequence[PlacedPiece]") -> "list[list[PlacedPiece]]":
@@ -69,36 +90,57 @@ def _end(placed, side):
     return tuple(rows) if any(rows) else ()
 
 
-def _equation(form, chain):
+def _equation(form, chain, taken):
     pressed = [part for part in chain if not (part.piece.bending.is_zero or part.piece.tension.is_zero)]
     if len(chain) > (1 if pressed else MOST) or not all(part.piece.gradient.is_zero for part in chain) or any(
             len(row) > 1 for part in chain for row in part.rows):
         return None
-    elsewhere = {i for piece in form.pieces if piece not in chain for row in piece.rows for i in row}
-    M, _, G, K = matrices_in_letters(form)
     table, first = form.table, chain[0].piece
     x, order = table.parameter(WAVE_NUMBER), 2 if first.bending.is_zero else 4
+    in_order(x)
     stiffness = _stiffness(first)
     length = textbook(table.total([part.piece.length for part in chain]))
     force = stiffness * (x / length) ** order + first.foundation
     square = (force + first.tension * (x / length) ** 2 if pressed else force) / first.inertia
-    acting = None if G else _impedances(form.n, M, K, square, _stations(chain), elsewhere, table)
+    omega = table.parameter(free_letter(taken, FREQUENCY))
+    acting = _impedances(form, chain, omega)
     if acting is None or (pressed and not _sines(acting[0])):
         return None
-    pieces, beta = [], x / length
+    pieces = _pieces(chain, square, x / length)
+    if pieces is None:
+        return None
+    impedances, hung = acting
+    letters, standing = _lettered(impedances, omega, taken, not first.foundation.is_zero)
+    found = FrequencyEquation(tuple(dict.fromkeys(part.owner for part in chain)), order, x, omega, square,
+                              [piece.argument for piece in pieces], {}, chain, [], [], letters, hung)
+    by_x = [tuple(Z and textbook(substitute([Z], {omega: table.sqrt(square)})[0]) for Z in end) for end in standing]
+    return found._replace(
+        function=frequency_function(table, order, *((pieces, by_x) if len(pieces) == 1 else
+                                                    _without_units(pieces, by_x))),
+        standing=by_x, impedances=[tuple(Z and textbook(*found.by_wave_number(Z)) for Z in end) for end in impedances])
+
+
+def _pieces(chain, square, beta):
+    """A UniformPiece of each by β of the first; None where one stands on a foundation of its own."""
+    first, found = chain[0].piece, []
     for part in chain:
-        own = _stiffness(part.piece)
+        own, order = _stiffness(part.piece), 2 if part.piece.bending.is_zero else 4
         power = textbook((part.piece.inertia * square - part.piece.foundation) / own)
-        of_first = textbook((first.inertia * square - first.foundation) / stiffness)
-        ratio = textbook(single(power / of_first)) if part is not chain[0] else table.one
-        if x in reachable([ratio]):
-            return None         # on a foundation of its own
+        of_first = textbook((first.inertia * square - first.foundation) / _stiffness(first))
+        ratio = textbook(single(power / of_first)) if part is not chain[0] else beta.table.one
+        if beta.table.parameter(WAVE_NUMBER) in reachable([ratio]):
+            return None
         number = beta * ratio ** (HALF if order == 2 else HALF / 2)
-        pieces.append(UniformPiece(number, number * part.piece.length, own))
-    function = frequency_function(table, order, *(
-        (pieces, acting[0]) if len(pieces) == 1 else _without_units(pieces, acting[0])))
-    return FrequencyEquation(tuple(dict.fromkeys(part.owner for part in chain)), order, x, square,
-                             [piece.argument for piece in pieces], function, chain, *acting)
+        found.append(UniformPiece(number, number * part.piece.length, own))
+    return found
+
+
+def _lettered(impedances, omega, taken, bedded):
+    """{letter: impedance} of what is neither a spring nor an inertia alone, and the impedances with these letters."""
+    many = dict.fromkeys(Z for end in impedances for Z in end if Z is not None and stands_apart(Z, omega, bedded))
+    names = free_letters(taken, IMPEDANCES, len(many))
+    letters = {Z: omega.table.parameter(name) for Z, name in zip(many, names, strict=True)}
+    return {letter: Z for Z, letter in letters.items()}, [tuple(letters.get(Z, Z) for Z in end) for end in impedances]
 
 
 def _without_units(pieces, impedances):
@@ -127,28 +169,18 @@ def _stations(chain):
     return [chain[0].rows[:half], *(part.rows[half:] for part in chain)]
 
 
-def _impedances(n, M, K, square, stations, elsewhere, table):
+def _impedances(form, chain, omega):
     """[(Z of the displacement, of beams of the turn)] of the stations, None of what is held, and the coordinates of
-    what hangs on them; None where what acts on one motion is coupled to another, or to another member (`elsewhere`)."""
+    what hangs on them; None where what acts on one motion is coupled to another, or to another member."""
+    stations = _stations(chain)
     moving = [next(iter(row)) for rows in stations for row in rows if row]
-    if len(set(moving)) != len(moving) or elsewhere.intersection(moving):
+    elsewhere = {i for piece in form.pieces if piece not in chain for row in piece.rows for i in row}
+    M, _, G, K = matrices_in_letters(form)
+    if G or len(set(moving)) != len(moving) or elsewhere & coupled({*M, *K}, moving):
         return None
-    entries = {pair: K.get(pair, table.zero) - square * M.get(pair, table.zero) for pair in {*K, *M}}
-    beside = {i: {j for i2, j in entries if i2 == i and j != i} for i in range(n)}
-    if any(j in moving for i in moving for j in beside[i]):
+    Z, hung = acting(M, K, moving, omega ** 2)
+    if any(i != j for i, j in Z):
         return None
-    hung = {j: i for i in moving for j in beside[i]}
-    if any(beside[j] != {hung[j]} for j in hung) or elsewhere.intersection(hung):
-        return None
-    return [tuple(_impedance(row, entries, beside, table) for row in rows) for rows in stations], list(hung)
-
-
-def _impedance(row: "Mapping[int, Node]", entries: Any, beside: Any, table: Any):
-    """Z of the force along a motion by what acts on its coordinate; what hangs on that is eliminated."""
-    if not row:
-        return None
-    (i, slope), = row.items()
-    Z = entries.get((i, i), table.zero)
-    for j in beside[i]:
-        Z = Z - entries[i, j] * entries[j, i] / entries[j, j]
-    return textbook(Z / slope**2)
+    zero = omega.table.zero
+    return [tuple(over(Z.get((i, i), zero), slope) if row else None for row in rows
+                  for i, slope in (row or {None: None}).items()) for rows in stations], hung

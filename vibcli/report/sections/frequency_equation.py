@@ -2,12 +2,13 @@
 
 from collections.abc import Iterator
 from functools import partial
-from itertools import combinations_with_replacement
 from typing import TYPE_CHECKING
 
-from vibcli.report.blocks import Factor, Name, Section, Words, equations, line, section
+from vibcli.notation.numbers import figure
+from vibcli.report.blocks import Factor, Section, Words, equations, line, section
 from vibcli.report.place_letter import lines_by_letter, place_letter
-from vibcli.report.sections.members import integrals, terms_of
+from vibcli.report.sections.orthogonality import orthogonality
+from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
 
@@ -15,23 +16,72 @@ if TYPE_CHECKING:
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
 
-SIMPLE, PRINTED = {"sin": "n·π", "cos": "(2n − 1)·π/2"}, 5
-HUNG = "YZWVU"      # amplitudes of what hangs on members
+SIMPLE, PRINTED, DIGITS = {"sin": "n·π", "cos": "(2n − 1)·π/2"}, 5, 10
 CLOSE = 1e-8        # of ω²: frequencies that are one
 
 
 def frequency_equation(problem: "Problem", _: "Report") -> Iterator[Section]:
     """Frequency equations as textbooks write them, and what their roots are."""
-    if not problem.scene.pieces or problem.scene.loops is not None or not problem.symbolic.linearisable:
+    if not problem.scene.pieces:
         return
-    from vibcli.analyses.closed_form.member_frequencies import frequency_equations
-
-    found = [one for one in frequency_equations(problem.symbolic) if one is not None]
-    several, letter = len(problem.scene.members) > 1, place_letter(problem.scene)
-    blocks = [equations(lines_by_letter([*_solved(problem, one, Words(", ".join(one.members)) if several else None),
-                                        *_orthogonality(problem, one)], letter)) for one in found]
+    if problem.scene.loops is not None or not problem.symbolic.linearisable:
+        known = not problem.numeric.has_free_symbols
+        yield from section("Frequency equation", equations(
+            _determinant(problem.configuration.linear_system.n, None))) if known else ()
+        return
+    blocks = [equations(lines_by_letter(lines, place_letter(problem.scene))) for lines in _equations(problem)]
     undamped = " (of the undamped system)" if _damped(problem) else ""
-    yield from section("Frequency equation" + "s" * (len(found) > 1) + undamped, *blocks)
+    yield from section("Frequency equation" + "s" * (len(blocks) > 1) + undamped, *blocks)
+
+
+def _equations(problem):
+    """The lines on each equation: of chains of pieces, of members that meet in one motion, of others."""
+    from vibcli.analyses.closed_form.member_frequencies import chains, frequency_equations
+    from vibcli.analyses.closed_form.textbook_equation import is_short
+    from vibcli.analyses.closed_form.tied_members import tied_equations
+
+    names, told, left = list(problem.scene.members), {}, []
+    for chain, found in zip(chains(problem.symbolic.linearisation.pieces), frequency_equations(problem.symbolic),
+                            strict=True):
+        if found is not None and is_short(found):
+            told[found.members] = partial(_solved, problem, found)
+        else:
+            left += chain
+    for pieces, tied, size in tied_equations(problem.symbolic, left):
+        owners = tuple(dict.fromkeys(piece.owner for piece in pieces))
+        told[owners] = partial(_determinant, size) if tied is None else partial(_met, problem, tied)
+    for members, lines in sorted(told.items(), key=lambda pair: min(map(names.index, pair[0]))):
+        yield list(lines(Words(", ".join(members)) if len(names) > 1 else None))
+
+
+def _determinant(size, label):
+    """What is solved where nothing shorter is told."""
+    if not size:
+        yield line(Words("no closed form: the frequencies are those of the member between what holds it"), label=label)
+        return
+    yield line("det D(ω) = 0", Words(f",  {size} × {size}: K − ω²M and the dynamic stiffness of each uniform part; "
+                                     "no closed form"), label=label)
+
+
+def _met(problem, tied, label):
+    """k₁ + k₂ + Z = 0, and what these are."""
+    yield line(tied.left, " = ", tied.right, label=label)
+    for letter, (above, below) in tied.stiffnesses.items():
+        whose = Words("   of " + ", ".join(tied.owners[letter])) if len(tied.members) > 1 else Words("")
+        yield line(letter, " = ", above / below, whose, inset=2)
+    for letter, (order, power) in tied.arguments.items():
+        yield line(letter ** order, " = ", power, inset=2)
+    for letter, Z in tied.letters.items():
+        yield line(letter, " = ", Z, inset=2)
+    names = [part for number, letter in enumerate(tied.stiffnesses) for part in (
+        Words(" and " if number + 1 == len(tied.stiffnesses) else ", "), letter)][1:]
+    if len(tied.stiffnesses) > 1:
+        yield line(Words("multiplied by the denominators of "), *names,
+                   Words(" it has all roots, those at which the joint rests among them"), inset=2)
+    for letter in tied.repeated:
+        yield line(Words("and where the denominator of "), letter,
+                   Words(" is 0: alike, they move against each other, and the joint rests"), inset=2)
+    yield from orthogonality(problem, tied)
 
 
 def _damped(problem):
@@ -55,7 +105,7 @@ def _solved(problem, found, label):
     if simple:
         yield line("βL = ", simple, ", n = 0, 1, 2, …" if unstrained(found) else ", n = 1, 2, …", inset=2)
     elif values:
-        yield line("βL = ", ", ".join(f"{value:.10g}" for value in values), ", …", inset=2)
+        yield line("βL = ", ", ".join(f"{value:.{DIGITS}g}" for value in values), ", …", inset=2)
     yield _frequency(found)
     drawn = shape(found)
     if drawn is not None:
@@ -63,13 +113,13 @@ def _solved(problem, found, label):
         yield line("X(x) = ", drawn.first, *second, inset=2)
         if drawn.sigma is not None:
             above, below = drawn.sigma
-            yield line("σ = ", Factor(above), "/", Factor(below), inset=2)
+            yield line("σ = ", above / below, inset=2)
+    yield from orthogonality(problem, found)
 
 
 def _roots(problem, found):
     """The first βL that fulfil an equation, as numbers; where modes are known, only if these have them all."""
     from vibcli.analyses.closed_form.member_shapes import roots
-    from vibcli.symbolic.evaluation import Floats, evaluate
 
     values = roots(found, PRINTED)
     if not values or None in values or problem.numeric.has_free_symbols:
@@ -83,66 +133,14 @@ def _roots(problem, found):
     return kept if len(kept) == len(known) else None
 
 
-def _orthogonality(problem, found):
-    """∫ μ X_i X_j dx + M X_i(L) X_j(L) = 0 of two modes, with all that has inertia among what members move."""
-    scene, M = problem.scene, problem.symbolic.discrete_matrices[0]
-    along = integrals(found.pieces, lambda placed: [(placed.piece.inertia, "X_i·X_j·dx")])
-    several, told = len({owner for owner, *_ in along}) > 1, []
-    for number, (owner, inner, where) in enumerate(along):
-        told += [" + ∫" if number else "∫", *inner, *([Words(f" ({owner})")] if several else []), *where]
-    amplitudes = _amplitudes(found, several)
-    hung = [i for i in found.hung if any(i in pair for pair in M)]
-    taken = {*scene.coordinates, *scene.parameters.nodes}
-    letters = [letter for letter in HUNG if letter not in taken]
-    if len(hung) > len(letters):
-        return
-    named = list(zip(hung, letters, strict=False))
-    amplitudes |= {i: (scene.table.one, lambda mode, letter=letter: (f"{letter}_{mode}",)) for i, letter in named}
-    lumped = terms_of([term for i, j in combinations_with_replacement(amplitudes, 2) if (i, j) in M
-                       for term in _lumped(M[i, j], amplitudes[i], amplitudes[j], i == j)])
-    joined = _joined(lumped) if told and lumped else lumped
-    meaning = [part for i, letter in named
-               for part in (Words(",  "), letter, Words(" that of "), Name(scene.q[i].name))]
-    yield line(*told, *joined, " = 0, ω_i ≠ ω_j", *([Words("   "), *meaning[1:]] if meaning else []), inset=2)
-
-
-def _joined(terms):
-    """Terms of a sum behind others: the first with its sign."""
-    return [" − ", *terms[1:]] if terms[0] == "−" else [" + ", *terms]
-
-
-def _amplitudes(found, several):
-    """{coordinate: (what it is of the motion X or ∂X/∂x of a member at a place, that as text, of mode i or j)}."""
-    amplitudes: dict = {}
-    for placed in found.pieces:
-        half = len(placed.rows) // 2
-        for place, rows in ((placed.start, placed.rows[:half]), (
-                textbook(placed.start + placed.piece.length), placed.rows[half:])):
-            for part, row in enumerate(rows):
-                for i, slope in row.items():
-                    amplitudes.setdefault(i, (1 / slope, partial(_motion, part, place, placed.owner if several else "")))
-    return amplitudes
-
-
-def _motion(part, place, owner, mode):
-    """X_i(L), or ∂X_i/∂x(L) of a turn; with the member, where there are several."""
-    head = f"∂X_{mode}/∂x(" if part else f"X_{mode}("
-    return (head, place, ")", *([Words(f" ({owner})")] if owner else []))
-
-
-def _lumped(inertia, one, other, alike):
-    """What an entry of the mass matrix adds, by the motions of which its coordinates are parts."""
-    (scale, first), (factor, second) = one, other
-    size = textbook(inertia * scale * factor)
-    if alike:
-        return [(size, (*first("i"), "·", *first("j")))]
-    return [(size, (*first("i"), "·", *second("j"))), (size, (*second("i"), "·", *first("j")))]
-
-
 def _frequency(found):
     """ω = (βL)²·√(EI/(μL⁴)), or its square where a foundation adds to it."""
     x, order = found.wave_number, found.order
     alone = textbook(found.square / x ** order)
     if x in reachable([alone]):
-        return line("ω² = ", found.square, inset=2)
-    return line("ω = ", x ** (order // 2) * found.wave_number.table.sqrt(alone), inset=2)
+        more = [Words(",  also where "), x ** order, Words(" is negative")] if found.letters else []
+        return line("ω² = ", found.square, *more, inset=2)
+    if not any(node.op == "symbol" for node in reachable([alone])):
+        value = figure(evaluate([alone], Floats, {})[0] ** 0.5, digits=DIGITS)
+        return line("ω = ", value, "·", x ** (order // 2), inset=2)
+    return line("ω = ", x ** (order // 2) * x.table.sqrt(alone), inset=2)

@@ -74,7 +74,7 @@ class Ends:
         if drawn is not None and drawn.sigma is not None:
             above, below = drawn.sigma
             self.sheet.write(Words("by one of them  "), "X = ", Name(constants[0]), "·(", drawn.first, " − σ·",
-                             Factor(drawn.second), ")", Words(",  "), "σ = ", Factor(above), "/", Factor(below),
+                             Factor(drawn.second), ")", Words(",  "), "σ = ", above / below,
                              settles="sigma", uses=lines)
         return lines
 

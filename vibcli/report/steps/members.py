@@ -198,14 +198,8 @@ class MemberSteps:
             middle = (low + high) / 2
             low, high = (middle, high) if residual(middle) < 0 else (low, middle)
         root = (low + high) / 2
-        values, beside = (evaluate(self._terms(found), Floats, {**floats, x.name: at}) for at in (root, BESIDE * root))
+        values, beside = (evaluate(found.terms, Floats, {**floats, x.name: at}) for at in (root, BESIDE * root))
         return root if abs(sum(values)) <= CLOSE * sum(map(abs, beside)) else None
-
-    def _terms(self, found):
-        """Those of the frequency equation, whose sum vanishes."""
-        return [coefficient * self.table.product(*((self.table.call(name, found.arguments[i]), 1)
-                                                   for i, *called in functions for name in called))
-                for functions, coefficient in found.function.items()]
 
     def _multiple(self, root):
         """A root as so many halves of π; None of another."""
@@ -222,6 +216,6 @@ class MemberSteps:
         how = [exact] if exact is not None else [told(root), Words("   (by a search)")]
         line = self.sheet.write(Words(f"root {mode.index}:  "), "βL = ", *how, settles=f"βL[{mode.index}]", node=exact,
                                 value=root, uses=[equation], letter=x.name,
-                                vanishes=None if exact is not None else self.table.total(self._terms(found)))
+                                vanishes=None if exact is not None else self.table.total(found.terms))
         self.sheet.write(f"ω{k} = ", WithNumbers(shown, put_in), *number(omega, "rad/s"), *of_time(self.sheet, omega),
                          settles=f"omega[{mode.index}]", node=node, value=omega, unit="rad/s", uses=[line, frequency])

@@ -1,0 +1,59 @@
+"""What acts on the motions of members besides themselves, at one frequency: Z = K − ω² M of the coordinates that they
+move; what hangs on these, masses on springs or pendulums, is eliminated (Schur's complement).
+"""
+
+from collections.abc import Collection
+from typing import TYPE_CHECKING, Any
+
+from vibcli.symbolic.common_denominator import single
+from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.normal_form import textbook
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
+
+
+def coupled(entries: "Collection[tuple[int, int]]", start: Collection[int]) -> set[int]:
+    """The coordinates that entries of a matrix tie to some, these among them."""
+    found, pending = set(start), list(start)
+    while pending:
+        i = pending.pop()
+        new = {k for j, k in entries if j == i} - found
+        found |= new
+        pending += new
+    return found
+
+
+def acting(M: Any, K: Any, moving: Collection[int], square: "Node") -> "tuple[dict, list[int]]":
+    """({(i, j): Z} of the coordinates that members move, those that hang on them); `square`: ω²."""
+    zero = square.table.zero
+    inside = coupled({*M, *K}, moving)
+    Z = {(i, j): textbook(K.get((i, j), zero) - square * M.get((i, j), zero)) for i, j in {*M, *K} if i in inside}
+    hung = left = sorted(inside.difference(moving))
+    while left:
+        out = min(left, key=lambda h: sum(i == h for i, _ in Z))
+        left = [h for h in left if h != out]
+        beside = [j for i, j in Z if i == out and j != out]
+        for i in beside:
+            for j in beside:
+                Z[i, j] = Z.get((i, j), zero) - Z[i, out] * Z[out, j] / Z[out, out]
+        Z = {pair: node for pair, node in Z.items() if out not in pair}
+    return {pair: written for pair, node in Z.items() if not (written := _shortest(node)).is_zero}, hung
+
+
+def _shortest(node):
+    return min((node, textbook(node), single(node)), key=letters)
+
+
+def stands_apart(Z: "Node", omega: "Node", bedded: bool) -> bool:
+    """Is an impedance neither a spring alone nor an inertia alone of what has no foundation, so that a letter is to
+    stand for it?"""
+    return omega in reachable([Z]) and (bedded or omega in reachable([textbook(Z / omega ** 2)]))
+
+
+def over(Z: "Node", scale: "Node") -> "Node":
+    """An impedance of a motion that is `scale` times that of the coordinate: Z/scale², term by term."""
+    table = Z.table
+    terms = [table.number(Z.coefficient), *(c * part for part, c in Z.args)] if Z.op == "sum" else [Z]
+    return table.total([single(term / scale ** 2) for term in terms])
