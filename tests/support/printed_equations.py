@@ -117,12 +117,13 @@ class PrintedEquation:
     @property
     def variable(self):
         """What its roots are told in: βL, or ω."""
-        return "βL" if "ω" in self.means else "ω"
+        return next((name for name, (_, text) in self.means.items() if "β" in text and name[0] == "θ"), "βL") if (
+            "ω" in self.means) else "ω"
 
     @property
     def order(self):
         """4 of beams, whose (βL)⁴ may be negative, else 2."""
-        return 4 if "(βL)⁴" in self.means.get("ω", (1, ""))[1] else 2
+        return 4 if re.search("(βL.|θ)⁴", self.means.get("ω", (1, ""))[1]) else 2
 
     def names(self, at, numbers):
         """The values of all names where the variable has a value."""
@@ -149,7 +150,7 @@ class PrintedEquation:
             below = _denominator(text)
             if power == 1 and "θ" in text and re.search("sin|cos", below):
                 found *= _turned(value(plain(below), known), known(symbol(re.search("θ[₀-₉]*", text)[0])))
-        return (_turned(found, known(self.variable)) if self.variable == "βL" else found).real
+        return (_turned(found, known(self.variable)) if self.variable != "ω" else found).real
 
     def omega(self, at, numbers):
         """The frequency at a value of the variable."""
@@ -159,7 +160,7 @@ class PrintedEquation:
     def roots(self, numbers, highest, steps=900):
         """The frequencies up to the highest at which the residual changes its sign through zero."""
         low, top = 0.0, highest
-        if self.variable == "βL":
+        if self.variable != "ω":
             top = self._reaches(1.0, highest, numbers)
             low = -self._reaches(-1.0, 0.0, numbers)
         places = low + (top - low) * np.array([1e-6, *(np.arange(steps + 1) + 0.317)]) / steps
@@ -173,7 +174,7 @@ class PrintedEquation:
         """Is no βL or θ zero above ω = 0, at which sides vanish though nothing moves?"""
         known = self.names(root, numbers)
         return all(abs(known(name)) > TRIVIAL for name in {*self.means, self.variable}
-                   if name == "βL" or (name[0] == "θ" and "−" in self.means[name][1]))
+                   if name == self.variable or (name[0] == "θ" and "−" in self.means[name][1]))
 
     def denominator(self, name, at, numbers):
         """That of the dynamic stiffness of a name."""

@@ -8,7 +8,14 @@ nor an inertia alone stands as a letter.
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from vibcli.analyses.closed_form.free_letters import FREQUENCY, IMPEDANCES, free_letter, free_letters, in_order
+from vibcli.analyses.closed_form.free_letters import (
+    ARGUMENTS,
+    FREQUENCY,
+    IMPEDANCES,
+    free_letter,
+    free_letters,
+    in_order,
+)
 from vibcli.analyses.closed_form.frequency_functions import UniformPiece, frequency_function
 from vibcli.analyses.closed_form.lumped_impedances import acting, coupled, over, stands_apart
 from vibcli.base.named_tuple import NamedTuple
@@ -46,6 +53,14 @@ class FrequencyEquation(NamedTuple):
     standing: "list[tuple]"
     letters: "dict[Node, Node]"
     hung: list
+
+    @property
+    def named(self) -> "list[tuple[Node, Node]]":
+        """[(letter, what it is)]: that for βL where L is another length, and those of impedances."""
+        table, x = self.wave_number.table, self.wave_number
+        length = textbook(table.total([placed.piece.length for placed in self.pieces]))
+        own = [] if x.name == WAVE_NUMBER else [(x, table.parameter("beta") * length)]
+        return [*own, *self.letters.items()]
 
     def by_wave_number(self, *nodes: "Node") -> "list[Node]":
         """Nodes without letters of impedances and ω."""
@@ -96,17 +111,16 @@ def _equation(form, chain, taken):
             len(row) > 1 for part in chain for row in part.rows):
         return None
     table, first = form.table, chain[0].piece
-    x, order = table.parameter(WAVE_NUMBER), 2 if first.bending.is_zero else 4
+    length, order = textbook(table.total([part.piece.length for part in chain])), 2 if first.bending.is_zero else 4
+    x, stiffness = _wave_number(length, taken), _stiffness(first)
     in_order(x)
-    stiffness = _stiffness(first)
-    length = textbook(table.total([part.piece.length for part in chain]))
     force = stiffness * (x / length) ** order + first.foundation
     square = (force + first.tension * (x / length) ** 2 if pressed else force) / first.inertia
     omega = table.parameter(free_letter(taken, FREQUENCY))
     acting = _impedances(form, chain, omega)
     if acting is None or (pressed and not _sines(acting[0])):
         return None
-    pieces = _pieces(chain, square, x / length)
+    pieces = _pieces(chain, square, x, length)
     if pieces is None:
         return None
     impedances, hung = acting
@@ -120,17 +134,24 @@ def _equation(form, chain, taken):
         standing=by_x, impedances=[tuple(Z and textbook(*found.by_wave_number(Z)) for Z in end) for end in impedances])
 
 
-def _pieces(chain, square, beta):
+def _wave_number(length, taken):
+    """βL, or a letter for it where L is not the length."""
+    table = length.table
+    alike = "L" not in taken or length is table.parameter("L")
+    return table.parameter(WAVE_NUMBER if alike else free_letter(taken, ARGUMENTS))
+
+
+def _pieces(chain, square, x, length):
     """A UniformPiece of each by β of the first; None where one stands on a foundation of its own."""
     first, found = chain[0].piece, []
     for part in chain:
         own, order = _stiffness(part.piece), 2 if part.piece.bending.is_zero else 4
         power = textbook((part.piece.inertia * square - part.piece.foundation) / own)
         of_first = textbook((first.inertia * square - first.foundation) / _stiffness(first))
-        ratio = textbook(single(power / of_first)) if part is not chain[0] else beta.table.one
-        if beta.table.parameter(WAVE_NUMBER) in reachable([ratio]):
+        ratio = textbook(single(power / of_first)) if part is not chain[0] else x.table.one
+        if x in reachable([ratio]):
             return None
-        number = beta * ratio ** (HALF if order == 2 else HALF / 2)
+        number = x / length * ratio ** (HALF if order == 2 else HALF / 2)
         found.append(UniformPiece(number, number * part.piece.length, own))
     return found
 

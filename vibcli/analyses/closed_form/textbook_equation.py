@@ -40,15 +40,13 @@ def is_short(found: "FrequencyEquation") -> bool:
 def by_letters(found: "FrequencyEquation", taken: "Collection[str]") -> "tuple[FrequencyEquation, list]":
     """Several pieces with letters θ₁, θ₂, that are not `taken`, for the arguments of their functions, and what all
     letters are that stand in the equation: [(letter, argument or impedance)]."""
-    table, arguments = found.wave_number.table, found.arguments
-    if len(arguments) == 1:
-        return found, list(found.letters.items())
-    once = list(dict.fromkeys(arguments))
-    named = {argument: table.parameter(name) for argument, name in zip(
-        once, free_letters(taken, ARGUMENTS, len(once)), strict=True)}
+    x, arguments = found.wave_number, found.arguments
+    others = [one for one in dict.fromkeys(arguments) if one is not x]
+    letters = map(x.table.parameter, free_letters({*taken, x.name}, ARGUMENTS, len(others)))
+    named = dict(zip(others, letters, strict=True))
     in_order(*named.values())
-    return found._replace(arguments=[named[one] for one in arguments]), [
-        *((letter, argument) for argument, letter in named.items()), *found.letters.items()]
+    return found._replace(arguments=[named.get(one, one) for one in arguments]), [
+        *((letter, argument) for argument, letter in named.items()), *found.named]
 
 
 def _of_second_order(found):

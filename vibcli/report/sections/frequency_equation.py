@@ -77,10 +77,10 @@ def _met(problem, tied, label):
         Words(" and " if number + 1 == len(tied.stiffnesses) else ", "), letter)][1:]
     if len(tied.stiffnesses) > 1:
         yield line(Words("multiplied by the denominators of "), *names,
-                   Words(" it has all roots, those at which the joint rests among them"), inset=2)
+                   Words(" it has all roots, those at which a joint rests among them"), inset=2)
     for letter in tied.repeated:
         yield line(Words("and where the denominator of "), letter,
-                   Words(" is 0: alike, they move against each other, and the joint rests"), inset=2)
+                   Words(" is 0: its members move against each other, the joint rests"), inset=2)
     yield from orthogonality(problem, tied)
 
 
@@ -103,9 +103,10 @@ def _solved(problem, found, label):
     simple = SIMPLE.get(left.name) if right.is_zero and left.op == "call" else None
     values = simple is None and _roots(problem, found)
     if simple:
-        yield line("βL = ", simple, ", n = 0, 1, 2, …" if unstrained(found) else ", n = 1, 2, …", inset=2)
+        orders = ", n = 0, 1, 2, …" if unstrained(found) else ", n = 1, 2, …"
+        yield line(found.wave_number, " = ", simple + orders, inset=2)
     elif values:
-        yield line("βL = ", ", ".join(f"{value:.{DIGITS}g}" for value in values), ", …", inset=2)
+        yield line(found.wave_number, " = ", ", ".join(f"{value:.{DIGITS}g}" for value in values), ", …", inset=2)
     yield _frequency(found)
     drawn = shape(found)
     if drawn is not None:

@@ -104,7 +104,8 @@ class MemberSteps:
         words = ", without what damps" if self.damped else ""
         how = f"so the frequency equation{words}:  " if asked else (
             f"the conditions leave constants other than zero{words} if  ")
-        alike = [Words(",  and βL = 0, as all of it may move alike")] if unstrained(found) else []
+        free = bool(unstrained(found))
+        alike = [Words(",  and "), found.wave_number, Words(" = 0, as all of it may move alike")] * free
         line = self.sheet.write(Words(how), left, " = ", right, *alike, *(
             part for letter, argument in letters for part in (Words(",  "), letter, " = ", argument)),
                                 uses=asked or uses, settles="frequency equation")
@@ -165,7 +166,7 @@ class MemberSteps:
         simple = SIMPLE.get(left.name) if right.is_zero and left.op == "call" else None
         if simple:
             orders = ", n = 0, 1, 2, …" if unstrained(found) else ", n = 1, 2, …"
-            equation = self.sheet.write("βL = ", simple + orders, settles="βL", uses=[equation])
+            equation = self.sheet.write(found.wave_number, " = ", simple + orders, settles="βL", uses=[equation])
         if self.problem.numeric.has_free_symbols:
             return
         floats = self.problem.numeric.floats
@@ -214,7 +215,7 @@ class MemberSteps:
         shown = node if exact is None else substitute([node], {x: exact})[0]
         put_in = {name: figure(value) for name, value in self.problem.numeric.floats.items()} | {x.name: figure(root)}
         how = [exact] if exact is not None else [told(root), Words("   (by a search)")]
-        line = self.sheet.write(Words(f"root {mode.index}:  "), "βL = ", *how, settles=f"βL[{mode.index}]", node=exact,
+        line = self.sheet.write(Words(f"root {mode.index}:  "), x, " = ", *how, settles=f"βL[{mode.index}]", node=exact,
                                 value=root, uses=[equation], letter=x.name,
                                 vanishes=None if exact is not None else self.table.total(found.terms))
         self.sheet.write(f"ω{k} = ", WithNumbers(shown, put_in), *number(omega, "rad/s"), *of_time(self.sheet, omega),

@@ -79,10 +79,11 @@ def test_letters_stand_for_the_arguments_of_several_pieces(text):
     """The equation with them is the same; they are none of the letters of the scene."""
     equation, = frequency_equations(_scene(text).symbolic)
     named, letters = by_letters(equation, {"theta2"})
-    arguments = 0 if len(equation.pieces) == 1 else len(set(equation.arguments))
+    arguments = ["eta1", "eta2"] if len(equation.pieces) > 1 else []
+    whole = [] if equation.wave_number.name == "βL" else ["theta"]
     impedances = {0: [], 1: ["Z"], 2: ["Z1", "Z2"]}[len(equation.letters)]
-    assert [letter.name for letter, _ in letters] == ["eta1", "eta2"][:arguments] + impedances
-    given = dict(letters)
+    assert [letter.name for letter, _ in letters] == [*arguments, *whole, *impedances]
+    given = {letter: meant for letter, meant in letters if letter is not equation.wave_number}
     for one, other in zip(sides(equation), sides(named), strict=True):
         assert (substitute([one], given)[0] - substitute([other], given)[0]).is_zero
 
