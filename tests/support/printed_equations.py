@@ -16,6 +16,7 @@ NODES, WEIGHTS = np.polynomial.legendre.leggauss(60)
 INTEGRAL = re.compile(r"∫(.*?)·?X_i·X_j·d.(?: \((\w+)\))?(?: \((.*?) < . < (.*?)\))?(?= [+−=])")
 REPEATED = re.compile("and where the denominator of (.*) is 0")
 DEFINED, POWERS = re.compile(r"([^\s=²⁴]+?)([²⁴]?) = (.*)$"), {"": 1, "²": 2, "⁴": 4}
+CUT = 1e-2      # of θ in a bed, below which a θ² or θ⁴ is lost in rounding
 TRIVIAL = 1e-4      # of βL and θ
 MOTION = re.compile(r"(∂?)X_([ij])(?:/∂.)?\((.*?)\)(?: \((\w+)\))?(?=·| |\)|$)")
 
@@ -173,8 +174,8 @@ class PrintedEquation:
     def _moves(self, root, numbers):
         """Is no βL or θ zero above ω = 0, at which sides vanish though nothing moves?"""
         known = self.names(root, numbers)
-        return all(abs(known(name)) > TRIVIAL for name in {*self.means, self.variable}
-                   if name == self.variable or (name[0] == "θ" and "−" in self.means[name][1]))
+        return abs(known(self.variable)) > TRIVIAL and all(
+            abs(known(name)) > CUT for name, (_, text) in self.means.items() if name[0] == "θ" and "−" in text)
 
     def denominator(self, name, at, numbers):
         """That of the dynamic stiffness of a name."""
