@@ -37,9 +37,22 @@ def acting(M: Any, K: Any, moving: Collection[int], square: "Node") -> "tuple[di
         beside = [j for i, j in Z if i == out and j != out]
         for i in beside:
             for j in beside:
-                Z[i, j] = Z.get((i, j), zero) - Z[i, out] * Z[out, j] / Z[out, out]
+                Z[i, j] = _without(Z.get((i, j), zero), Z[i, out], Z[out, j], Z[out, out])
         Z = {pair: node for pair, node in Z.items() if out not in pair}
     return {pair: written for pair, node in Z.items() if not (written := _shortest(node)).is_zero}, hung
+
+
+def _without(Z, row, column, own):
+    """Z − row·column/own; k − M ω² − k²/(k − m ω²) of an oscillator as −M ω² − k m ω²/(k − m ω²)."""
+    freed, rest = textbook(Z + row), textbook(own + column)
+    if row is column and _count(freed) < _count(Z):
+        return freed - row * rest / own
+    return Z - row * column / own
+
+
+def _count(node):
+    """Of the terms of a sum."""
+    return 0 if node.is_zero else len(node.args) + bool(node.coefficient) if node.op == "sum" else 1
 
 
 def _shortest(node):

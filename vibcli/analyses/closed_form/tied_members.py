@@ -41,7 +41,7 @@ JOINTS = 2          # motions in which members of one equation meet
 
 class Tied(NamedTuple):
     """Members that meet at joints: `left` = `right` in k₁, k₂, …; `stiffnesses`: {letter: (F, H)} in θ, those of the
-    members of the names in `owners`; `repeated`: those of several members at one joint; `arguments`: {θ: (2, θ²) of
+    pieces in `owners`; `repeated`: those of several members at one joint; `arguments`: {θ: (2, θ²) of
     bars, shafts and strings, (4, θ⁴) of beams, by ω}; `letters`: {impedance: what it is, by ω}; the coordinates of what
     hangs on them."""
 
@@ -49,7 +49,7 @@ class Tied(NamedTuple):
     left: "Node"
     right: "Node"
     stiffnesses: "dict[Node, tuple[Node, Node]]"
-    owners: "dict[Node, list[str]]"
+    owners: "dict[Node, list[PlacedPiece]]"
     repeated: "list[Node]"
     arguments: "dict[Node, tuple[int, Node]]"
     letters: "dict[Node, Node]"
@@ -64,7 +64,7 @@ def tied_equations(symbolic: Any, pieces: "Sequence[PlacedPiece]") -> list[tuple
     M, C, G, K = matrices_in_letters(form)
     entries = {*M, *C, *G, *K}
     return [(group, tied(form, group, taken), len(coupled(entries, _moved(group))))
-            for group in components(pieces, entries)]
+            for group in components([one for one in form.pieces if any(one is piece for piece in pieces)], entries)]
 
 
 def _moved(pieces):
@@ -85,7 +85,7 @@ def components(pieces: "Sequence[PlacedPiece]", entries: "Collection[tuple[int, 
         near = [group for group in found if group[0] & own]
         found = [group for group in found if group not in near]
         found.append((own.union(*(group[0] for group in near)), [one for group in near for one in group[1]] + [piece]))
-    return [group for _, group in found]
+    return [sorted(group, key=pieces.index) for _, group in found]
 
 
 def tied(form: Any, pieces: "Sequence[PlacedPiece]", taken: Collection[str]) -> "Tied | None":
@@ -198,7 +198,7 @@ class _Equation:
         right = table.zero if len(left) == 1 else self.Z[tuple(self.joints)] ** 2
         owners: dict = {}
         for placed, part in zip(self.pieces, self.parts, strict=True):
-            owners.setdefault(self.stiffnesses[part], []).append(placed.owner)
+            owners.setdefault(self.stiffnesses[part], []).append(placed)
         repeated = [letter for letter, count in Counter(
             (self._joint(placed)[0], self.stiffnesses[part])
             for placed, part in zip(self.pieces, self.parts, strict=True)).items() if count > 1]

@@ -13,8 +13,10 @@ from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
+    from vibcli.analyses.closed_form.tied_members import Tied
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 SIMPLE, PRINTED, DIGITS = {"sin": "n·π", "cos": "(2n − 1)·π/2"}, 5, 10
 CLOSE = 1e-8        # of ω²: frequencies that are one
@@ -67,8 +69,7 @@ def _met(problem, tied, label):
     """k₁ + k₂ + Z = 0, and what these are."""
     yield line(tied.left, " = ", tied.right, label=label)
     for letter, (above, below) in tied.stiffnesses.items():
-        whose = Words("   of " + ", ".join(tied.owners[letter])) if len(tied.members) > 1 else Words("")
-        yield line(letter, " = ", above / below, whose, inset=2)
+        yield line(letter, " = ", above / below, Words("   "), *whose(tied, letter), inset=2)
     for letter, (order, power) in tied.arguments.items():
         yield line(letter ** order, " = ", power, inset=2)
     for letter, Z in tied.letters.items():
@@ -82,6 +83,14 @@ def _met(problem, tied, label):
         yield line(Words("and where the denominator of "), letter,
                    Words(" is 0: its members move against each other, the joint rests"), inset=2)
     yield from orthogonality(problem, tied)
+
+
+def whose(tied: "Tied", letter: "Node") -> list:
+    """Parts that tell of which members, or on which stretches of one, a dynamic stiffness is."""
+    if len(tied.members) > 1:
+        return [Words("of " + ", ".join(dict.fromkeys(placed.owner for placed in tied.owners[letter])))]
+    return [part for placed in tied.owners[letter] for part in (Words(", "), placed.start, " < x < ",
+            textbook(placed.start + placed.piece.length))][1:]
 
 
 def _damped(problem):

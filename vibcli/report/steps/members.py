@@ -13,7 +13,7 @@ from vibcli.notation.numbers import figure
 from vibcli.notation.plain import GREEK, lowered
 from vibcli.report.blocks import Factor, Name, WithNumbers, Words
 from vibcli.report.place_letter import by_letter, place_letter
-from vibcli.report.sections.frequency_equation import SIMPLE
+from vibcli.report.sections.frequency_equation import SIMPLE, whose
 from vibcli.report.sections.members import carried, differential, station_conditions
 from vibcli.report.steps.ends import Ends
 from vibcli.report.steps.held import HINT
@@ -122,9 +122,8 @@ class MemberSteps:
             uses.append(self.sheet.write(Words("what acts on an end:  "), letter, " = ", Z, settles=letter.name,
                                          uses=uses))
         for letter, (above, below) in found.stiffnesses.items():
-            joint.append(self.sheet.write(
-                Words(f"dynamic stiffness at the joint, of {', '.join(found.owners[letter])}:  "),
-                letter, " = ", above / below, settles=letter.name, uses=uses))
+            parts = [Words("dynamic stiffness at the joint, "), *whose(found, letter), Words(":  ")]
+            joint.append(self.sheet.write(*parts, letter, " = ", above / below, settles=letter.name, uses=uses))
         words = ", without what damps" if self.damped else ""
         rests = [part for letter in found.repeated for part in (
             Words(",  and where the denominator of "), letter, Words(" is 0, the joint at rest"))]
