@@ -118,8 +118,8 @@ class PrintedEquation:
     @property
     def variable(self):
         """What its roots are told in: βL, or ω."""
-        return next((name for name, (_, text) in self.means.items() if "β" in text and name[0] == "θ"), "βL") if (
-            "ω" in self.means) else "ω"
+        named = [name for name, (_, text) in self.means.items() if name[0] == "θ" and re.search("β(?!L)", text)]
+        return [*named, "βL"][0] if "ω" in self.means else "ω"
 
     @property
     def order(self):

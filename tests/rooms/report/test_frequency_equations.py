@@ -138,6 +138,17 @@ PAIRS = {
         beams: {b: {length: L, EI: EI, mass_per_length: mu, left: {k: k, torsion: kt},
                     attached: [{at: L, mass: M}, {at: L, oscillator: {mass: m, k: k/40}}]}}
         """,
+    "a beam with a body whose mass centre is beyond its tip": """
+        parameters: {L: 1.2 m, EI: 2400 N*m^2, mu: 3 kg/m, M: 5 kg, J: 0.3 kg*m^2, e: 0.2 m}
+        beams: {arm: {from: [0, 0], to: [L, 0], EI: EI, mass_per_length: mu, left: clamped, right: {clamped: motor}}}
+        bodies: {motor: {shape: rectangle, width: 2*e, height: e, mass: M, inertia: J, at: [L + e, 0],
+                         move: [x, y, psi]}}
+        """,
+    "a beam whose left end carries such a body": """
+        parameters: {L: 1.2 m, EI: 2400 N*m^2, mu: 3 kg/m, M: 5 kg, J: 0.3 kg*m^2, e: 0.2 m, k: 9 kN/m}
+        beams: {arm: {from: [0, 0], to: [2*L, 0], EI: EI, mass_per_length: mu, left: {clamped: motor}, right: {k: k}}}
+        bodies: {motor: {shape: rectangle, width: 2*e, height: e, mass: M, inertia: J, at: [-e, 0], move: [x, y, psi]}}
+        """,
     "a stepped bar with a mass at its step and on a spring": """
         parameters: {L: 1.2 m, EA: 2 MN, mu: 2 kg/m, M: 3 kg, k: 900 kN/m}
         bars: {b: {segments: [{length: L, EA: EA}, {length: 2*L, EA: 3*EA}], mass_per_length: mu, left: {k: k},

@@ -2,7 +2,7 @@
 move; what hangs on these, masses on springs or pendulums, is eliminated (Schur's complement).
 """
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.common_denominator import single
@@ -70,3 +70,31 @@ def over(Z: "Node", scale: "Node") -> "Node":
     table = Z.table
     terms = [table.number(Z.coefficient), *(c * part for part, c in Z.args)] if Z.op == "sum" else [Z]
     return table.total([single(term / scale ** 2) for term in terms])
+
+
+def at_station(rows: "Sequence[Mapping[int, Node]]", Z: "Mapping[tuple[int, int], Node]", zero: "Node") -> tuple:
+    """The impedances of the motions of a station, None of what is held, and of two motions what couples them where
+    anything does; `rows`: the motions by coordinates, as many as move."""
+    if all(len(row) < 2 for row in rows):
+        found = [over(Z.get((i, i), zero), slope) if row else None for row in rows
+                 for i, slope in (row or {None: None}).items()]
+        pair = [(i, slope) for row in rows for i, slope in row.items()]
+        both = Z.get((pair[0][0], pair[1][0]), zero) / (pair[0][1] * pair[1][1]) if len(pair) == 2 else zero
+        return (*found, *([] if both.is_zero else [both]))
+    inverse = by_motions(rows)
+    entry = [[zero.table.total([one[m] * Z.get((i, j), zero) * other[n] for i, one in inverse.items()
+                                for j, other in inverse.items()]) for n in (0, 1)] for m in (0, 1)]
+    (across, both), (_, turn) = [[_shortest(node) for node in row] for row in entry]
+    return (across, turn, *([] if both.is_zero else [both]))
+
+
+def by_motions(rows: "Sequence[Mapping[int, Node]]") -> "dict[int, tuple[Node, ...]]":
+    """{coordinate: its parts by the motions of a station}, of motions that move, by as many coordinates."""
+    if all(len(row) < 2 for row in rows):
+        return {i: tuple(1 / slope if one is row else 0 * slope for one in rows) for row in rows
+                for i, slope in row.items()}
+    i, j = sorted({i for row in rows for i in row})
+    zero = next(iter(rows[0].values())) * 0
+    (a, b), (c, d) = [[row.get(k, zero) for k in (i, j)] for row in rows]
+    det = a * d - b * c
+    return {i: (d / det, -b / det), j: (-c / det, a / det)}

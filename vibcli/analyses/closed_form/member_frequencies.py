@@ -17,7 +17,7 @@ from vibcli.analyses.closed_form.free_letters import (
     in_order,
 )
 from vibcli.analyses.closed_form.frequency_functions import UniformPiece, frequency_function
-from vibcli.analyses.closed_form.lumped_impedances import acting, coupled, over, stands_apart
+from vibcli.analyses.closed_form.lumped_impedances import acting, at_station, coupled, stands_apart
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.symbolic_matrices import matrices_in_letters
 from vibcli.symbolic.common_denominator import single
@@ -38,8 +38,8 @@ WAVE_NUMBER = "βL"      # of notation.PRODUCTS
 class FrequencyEquation(NamedTuple):
     """What vanishes at the natural frequencies of the `members`: {functions of the arguments: coefficient}; βL, β that
     of the first piece and L the length of the chain, ω, ω² by βL, the argument of each piece, what acts on the
-    stations, the same as it stands in the function, {letter: impedance} by ω of what stands there as a letter, and the
-    coordinates of what hangs on the stations."""
+    stations (on the displacement, the turn, and what couples both), the same as it stands in the function, {letter:
+    impedance} by ω of what stands there as a letter, and the coordinates of what hangs on the stations."""
 
     members: tuple
     order: int
@@ -107,8 +107,7 @@ def _end(placed, side):
 
 def _equation(form, chain, taken):
     pressed = [part for part in chain if not (part.piece.bending.is_zero or part.piece.tension.is_zero)]
-    if len(chain) > (1 if pressed else MOST) or not all(part.piece.gradient.is_zero for part in chain) or any(
-            len(row) > 1 for part in chain for row in part.rows):
+    if len(chain) > (1 if pressed else MOST) or not all(part.piece.gradient.is_zero for part in chain):
         return None
     table, first = form.table, chain[0].piece
     length, order = textbook(table.total([part.piece.length for part in chain])), 2 if first.bending.is_zero else 4
@@ -125,13 +124,13 @@ def _equation(form, chain, taken):
         return None
     impedances, hung = acting
     letters, standing = _lettered(impedances, omega, taken, not first.foundation.is_zero)
-    found = FrequencyEquation(tuple(dict.fromkeys(part.owner for part in chain)), order, x, omega, square,
-                              [piece.argument for piece in pieces], {}, chain, [], [], letters, hung)
     by_x = [tuple(Z and textbook(substitute([Z], {omega: table.sqrt(square)})[0]) for Z in end) for end in standing]
+    found = FrequencyEquation(tuple(dict.fromkeys(part.owner for part in chain)), order, x, omega, square,
+                              [piece.argument for piece in pieces], {}, chain, [], by_x, letters, hung)
     return found._replace(
         function=frequency_function(table, order, *((pieces, by_x) if len(pieces) == 1 else
                                                     _without_units(pieces, by_x))),
-        standing=by_x, impedances=[tuple(Z and textbook(*found.by_wave_number(Z)) for Z in end) for end in impedances])
+        impedances=[tuple(Z and textbook(*found.by_wave_number(Z)) for Z in end) for end in impedances])
 
 
 def _wave_number(length, taken):
@@ -166,18 +165,19 @@ def _lettered(impedances, omega, taken, bedded):
 
 def _without_units(pieces, impedances):
     """β, the stiffness S and the impedances of several pieces by those of the first: β/β₁, S/S₁, Z/(S₁ β₁³) of the
-    displacement of a beam, Z/(S₁ β₁) of what has one motion or of a turn."""
-    beta, stiffness, half = pieces[0].beta, pieces[0].stiffness, len(impedances[0])
-    scales = [stiffness * beta ** (3 if half > 1 and not part else 1) for part in range(half)]
+    displacement of a beam, Z/(S₁ β₁) of what has one motion or of a turn,
+    Z/(S₁ β₁²) of what couples both."""
+    beta, stiffness = pieces[0].beta, pieces[0].stiffness
+    scales = [stiffness * beta ** power for power in ((1,) if len(impedances[0]) == 1 else (3, 1, 2))]
     return [UniformPiece(piece.beta / beta, piece.argument, piece.stiffness / stiffness) for piece in pieces], [
-        tuple(None if Z is None else textbook(Z / scale) for Z, scale in zip(end, scales, strict=True))
+        tuple(None if Z is None else textbook(Z / scale) for Z, scale in zip(end, scales, strict=False))
             for end in impedances]
 
 
 def _sines(impedances):
     """Is each end of a beam pinned or guided and nothing else, so that sines and cosines are its shapes under any
     tension N: B β⁴ + N β² + k = μ ω²?"""
-    return all([Z.is_zero for Z in end if Z is not None] == [True] for end in impedances)
+    return all([Z.is_zero for Z in end[:2] if Z is not None] == [True] for end in impedances)
 
 
 def _stiffness(piece):
@@ -191,17 +191,18 @@ def _stations(chain):
 
 
 def _impedances(form, chain, omega):
-    """[(Z of the displacement, of beams of the turn)] of the stations, None of what is held, and the coordinates of
-    what hangs on them; None where what acts on one motion is coupled to another, or to another member."""
+    """[(Z of the displacement, of beams of the turn, what couples both where anything does)] of the stations, None of
+    what is held, and the coordinates of what hangs on them; None where what acts on one station is coupled to another,
+    or to another member."""
     stations = _stations(chain)
-    moving = [next(iter(row)) for rows in stations for row in rows if row]
+    own = [sorted({i for row in rows for i in row}) for rows in stations]
+    moving = [i for one in own for i in one]
     elsewhere = {i for piece in form.pieces if piece not in chain for row in piece.rows for i in row}
     M, _, G, K = matrices_in_letters(form)
     if G or len(set(moving)) != len(moving) or elsewhere & coupled({*M, *K}, moving):
         return None
     Z, hung = acting(M, K, moving, omega ** 2)
-    if any(i != j for i, j in Z):
+    if any(len(one) != sum(map(bool, rows)) for one, rows in zip(own, stations, strict=True)) or any(
+            i != j and not any(i in one and j in one for one in own) for i, j in Z):
         return None
-    zero = omega.table.zero
-    return [tuple(over(Z.get((i, i), zero), slope) if row else None for row in rows
-                  for i, slope in (row or {None: None}).items()) for rows in stations], hung
+    return [at_station(rows, Z, omega.table.zero) for rows in stations], hung

@@ -37,8 +37,9 @@ class MemberShape(NamedTuple):
 
 
 def shape(found: "FrequencyEquation") -> MemberShape | None:
-    """The shape of one uniform member; None of others."""
-    if len(found.pieces) > 1:
+    """The shape of one uniform member; None of others, and where something couples displacement and turn of its left
+    end."""
+    if len(found.pieces) > 1 or len(found.standing[0]) > 2:
         return None
     table, left = found.wave_number.table, found.standing[0]
     along = table.parameter(ALONG)
@@ -85,15 +86,16 @@ def _of_fourth_order(found, Z, turn):
 
 
 def _at_right(found, terms):
-    """What vanishes of the shape at the right end: X, X′, X″, X‴, or EI X″ + Z X′."""
-    across, turn = found.standing[1]
+    """What vanishes of the shape at the right end: X, X′, X″, X‴, or EI X″ + Z X′ + what a coupling adds, Z X."""
+    across, turn, *both = found.standing[1]
     for order, Z in ((0, across), (1, turn)):
         if Z is None:
             return _derivative(terms, order)
-    if turn.is_zero or across.is_zero:
+    if not both and (turn.is_zero or across.is_zero):
         return _derivative(terms, 2 if turn.is_zero else 3)
     factor = _by_units(found, turn, 1)
-    return [*_derivative(terms, 2), *((size * factor, slope) for size, slope in _derivative(terms, 1))]
+    more = [(size * _by_units(found, both[0], 2), one) for size, one in terms] if both else []
+    return [*_derivative(terms, 2), *((size * factor, slope) for size, slope in _derivative(terms, 1)), *more]
 
 
 def _derivative(terms: "list[tuple[Any, Mapping[str, int]]]", order):

@@ -19,7 +19,8 @@ if TYPE_CHECKING:
 
 ONE, BOTH, SINES, UNEQUAL, SWAPPED = (), ((0, "cos", "cosh"),), ((0, "sin", "sinh"),), ((0, "cos", "sinh"),), (
     (0, "cosh", "sin"),)
-SMALL = 1000
+SMALL = 1000        # numbers that stand as fractions
+LONGEST = 32        # products that are printed
 
 
 def sides(found: "FrequencyEquation") -> "tuple[Node, Node]":
@@ -32,9 +33,15 @@ def sides(found: "FrequencyEquation") -> "tuple[Node, Node]":
 
 
 def is_short(found: "FrequencyEquation") -> bool:
-    """Is it of one piece, of beams, or of two others of which at most one carries something simple?"""
+    """Has it so few products that it is printed?"""
+    return sum(len(reduced(expanded(node))) for node in found.function.values()) <= LONGEST
+
+
+def met(found: "FrequencyEquation") -> bool:
+    """Is it of two bars, shafts or strings that more than one simple thing acts on, so that their dynamic stiffnesses
+    tell it better?"""
     acting = [Z for end in found.impedances for Z in end if Z is not None and not Z.is_zero]
-    return len(found.pieces) == 1 or found.order == 4 or (len(acting) < 2 and not found.letters)
+    return len(found.pieces) > 1 and found.order == 2 and (len(acting) > 1 or bool(found.letters))
 
 
 def by_letters(found: "FrequencyEquation", taken: "Collection[str]") -> "tuple[FrequencyEquation, list]":

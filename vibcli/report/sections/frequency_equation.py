@@ -39,16 +39,16 @@ def frequency_equation(problem: "Problem", _: "Report") -> Iterator[Section]:
 def _equations(problem):
     """The lines on each equation: of chains of pieces, of members that meet in one motion, of others."""
     from vibcli.analyses.closed_form.member_frequencies import chains, frequency_equations
-    from vibcli.analyses.closed_form.textbook_equation import is_short
+    from vibcli.analyses.closed_form.textbook_equation import is_short, met
     from vibcli.analyses.closed_form.tied_members import tied_equations
 
     names, told, left = list(problem.scene.members), {}, []
     for chain, found in zip(chains(problem.symbolic.linearisation.pieces), frequency_equations(problem.symbolic),
                             strict=True):
-        if found is not None and is_short(found):
-            told[found.members] = partial(_solved, problem, found)
-        else:
+        if found is None or met(found):
             left += chain
+        else:
+            told[found.members] = partial(_solved if is_short(found) else _long, problem, found)
     for pieces, tied, size in tied_equations(problem.symbolic, left):
         owners = tuple(dict.fromkeys(piece.owner for piece in pieces))
         told[owners] = partial(_determinant, size) if tied is None else partial(_met, problem, tied)
@@ -59,10 +59,17 @@ def _equations(problem):
 def _determinant(size, label):
     """What is solved where nothing shorter is told."""
     if not size:
-        yield line(Words("no closed form: the frequencies are those of the member between what holds it"), label=label)
+        yield line(Words("not written out: the frequencies are those of the member between what holds it"), label=label)
         return
-    yield line("det D(ω) = 0", Words(f",  {size} × {size}: K − ω²M and the dynamic stiffness of each uniform part; "
-                                     "no closed form"), label=label)
+    yield line("det D(ω) = 0", Words(f",  {size} × {size}: K − ω²M and the dynamic stiffness of each part; "
+                                     "not written out"), label=label)
+
+
+def _long(problem, found, label):
+    """What is solved, and the orthogonality."""
+    moving = {i for placed in found.pieces for row in placed.rows for i in row}
+    yield from _determinant(len(moving) + len(found.hung), label)
+    yield from orthogonality(problem, found)
 
 
 def _met(problem, tied, label):

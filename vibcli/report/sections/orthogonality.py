@@ -5,6 +5,7 @@ from functools import partial
 from itertools import combinations_with_replacement
 from typing import TYPE_CHECKING, Any
 
+from vibcli.analyses.closed_form.lumped_impedances import by_motions
 from vibcli.report.blocks import Line, Name, Words, line
 from vibcli.report.sections.members import integrals, terms_of
 from vibcli.symbolic.normal_form import textbook
@@ -22,16 +23,18 @@ def orthogonality(problem: "Problem", found: Any) -> Iterator[Line]:
     several, told = len({owner for owner, *_ in along}) > 1, []
     for number, (owner, inner, where) in enumerate(along):
         told += [" + ∫" if number else "∫", *inner, *([Words(f" ({owner})")] if several else []), *where]
-    amplitudes = _amplitudes(found, several)
+    motions, parts = _motions(found, several)
     hung = [i for i in found.hung if any(i in pair for pair in M)]
     taken = {*scene.coordinates, *scene.parameters.nodes}
     letters = [letter for letter in HUNG if letter not in taken]
     if len(hung) > len(letters):
         return
     named = list(zip(hung, letters, strict=False))
-    amplitudes |= {i: (scene.table.one, lambda mode, letter=letter: (f"{letter}_{mode}",), []) for i, letter in named}
-    lumped = terms_of([_lumped(M[i, j], amplitudes[i], amplitudes[j])
-                       for i, j in combinations_with_replacement(amplitudes, 2) if (i, j) in M])
+    for i, letter in named:
+        parts[i] = {len(motions): scene.table.one}
+        motions.append((partial(_of_hung, letter), []))
+    lumped = terms_of([(size, _products(motions[m], motions[n])) for m, n in combinations_with_replacement(
+        range(len(motions)), 2) for size in [_lumped(M, parts, m, n, scene.table)]])
     joined = _joined(lumped) if told and lumped else lumped
     meaning = [part for i, letter in named
                for part in (Words(",  "), letter, Words(" that of "), Name(scene.q[i].name))]
@@ -43,19 +46,20 @@ def _joined(terms):
     return [" − ", *terms[1:]] if terms[0] == "−" else [" + ", *terms]
 
 
-def _amplitudes(found, several):
-    """{coordinate: (what it is of the motion X or ∂X/∂x of a member at a place, that as text of mode i or j, whose it
-    is)}."""
-    amplitudes: dict = {}
+def _motions(found, several):
+    """[(text of a motion X or ∂X/∂x of a place in mode i or j, whose it is)] of the stations, and {coordinate: {number
+    of a motion: how much of it that is}}."""
+    motions, parts = [], {}
     for placed in found.pieces:
         half = len(placed.rows) // 2
         for place, rows in ((placed.start, placed.rows[:half]), (
                 textbook(placed.start + placed.piece.length), placed.rows[half:])):
-            for part, row in enumerate(rows):
-                for i, slope in row.items():
-                    amplitudes.setdefault(i, (1 / slope, partial(_motion, part, place),
-                                              [Words(f" ({placed.owner})")] if several else []))
-    return amplitudes
+            for i, shares in by_motions([row for row in rows if row]).items():
+                if i not in parts:
+                    parts[i] = {len(motions) + k: share for k, share in enumerate(shares) if not share.is_zero}
+            motions += [(partial(_motion, part, place), [Words(f" ({placed.owner})")] if several else [])
+                        for part, row in enumerate(rows) if row]
+    return motions, parts
 
 
 def _motion(part, place, mode):
@@ -63,17 +67,26 @@ def _motion(part, place, mode):
     return (f"∂X_{mode}/∂x(" if part else f"X_{mode}(", place, ")")
 
 
-def _lumped(inertia, one, other):
-    """What an entry of the mass matrix adds, by the motions of which its coordinates are parts."""
-    (scale, first, owner), (factor, second, another) = one, other
-    size = textbook(inertia * scale * factor)
+def _of_hung(letter, mode):
+    return (f"{letter}_{mode}",)
+
+
+def _lumped(M, parts, m, n, table):
+    """What the mass matrix has of two motions."""
+    return textbook(table.total([node * parts[i][m] * parts[j][n] for (i, j), node in M.items()
+                                 if m in parts.get(i, ()) and n in parts.get(j, ())]))
+
+
+def _products(one, other):
+    """The products of two motions in the modes i and j."""
+    (first, owner), (second, another) = one, other
     if one is other:
-        return (size, (*first("i"), "·", *first("j"), *owner))
+        return (*first("i"), "·", *first("j"), *owner)
     if owner != another:
-        first, second = partial(_of, first, owner), partial(_of, second, another)
+        first, second = partial(_with_owner, first, owner), partial(_with_owner, second, another)
     both = owner if owner == another else []
-    return (size, ("(", *first("i"), "·", *second("j"), " + ", *second("i"), "·", *first("j"), ")", *both))
+    return ("(", *first("i"), "·", *second("j"), " + ", *second("i"), "·", *first("j"), ")", *both)
 
 
-def _of(motion, owner, mode):
+def _with_owner(motion, owner, mode):
     return (*motion(mode), *owner)

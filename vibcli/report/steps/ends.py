@@ -57,7 +57,7 @@ class Ends:
     def _fourth_order(self, uses):
         """X = C₁ f + C₂ g, and two conditions at βL."""
         ends, table = self.found.impedances, self.table
-        if any(Z is not None and not Z.is_zero for Z in ends[0]):
+        if any(Z is not None and not Z.is_zero for Z in ends[0]) or len(ends[1]) > 2:
             return None
         along = table.parameter("βx")
         left = [{name: table.number(sign) for name, sign in one.items()}
