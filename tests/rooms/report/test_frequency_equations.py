@@ -184,3 +184,18 @@ def test_what_has_no_equation_in_closed_form_tells_its_determinant():
                     attached: [{at: L/2, mass: M}, {at: L, mass: M}]}}
         """))
     assert line.startswith("det D(ω) = 0,  4 × 4")
+
+
+def test_letters_of_equations_are_none_of_the_scene():
+    one, three = printed(problem("""
+        parameters: {L: , EA: , mu: , M: , k: , omega: , k1: {unit: N/m}, Z: }
+        bars:
+          one: {length: L, EA: EA, mass_per_length: mu, left: {k: k}, right: {clamped: b}, attached: [{at: 0, mass: M}]}
+          two: {length: L, EA: EA, mass_per_length: mu, left: {clamped: b}}
+          three: {length: L, EA: EA*Z, mass_per_length: mu*k1/k, left: {k: k}, right: clamped,
+                  attached: [{at: 0, mass: M*omega}]}
+        bodies: {b: {mass: M, slide: x}}
+        springs: {s: {between: [ground, b], k: k1}}
+        """))
+    assert one[0] == "k₁ + D₁ + D₂ − M·p² = 0,  p the circular frequency" and "Q = k − M·p²" in one
+    assert three[:3] == ["tan\u00a0βL = −EA·Z·βL/(L·Q)", "Q = k − M·ω·p²", "p = βL·√(EA·k·Z/(μ·k₁))/L"]

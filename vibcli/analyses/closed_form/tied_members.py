@@ -40,12 +40,13 @@ JOINTS = 2          # motions in which members of one equation meet
 
 
 class Tied(NamedTuple):
-    """Members that meet at joints: `left` = `right` in k₁, k₂, …; `stiffnesses`: {letter: (F, H)} in θ, those of the
-    pieces in `owners`; `repeated`: those of several members at one joint; `arguments`: {θ: (2, θ²) of
-    bars, shafts and strings, (4, θ⁴) of beams, by ω}; `letters`: {impedance: what it is, by ω}; the coordinates of what
-    hangs on them."""
+    """Members that meet at joints: `left` = `right` in k₁, k₂, … and ω; `stiffnesses`: {letter: (F, H)} in θ, those of
+    the pieces in `owners`; `repeated`: those of several members at one joint; `arguments`: {θ: (2, θ²) of bars, shafts
+    and strings, (4, θ⁴) of beams, by ω}; `letters`: {impedance: what it is, by ω}; the coordinates of what hangs on
+    them."""
 
     members: tuple
+    omega: "Node"
     left: "Node"
     right: "Node"
     stiffnesses: "dict[Node, tuple[Node, Node]]"
@@ -202,7 +203,7 @@ class _Equation:
         repeated = [letter for letter, count in Counter(
             (self._joint(placed)[0], self.stiffnesses[part])
             for placed, part in zip(self.pieces, self.parts, strict=True)).items() if count > 1]
-        return Tied(tuple(dict.fromkeys(placed.owner for placed in self.pieces)), table.product(
+        return Tied(tuple(dict.fromkeys(placed.owner for placed in self.pieces)), self.omega, table.product(
             *((node, 1) for node in left)), right, {letter: part for part, letter in self.stiffnesses.items()}, owners,
             list(dict.fromkeys(letter for _, letter in repeated)),
             {letter: power for power, letter in self.arguments.items()},

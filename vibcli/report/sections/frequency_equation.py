@@ -74,7 +74,8 @@ def _long(problem, found, label):
 
 def _met(problem, tied, label):
     """k₁ + k₂ + Z = 0, and what these are."""
-    yield line(tied.left, " = ", tied.right, label=label)
+    yield line(tied.left, " = ", tied.right, *([] if tied.omega.name == "omega" else [
+        Words(",  "), tied.omega, Words(" the circular frequency")]), label=label)
     for letter, (above, below) in tied.stiffnesses.items():
         yield line(letter, " = ", above / below, Words("   "), *whose(tied, letter), inset=2)
     for letter, (order, power) in tied.arguments.items():
@@ -156,8 +157,8 @@ def _frequency(found):
     alone = textbook(found.square / x ** order)
     if x in reachable([alone]):
         more = [Words(",  also where "), x ** order, Words(" is negative")] if found.letters else []
-        return line("ω² = ", found.square, *more, inset=2)
+        return line(found.omega ** 2, " = ", found.square, *more, inset=2)
     if not any(node.op == "symbol" for node in reachable([alone])):
         value = figure(evaluate([alone], Floats, {})[0] ** 0.5, digits=DIGITS)
-        return line("ω = ", value, "·", x ** (order // 2), inset=2)
-    return line("ω = ", x ** (order // 2) * x.table.sqrt(alone), inset=2)
+        return line(found.omega, " = ", value, "·", x ** (order // 2), inset=2)
+    return line(found.omega, " = ", x ** (order // 2) * x.table.sqrt(alone), inset=2)

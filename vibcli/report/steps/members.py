@@ -141,6 +141,8 @@ class MemberSteps:
         ends = Ends(found, self.sheet)
         asked = ends.write(uses) if len(found.pieces) == 1 and not self._pressed(found) else None
         named, letters = by_letters(found, self.scene.parameters.nodes)
+        omega = {found.omega: self.table.parameter(self.sheet.letter("omega"))}
+        letters = [(letter, *substitute([meant], omega)) for letter, meant in letters]
         left, right = sides(named)
         words = ", without what damps" if self.damped else ""
         how = f"so the frequency equation{words}:  " if asked else (
