@@ -158,6 +158,17 @@ class PrintedEquation:
         found = self.names(at, numbers)("ω")
         return found.real if abs(found.imag) < abs(found.real) else 0.0
 
+    def at(self, omega, numbers):
+        """The variable of a frequency."""
+        low = -self._reaches(-1.0, 0.0, numbers)
+        high = self._reaches(1.0, omega, numbers)
+        if self.omega(1e-9, numbers) > omega:
+            high = 0.0
+        for _ in range(80):
+            middle = (low + high) / 2
+            low, high = (middle, high) if self.omega(middle, numbers) < omega else (low, middle)
+        return high
+
     def roots(self, numbers, highest, steps=900):
         """The frequencies up to the highest at which the residual changes its sign through zero."""
         low, top = 0.0, highest
@@ -170,6 +181,12 @@ class PrintedEquation:
             found = [root for function in functions for root in self._zeros(partial(function, numbers=numbers), places)]
         return sorted(omega for omega in (self.omega(root, numbers) for root in found if self._moves(root, numbers))
                       if omega <= highest)
+
+    def shape(self, root, share, numbers):
+        """X at a share of the length, where βL is a root."""
+        known = self.names(root, numbers)
+        text = self.means["X(x)"][1]
+        return value(plain(text), lambda name: share * known(self.variable) if name == "βx" else known(name))
 
     def _moves(self, root, numbers):
         """Is no βL or θ zero above ω = 0, at which sides vanish though nothing moves?"""

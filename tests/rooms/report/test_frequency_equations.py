@@ -4,6 +4,8 @@ import pytest
 from support.printed_equations import PrintedEquation, numbers, orthogonality, printed
 from support.scenes import problem
 
+from vibcli.analyses.continuous.shapes import shape_along
+
 BAR, BEAM = "EA: 2 MN, mass_per_length: 2.5 kg/m", "EI: 4 kN*m^2, mass_per_length: 2.5 kg/m"
 SHAFT = "GIo: 4 kN*m^2, inertia_per_length: 2 kg*m"
 LUMPED = {
@@ -184,6 +186,35 @@ def test_what_has_no_equation_in_closed_form_tells_its_determinant():
                     attached: [{at: L/2, mass: M}, {at: L, mass: M}]}}
         """))
     assert line.startswith("det D(ω) = 0,  4 × 4")
+
+
+SHAPED = {**{name: text for name, text in PAIRS.items() if name.startswith(("a beam", "a string in"))},
+          "a bar on a spring with a mass and an oscillator": """
+        parameters: {L: 1.2 m, EA: 2 MN, mu: 2 kg/m, k: 900 kN/m, M: 3 kg, m: 1 kg}
+        bars: {b: {length: L, EA: EA, mass_per_length: mu, left: {k: k}, right: {k: 2*k},
+                   attached: [{at: 0 m, mass: M}, {at: 0 m, oscillator: {mass: m, k: k/40}}]}}
+        """}
+
+
+@pytest.mark.parametrize("text", SHAPED.values(), ids=SHAPED)
+def test_shapes_are_those_that_are_printed(text):
+    """X(x) at any left end, up to a factor."""
+    scene = problem(text)
+    (lines,), (name,) = printed(scene), scene.scene.members
+    equation, values = PrintedEquation(lines), numbers(scene)
+    if "X(x)" not in equation.means:
+        assert "left end carries such a body" in next(key for key, one in SHAPED.items() if one is text)
+        return
+    for mode in [mode for mode in scene.modal.modes.first(5) if mode.omega]:
+        root = equation.at(float(mode.omega), values)
+        pieces = scene.modal.fields(mode).pieces(name)
+        length = pieces[-1].start + pieces[-1].piece.length
+        shares = [0.0, 0.21, 0.43, 0.77, 1.0]
+        told = [equation.shape(root, share, values) for share in shares]
+        moved = shape_along(pieces, [share * length for share in shares])[:, 0]
+        largest = max(range(5), key=lambda k: abs(moved[k]))
+        factor = moved[largest] / told[largest]
+        assert [factor * one for one in told] == pytest.approx(list(moved), abs=1e-7 * abs(moved[largest]))
 
 
 def test_letters_of_equations_are_none_of_the_scene():
