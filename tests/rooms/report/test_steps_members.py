@@ -119,3 +119,30 @@ def test_what_members_are_held_to_has_its_balance(stem, wanted):
     """Newton's and Euler's laws of a cart under the shear at the foot of its mast, of a pair of wheels on shafts."""
     lines = told(worked(settled(kept_problem_of(Path("problems/8_continuous") / f"{stem}.yaml"))))
     assert [line.partition(":  ")[2] for line in lines if line.startswith("what it is held to")] == wanted
+
+
+def test_two_columns_under_a_floor_by_hand():
+    """EI θ³ (cos θ sinh θ + sin θ cosh θ)/(H³ (1 − cos θ cosh θ)) of each, 12 EI/H³ at rest."""
+    scene = problem("""
+parameters: {H: 3 m, EI: 4 MN*m^2, mu: 60 kg/m, M: 900 kg}
+beams:
+  one: {length: H, EI: EI, mass_per_length: mu, left: clamped, right: {clamped: floor}}
+  two: {length: H, EI: EI, mass_per_length: mu, left: clamped, right: {clamped: floor}}
+bodies: {floor: {mass: M, slide: x}}
+""")
+    text = told(worked(scene))
+    assert any("of one, two:  k = EI·θ³·(cos θ·sinh θ + sin θ·cosh θ)/(H³·(1 − cos θ·cosh θ))" in one for one in text)
+    assert "so the frequency equation:  2·k − M·ω² = 0,  and where the denominator of k is 0, the joint at rest" in text
+
+
+def test_members_that_meet_have_their_lines_in_letters():
+    text = told(worked(problem("""
+parameters: {L: , S: , mu: , M: }
+strings:
+  one: {length: L, preload: S, mass_per_length: mu, left: clamped, right: {clamped: bead}}
+  two: {length: 2*L, preload: S, mass_per_length: mu, left: clamped, right: {clamped: bead}}
+bodies: {bead: {mass: M, slide: y}}
+""")))
+    assert text[-3:] == ["dynamic stiffness at the joint, of one:  k₁ = S·θ₁·cos θ₁/(L·sin θ₁)",
+                         "dynamic stiffness at the joint, of two:  k₂ = S·θ₂·cos θ₂/(2·L·sin θ₂)",
+                         "so the frequency equation:  k₁ + k₂ − M·ω² = 0"]

@@ -26,6 +26,9 @@ KRYLOV = [[(name, HALF), (other, sign * HALF)] for sign in (1, -1)          # th
           for name, other in (("cosh", "cos"), ("sinh", "sin"))]            # (cosh b + cos b)/2, …, (sinh b − sin b)/2
 
 
+COUPLED = (0, 2, 1), (1, 3, -1)     # motion, force of the other one, its sign
+
+
 class UniformPiece(NamedTuple):
     """β and βl of a piece, and its stiffness: EI of a beam, else EA, GI_o or the tension."""
 
@@ -38,15 +41,17 @@ def frequency_function(table: "Table", order: int, pieces: "Sequence[UniformPiec
                        impedances: "Sequence[tuple[Node | None, ...]]") -> "dict[tuple, Node]":
     """{functions: coefficient} of a sum that vanishes at the natural frequencies; functions: a tuple of (number of the
     piece, names of the functions of its βl). `order`: 2, of beams 4; `impedances`: of the displacement, and of beams of
-    the turn, at each node from left to right."""
+    the turn and of what couples both, at each node from left to right."""
     free, forces = (((0,), (1,)), (1,)) if order == 2 else (((0, 1), (2, 3)), (3, 2))
     space = {free[0]: {(): table.one}}
     for node, impedance in enumerate(impedances):
-        for motion, (force, Z) in enumerate(zip(forces, impedance, strict=True)):
+        for motion, (force, Z) in enumerate(zip(forces, impedance, strict=False)):
             if Z is None:
                 space = _collected(table, _held(space, motion, force))
             else:
                 space = _collected(table, _loaded(space, motion, force, -Z if force == 3 else Z))
+        for motion, force, sign in COUPLED[:2 * (len(impedance) > len(forces))]:
+            space = _collected(table, _loaded(space, motion, force, sign * impedance[-1]))
         if node < len(pieces):
             space = _collected(table, _carried(space, node, pieces[node], order))
     return space.get(free[1], {})

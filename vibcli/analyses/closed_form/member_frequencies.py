@@ -1,16 +1,27 @@
 """Frequency equations of members as textbooks write them: βL·tan βL = μL/M, cos βL·cosh βL = −1.
 
 A chain of one or two uniform pieces, bars end to end or a beam with something at an inner place, whose stations carry
-what acts on one motion each: masses, springs to the ground, oscillators. Of what is coupled otherwise there is none.
+what acts on one motion each: masses, springs to the ground, what hangs on these. An impedance that is neither a spring
+nor an inertia alone stands as a letter.
 """
 
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
+from vibcli.analyses.closed_form.free_letters import (
+    ARGUMENTS,
+    FREQUENCY,
+    IMPEDANCES,
+    free_letter,
+    free_letters,
+    in_order,
+)
 from vibcli.analyses.closed_form.frequency_functions import UniformPiece, frequency_function
+from vibcli.analyses.closed_form.lumped_impedances import acting, at_station, coupled, stands_apart
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.symbolic_matrices import matrices_in_letters
 from vibcli.symbolic.common_denominator import single
+from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.rationals import HALF
@@ -26,24 +37,49 @@ WAVE_NUMBER = "βL"      # of notation.PRODUCTS
 
 class FrequencyEquation(NamedTuple):
     """What vanishes at the natural frequencies of the `members`: {functions of the arguments: coefficient}; βL, β that
-    of the first piece and L the length of the chain, ω² by βL, the argument of each piece, what acts on the stations,
-    and the coordinates of what hangs on those."""
+    of the first piece and L the length of the chain, ω, ω² by βL, the argument of each piece, what acts on the
+    stations (on the displacement, the turn, and what couples both), the same as it stands in the function, {letter:
+    impedance} by ω of what stands there as a letter, and the coordinates of what hangs on the stations."""
 
     members: tuple
     order: int
     wave_number: "Node"
+    omega: "Node"
     square: "Node"
     arguments: list
     function: dict
     pieces: "list[PlacedPiece]"
     impedances: "list[tuple]"
+    standing: "list[tuple]"
+    letters: "dict[Node, Node]"
     hung: list
+
+    @property
+    def named(self) -> "list[tuple[Node, Node]]":
+        """[(letter, what it is)]: that for βL where L is another length, and those of impedances."""
+        table, x = self.wave_number.table, self.wave_number
+        length = textbook(table.total([placed.piece.length for placed in self.pieces]))
+        own = [] if x.name == WAVE_NUMBER else [(x, table.parameter("beta") * length)]
+        return [*own, *self.letters.items()]
+
+    def by_wave_number(self, *nodes: "Node") -> "list[Node]":
+        """Nodes without letters of impedances and ω."""
+        return substitute(substitute(list(nodes), self.letters), {self.omega: self.omega.table.sqrt(self.square)})
+
+    @property
+    def terms(self) -> "list[Node]":
+        """What the function adds up, by βL alone."""
+        table = self.wave_number.table
+        return self.by_wave_number(*(coefficient * table.product(*(
+            (table.call(name, self.arguments[i]), 1) for i, *called in functions for name in called))
+                for functions, coefficient in self.function.items()))
 
 
 def frequency_equations(symbolic: "SymbolicSystem") -> "list[FrequencyEquation | None]":
     """One of each chain of pieces; None of those for which there is none in closed form."""
     form = symbolic.linearisation
-    return [_equation(form, chain) for chain in chains(form.pieces)]
+    taken = {*symbolic.scene.coordinates, *symbolic.scene.parameters.nodes}
+    return [_equation(form, chain, taken) for chain in chains(form.pieces)]
 
 
 def chains(pieces: "Sequence[PlacedPiece]") -> "list[list[PlacedPiece]]":
@@ -69,52 +105,79 @@ def _end(placed, side):
     return tuple(rows) if any(rows) else ()
 
 
-def _equation(form, chain):
+def _equation(form, chain, taken):
     pressed = [part for part in chain if not (part.piece.bending.is_zero or part.piece.tension.is_zero)]
-    if len(chain) > (1 if pressed else MOST) or not all(part.piece.gradient.is_zero for part in chain) or any(
-            len(row) > 1 for part in chain for row in part.rows):
+    if len(chain) > (1 if pressed else MOST) or not all(part.piece.gradient.is_zero for part in chain):
         return None
-    elsewhere = {i for piece in form.pieces if piece not in chain for row in piece.rows for i in row}
-    M, _, G, K = matrices_in_letters(form)
     table, first = form.table, chain[0].piece
-    x, order = table.parameter(WAVE_NUMBER), 2 if first.bending.is_zero else 4
-    stiffness = _stiffness(first)
-    length = textbook(table.total([part.piece.length for part in chain]))
+    length, order = textbook(table.total([part.piece.length for part in chain])), 2 if first.bending.is_zero else 4
+    x, stiffness = _wave_number(length, taken), _stiffness(first)
+    in_order(x)
     force = stiffness * (x / length) ** order + first.foundation
     square = (force + first.tension * (x / length) ** 2 if pressed else force) / first.inertia
-    acting = None if G else _impedances(form.n, M, K, square, _stations(chain), elsewhere, table)
+    omega = table.parameter(free_letter(taken, FREQUENCY))
+    acting = _impedances(form, chain, omega)
     if acting is None or (pressed and not _sines(acting[0])):
         return None
-    pieces, beta = [], x / length
+    pieces = _pieces(chain, square, x, length)
+    if pieces is None:
+        return None
+    impedances, hung = acting
+    letters, standing = _lettered(impedances, omega, taken, not first.foundation.is_zero)
+    by_x = [tuple(Z and textbook(substitute([Z], {omega: table.sqrt(square)})[0]) for Z in end) for end in standing]
+    found = FrequencyEquation(tuple(dict.fromkeys(part.owner for part in chain)), order, x, omega, square,
+                              [piece.argument for piece in pieces], {}, chain, [], by_x, letters, hung)
+    return found._replace(
+        function=frequency_function(table, order, *((pieces, by_x) if len(pieces) == 1 else
+                                                    _without_units(pieces, by_x))),
+        impedances=[tuple(Z and textbook(*found.by_wave_number(Z)) for Z in end) for end in impedances])
+
+
+def _wave_number(length, taken):
+    """βL, or a letter for it where L is not the length."""
+    table = length.table
+    alike = "L" not in taken or length is table.parameter("L")
+    return table.parameter(WAVE_NUMBER if alike else free_letter(taken, ARGUMENTS))
+
+
+def _pieces(chain, square, x, length):
+    """A UniformPiece of each by β of the first; None where one stands on a foundation of its own."""
+    first, found = chain[0].piece, []
     for part in chain:
-        own = _stiffness(part.piece)
+        own, order = _stiffness(part.piece), 2 if part.piece.bending.is_zero else 4
         power = textbook((part.piece.inertia * square - part.piece.foundation) / own)
-        of_first = textbook((first.inertia * square - first.foundation) / stiffness)
-        ratio = textbook(single(power / of_first)) if part is not chain[0] else table.one
+        of_first = textbook((first.inertia * square - first.foundation) / _stiffness(first))
+        ratio = textbook(single(power / of_first)) if part is not chain[0] else x.table.one
         if x in reachable([ratio]):
-            return None         # on a foundation of its own
-        number = beta * ratio ** (HALF if order == 2 else HALF / 2)
-        pieces.append(UniformPiece(number, number * part.piece.length, own))
-    function = frequency_function(table, order, *(
-        (pieces, acting[0]) if len(pieces) == 1 else _without_units(pieces, acting[0])))
-    return FrequencyEquation(tuple(dict.fromkeys(part.owner for part in chain)), order, x, square,
-                             [piece.argument for piece in pieces], function, chain, *acting)
+            return None
+        number = x / length * ratio ** (HALF if order == 2 else HALF / 2)
+        found.append(UniformPiece(number, number * part.piece.length, own))
+    return found
+
+
+def _lettered(impedances, omega, taken, bedded):
+    """{letter: impedance} of what is neither a spring nor an inertia alone, and the impedances with these letters."""
+    many = dict.fromkeys(Z for end in impedances for Z in end if Z is not None and stands_apart(Z, omega, bedded))
+    names = free_letters(taken, IMPEDANCES, len(many))
+    letters = {Z: omega.table.parameter(name) for Z, name in zip(many, names, strict=True)}
+    return {letter: Z for Z, letter in letters.items()}, [tuple(letters.get(Z, Z) for Z in end) for end in impedances]
 
 
 def _without_units(pieces, impedances):
     """β, the stiffness S and the impedances of several pieces by those of the first: β/β₁, S/S₁, Z/(S₁ β₁³) of the
-    displacement of a beam, Z/(S₁ β₁) of what has one motion or of a turn."""
-    beta, stiffness, half = pieces[0].beta, pieces[0].stiffness, len(impedances[0])
-    scales = [stiffness * beta ** (3 if half > 1 and not part else 1) for part in range(half)]
+    displacement of a beam, Z/(S₁ β₁) of what has one motion or of a turn,
+    Z/(S₁ β₁²) of what couples both."""
+    beta, stiffness = pieces[0].beta, pieces[0].stiffness
+    scales = [stiffness * beta ** power for power in ((1,) if len(impedances[0]) == 1 else (3, 1, 2))]
     return [UniformPiece(piece.beta / beta, piece.argument, piece.stiffness / stiffness) for piece in pieces], [
-        tuple(None if Z is None else textbook(Z / scale) for Z, scale in zip(end, scales, strict=True))
+        tuple(None if Z is None else textbook(Z / scale) for Z, scale in zip(end, scales, strict=False))
             for end in impedances]
 
 
 def _sines(impedances):
     """Is each end of a beam pinned or guided and nothing else, so that sines and cosines are its shapes under any
     tension N: B β⁴ + N β² + k = μ ω²?"""
-    return all([Z.is_zero for Z in end if Z is not None] == [True] for end in impedances)
+    return all([Z.is_zero for Z in end[:2] if Z is not None] == [True] for end in impedances)
 
 
 def _stiffness(piece):
@@ -127,28 +190,19 @@ def _stations(chain):
     return [chain[0].rows[:half], *(part.rows[half:] for part in chain)]
 
 
-def _impedances(n, M, K, square, stations, elsewhere, table):
-    """[(Z of the displacement, of beams of the turn)] of the stations, None of what is held, and the coordinates of
-    what hangs on them; None where what acts on one motion is coupled to another, or to another member (`elsewhere`)."""
-    moving = [next(iter(row)) for rows in stations for row in rows if row]
-    if len(set(moving)) != len(moving) or elsewhere.intersection(moving):
+def _impedances(form, chain, omega):
+    """[(Z of the displacement, of beams of the turn, what couples both where anything does)] of the stations, None of
+    what is held, and the coordinates of what hangs on them; None where what acts on one station is coupled to another,
+    or to another member."""
+    stations = _stations(chain)
+    own = [sorted({i for row in rows for i in row}) for rows in stations]
+    moving = [i for one in own for i in one]
+    elsewhere = {i for piece in form.pieces if piece not in chain for row in piece.rows for i in row}
+    M, _, G, K = matrices_in_letters(form)
+    if G or len(set(moving)) != len(moving) or elsewhere & coupled({*M, *K}, moving):
         return None
-    entries = {pair: K.get(pair, table.zero) - square * M.get(pair, table.zero) for pair in {*K, *M}}
-    beside = {i: {j for i2, j in entries if i2 == i and j != i} for i in range(n)}
-    if any(j in moving for i in moving for j in beside[i]):
+    Z, hung = acting(M, K, moving, omega ** 2)
+    if any(len(one) != sum(map(bool, rows)) for one, rows in zip(own, stations, strict=True)) or any(
+            i != j and not any(i in one and j in one for one in own) for i, j in Z):
         return None
-    hung = {j: i for i in moving for j in beside[i]}
-    if any(beside[j] != {hung[j]} for j in hung) or elsewhere.intersection(hung):
-        return None
-    return [tuple(_impedance(row, entries, beside, table) for row in rows) for rows in stations], list(hung)
-
-
-def _impedance(row: "Mapping[int, Node]", entries: Any, beside: Any, table: Any):
-    """Z of the force along a motion by what acts on its coordinate; what hangs on that is eliminated."""
-    if not row:
-        return None
-    (i, slope), = row.items()
-    Z = entries.get((i, i), table.zero)
-    for j in beside[i]:
-        Z = Z - entries[i, j] * entries[j, i] / entries[j, j]
-    return textbook(Z / slope**2)
+    return [at_station(rows, Z, omega.table.zero) for rows in stations], hung

@@ -1,19 +1,21 @@
 """Shapes of modes of one uniform member in letters, by its frequency equation, and the roots of that where no letter is
 left in it.
 
-    bars, shafts, strings   X = sin βx,  cos βx
+    bars, shafts, strings   X = sin βx,  cos βx,  cos βx + Z/(S β) sin βx where Z acts on the left end
     beams                   X = f(βx) − σ g(βx), f and g by the left end, σ by one condition at the right one
 """
 
 from collections.abc import Mapping
 from math import pi
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from vibcli.analyses.closed_form.textbook_equation import sides
+from vibcli.analyses.closed_form.textbook_equation import quotient, sides
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.root_finding import bracketed
+from vibcli.symbolic.common_denominator import single
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
     from vibcli.analyses.closed_form.member_frequencies import FrequencyEquation
@@ -35,45 +37,78 @@ class MemberShape(NamedTuple):
 
 
 def shape(found: "FrequencyEquation") -> MemberShape | None:
-    """The shape of one uniform member whose left end is held or free; None of others."""
-    if len(found.pieces) > 1 or any(Z is not None and not Z.is_zero for Z in found.impedances[0]):
+    """The shape of one uniform member; None of others, and where something couples displacement and turn of its left
+    end."""
+    if len(found.pieces) > 1 or len(found.standing[0]) > 2:
         return None
-    table = found.wave_number.table
+    table, left = found.wave_number.table, found.standing[0]
     along = table.parameter(ALONG)
-    ends = found.impedances[0]
-    left = ends[0] is None, ends[-1] is None
     if found.order == 2:
-        return MemberShape(table.call("sin" if left[0] else "cos", along), table.zero, None)
-    one, two = LEFT[left]
-    alone = sides(found)[0].name if found.impedances[1][0] is None or left[0] != left[1] else None
-    if alone in ("sin", "cos") and len(one) == 1:
+        return MemberShape(_sum(_of_second_order(found, *left), along), table.zero, None)
+    one, two = _of_fourth_order(found, *left)
+    held = [Z is None for Z in left]
+    alone = sides(found)[0].name if found.impedances[1][0] is None or held[0] != held[1] else None
+    if alone in ("sin", "cos") and len(one) == len(one[0][1]) == 1:
         return MemberShape(_sum(one, along), table.zero, None)
-    order = _right_condition(found.impedances[1])
-    if order is None:
-        return None
-    sigma = tuple(_sum(_derivative(terms, order), found.wave_number) for terms in (one, two))
+    at_right = [_at_right(found, terms) for terms in (one, two)]
+    sigma = tuple(_sum(terms, found.wave_number) for terms in at_right)
+    if any(len(terms) > 1 for terms in at_right):
+        sigma = quotient(single(sigma[0]) / single(sigma[1]))
     return MemberShape(_sum(one, along), _sum(two, along), sigma)
 
 
-def _right_condition(impedance):
-    """The derivative of u that vanishes at the right end; None where none does."""
-    displacement, turn = impedance
-    if displacement is None:
-        return 0
-    if turn is None:
-        return 1
-    return 2 if turn.is_zero else 3 if displacement.is_zero else None
+def _by_units(found, Z, order):
+    """Z/(S β) of a force along the one motion or of a moment, Z/(S β³) of a shear force."""
+    piece = found.pieces[0].piece
+    stiffness = piece.tension if piece.bending.is_zero else piece.bending
+    return textbook(Z / (stiffness * (found.wave_number / piece.length) ** order))
 
 
-def _derivative(terms: "Mapping[str, int]", order):
+def _of_second_order(found, Z):
+    """S X′(0) = Z X(0)."""
+    if Z is None:
+        return [(1, {"sin": 1})]
+    return [(1, {"cos": 1})] if Z.is_zero else [(1, {"cos": 1}), (_by_units(found, Z, 1), {"sin": 1})]
+
+
+def _of_fourth_order(found, Z, turn):
+    """Two functions with EI X‴(0) = −Z X(0) or X(0) = 0, and EI X″(0) = Z X′(0) or X′(0) = 0."""
+    if all(one is None or one.is_zero for one in (Z, turn)):
+        return [[(1, terms)] for terms in LEFT[Z is None, turn is None]]
+    one, two = [(1, {"sinh": 1, "sin": -1})], [(1, {"cosh": 1, "cos": -1})]
+    if Z is not None:
+        shear = [] if Z.is_zero else [(-_by_units(found, Z, 3), one[0][1])]
+        one = [(1, {"cosh": 1, "cos": 1}), *shear]
+    if turn is not None:
+        moment = [] if turn.is_zero else [(_by_units(found, turn, 1), {"cosh": 1, "cos": -1})]
+        two = [(1, {"sinh": 1, "sin": 1}), *moment]
+    return one, two
+
+
+def _at_right(found, terms):
+    """What vanishes of the shape at the right end: X, X′, X″, X‴, or EI X″ + Z X′ + what a coupling adds, Z X."""
+    across, turn, *both = found.standing[1]
+    for order, Z in ((0, across), (1, turn)):
+        if Z is None:
+            return _derivative(terms, order)
+    if not both and (turn.is_zero or across.is_zero):
+        return _derivative(terms, 2 if turn.is_zero else 3)
+    factor = _by_units(found, turn, 1)
+    more = [(size * _by_units(found, both[0], 2), one) for size, one in terms] if both else []
+    return [*_derivative(terms, 2), *((size * factor, slope) for size, slope in _derivative(terms, 1)), *more]
+
+
+def _derivative(terms: "list[tuple[Any, Mapping[str, int]]]", order):
     for _ in range(order):
-        terms = {SLOPE[name][0]: sign * SLOPE[name][1] for name, sign in terms.items()}
+        terms = [(size, {SLOPE[name][0]: sign * SLOPE[name][1] for name, sign in one.items()}) for size, one in terms]
     return terms
 
 
 def _sum(terms, argument):
+    """Σ factor·(sum of functions of an argument)."""
     table = argument.table
-    return table.sum(*((table.call(name, argument), sign) for name, sign in terms.items()))
+    return table.total([size * table.sum(*((table.call(name, argument), sign) for name, sign in one.items()))
+                        for size, one in terms])
 
 
 def unstrained(found: "FrequencyEquation") -> int:
@@ -90,16 +125,12 @@ def unstrained(found: "FrequencyEquation") -> int:
 
 def roots(found: "FrequencyEquation", count: int) -> list[float] | None:
     """The first positive βL that fulfil the equation; None where they hang on letters."""
-    x, table = found.wave_number, found.wave_number.table
-    letters = {node.name for side in sides(found) for node in reachable([side]) if node.op == "symbol"}
+    x = found.wave_number
+    whole = x.table.total(found.terms)
+    letters = {node.name for node in reachable(found.by_wave_number(*sides(found))) if node.op == "symbol"}
     if letters - {x.name}:
         return None
-    names = {node.name for term in found.function.values() for node in reachable([term]) if node.op == "symbol"}
-    values = dict.fromkeys(names | {x.name}, 1.0)
-    whole = table.total([
-        coefficient * table.product(*((table.call(name, found.arguments[i]), 1)
-                                      for i, *called in functions for name in called))
-        for functions, coefficient in found.function.items()])
+    values = {node.name: 1.0 for node in reachable([whole]) if node.op == "symbol"}
 
     def residual(at: float) -> float:
         return evaluate([whole], Floats, {**values, x.name: at})[0]

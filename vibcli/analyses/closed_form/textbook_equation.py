@@ -4,9 +4,12 @@
     one beam:                  cos βL·cosh βL = −c₀/c₁,   sin βL = 0 (sinh βL is not),   tan βL = r·tanh βL
 """
 
-from collections.abc import Container
+from collections.abc import Collection
+from fractions import Fraction
+from math import gcd, lcm
 from typing import TYPE_CHECKING
 
+from vibcli.analyses.closed_form.free_letters import ARGUMENTS, free_letters, in_order
 from vibcli.symbolic.common_denominator import single
 from vibcli.symbolic.normal_form import expanded, factors_of, reduced
 
@@ -16,7 +19,8 @@ if TYPE_CHECKING:
 
 ONE, BOTH, SINES, UNEQUAL, SWAPPED = (), ((0, "cos", "cosh"),), ((0, "sin", "sinh"),), ((0, "cos", "sinh"),), (
     (0, "cosh", "sin"),)
-LETTERS = ("theta", "eta", "kappa", "chi", "zeta")
+SMALL = 1000        # numbers that stand as fractions
+LONGEST = 32        # products that are printed
 
 
 def sides(found: "FrequencyEquation") -> "tuple[Node, Node]":
@@ -28,14 +32,28 @@ def sides(found: "FrequencyEquation") -> "tuple[Node, Node]":
     return _as_sum(found)
 
 
-def by_letters(found: "FrequencyEquation", taken: "Container[str]") -> "tuple[FrequencyEquation, list]":
-    """Several pieces with letters θ₁, θ₂, that are not `taken`, for the arguments of their functions, and what these
-    are: [(letter, argument)]; nothing of one piece."""
-    table, arguments = found.wave_number.table, found.arguments
-    letter = next(one for one in LETTERS if not any(f"{one}{n + 1}" in taken for n in range(len(arguments))))
-    letters = [table.parameter(f"{letter}{n + 1}") for n in range(len(arguments))] if len(arguments) > 1 else arguments
-    told = zip(letters, arguments, strict=True) if letters is not arguments else ()
-    return found._replace(arguments=letters), list(told)
+def is_short(found: "FrequencyEquation") -> bool:
+    """Has it so few products that it is printed?"""
+    return sum(len(reduced(expanded(node))) for node in found.function.values()) <= LONGEST
+
+
+def met(found: "FrequencyEquation") -> bool:
+    """Is it of two bars, shafts or strings that more than one simple thing acts on, so that their dynamic stiffnesses
+    tell it better?"""
+    acting = [Z for end in found.impedances for Z in end if Z is not None and not Z.is_zero]
+    return len(found.pieces) > 1 and found.order == 2 and (len(acting) > 1 or bool(found.letters))
+
+
+def by_letters(found: "FrequencyEquation", taken: "Collection[str]") -> "tuple[FrequencyEquation, list]":
+    """Several pieces with letters θ₁, θ₂, that are not `taken`, for the arguments of their functions, and what all
+    letters are that stand in the equation: [(letter, argument or impedance)]."""
+    x, arguments = found.wave_number, found.arguments
+    others = [one for one in dict.fromkeys(arguments) if one is not x]
+    letters = map(x.table.parameter, free_letters({*taken, x.name}, ARGUMENTS, len(others)))
+    named = dict(zip(others, letters, strict=True))
+    in_order(*named.values())
+    return found._replace(arguments=[named.get(one, one) for one in arguments]), [
+        *((letter, argument) for argument, letter in named.items()), *found.named]
 
 
 def _of_second_order(found):
@@ -71,13 +89,43 @@ def _as_sum(found):
     for functions, coefficient in found.function.items():
         for monomial, value in reduced(expanded(coefficient)).items():
             groups.setdefault(monomial, {})[functions] = value
-    lead = min(groups, key=lambda monomial: (dict(monomial).get(x, 0), len(monomial)))
-    scale = next(iter(groups[lead].values()))
-    sums = {table.product(*monomial, *((base, -e) for base, e in lead)): table.sum(
-        *((_product(table, functions, found.arguments), value / scale) for functions, value in terms.items()))
-        for monomial, terms in groups.items()}
-    left = sums.pop(table.one)
-    return left, table.total([-(factor * terms) for factor, terms in sums.items()])
+    sums: dict = {}
+    for monomial, terms in groups.items():
+        total = table.sum(*((_product(table, functions, found.arguments), value)
+                            for functions, value in terms.items()))
+        if not total.is_zero:
+            sums[monomial] = content(total)
+    lead = min(sums, key=lambda monomial: (sum(base in found.letters for base, _ in monomial),
+                                           dict(monomial).get(x, 0), len(monomial)))
+    left, scale = sums.pop(lead)
+    below = [(base, -e) for base, e in lead]
+    return left, table.total([table.product((table.number(-number / scale), 1), *monomial, *below, (total, 1))
+                              for monomial, (total, number) in sums.items()])
+
+
+def content(total: "Node") -> "tuple[Node, Fraction]":
+    """(total/c, c), whose first coefficient is positive and all of a sum are whole without a common factor."""
+    if total.op != "sum" and total.op != "product":
+        return total, Fraction(1)
+    values = [Fraction(c) for _, c in total.args] if total.op == "sum" else [Fraction(total.coefficient)]
+    values += [Fraction(total.coefficient)] if total.op == "sum" and total.coefficient else []
+    size = Fraction(gcd(*(one.numerator for one in values)), lcm(*(one.denominator for one in values)))
+    size = -size if values[0] < 0 else size
+    return total.table.scaled(total, 1 / size), size
+
+
+def quotient(node: "Node") -> "tuple[Node, Node]":
+    """(numerator, denominator) of a product; a number that is no small fraction stands above."""
+    table, factors = node.table, node.args if node.op == "product" else ((node, 1),)
+    value = Fraction(node.coefficient if node.op == "product" else 1)
+    below = value.denominator if is_small(value) else 1
+    return (table.product((table.number(value * below), 1), *((base, e) for base, e in factors if e > 0)),
+            table.product((table.number(below), 1), *((base, -e) for base, e in factors if e < 0)))
+
+
+def is_small(value: Fraction) -> bool:
+    """Does a number stand as a fraction in a formula of letters?"""
+    return max(abs(value.numerator), value.denominator) <= SMALL
 
 
 def _product(table, functions, arguments):

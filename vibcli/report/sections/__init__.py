@@ -9,7 +9,7 @@ SECTIONS = {
     "energies": ("equations_of_motion", "T, V, Φ and the work of loads"),
     "equations": ("equations_of_motion", "equations of motion, full and for small oscillations"),
     "matrices": ("matrices", "M, C, G and K of small oscillations"),
-    "frequency_equation": ("members", "frequency equations of members in letters"),
+    "frequency_equation": ("frequency_equation", "frequency equations of members in letters"),
     "accelerations": ("accelerations", "accelerations and forces from rest as drawn"),
     "frequencies": ("spectrum", "natural frequencies"),
     "damping": ("spectrum", "damping ratios and damped frequencies"),

@@ -91,7 +91,7 @@ def _frequencies_in_letters(problem, report):
 
     problem.symbolic.equilibrium_position  # noqa: B018, refused where there is none
     if problem.scene.pieces:
-        from vibcli.report.sections.members import frequency_equation
+        from vibcli.report.sections.frequency_equation import frequency_equation
 
         known = any(one.title.startswith("Frequency equation") for one in report.sections)
         told = [] if known else list(frequency_equation(problem, report))

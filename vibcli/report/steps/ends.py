@@ -57,7 +57,7 @@ class Ends:
     def _fourth_order(self, uses):
         """X = C₁ f + C₂ g, and two conditions at βL."""
         ends, table = self.found.impedances, self.table
-        if any(Z is not None and not Z.is_zero for Z in ends[0]):
+        if any(Z is not None and not Z.is_zero for Z in ends[0]) or len(ends[1]) > 2:
             return None
         along = table.parameter("βx")
         left = [{name: table.number(sign) for name, sign in one.items()}
@@ -74,7 +74,7 @@ class Ends:
         if drawn is not None and drawn.sigma is not None:
             above, below = drawn.sigma
             self.sheet.write(Words("by one of them  "), "X = ", Name(constants[0]), "·(", drawn.first, " − σ·",
-                             Factor(drawn.second), ")", Words(",  "), "σ = ", Factor(above), "/", Factor(below),
+                             Factor(drawn.second), ")", Words(",  "), "σ = ", above / below,
                              settles="sigma", uses=lines)
         return lines
 

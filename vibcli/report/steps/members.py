@@ -4,15 +4,17 @@ station, constants, frequency equation, its first roots and their frequencies (R
 from math import isclose, pi
 from typing import TYPE_CHECKING
 
-from vibcli.analyses.closed_form.member_frequencies import frequency_equations
+from vibcli.analyses.closed_form.member_frequencies import chains, frequency_equations
 from vibcli.analyses.closed_form.member_shapes import shape, unstrained
 from vibcli.analyses.closed_form.textbook_equation import by_letters, sides
+from vibcli.analyses.closed_form.tied_members import tied_equations
 from vibcli.base.errors import PhysicsError
 from vibcli.notation.numbers import figure
 from vibcli.notation.plain import GREEK, lowered
 from vibcli.report.blocks import Factor, Name, WithNumbers, Words
 from vibcli.report.place_letter import by_letter, place_letter
-from vibcli.report.sections.members import SIMPLE, carried, differential, station_conditions
+from vibcli.report.sections.frequency_equation import SIMPLE, whose
+from vibcli.report.sections.members import carried, differential, station_conditions
 from vibcli.report.steps.ends import Ends
 from vibcli.report.steps.held import HINT
 from vibcli.report.steps.step import WorkedSolution, number, of_time, told
@@ -54,15 +56,30 @@ class MemberSteps:
                                      for one in self.sheet.steps[before:]]
 
     def _write(self):
-        found = [] if self.scene.loops is not None else frequency_equations(self.problem.symbolic)
+        if self.scene.loops is not None:
+            self._by_a_search(self._others())
+            return
+        parts = chains(self.form.pieces)
+        found = frequency_equations(self.problem.symbolic)
+        left = [piece for chain, one in zip(parts, found, strict=True) if one is None for piece in chain]
+        groups = [one for _, one, _ in tied_equations(self.problem.symbolic, left)]
+        alone = [one for one in found if one is not None]
+        known = {i for one in (*alone, *groups) if one for i in one.hung} | {
+            i for one in groups if one for piece in one.pieces for row in piece.rows for i in row}
+        mixed = len(groups) + bool(alone) > 1 and not self.problem.numeric.has_free_symbols
+        if not found or None in groups or (groups and mixed) or not known.issuperset(self._others()):
+            self._by_a_search(self._others())
+            return
+        for one in alone:
+            self._of_one(one)
+        for one in groups:
+            self._of_tied(one)
+
+    def _others(self):
+        """Coordinates that are no motion of a station."""
         own = {node for member in self.scene.members.values() for station in member.stations
                for node in member.motions(station)}
-        others = [i for i, q in enumerate(self.scene.q) if q not in own]
-        if not found or None in found or set(others) != {i for one in found for i in one.hung}:
-            self._by_a_search(others)
-            return
-        for one in found:
-            self._of_one(one)
+        return [i for i, q in enumerate(self.scene.q) if q not in own]
 
     def _by_a_search(self, others):
         """The equations alone, and the frequencies at which they hold."""
@@ -72,8 +89,11 @@ class MemberSteps:
                  for line in (first, *held)]
         lines += [*map(self._carried, others), *self._bound(self.scene.members)]
         words = ", without what damps," if self.damped else ""
-        line = self.sheet.write(Words(f"they hold{words} at frequencies that a search finds, which misses none"),
-                                settles="frequencies", uses=lines)
+        told = f"they hold{words} at frequencies that a search finds, which misses none"
+        self._searched(self.sheet.write(Words(told), settles="frequencies", uses=lines))
+
+    def _searched(self, line):
+        """The first frequencies."""
         for mode in self.problem.modal.modes.first(FIRST):
             if mode.omega:
                 omega = float(mode.omega)
@@ -91,6 +111,28 @@ class MemberSteps:
         one = carried(i, self.form.pieces, self.matrices, self.scene)
         return self.sheet.write(Words(words), *one.parts, settles=f"equation[{self.scene.q[i].name}]")
 
+    def _of_tied(self, found):
+        """Members that meet in one motion: the dynamic stiffness of each, and what they make together."""
+        uses = [line for name in found.members for first, held in [self._conditions(name)] for line in (first, *held)]
+        joint = [*map(self._carried, found.hung), *self._bound(found.members)]
+        for letter, (order, power) in found.arguments.items():
+            uses.append(self.sheet.write(Words("standing waves with  "), letter ** order, " = ", power,
+                                         settles=letter.name, uses=uses))
+        for letter, Z in found.letters.items():
+            uses.append(self.sheet.write(Words("what acts on an end:  "), letter, " = ", Z, settles=letter.name,
+                                         uses=uses))
+        for letter, (above, below) in found.stiffnesses.items():
+            parts = [Words("dynamic stiffness at the joint, "), *whose(found, letter), Words(":  ")]
+            joint.append(self.sheet.write(*parts, letter, " = ", above / below, settles=letter.name, uses=uses))
+        words = ", without what damps" if self.damped else ""
+        rests = [part for letter in found.repeated for part in (
+            Words(",  and where the denominator of "), letter, Words(" is 0, the joint at rest"))]
+        line = self.sheet.write(Words(f"so the frequency equation{words}:  "), found.left, " = ", found.right, *rests,
+                                settles="frequency equation", uses=joint)
+        if not self.problem.numeric.has_free_symbols:
+            self._searched(self.sheet.write(Words("its roots, by a search, which misses none"), settles="frequencies",
+                                            uses=[line]))
+
     def _of_one(self, found):
         conditions = [self._conditions(name) for name in found.members]
         hung = [*map(self._carried, found.hung), *self._bound(found.members)]
@@ -99,11 +141,14 @@ class MemberSteps:
         ends = Ends(found, self.sheet)
         asked = ends.write(uses) if len(found.pieces) == 1 and not self._pressed(found) else None
         named, letters = by_letters(found, self.scene.parameters.nodes)
+        omega = {found.omega: self.table.parameter(self.sheet.letter("omega"))}
+        letters = [(letter, *substitute([meant], omega)) for letter, meant in letters]
         left, right = sides(named)
         words = ", without what damps" if self.damped else ""
         how = f"so the frequency equation{words}:  " if asked else (
             f"the conditions leave constants other than zero{words} if  ")
-        alike = [Words(",  and βL = 0, as all of it may move alike")] if unstrained(found) else []
+        free = bool(unstrained(found))
+        alike = [Words(",  and "), found.wave_number, Words(" = 0, as all of it may move alike")] * free
         line = self.sheet.write(Words(how), left, " = ", right, *alike, *(
             part for letter, argument in letters for part in (Words(",  "), letter, " = ", argument)),
                                 uses=asked or uses, settles="frequency equation")
@@ -164,7 +209,7 @@ class MemberSteps:
         simple = SIMPLE.get(left.name) if right.is_zero and left.op == "call" else None
         if simple:
             orders = ", n = 0, 1, 2, …" if unstrained(found) else ", n = 1, 2, …"
-            equation = self.sheet.write("βL = ", simple + orders, settles="βL", uses=[equation])
+            equation = self.sheet.write(found.wave_number, " = ", simple + orders, settles="βL", uses=[equation])
         if self.problem.numeric.has_free_symbols:
             return
         floats = self.problem.numeric.floats
@@ -197,14 +242,8 @@ class MemberSteps:
             middle = (low + high) / 2
             low, high = (middle, high) if residual(middle) < 0 else (low, middle)
         root = (low + high) / 2
-        values, beside = (evaluate(self._terms(found), Floats, {**floats, x.name: at}) for at in (root, BESIDE * root))
+        values, beside = (evaluate(found.terms, Floats, {**floats, x.name: at}) for at in (root, BESIDE * root))
         return root if abs(sum(values)) <= CLOSE * sum(map(abs, beside)) else None
-
-    def _terms(self, found):
-        """Those of the frequency equation, whose sum vanishes."""
-        return [coefficient * self.table.product(*((self.table.call(name, found.arguments[i]), 1)
-                                                   for i, *called in functions for name in called))
-                for functions, coefficient in found.function.items()]
 
     def _multiple(self, root):
         """A root as so many halves of π; None of another."""
@@ -219,8 +258,8 @@ class MemberSteps:
         shown = node if exact is None else substitute([node], {x: exact})[0]
         put_in = {name: figure(value) for name, value in self.problem.numeric.floats.items()} | {x.name: figure(root)}
         how = [exact] if exact is not None else [told(root), Words("   (by a search)")]
-        line = self.sheet.write(Words(f"root {mode.index}:  "), "βL = ", *how, settles=f"βL[{mode.index}]", node=exact,
+        line = self.sheet.write(Words(f"root {mode.index}:  "), x, " = ", *how, settles=f"βL[{mode.index}]", node=exact,
                                 value=root, uses=[equation], letter=x.name,
-                                vanishes=None if exact is not None else self.table.total(self._terms(found)))
+                                vanishes=None if exact is not None else self.table.total(found.terms))
         self.sheet.write(f"ω{k} = ", WithNumbers(shown, put_in), *number(omega, "rad/s"), *of_time(self.sheet, omega),
                          settles=f"omega[{mode.index}]", node=node, value=omega, unit="rad/s", uses=[line, frequency])

@@ -1,0 +1,164 @@
+"""Frequency equations of members as textbooks write them: the equation, its roots, shapes, what is orthogonal."""
+
+from collections.abc import Iterator
+from functools import partial
+from typing import TYPE_CHECKING
+
+from vibcli.notation.numbers import figure
+from vibcli.report.blocks import Factor, Section, Words, equations, line, section
+from vibcli.report.place_letter import lines_by_letter, place_letter
+from vibcli.report.sections.orthogonality import orthogonality
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.normal_form import textbook
+
+if TYPE_CHECKING:
+    from vibcli.analyses.closed_form.tied_members import Tied
+    from vibcli.report.document import Report
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
+
+SIMPLE, PRINTED, DIGITS = {"sin": "n·π", "cos": "(2n − 1)·π/2"}, 5, 10
+CLOSE = 1e-8        # of ω²: frequencies that are one
+
+
+def frequency_equation(problem: "Problem", _: "Report") -> Iterator[Section]:
+    """Frequency equations as textbooks write them, and what their roots are."""
+    if not problem.scene.pieces:
+        return
+    if problem.scene.loops is not None or not problem.symbolic.linearisable:
+        known = not problem.numeric.has_free_symbols
+        yield from section("Frequency equation", equations(
+            _determinant(problem.configuration.linear_system.n, None))) if known else ()
+        return
+    blocks = [equations(lines_by_letter(lines, place_letter(problem.scene))) for lines in _equations(problem)]
+    undamped = " (of the undamped system)" if _damped(problem) else ""
+    yield from section("Frequency equation" + "s" * (len(blocks) > 1) + undamped, *blocks)
+
+
+def _equations(problem):
+    """The lines on each equation: of chains of pieces, of members that meet in one motion, of others."""
+    from vibcli.analyses.closed_form.member_frequencies import chains, frequency_equations
+    from vibcli.analyses.closed_form.textbook_equation import is_short, met
+    from vibcli.analyses.closed_form.tied_members import tied_equations
+
+    names, told, left = list(problem.scene.members), {}, []
+    for chain, found in zip(chains(problem.symbolic.linearisation.pieces), frequency_equations(problem.symbolic),
+                            strict=True):
+        if found is None or met(found):
+            left += chain
+        else:
+            told[found.members] = partial(_solved if is_short(found) else _long, problem, found)
+    for pieces, tied, size in tied_equations(problem.symbolic, left):
+        owners = tuple(dict.fromkeys(piece.owner for piece in pieces))
+        told[owners] = partial(_determinant, size) if tied is None else partial(_met, problem, tied)
+    for members, lines in sorted(told.items(), key=lambda pair: min(map(names.index, pair[0]))):
+        yield list(lines(Words(", ".join(members)) if len(names) > 1 else None))
+
+
+def _determinant(size, label):
+    """What is solved where nothing shorter is told."""
+    if not size:
+        yield line(Words("not written out: the frequencies are those of the member between what holds it"), label=label)
+        return
+    yield line("det D(ω) = 0", Words(f",  {size} × {size}: K − ω²M and the dynamic stiffness of each part; "
+                                     "not written out"), label=label)
+
+
+def _long(problem, found, label):
+    """What is solved, and the orthogonality."""
+    moving = {i for placed in found.pieces for row in placed.rows for i in row}
+    yield from _determinant(len(moving) + len(found.hung), label)
+    yield from orthogonality(problem, found)
+
+
+def _met(problem, tied, label):
+    """k₁ + k₂ + Z = 0, and what these are."""
+    yield line(tied.left, " = ", tied.right, *([] if tied.omega.name == "omega" else [
+        Words(",  "), tied.omega, Words(" the circular frequency")]), label=label)
+    for letter, (above, below) in tied.stiffnesses.items():
+        yield line(letter, " = ", above / below, Words("   "), *whose(tied, letter), inset=2)
+    for letter, (order, power) in tied.arguments.items():
+        yield line(letter ** order, " = ", power, inset=2)
+    for letter, Z in tied.letters.items():
+        yield line(letter, " = ", Z, inset=2)
+    names = [part for number, letter in enumerate(tied.stiffnesses) for part in (
+        Words(" and " if number + 1 == len(tied.stiffnesses) else ", "), letter)][1:]
+    if len(tied.stiffnesses) > 1:
+        yield line(Words("multiplied by the denominators of "), *names,
+                   Words(" it has all roots, those at which a joint rests among them"), inset=2)
+    for letter in tied.repeated:
+        yield line(Words("and where the denominator of "), letter,
+                   Words(" is 0: its members move against each other, the joint rests"), inset=2)
+    yield from orthogonality(problem, tied)
+
+
+def whose(tied: "Tied", letter: "Node") -> list:
+    """Parts that tell of which members, or on which stretches of one, a dynamic stiffness is."""
+    if len(tied.members) > 1:
+        return [Words("of " + ", ".join(dict.fromkeys(placed.owner for placed in tied.owners[letter])))]
+    return [part for placed in tied.owners[letter] for part in (Words(", "), placed.start, " < x < ",
+            textbook(placed.start + placed.piece.length))][1:]
+
+
+def _damped(problem):
+    """Does anything damp, which the equation leaves out?"""
+    return bool(problem.symbolic.discrete_matrices[1] or problem.spec.get("damping") is not None or
+                any(not placed.piece.drag.is_zero for placed in problem.symbolic.linearisation.pieces))
+
+
+def _solved(problem, found, label):
+    """The equation, its roots, the frequencies, the shape and the orthogonality."""
+    from vibcli.analyses.closed_form.member_shapes import shape, unstrained
+    from vibcli.analyses.closed_form.textbook_equation import by_letters, sides
+
+    named, letters = by_letters(found, problem.scene.parameters.nodes)
+    left, right = sides(named)
+    yield line(left, " = ", right, label=label)
+    for letter, argument in letters:
+        yield line(letter, " = ", argument, inset=2)
+    simple = SIMPLE.get(left.name) if right.is_zero and left.op == "call" else None
+    values = simple is None and _roots(problem, found)
+    if simple:
+        orders = ", n = 0, 1, 2, …" if unstrained(found) else ", n = 1, 2, …"
+        yield line(found.wave_number, " = ", simple + orders, inset=2)
+    elif values:
+        yield line(found.wave_number, " = ", ", ".join(f"{value:.{DIGITS}g}" for value in values), ", …", inset=2)
+    yield _frequency(found)
+    drawn = shape(found)
+    if drawn is not None:
+        second = [] if drawn.sigma is None else [" − σ·", Factor(drawn.second)]
+        yield line("X(x) = ", drawn.first, *second, inset=2)
+        if drawn.sigma is not None:
+            above, below = drawn.sigma
+            yield line("σ = ", above / below, inset=2)
+    yield from orthogonality(problem, found)
+
+
+def _roots(problem, found):
+    """The first βL that fulfil an equation, as numbers; where modes are known, only if these have them all."""
+    from vibcli.analyses.closed_form.member_shapes import roots
+
+    values = roots(found, PRINTED)
+    if not values or None in values or problem.numeric.has_free_symbols:
+        return None if values and None in values else values
+    squares = [evaluate([found.square], Floats, {**problem.numeric.floats, found.wave_number.name: value})[0]
+               for value in values]
+    known = [float(mode.omega) ** 2 for mode in problem.modal.modes.up_to(squares[-1] ** 0.5 * (1 + CLOSE))
+             if mode.omega]
+    kept = [value for value, square in zip(values, squares, strict=True)
+            if any(abs(square - one) <= CLOSE * one for one in known)]
+    return kept if len(kept) == len(known) else None
+
+
+def _frequency(found):
+    """ω = (βL)²·√(EI/(μL⁴)), or its square where a foundation adds to it."""
+    x, order = found.wave_number, found.order
+    alone = textbook(found.square / x ** order)
+    if x in reachable([alone]):
+        more = [Words(",  also where "), x ** order, Words(" is negative")] if found.letters else []
+        return line(found.omega ** 2, " = ", found.square, *more, inset=2)
+    if not any(node.op == "symbol" for node in reachable([alone])):
+        value = figure(evaluate([alone], Floats, {})[0] ** 0.5, digits=DIGITS)
+        return line(found.omega, " = ", value, "·", x ** (order // 2), inset=2)
+    return line(found.omega, " = ", x ** (order // 2) * x.table.sqrt(alone), inset=2)
