@@ -64,6 +64,7 @@ bars: {rod: {from: [0, 0], to: [2 m, 0], EA: 500 N, mass_per_length: 2 kg/m, lef
                  "x: M·ẍ + k·x = 1000·∂³u/∂ξ³ of mast at ξ = L", "½·∫3·(∂u/∂t)²·dξ", "ξ counts from the left end"]),
     (CART.replace("PLACE", "y"), ["at x = L: u = y, 1000·∂²u/∂x² = 0"]),
     (ITS_PLACE.replace("L: 1 m", "L: 1 m, xi: {value: 1, unused: allowed}"), ["at s = L: u = x, 1000·∂²u/∂s² = 0"]),
+    (CART.replace("PLACE", "u"), ["at x = L: u of mast = u, 1000·∂²u/∂x² = 0"]),
     (PULLED, ["at x = L: 1000·∂³u/∂x³ − N·∂u/∂x = 0, 1000·∂²u/∂x² = 0"]),
 ])
 def test_forces_on_stations_balance(tmp_path, capsys, scene, told):
