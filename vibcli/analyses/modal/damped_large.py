@@ -48,7 +48,7 @@ def damped_floats(elements: Any) -> list[DampedMode]:
     places = form.places(values, vectors)
     if damps and elements.n <= BETTERED and (radius > ENOUGH * np.abs(values)).any():
         better = bettered(elements, scale, modal, values, modal.shapes @ places)
-        if better is not None and (better.errors / np.abs(better.values)).max() < (radius / np.abs(values)).max():
+        if better is not None and _worst(better.values, better.errors) < _worst(values, radius):
             return numbered(_entries(better.values, better.shapes, better.errors, damps), np.eye(elements.n), scale)
     return _modes(form, values, places, radius, scale, damps)
 
@@ -139,6 +139,12 @@ def _modes(form, values, places, radius, scale, damps):
         found.append((0j, x, 0.0))
     places = places / np.linalg.norm(places, axis=0)
     return numbered(found + _entries(values, places, radius, damps), form.shapes, scale)
+
+
+def _worst(values, radius):
+    """The largest relative bound of what moves."""
+    moving = values != 0
+    return (radius[moving] / np.abs(values[moving])).max(initial=0.0)
 
 
 def _entries(values, shapes, radius, damps):

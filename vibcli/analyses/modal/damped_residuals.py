@@ -3,7 +3,8 @@
 With the natural modes Φ, Ω and q = Φ a the state (ȧ, Ω a) of a damped mode (λ, x = Φ a) leaves
 r = λ²Mx + λCx + Kx behind in its upper half alone. With all of them as columns of Z, Y ≈ (BZ)⁻¹, B = diag(ΦᵀMΦ, I), the
 eigenvalues are those of Λ − (YBZ)⁻¹ Y [Φᵀr; 0], and Gershgorin's discs bound what stands beside its diagonal (Miyajima
-2012). r alone needs more digits than floats have.
+2012). r alone needs more digits than floats have. Of rigid modes Ω is SLOW of the least other one; they rest at (0, Ωa)
+and, where nothing damps them, slide at (a, 0), which leaves Ca and Ωa behind: both are zero by structure.
 """
 
 from typing import TYPE_CHECKING, Any
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
 
 PASSES, LARGE = 4, 0.1          # LARGE: of a step between two modes
 DATA = 2.0**-51                 # rounding of weights and components
+SLOW = 2.0**-20                 # of the least frequency: what stands for that of rigid modes
 
 
 class DampedApproximate(NamedTuple):
@@ -36,11 +38,15 @@ class DampedApproximate(NamedTuple):
 
 def bettered(elements: Any, scale: "Scaling", natural: Approximate, values: np.ndarray,
              shapes: np.ndarray) -> DampedApproximate | None:
-    """The damped modes that floats found, with the errors that their residuals and the rounding of the data leave. None
-    where a mode is rigid or a coordinate has no inertia, or floats are too far from modes."""
-    if elements.massless or not natural.values.all():
+    """The damped modes that floats found, with the errors that their residuals and the rounding of the data leave;
+    values that are 0, velocities in `shapes`, and one more for each rigid mode, stay. None where a coordinate has no
+    inertia, all modes are rigid, or floats are too far from modes."""
+    rigid = natural.values == 0
+    if elements.massless or rigid.all():
         return None
-    system, best = _System(elements, scale, natural), None
+    sliding = np.concatenate([values == 0, np.zeros(rigid.sum(), bool)])
+    values, shapes = np.append(values, np.zeros(rigid.sum())), np.hstack([shapes, natural.shapes[:, rigid]])
+    system, best = _System(elements, scale, natural, sliding), None
     for _ in range(PASSES):
         step = system.looked_at(values, shapes)
         if step is None:
@@ -53,11 +59,12 @@ def bettered(elements: Any, scale: "Scaling", natural: Approximate, values: np.n
 
 
 class _System:
-    __slots__ = ("elements", "loose", "matrices", "omega", "phi", "scale")
+    __slots__ = ("elements", "loose", "matrices", "omega", "phi", "scale", "sliding")
 
-    def __init__(self, elements: Any, scale: "Scaling", natural: Approximate):
-        n, p = elements.n, scale.coordinates
-        self.elements, self.scale, self.phi, self.omega = elements, scale, natural.shapes, np.sqrt(abs(natural.values))
+    def __init__(self, elements: Any, scale: "Scaling", natural: Approximate, sliding: np.ndarray):
+        n, p, omega = elements.n, scale.coordinates, np.sqrt(abs(natural.values))
+        self.elements, self.scale, self.phi, self.sliding = elements, scale, natural.shapes, sliding
+        self.omega = np.where(omega > 0, omega, SLOW * omega[omega > 0].min())
         self.matrices = [matrix_of(n, terms, entries, p, unit) for terms, entries, unit in self._data()]
         m, _ = times(self.matrices[0], self.phi)
         skew = abs(self.phi.T @ m.hi - np.eye(n)) + n * UNIT * (abs(self.phi).T @ abs(m.hi))
@@ -75,54 +82,67 @@ class _System:
         found = self._inverse(values, inertial)
         if found is None:
             return None
-        left, loose, size = found
-        pushed = self.phi.T @ residual * size
-        e, n = -left @ pushed, len(self.phi)
+        inverse, loose, size, places = found
+        left, pushed, n = inverse[:, :len(self.phi)], self.phi.T @ residual * size, len(self.phi)
+        slid = np.where(self.sliding, places, 0.0) * size
+        e = inverse[:, n:] @ slid - left @ pushed
         wide = abs(left) @ (abs(self.phi).T @ (unsure + 2 * n * UNIT * abs(residual)) * size) \
-            + 4 * n * UNIT * (abs(left) @ abs(pushed))
+            + 4 * n * UNIT * (abs(left) @ abs(pushed) + abs(inverse[:, n:]) @ abs(slid))
+        wide += abs(inverse[:, n:]) @ np.broadcast_to(abs(slid).max(axis=0) * self.loose * 2, slid.shape)
         wide += loose / (1 - loose) * (abs(e) + wide).max(axis=0)
-        real = values.imag == 0
+        real, still = values.imag == 0, values == 0
         nearest = np.where(real, (values + e.diagonal()).real, values + e.diagonal())
-        gap = abs(nearest[:, None] - nearest[None, :])
+        nearest[still] = 0.0
         off = abs(e) + wide
-        np.fill_diagonal(off, wide.diagonal() + UNIT * abs(nearest) + np.where(real, abs(e.diagonal().imag), 0.0))
+        np.fill_diagonal(off, wide.diagonal() + UNIT * abs(nearest) + np.where(
+            still, abs(e.diagonal()), np.where(real, abs(e.diagonal().imag), 0.0)))
+        errors = radii(nearest, abs(nearest[:, None] - nearest[None, :]), off)
+        return DampedApproximate(nearest, self._turned(values, shapes, size, e), np.where(still, 0.0, errors))
+
+    def _turned(self, values, shapes, size, e):
+        """Better shapes, to first order."""
         with np.errstate(divide="ignore", invalid="ignore"):
             turn = e / (values[None, :] - values[:, None])
         turn[~(abs(turn) < LARGE)] = 0.0
-        scaled = shapes * size
+        turn[self.sliding] = 0.0
+        turn[:, values == 0] = 0.0
+        scaled, real = shapes * size, values.imag == 0
         better = scaled + scaled @ turn
         better[:, real] = better[:, real].real
-        norm = np.sqrt(abs((better.conj() * (self.matrices[0].value.hi @ better)).sum(axis=0)))
-        return DampedApproximate(nearest, better / norm, radii(nearest, gap, off))
+        return better / np.sqrt(abs((better.conj() * (self.matrices[0].value.hi @ better)).sum(axis=0)))
 
     def _left(self, values, shapes):
-        """(λ²Mx + λCx + Kx, what it may be off by, Mx), a column for each mode."""
+        """(λ²Mx + λCx + Kx, of what slides Cx, what it may be off by, Mx), a column for each mode."""
         applied = [_complex_times(matrix, shapes) for matrix in self.matrices]
         total, unsure = applied[0]
         for more, off in applied[1:]:
             unsure = unsure * abs(values) + off + 32 * dd.UNIT * (_size(total) * abs(values) + _size(more))
             total = _plus(_by(total, values), more)
-        inertial = applied[0][0]
+        damped, off = applied[1]
+        total = tuple(DoubleDouble(*(np.where(self.sliding, *both) for both in zip(drag, left, strict=True)))
+                      for drag, left in zip(damped, total, strict=True))
+        unsure, inertial = np.where(self.sliding, off, unsure), applied[0][0]
         return total[0].hi + 1j * total[1].hi, unsure, inertial[0].hi + 1j * inertial[1].hi
 
     def _inverse(self, values, inertial):
-        """(the columns of Y that what is left falls on, ‖YBZ − I‖, by which each mode is scaled), None where it is too
-        large."""
+        """(Y, ‖YBZ − I‖, by which each mode is scaled, Ω a), None where it is too large."""
         n = len(self.phi)
         a = self.phi.T @ inertial
         blurred = n * UNIT * (abs(self.phi).T @ abs(inertial))
         moved = self.loose / (1 - self.loose) * abs(a).max(axis=0) if self.loose < SKEW else np.inf
-        state = np.concatenate([a * values, self.omega[:, None] * a])
+        rates, places = np.where(self.sliding, 1.0, values), self.omega[:, None] * a
+        state = np.concatenate([a * rates, np.where(self.sliding, 0.0, places)])
         size = 1 / np.linalg.norm(state, axis=0)
         state = state * size
-        unsure = np.concatenate([blurred * abs(values), self.omega[:, None] * (blurred + moved)]) * size
+        unsure = np.concatenate([blurred * abs(rates) + np.where(self.sliding, moved, 0.0),
+                                 np.where(self.sliding, 0.0, self.omega[:, None] * (blurred + moved))]) * size
         try:
             inverse = np.linalg.inv(state)
         except np.linalg.LinAlgError:
             return None
         off = abs(inverse @ state - np.eye(2 * n)) + abs(inverse) @ (unsure + 2 * (n + 2) * UNIT * abs(state))
         loose = float(off.sum(axis=1).max())
-        return (inverse[:, :n], loose, size) if loose < SKEW else None
+        return (inverse, loose, size, places) if loose < SKEW else None
 
     def with_data(self, found: DampedApproximate) -> DampedApproximate:
         """With the rounding of all data, to first order, in the errors."""
@@ -130,11 +150,11 @@ class _System:
         known = self._inverse(found.values, inertial[0].hi + 1j * inertial[1].hi)
         if known is None:
             return found._replace(errors=np.full(len(found.values), np.inf))
-        sides = known[0] @ self.phi.T, found.shapes * known[2]
+        sides = known[0][:, :len(self.phi)] @ self.phi.T, found.shapes * known[2]
         rates, change = abs(found.values), 0.0
         for power, (terms, entries, unit) in zip((2, 1, 0), self._data(), strict=True):
             change = change + rates**power * self._felt(terms, entries, unit, *sides)
-        return found._replace(errors=found.errors + DATA * change)
+        return found._replace(errors=np.where(found.values == 0, 0.0, found.errors + DATA * change))
 
     def _felt(self, terms, entries, unit, left, right):
         """Σ |w| |s y| |s x|, each s rounded too, of rows y of `left` and columns x of `right`."""
