@@ -194,3 +194,23 @@ def test_what_is_no_older_comparison(scene, tmp_path, capsys, text, said):
     old.write_text(text, encoding="utf-8")
     assert said in out_of(capsys, scene, "--against", str(old), code=2).err
     assert "does not exist" in out_of(capsys, scene, "--against", str(tmp_path / "none.json"), code=2).err
+
+
+@pytest.mark.parametrize(("options", "said"), [
+    (["--skipped", "--of", "omega"], "asks all questions"), (["--skipped", "-o", "x.svg"], "asks all questions"),
+    (["--skipped", "--set", "m=1"], "asks all questions"), (["--against", "{old}", "--json"], "leave --json and -o"),
+    (["--against", "{old}", "-o", "x.svg"], "leave --json and -o")])
+def test_options_that_would_do_nothing_are_refused(scene, tmp_path, capsys, options, said):
+    (tmp_path / "old.json").write_text("{}", encoding="utf-8")
+    options = [option.format(old=tmp_path / "old.json") for option in options]
+    assert said in " ".join(out_of(capsys, scene, *options, code=2).err.split())
+
+
+def test_where_nothing_is_on_both_sides_nothing_is_compared(scene, tmp_path, capsys):
+    old = tmp_path / "old.json"
+    data = json.loads(out_of(capsys, scene, "--of", "omega", "--quick", "--json").out)
+    for point in data["compared"][0]["points"]:
+        point["method"] = f"another {point['method']}"
+    old.write_text(json.dumps(data), encoding="utf-8")
+    told = out_of(capsys, scene, "--of", "omega", "--quick", "--against", str(old), code=4).out
+    assert "Nothing is on both sides" in told and "On one side alone: " in told

@@ -75,6 +75,34 @@ def test_what_changes_is_checked_anew(folder, capfd, monkeypatch):
     assert checked(capfd)[1] == 0
 
 
+def test_another_version_of_a_package_is_checked_anew(folder, capfd, monkeypatch):
+    checked(capfd)
+    (folder / "packages" / "PyYAML-999.0.dist-info").mkdir(parents=True)
+    monkeypatch.setattr(sys, "path", [str(folder / "packages"), *sys.path])
+    assert checked(capfd)[1] == 0
+    (folder / "packages" / "PyYAML-999.0.dist-info").rename(folder / "packages" / "pyyaml-999.1.dist-info")
+    assert checked(capfd)[1] == 0
+    assert checked(capfd)[1] == 5
+
+
+def test_versions_are_those_that_python_knows():
+    from importlib.metadata import version
+
+    described = caching._described()
+    for name in caching.COMPUTES_WITH:
+        assert version(name) in caching._version(name, described)
+        assert caching._version(name, {}) == version(name)
+    assert caching._version("no-such-package", {}) == "–"
+
+
+def test_reading_it_imports_little(folder):
+    code = ("import sys; from vibcli.cli import run; run(['check', 'sets']); "
+            "print(sorted({'importlib.metadata', 'tempfile', 'email', 'socket', 'numpy', 'yaml'} & set(sys.modules)))")
+    for _ in range(2):
+        out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout
+    assert out.splitlines()[-1] == "[]"
+
+
 def test_a_record_that_comes_later_is_seen(folder, capfd):
     (folder / "sets" / "push.csv").unlink()
     (before, *_), _ = checked(capfd)
@@ -192,18 +220,16 @@ def test_sources_are_read_anew_where_they_look_changed(tmp_path, monkeypatch):
 
 
 def test_of_an_installed_wheel_its_record_tells(tmp_path, monkeypatch):
-    import importlib.metadata
-
-    class Wheel:
-        def read_text(self, name):
-            return "vibcli/__init__.py,sha256=x,1\nvibcli/cli/checking/cache.py,sha256=y,2\n"
-
-        def locate_file(self, name):
-            return caching.ROOT.parent / name
-
-    monkeypatch.setattr(importlib.metadata, "distribution", lambda name: Wheel())
-    assert caching._installed() == Wheel().read_text("RECORD")
-    monkeypatch.setattr(Wheel, "locate_file", lambda self, name: tmp_path / name)       # another copy than this one
-    assert caching._installed() is None
+    described, text = tmp_path / "vibcli-1.0.dist-info", "vibcli/__init__.py,a,1\nvibcli/cli/checking/cache.py,b,2\n"
+    described.mkdir()
+    assert caching._installed(str(described)) is caching._installed(None) is None
+    (described / "RECORD").write_text(text)
+    assert caching._installed(str(described)) is None       # another copy than this one
+    monkeypatch.setattr(caching, "ROOT", tmp_path / "vibcli")
+    monkeypatch.setattr(caching, "__file__", str(tmp_path / "vibcli" / "cli" / "checking" / "cache.py"))
+    assert caching._installed(str(described)) == text
+    (described / "RECORD").write_text("__editable__.vibcli.pth,a,1\n")
+    assert caching._installed(str(described)) is None
     monkeypatch.undo()
-    assert caching._installed() is None or caching.ROOT.parent.name == "site-packages"
+    own = caching._installed(caching._described().get("vibcli"))
+    assert own is None or caching.ROOT.parent.name == "site-packages"

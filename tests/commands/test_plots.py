@@ -412,3 +412,16 @@ def test_too_many_panels_are_refused():
     with pytest.raises(PhysicsError, match="41 panels"):
         braille(Figure("", (panel,) * 41))
     assert "no values" in braille(FIGURES["empty"])
+
+
+def test_a_curve_without_points_takes_no_room():
+    from vibcli.plots.layout import drawn
+
+    def heights(*more):
+        panels = [Panel(label, "y", False, False, (*more, Curve("one", (1.0, 2.0), (1.0, 2.0)))) for label in "ab"]
+        page = drawn(Figure("", tuple(panels)))
+        page.draw_without_rendering()
+        return [axes.get_position().height for axes in page.axes]
+
+    assert heights(Curve("", (), (), "markers")) == pytest.approx(heights(), rel=1e-6)
+    assert min(heights()) > 0.3

@@ -47,7 +47,12 @@ def command(file: str | None, quantities: Sequence[str], settings: Sequence[str]
     Without FILE the project's own measurements, which take minutes: vibcli explain bench.
     """
     if skipped:
+        if quantities or settings or case or outputs or against or only:
+            raise click.UsageError("--skipped asks all questions of a scene as it is: of the other options only --json "
+                                   "goes with it")
         return _skipped(file, as_json)
+    if against and (as_json or outputs):
+        raise click.UsageError("--against prints the ratios alone: leave --json and -o out")
     if file is None:
         if quantities or settings or case or outputs or against:
             raise click.UsageError("--of, --set, --case, --against and -o are for a scene: name its FILE")

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
-from vibcli.evidence.verdict import verdict
+from vibcli.evidence.verdict import beside, verdict
 from vibcli.report.blocks import Document, Paragraph, Picture, Section, TableBlock, paragraph
 
 if TYPE_CHECKING:
@@ -47,10 +47,12 @@ def markdown(one: "WorkPrecision") -> str:
 
 
 def _shown(points):
-    """Those of a table: of a method with many settings every third, and the last."""
+    """Those of a table: of a method with many settings every third, the last, and the one that the sentence names."""
+    named = beside(points)
     for _, some in groupby(points, key=lambda point: point.method):
         found = list(some)
-        yield from (point for i, point in enumerate(found) if len(found) < MANY or not i % 3 or i == len(found) - 1)
+        yield from (point for i, point in enumerate(found) if len(found) < MANY or not i % 3 or i == len(found) - 1
+                    or point is named)
 
 
 def worth_a_picture(one: "WorkPrecision") -> bool:

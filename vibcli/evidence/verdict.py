@@ -9,20 +9,33 @@ AS_GOOD = 10 ** 0.5         # times our error
 ROUNDED = 2.0 ** -51        # below which errors differ by the rounding of what is printed
 
 
-def verdict(points: Sequence[Point]) -> str:
-    """Of points of which the first is ours: nothing else is compared where that has no answer."""
+def beside(points: Sequence[Point]) -> Point | None:
+    """The point that the first, ours, is set beside: the fastest that is as good, else the one with the least error;
+    None where nothing else answers."""
     ours, *others = points
     plain = [point for point in others if point.error is not None and point.method != ours.method]
+    if ours.error is None or not plain:
+        return None
+    reaching = [point for point in plain if _as_good(point, ours)]
+    return min(reaching, key=lambda point: point.seconds[1]) if reaching else min(plain, key=lambda point: point.error)
+
+
+def _as_good(point, ours):
+    return point.error <= max(AS_GOOD * ours.error, ROUNDED)
+
+
+def verdict(points: Sequence[Point]) -> str:
+    """Of points of which the first is ours: nothing else is compared where that has no answer."""
+    ours, other = points[0], beside(points)
     if ours.error is None:
         return f"vibcli itself refuses: {ours.why}"
-    if not plain:
+    if other is None:
         return "vibcli alone answers: there is nothing to compare it with"
-    reaching = [point for point in plain if point.error <= max(AS_GOOD * ours.error, ROUNDED)]
-    if reaching:
-        return _reached(ours, min(reaching, key=lambda point: point.seconds[1]))
-    best = min(plain, key=lambda point: point.error)
-    none = "of what ended in time none" if any(point.why in (STOPPED, SPENT) for point in others) else "nothing plain"
-    return f"{_times(ours, best)} of {named(best)} and {_digits(ours, best)} more; {none} reaches {_decade(best.error)}"
+    if _as_good(other, ours):
+        return _reached(ours, other)
+    cut = any(point.why in (STOPPED, SPENT) for point in points[1:])
+    return (f"{_times(ours, other)} of {named(other)} and {_digits(ours, other)} more; "
+            f"{'of what ended in time none' if cut else 'nothing plain'} reaches {_decade(other.error)}")
 
 
 def _reached(ours, other):

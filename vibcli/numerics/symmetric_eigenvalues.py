@@ -135,7 +135,7 @@ def radii(alpha: np.ndarray, gap: np.ndarray, scaled: np.ndarray, shift: int = 0
     """For each of the values α a distance, over 2^-shift, within which its eigenvalue of diag(α) + 2^-shift E lies.
 
     Gershgorin's discs of |E|, `scaled` by √|α|; a disc that stays alone while its row is scaled down further
-    (Wilkinson 1965, ch. 2) shrinks to second order. gap: |αᵢ − αⱼ|.
+    (Wilkinson 1965, ch. 2) shrinks to second order. gap: |αᵢ − αⱼ|; of complex α without shift.
     """
     disc, own = scaled.sum(axis=1), scaled.diagonal()
     half = gap / 2
@@ -146,7 +146,17 @@ def radii(alpha: np.ndarray, gap: np.ndarray, scaled: np.ndarray, shift: int = 0
     stretch = room.min(axis=1)
     alone = own + (disc - own) / np.maximum(stretch, 1.0)
     isolated = (stretch >= 1) & (np.ldexp(alone, -shift) < half.min(axis=1))
-    return alone if isolated.all() else np.where(isolated, alone, _union(alpha, disc, shift))
+    if isolated.all():
+        return alone
+    return np.where(isolated, alone, _together(gap, disc) if np.iscomplexobj(alpha) else _union(alpha, disc, shift))
+
+
+def _together(gap, disc):
+    """How far overlapping discs in the plane reach from the middle of each."""
+    out = disc.copy()
+    for part in clusters(gap <= disc[:, None] + disc[None, :]):
+        out[part] = 2 * disc[part].sum() - disc[part]
+    return out
 
 
 def _union(alpha, disc, shift):

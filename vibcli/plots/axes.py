@@ -133,6 +133,7 @@ def _points(axes, sheet, runs, colour, marker):
     artist, = axes.plot(*_values(sheet, runs), linestyle="", marker=marker, color=colour,
                         markersize=6 if marker == "x" else 5, markeredgewidth=1.4, zorder=3, scalex=False, scaley=False,
                         markerfacecolor=face, clip_on=False)
+    artist.set_in_layout(bool(runs))        # none would stand at the corner of the page
     return artist
 
 

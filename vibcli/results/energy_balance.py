@@ -7,7 +7,8 @@ looked at over spans that each begin with a segment of the loads, those of the f
 slowest motion, or so many parts of two radians of the fastest, on each of which Gauss's rule is exact but for rounding.
 """
 
-from typing import TYPE_CHECKING
+from functools import cache
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -37,13 +38,18 @@ def energy_balance(motion: "LinearMotion", until: float) -> float | None:
     no inertia follows, or loads are records."""
     if motion.system is not None or motion.forcing.recorded or not until > 0:
         return None
-    x, weights = np.polynomial.legendre.leggauss(POINTS)
+    x, weights = _gauss()
     spans = list(_spans(motion, until))
     times = [_instants(start, length, x) for start, length in spans]
     found = _states(motion, np.concatenate(times))
     along = np.tile(weights, PARTS) / (2 * PARTS)
     each = zip(spans, *(np.split(part, len(spans), axis=1) for part in found), strict=True)
     return max(_off(motion, StatesOverSpans(*states), length * along) for (_, length), *states in each)
+
+
+@cache
+def _gauss():
+    return np.polynomial.legendre.leggauss(POINTS)
 
 
 def _spans(motion: "LinearMotion", until: float) -> "Iterator[tuple[float, float]]":
@@ -72,10 +78,16 @@ def _speed(entries: dict[int, float]) -> LinearOutput:
 
 
 def _states(motion: "LinearMotion", t: np.ndarray) -> StatesOverSpans:
-    n, f = len(motion.M), np.zeros((len(motion.M), len(t)))
-    q, v = (np.array([motion.values(one({i: 1.0}), t) for i in range(n)]) for one in (_place, _speed))
+    n, f, pieces = len(motion.M), np.zeros((len(motion.M), len(t))), motion.pieces(t.max())
+    where: Any = pieces.timeline.place(t)
+    known: dict = {}
+
+    def values(output):
+        return pieces.terms(output, 0).at(*where, known)
+
+    q, v = (np.array([values(one({i: 1.0})) for i in range(n)]) for one in (_place, _speed))
     for i in {wave.channel for segment in motion.forcing.segments(t.max()) for wave in segment.waves} & set(range(n)):
-        f[i] = motion.values(LinearOutput(channels={i: 1.0}), t)
+        f[i] = values(LinearOutput(channels={i: 1.0}))
     return StatesOverSpans(q, v, f)
 
 

@@ -11,6 +11,7 @@ from vibcli import evidence
 from vibcli.api.source import problem_of, text_source
 from vibcli.base.errors import PhysicsError
 from vibcli.bench import scenes
+from vibcli.evidence import told
 from vibcli.evidence.asked import subjects
 from vibcli.evidence.compared import evidence as compared
 from vibcli.evidence.methods import METHODS, held_inputs
@@ -58,6 +59,14 @@ def test_what_did_not_end_counts_for_nothing():
     slow = Point("RK45", "1e-13", (5.0, 5.0, 5.0), 0, None, None, STOPPED)
     said = verdict([point("vibcli", 1e-3, 1e-16, 1e-15), point("RK45", 1e-1, 1e-4, setting="1e-03"), slow])
     assert said == "1/100 of the time of RK45 at 1e-03 and 12 digits more; of what ended in time none reaches 1e-5"
+
+
+def test_the_table_has_the_one_that_the_sentence_names():
+    errors = 1e-1, 1e-2, 1e-3, 1e-4, 1e-8, 1e-6, 1e-5
+    points = [point("vibcli", 1e-3, 1e-16, 1e-15), *(
+        point("finite elements", 1e-4, error, setting=f"{2**k} a piece") for k, error in enumerate(errors, 1))]
+    assert "finite elements with 32 a piece" in verdict(points)
+    assert [one.setting for one in told._shown(points)] == ["", *(f"{n} a piece" for n in (2, 16, 32, 128))]
 
 
 def test_a_refusal_of_ours_is_said():

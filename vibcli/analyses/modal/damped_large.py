@@ -2,7 +2,8 @@
 
 In the modes without damping, y = (v, Ω q): v' = −C v − Ω u, u' = Ω v. Without C and with K positive that
 matrix is skew and i times it Hermitian: every Re λ is exactly zero. Otherwise `eig`; small eigenvalues of
-heavily damped systems from the inverse, known entry by entry (Tisseur & Meerbergen 2001, sect. 5).
+heavily damped systems from the inverse, known entry by entry (Tisseur & Meerbergen 2001, sect. 5). Where the bound is
+too wide, they are bettered by their residuals (damped_residuals.py).
 """
 
 import math
@@ -12,10 +13,11 @@ import numpy as np
 
 from vibcli.analyses.modal.damped_in_modal_coordinates import turning
 from vibcli.analyses.modal.damped_modes import DampedMode
+from vibcli.analyses.modal.damped_residuals import bettered
 from vibcli.analyses.modal.method import damped_at_all
 from vibcli.analyses.modal.mode_numbers import in_units
 from vibcli.analyses.modal.rigid_body_modes import undamped_rigid
-from vibcli.analyses.modal.undamped import prepared
+from vibcli.analyses.modal.undamped import BETTERED, ENOUGH, prepared
 from vibcli.analyses.modal.undamped_large import Approximate, approximate, dense
 from vibcli.base.errors import PhysicsError
 from vibcli.numerics.fixed_point import count_floats
@@ -43,7 +45,12 @@ def damped_floats(elements: Any) -> list[DampedMode]:
         values.real[np.abs(values.real) <= radius] = 0.0        # the spectrum mirrors itself in the imaginary axis
     still = np.argsort(np.abs(values), kind="stable")[:form.still(elements, zeros)]
     values[still], radius[still] = 0.0, 0.0
-    return _modes(form, values, vectors, radius, scale, damps)
+    places = form.places(values, vectors)
+    if damps and elements.n <= BETTERED and (radius > ENOUGH * np.abs(values)).any():
+        better = bettered(elements, scale, modal, values, modal.shapes @ places)
+        if better is not None and _worst(better.values, better.errors) < _worst(values, radius):
+            return numbered(_entries(better.values, better.shapes, better.errors, damps), np.eye(elements.n), scale)
+    return _modes(form, values, places, radius, scale, damps)
 
 
 class FirstOrder:
@@ -77,6 +84,14 @@ class FirstOrder:
         values, vectors = np.linalg.eigh(1j * skew)
         error = 4 * len(skew) * UNIT * np.linalg.norm(skew, 2) + np.linalg.norm(self.size)
         return -1j * values, vectors, np.full(len(values), error)
+
+    def places(self, values: np.ndarray, vectors: np.ndarray) -> np.ndarray:
+        """a of q = Φ a in columns: from velocities, or from places where these are larger."""
+        velocities, out = vectors[:self.k], vectors[:self.k] / np.where(values == 0, 1.0, values)
+        if not len(self.rigid):
+            slow = np.linalg.norm(velocities, axis=0) < np.linalg.norm(vectors[self.k:], axis=0)
+            out[:, slow] = vectors[self.k:, slow] / self.omega[:, None]
+        return out
 
     def general(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Eigenvalues of the matrix, the small ones of its inverse where that is better."""
@@ -115,19 +130,31 @@ def bounds(matrix: np.ndarray, rounding: np.ndarray, values: np.ndarray, vectors
     return (np.abs(e) + wide @ unsure).sum(axis=1)
 
 
-def _modes(form, values, vectors, radius, scale, damps):
+def _modes(form, values, places, radius, scale, damps):
     """One mode for each rigid zero, real eigenvalue and conjugate pair."""
-    k, found = form.k, []
+    found = []
     for i in form.rigid:
-        x = np.zeros(k, complex)
+        x = np.zeros(form.k, complex)
         x[i] = 1.0
         found.append((0j, x, 0.0))
-    for value, y, off in zip(values, vectors.T, radius, strict=True):
+    places = places / np.linalg.norm(places, axis=0)
+    return numbered(found + _entries(values, places, radius, damps), form.shapes, scale)
+
+
+def _worst(values, radius):
+    """The largest relative bound of what moves."""
+    moving = values != 0
+    return (radius[moving] / np.abs(values[moving])).max(initial=0.0)
+
+
+def _entries(values, shapes, radius, damps):
+    """(λ, shape, relative error) of each real eigenvalue and of the first of each conjugate pair."""
+    found = []
+    for value, x, off in zip(values, shapes.T, radius, strict=True):
         if value.imag >= 0:
-            x = y[:k] / (value or 1.0)
             least = abs(value) if damps else min(abs(part) or abs(value) for part in (value.real, value.imag))
-            found.append((complex(value), x / np.linalg.norm(x), float(off / least) if value else 0.0))
-    return numbered(found, form.shapes, scale)
+            found.append((complex(value), x, float(off / least) if value else 0.0))
+    return found
 
 
 def numbered(found: list[tuple[complex, np.ndarray, float]], shapes: np.ndarray, scale: "Scaling") -> list[DampedMode]:

@@ -32,9 +32,9 @@ def bettered(elements: Any, scale: "Scaling", zeros: int | None, start: Approxim
     n, p, x, theta = elements.n, scale.coordinates, start.shapes, start.values
     if elements.massless or x.shape != (n, n):
         return None
-    K = _matrix(n, elements.springs, elements.K, p, scale.stiffness)
-    M = _matrix(n, elements.inertias, elements.M, p, scale.mass)
-    (kx, off_k), (mx, off_m) = (_times(matrix, x) for matrix in (K, M))
+    K = matrix_of(n, elements.springs, elements.K, p, scale.stiffness)
+    M = matrix_of(n, elements.inertias, elements.M, p, scale.mass)
+    (kx, off_k), (mx, off_m) = (times(matrix, x) for matrix in (K, M))
     residual = dd.added(kx, dd.scaled(mx, -theta)).hi
     unsure = off_k + off_m * abs(theta) + 8 * dd.UNIT * (abs(kx.hi) + abs(mx.hi * theta))
     skew = x.T @ mx.hi - np.eye(n)
@@ -77,14 +77,14 @@ def _turn(e, skew, values, gap):
     return turn
 
 
-def _times(matrix: BoundedProduct, x: np.ndarray) -> tuple[DoubleDouble, np.ndarray]:
+def times(matrix: BoundedProduct, x: np.ndarray) -> tuple[DoubleDouble, np.ndarray]:
     """A matrix times columns, and what that may be off by."""
     found = product(matrix.value, exactly(x))
     return found.value, found.error + matrix.error @ abs(x)
 
 
-def _matrix(n: int, terms: "Sequence[tuple[float, dict[int, float]]]", entries: Any, powers: Sequence[int],
-            scale: int) -> BoundedProduct:
+def matrix_of(n: int, terms: "Sequence[tuple[float, dict[int, float]]]", entries: Any, powers: Sequence[int],
+              scale: int) -> BoundedProduct:
     """2^-scale D (Σ w s sᵀ + entries) D in twice the digits."""
     rows, weights = np.zeros((len(terms), n)), np.zeros(len(terms))
     for place, (weight, row) in enumerate(terms):

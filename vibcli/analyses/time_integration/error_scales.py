@@ -5,6 +5,7 @@ held to LEAST of the one that moves most, √Mᵢᵢ qᵢ being compared, so tha
 """
 
 from collections.abc import Callable, Sequence
+from math import sqrt
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -73,6 +74,9 @@ class Sizes:
 def _fastest(K, C, weight):
     """The largest |λ| of δ̈ = K δ + C δ̇; of many coordinates a bound, √‖K‖ + ‖C‖ with the coordinates weighted."""
     n = len(K)
+    if n == 1:
+        k, half = float(K[0, 0]), abs(float(C[0, 0])) / 2
+        return half + sqrt(half * half + k) if half * half + k >= 0 else sqrt(-k)
     if n <= FEW:
         return np.abs(np.linalg.eigvals(first_order(-K, -C))).max()
     rows = [np.abs(weight[:, None] * matrix / weight).sum(axis=1).max() for matrix in (K, C)]

@@ -121,13 +121,14 @@ class ExponentialSum:
 
     def _summed(self, function, known, segment, *times):
         """A function of all terms and times, of the unsplit terms before `since`."""
-        late = times[0] >= self.since
+        late, known = times[0] >= self.since, {} if known is None else known
         with np.errstate(all="ignore"):
             if late.all():
-                return function(self._here(segment), {} if known is None else known, *times)
+                return function(self._here(segment), known, *times)
             total = np.empty(len(segment))
             for whole, part in ((self, late), (self.unsplit, ~late)):
-                total[part] = function(whole._here(segment[part]), {}, *(time[part] for time in times))
+                of_part = known.setdefault("late" if whole is self else "early", {})
+                total[part] = function(whole._here(segment[part]), of_part, *(time[part] for time in times))
         return total
 
     def _here(self, segment):

@@ -129,28 +129,42 @@ def _lasts(found):
 
 def _machinery(folder):
     """The hash of what computes: the sources of vibcli, Python, and the packages by their versions."""
+    described = _described()
+    return _digest(sys.version, *(_version(name, described) for name in COMPUTES_WITH),
+                   _installed(described.get("vibcli")) or _sources(folder / SOURCES))
+
+
+def _described():
+    """{package in small letters: the folder that describes it}, the first of each on the path of modules."""
+    found = {}
+    for place in sys.path:
+        with suppress(OSError):
+            for entry in sorted(os.listdir(place or os.curdir)):
+                if entry.endswith((".dist-info", ".egg-info")):
+                    found.setdefault(entry.partition("-")[0].lower(), os.path.join(place, entry))
+    return found
+
+
+def _version(name, described):
+    """What tells the version of a package: the name of the folder that describes it."""
+    if name.lower() in described:
+        return os.path.basename(described[name.lower()])
     from importlib.metadata import PackageNotFoundError, version
 
-    def known(name):
-        try:
-            return version(name)
-        except PackageNotFoundError:
-            return "–"
-
-    return _digest(sys.version, *map(known, COMPUTES_WITH), _installed() or _sources(folder / SOURCES))
-
-
-def _installed():
-    """The list of the files of an installed wheel, with their hashes; None of sources that can be edited."""
-    from importlib.metadata import PackageNotFoundError, distribution
-
     try:
-        found = distribution("vibcli")
+        return version(name)
     except PackageNotFoundError:
-        return None
-    record = found.read_text("RECORD") or ""
+        return "–"
+
+
+def _installed(described):
+    """The list of the files of an installed wheel, with their hashes; None of sources that can be edited."""
     here = os.path.relpath(__file__, ROOT.parent).replace(os.sep, "/")
-    is_this = os.path.realpath(str(found.locate_file("vibcli"))) == os.path.realpath(ROOT)
+    try:
+        record = Path(described, "RECORD").read_text(encoding="utf-8")
+    except (OSError, TypeError):
+        return None
+    is_this = os.path.realpath(os.path.dirname(described)) == os.path.realpath(ROOT.parent)
     return record if is_this and f"\n{here}," in f"\n{record}" else None
 
 

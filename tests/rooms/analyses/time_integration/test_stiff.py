@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from support.motions import problem
 
-from vibcli.analyses.time_integration import collocation_step
+from vibcli.analyses.time_integration import collocation_step, error_scales
 from vibcli.analyses.time_integration.integrate import simulate
 from vibcli.analyses.time_integration.known_motion import known_motion
 from vibcli.base.errors import PhysicsError
@@ -79,3 +79,10 @@ def test_one_inverse_serves_all_steps_of_a_window(monkeypatch):
         "1", "(1e7 N/m)*d + (1e12 N/m^3)*d^3", "0.1", "0.11") + "dampers: {d: {c: 1e5 N*s/m, between: [a, b]}}\n")
     found = simulate(scene.configuration, 10.0, initial=scene.initial.given)
     assert len(found.windows) / 2 < len(counts) < 1.3 * len(found.windows)
+
+
+@pytest.mark.parametrize(("k", "c"), [(-4.0, 0.0), (-4.0, -1.0), (-4.0, -5.0), (-4.0, 5.0), (3.0, 0.2), (0.0, -2.0),
+                                      (0.0, 0.0), (-1.0, -2.0)])
+def test_the_fastest_rate_of_one_degree_is_that_of_its_matrix(k, c):
+    found = error_scales._fastest(np.array([[k]]), np.array([[c]]), np.ones(1))
+    assert found == pytest.approx(np.abs(np.linalg.eigvals([[0.0, 1.0], [k, c]])).max(), rel=1e-7)
