@@ -29,6 +29,11 @@ def poles(system: Any) -> np.ndarray:
         alone = decoupled(system, reduced_to_unit_mass(system))
         if alone is not None:
             return _of_modes(*alone[:2])
+        from vibcli.analyses.frequency_response.poles_in_a_row import poles_in_a_row
+
+        found = poles_in_a_row(system)
+        if found is not None:
+            return found
     return _roots([system.K, system.C, system.M], pace(system))
 
 
