@@ -16,6 +16,7 @@ from vibcli.mechanics.equilibrium.distinct_roots import Found
 from vibcli.mechanics.equilibrium.equilibrium import Equilibrium
 from vibcli.mechanics.equilibrium.families import Family
 from vibcli.mechanics.equilibrium.indices import compared
+from vibcli.mechanics.equilibrium.rest_in_digits import rest_in_digits
 from vibcli.mechanics.equilibrium.scaled_forces import Forces, TooMuch, idle, typical_length
 from vibcli.mechanics.nonsmooth import KINKED
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -95,11 +96,12 @@ def find_equilibria(configuration: "Configuration", within: "Mapping[str, tuple[
 
 
 def _reached(configuration):
-    """[the equilibrium next to the drawn position], empty where there is none."""
+    """[the equilibrium next to the drawn position], that of linear forces wherever it is, empty where there is none."""
     try:
         return [configuration.equilibrium]
     except PhysicsError:
-        return []
+        place = rest_in_digits(configuration.numeric, held=False)
+        return [] if place is None else [Equilibrium(place, False, 0.0)]
 
 
 def _prepared(numeric, forces, rests, given):

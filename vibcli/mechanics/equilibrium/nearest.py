@@ -14,6 +14,7 @@ from vibcli.mechanics.equilibrium.distinct_roots import Found
 from vibcli.mechanics.equilibrium.equilibrium import Equilibrium, find_equilibrium
 from vibcli.mechanics.equilibrium.families import SINGULAR, free_directions, null_directions
 from vibcli.mechanics.equilibrium.newton import settled, zero_from
+from vibcli.mechanics.equilibrium.rest_in_digits import rest_in_digits
 from vibcli.mechanics.equilibrium.scaled_forces import Forces, Place
 from vibcli.mechanics.nonsmooth import KINKED
 
@@ -28,7 +29,7 @@ SAME = 1e-9
 def nearest_equilibrium(numeric: Any, start: Any) -> Equilibrium:
     """The Equilibrium nearest to `start` ({coordinate: float}); PhysicsError where none is found."""
     if numeric.system.is_linear and not numeric.scene.table.called.intersection(KINKED):
-        return find_equilibrium(numeric, start)._replace(start=start)
+        return _of_linear_forces(numeric, start)._replace(start=start)
     search = _Nearest(numeric, start)
     refusal, fallen = None, None
     try:
@@ -40,6 +41,16 @@ def nearest_equilibrium(numeric: Any, start: Any) -> Equilibrium:
     if search.best is None and fallen is None:
         raise refusal
     return search.found(fallen)
+
+
+def _of_linear_forces(numeric, start):
+    try:
+        return find_equilibrium(numeric, start)
+    except PhysicsError:
+        place = rest_in_digits(numeric, held=False)
+        if place is None:
+            raise
+        return Equilibrium(place, False, 0.0)
 
 
 class _Nearest:

@@ -54,6 +54,22 @@ def unbounded(search: "EnergyDescent", q: "np.ndarray") -> PhysicsError:
         search.numeric.spec.origin(name).where)
 
 
+def repelled(search: "EnergyDescent", refusal: PhysicsError) -> PhysicsError:
+    """Why linear forces that balance at one place lead nowhere, where they lead away from it; the refusal of others."""
+    from vibcli.mechanics.equilibrium.rest_in_digits import rest_in_digits
+
+    place = rest_in_digits(search.numeric, held=False)
+    if place is None:
+        return refusal
+    K = search.hessian(search.at(search.vector(place)))
+    if not search.np.linalg.eigvals(K).real.min() < 0:
+        return refusal
+    there = ", ".join(f"{name} = {x:.6g}" for name, x in place.items())
+    return NoEquilibrium(
+        f"no equilibrium is reached from the {_origin(search)}: forces lead away from the only one that there is",
+        f"it is {there}: name a place near it under `equilibrium:`, or add the spring or support that holds it")
+
+
 def _is_held(search, q):
     """Is one coordinate driven back to a place from both sides, by forces that have a potential?"""
     if len(q) != 1 or not search.numeric.system.conservative:
