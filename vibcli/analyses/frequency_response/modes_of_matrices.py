@@ -97,7 +97,7 @@ def coupled(system: Any, reduced: UnitMass, asked: Sequence[np.ndarray]) -> Pair
     count_floats(2 * n)
     values, vectors = np.linalg.eig(first_order(K, C, pace))
     above, alone = values.imag > 0, values.imag == 0
-    W = np.hstack([vectors[:, above].real, vectors[:, above].imag, vectors[:, alone].real])
+    W = np.hstack([vectors.real[:, above], vectors.imag[:, above], vectors.real[:, alone]])
     try:
         shares, left = _shares(system, W, back, asked)
     except np.linalg.LinAlgError:
