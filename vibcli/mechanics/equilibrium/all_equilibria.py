@@ -16,7 +16,6 @@ from vibcli.mechanics.equilibrium.distinct_roots import Found
 from vibcli.mechanics.equilibrium.equilibrium import Equilibrium
 from vibcli.mechanics.equilibrium.families import Family
 from vibcli.mechanics.equilibrium.indices import compared
-from vibcli.mechanics.equilibrium.rest_in_digits import rest_in_digits
 from vibcli.mechanics.equilibrium.scaled_forces import Forces, TooMuch, idle, typical_length
 from vibcli.mechanics.nonsmooth import KINKED
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -100,6 +99,8 @@ def _reached(configuration):
     try:
         return [configuration.equilibrium]
     except PhysicsError:
+        from vibcli.mechanics.equilibrium.rest_in_digits import rest_in_digits
+
         place = rest_in_digits(configuration.numeric, held=False)
         return [] if place is None else [Equilibrium(place, False, 0.0)]
 

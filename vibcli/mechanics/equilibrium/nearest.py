@@ -14,7 +14,6 @@ from vibcli.mechanics.equilibrium.distinct_roots import Found
 from vibcli.mechanics.equilibrium.equilibrium import Equilibrium, find_equilibrium
 from vibcli.mechanics.equilibrium.families import SINGULAR, free_directions, null_directions
 from vibcli.mechanics.equilibrium.newton import settled, zero_from
-from vibcli.mechanics.equilibrium.rest_in_digits import rest_in_digits
 from vibcli.mechanics.equilibrium.scaled_forces import Forces, Place
 from vibcli.mechanics.nonsmooth import KINKED
 
@@ -47,6 +46,8 @@ def _of_linear_forces(numeric, start):
     try:
         return find_equilibrium(numeric, start)
     except PhysicsError:
+        from vibcli.mechanics.equilibrium.rest_in_digits import rest_in_digits
+
         place = rest_in_digits(numeric, held=False)
         if place is None:
             raise

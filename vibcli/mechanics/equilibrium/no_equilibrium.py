@@ -11,6 +11,7 @@ if TYPE_CHECKING:
 
 ALONE = ", or ask for what needs none: find: [accelerations]"
 FAR, BESIDE = 1e6, 1e-6      # of the size of the figure
+TOLD = 1e-9                  # of the largest eigenvalue: one below zero that is not that of rounding
 JUMPS = ("abs", "sign", "min", "max", "step", "ramp")
 
 
@@ -59,10 +60,10 @@ def repelled(search: "EnergyDescent", refusal: PhysicsError) -> PhysicsError:
     from vibcli.mechanics.equilibrium.rest_in_digits import rest_in_digits
 
     place = rest_in_digits(search.numeric, held=False)
-    if place is None:
+    if place is None or rest_in_digits(search.numeric) is not None:
         return refusal
-    K = search.hessian(search.at(search.vector(place)))
-    if not search.np.linalg.eigvals(K).real.min() < 0:
+    found = search.np.linalg.eigvals(search.hessian(search.at(search.vector(place))))
+    if not found.real.min() < -TOLD * search.np.abs(found).max():
         return refusal
     there = ", ".join(f"{name} = {x:.6g}" for name, x in place.items())
     return NoEquilibrium(
