@@ -111,7 +111,11 @@ class Scene:
         self.extent, self.unit_of = places.extent, places.unit_of
         self.drives, (self.driven, self.inputs, self.released, self.idle) = drives, drives
         self.loops, self.dependent, self.freedom = closure or Closure(None, {}, Freedom(len(self.q), 0, ()))
-        self.timed = any(node.mask & self.time.mask for node in contents.depends_on)
+
+    @cached_property
+    def timed(self) -> bool:
+        """Does anything that moves, stores, damps or loads depend on the time?"""
+        return any(node.mask & self.time.mask for node in self.contents.depends_on)
 
     def with_parts(self, **parts: Any) -> "Scene":
         """The same with other parts, as they are named where a Scene is made."""
