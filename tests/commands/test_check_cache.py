@@ -96,7 +96,7 @@ def test_versions_are_those_that_python_knows():
 
 
 def test_reading_it_imports_little(folder):
-    code = ("import sys; from vibcli.cli import run; run(['check', 'sets']); "
+    code = ("import sys; from vibcli.cli.program import run; run(['check', 'sets']); "
             "print(sorted({'importlib.metadata', 'tempfile', 'email', 'socket', 'numpy', 'yaml'} & set(sys.modules)))")
     for _ in range(2):
         out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout

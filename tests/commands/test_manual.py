@@ -19,7 +19,7 @@ from vibcli.elements import ELEMENTS
 from vibcli.language.document.document import read, read_file
 from vibcli.language.fields import Element
 from vibcli.language.named_elements import load
-from vibcli.manual import scenes, topics
+from vibcli.manual import expressions, scenes, topics
 from vibcli.manual.aliases import ALIASES
 from vibcli.manual.catalogue import FACES, Catalogue
 from vibcli.manual.index import Index, nearest_words, page, words
@@ -229,7 +229,7 @@ def test_the_key_page_shows_a_scene_with_the_key():
 
 
 def test_tables_of_texts_match_what_runs():
-    assert set(topics.FUNCTIONS) == set(FUNCTIONS)
+    assert set(expressions.FUNCTIONS) == set(FUNCTIONS)
 
 
 @pytest.mark.sweep

@@ -171,7 +171,8 @@ def test_a_scene_that_is_wrong_as_written_is_told_with_its_place(tmp_path, capsy
 
 
 def test_frequencies_that_end_before_the_middle_of_the_range_have_a_gap(tmp_path, capsys):
-    """A bead on a rod that turns faster than its spring can hold it, ω² = k/m − Ω²: it rests nowhere near."""
+    """A bead on a rod that turns faster than its spring can hold it, ω² = k/m − Ω²: it is driven away from its one
+    equilibrium, which is said once, as it is of a single value."""
     path = tmp_path / "bead.yaml"
     path.write_text("parameters: {m: 0.5 kg, k: 80 N/m, a: 0.3 m, Omega: 8 rad/s}\nbodies:\n"
                     "  rod: {at: [0, 0], pin: {at: [0, 0], by: Omega*t}}\n"
@@ -179,7 +180,11 @@ def test_frequencies_that_end_before_the_middle_of_the_range_have_a_gap(tmp_path
                     "springs:\n  s: {k: k, between: [[0, 0], bead]}\n", encoding="utf-8")
     out = out_of(capsys, str(path), "--over", "Omega=4 rad/s .. 28 rad/s", "--points", "4").out
     rows = [line.split() for line in out.splitlines() if line.strip()[:1].isdigit()]
-    assert rows[0] == ["4", "12"] and [row[1] for row in rows[2:]] == ["–", "–"] and "no value for Ω = 20" in out
+    assert rows[0] == ["4", "12"] and [row[1] for row in rows[2:]] == ["–", "–"]
+    assert "no value for Ω = 20 … 28 rad/s" in out
+    reason = "reached from the drawn position: forces lead away from the only one that there is"
+    assert run(["solve", str(path), "--set", "Omega=20 rad/s"]) == 0
+    assert all(reason in " ".join(text.split()) for text in (out, capsys.readouterr().out))
 
 
 def test_letters_need_values(tmp_path, capsys):

@@ -15,7 +15,7 @@ from vibcli.bench.rows import Timing
 
 LINKS, POINTS = 200, 1000
 DEGREES = (20, 50, 200)
-BUDGETS = {"in proportion": 0.5, "in no proportion": 0.6}
+BUDGETS = {"in proportion": 0.3, "in no proportion": 0.3}
 FIRST = {20: None, 50: None, 200: 2.5}      # times eig; of fewer degrees the frequencies themselves take most
 ERROR = 1.0         # of what is told of rounding
 

@@ -5,6 +5,7 @@ from vibcli.elements.shapes import NEEDS
 from vibcli.manual import elements, subjects, topics
 from vibcli.manual.aliases import ALIASES
 from vibcli.manual.catalogue import Catalogue
+from vibcli.manual.expressions import FUNCTIONS
 from vibcli.manual.layout import blocks
 from vibcli.quantities import FAMILIES
 from vibcli.reader.read import SECTIONS
@@ -30,7 +31,7 @@ class Index:
             if key not in self.catalogue.elements or word not in ("body", "request"):
                 self._add(key, "key", elements.key_page, word, key)
         subjects_of = (("find", subjects.find_page, FIND), ("quantity", subjects.quantity_page, FAMILIES),
-                       ("shape", subjects.shape_page, NEEDS), ("function", subjects.function_page, topics.FUNCTIONS),
+                       ("shape", subjects.shape_page, NEEDS), ("function", subjects.function_page, FUNCTIONS),
                        ("unit", subjects.unit_page, UNITS))
         for kind, function, words in subjects_of:
             for word in words:

@@ -7,6 +7,7 @@ from vibcli.elements.rigid_body import MOTIONS
 from vibcli.elements.shapes import LAWS, NEEDS
 from vibcli.manual import scenes, topics
 from vibcli.manual.ci import WORKFLOWS
+from vibcli.manual.expressions import FUNCTIONS
 from vibcli.manual.layout import blocks, in_short, paragraph, table
 from vibcli.manual.python import EXAMPLE
 from vibcli.quantities import FAMILIES, quantity
@@ -44,7 +45,7 @@ def exit_table(catalogue: "Catalogue") -> list[list[str]]:
 
 def functions_table(catalogue: "Catalogue") -> list[list[str]]:
     text = "Angles are in radians; arguments are pure numbers where nothing else is said."
-    return [paragraph(text), table(topics.FUNCTIONS.items())]
+    return [paragraph(text), table(FUNCTIONS.items())]
 
 
 def motions_table(catalogue: "Catalogue") -> list[list[str]]:
@@ -167,7 +168,7 @@ def find_page(catalogue: "Catalogue", word: str) -> str:
 
 
 def function_page(catalogue: "Catalogue", name: str) -> str:
-    return blocks([f"{name} — a function"], table([("means", topics.FUNCTIONS[name])]),
+    return blocks([f"{name} — a function"], table([("means", FUNCTIONS[name])]),
                   ["All functions: vibcli explain functions"])
 
 

@@ -199,7 +199,7 @@ def _shaken(scene):
 def _steady_part(scene, term):
     """A load without its part in time, at rest."""
     load = term.weight if term.offset is None else term.offset
-    weight, = substitute([load], dict.fromkeys(scene.v, scene.table.zero))
+    weight, = substitute([load], scene.rates_at_rest)
     return term._replace(weight=weight, offset=None)
 
 

@@ -55,7 +55,7 @@ def effective_potential(scene: "Scene") -> "Node":
     """V − T at rest − Σ F s of constant forces: what is stationary in (relative) equilibrium."""
     from vibcli.symbolic.derivatives import substitute
 
-    rest = dict.fromkeys(scene.v, scene.table.zero)
+    rest = scene.rates_at_rest
     loads = scene.table.total(term.weight * term.s for term in scene.forces)
     return potential(scene) - substitute([scene.energies["T"]], rest)[0] - loads
 
@@ -67,7 +67,7 @@ def relative_potential(scene: "Scene") -> "Node | None":
 
     if any(term.weight.mask for term in scene.forces):
         return None
-    rest = dict.fromkeys(scene.v, scene.table.zero)
+    rest = scene.rates_at_rest
     loads = scene.table.total(term.weight * term.s for term in scene.forces)
     found = textbook(potential(scene) - substitute([kinetic(scene)], rest)[0] - loads)
     return None if found.mask & scene.time.mask else found

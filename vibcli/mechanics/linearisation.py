@@ -62,6 +62,13 @@ def each(form: Linearisation, change: Callable) -> Linearisation:
                      tuple(map(entries, piece.rows)), rows(piece.springs)) for piece in form.pieces])
 
 
+def joined(form: Linearisation, more: Linearisation) -> Linearisation:
+    """The sum of what forces without inertia, damping and stiffness of their own add and of the rest, on as many
+    coordinates as these have."""
+    return form._replace(n=more.n, curved=form.curved + more.curved, K=form.K + more.K,
+                         residual=form.residual + more.residual)
+
+
 def residual_terms(form: Linearisation) -> "list[list[Node]]":
     """The terms of each condition of equilibrium r = 0: a list of expressions for each coordinate."""
     found = [[] for _ in range(form.n)]

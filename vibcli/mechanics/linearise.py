@@ -13,7 +13,7 @@ them to the excitation; and so are loads that depend on the time, the F₀ in F�
 to Σ P ∇²s unless it is steady, as where they turn with what they act on.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
@@ -45,12 +45,8 @@ def linearise(scene: Any, still: bool = False) -> Linearisation:
         curved.append((term.weight, slopes_of(row, number), row))
     found = Linearisation(len(scene.q), scene.table, moving, springs, damping, curved, *_written_out(scene, number),
                           _pieces(scene, number, elastic))
-    slips, turning = {}, {}
-    for term in scene.loads_at_still():
-        _loaded(scene, found, number, term, slips, turning, still)
-    found.K.append({pair: -without_time(scene, scene.table.total(nodes)) for pair, nodes in turning.items()})
-    _split(found, slips, found.drag)
-    slips = {}
+    _loads(scene, found, number, scene.loads_at_still(), still)
+    slips: dict = {}
     if scene.timed:
         for kind, terms in (("inertias", inertias), ("dampers", dampers)):
             for term in terms:
@@ -68,10 +64,25 @@ def _pieces(scene, number, elastic):
     return placed_pieces(scene.at_still("pieces"), lambda s: row_of(s, number), elastic)
 
 
-def _loaded(scene, found, number, term, slips, turning, still):
+def linearised_loads(scene: "Scene", terms: "Iterable[AppliedLoad]") -> Linearisation:
+    """What some of the loads on a scene are of its Linearisation."""
+    found = Linearisation(len(scene.q), scene.table, [], [], [], [], {}, {}, {}, {}, [], [], [])
+    _loads(scene, found, {node: i for i, node in enumerate(scene.q)}, terms, False)
+    return found
+
+
+def _loads(scene, found, number, terms, still):
+    slips, turning, speeds = {}, {}, {v: i for i, v in enumerate(scene.v)}
+    for term in terms:
+        _loaded(scene, found, (number, speeds), term, slips, turning, still)
+    found.K.append({pair: -without_time(scene, scene.table.total(nodes)) for pair, nodes in turning.items()})
+    _split(found, slips, found.drag)
+
+
+def _loaded(scene, found, numbers, term, slips, turning, still):
     """A force F with the virtual work F δs; `turning`: where its parts that hold the time add F ∂²s, of which that
     remains whose time cancels, as of a force that turns with what it acts on."""
-    rest, speeds = dict.fromkeys(scene.v, scene.table.zero), {v: i for i, v in enumerate(scene.v)}
+    (number, speeds), rest = numbers, scene.rates_at_rest
     row = row_of(term.s, number)
     steady, turning_part, waving, _ = load_at_rest(scene, term)
     curvature, at_once = slopes_of(row, number), turning_part if still else turning_part + waving
@@ -136,7 +147,7 @@ def slopes_of(row: Any, number: Any):
 def _written_out(scene, number):
     """What `energies` and `matrices` add: M, C, G, no drag, K, the residual."""
     speeds = {node: i for i, node in enumerate(scene.v)}
-    rest = dict.fromkeys(scene.v, scene.table.zero)
+    rest = scene.rates_at_rest
     T, V, Phi = (scene.energies[key] for key in ("T", "V", "Phi"))
     momentum, force = row_of(T, speeds), row_of(Phi, speeds)
     M = _at_rest(slopes_of(momentum, speeds), rest)
@@ -191,7 +202,7 @@ def without_time(scene: "Scene", node: "Node") -> "Node":
 def load_at_rest(scene: "Scene", term: "AppliedLoad") -> "tuple[Node, Node, Node, Node]":
     """A load in four parts: (the steady one, that in it which turns with the frames that carry it and so holds the
     time, what waves in the one in time, the constant beside it). Of F₀ (1 − cos Ωt) these are −F₀ cos Ωt and F₀."""
-    rest = dict.fromkeys(scene.v, scene.table.zero)
+    rest = scene.rates_at_rest
     force, steady_part = substitute([term.weight, term.steady], rest)
     parts = steady_part.args if steady_part.op == "sum" else ((steady_part, ONE),)
     turning = scene.table.sum(*((node, c) for node, c in parts if node.mask & scene.time.mask))

@@ -118,13 +118,14 @@ class MechanicalSystem:
     def with_inputs(self):
         """(scene, Linearisation, the same without excitation, may its matrices depend on the time?) of the scene with
         what drives it as coordinates."""
-        return (self._shared and self._shared("with_inputs")) or self._with_inputs(self.scene)
+        return (self._shared and self._shared("with_inputs")) or self._with_loads_alone() or self._with_inputs(
+            self.scene.with_inputs())
 
     @cached_property
     def released_with_inputs(self):
         """The same where supports give way."""
         return (self._shared and self._shared("released_with_inputs")) or self._with_inputs(
-            self.scene.with_released_supports())
+            self.scene.with_released_supports().with_inputs())
 
     def _with_inputs(self, scene):
         from vibcli.mechanics.autonomous import steady
@@ -132,9 +133,24 @@ class MechanicalSystem:
         from vibcli.mechanics.linearise import linearise
         from vibcli.mechanics.static_preload import take_over
 
-        scene = take_over(scene.with_inputs(), self.preloads)
+        scene = take_over(scene, self.preloads)
         form = linearise(scene)
         return scene, form, steady(scene, form), hangs_on(form, scene.time)
+
+    def _with_loads_alone(self):
+        """The same of a scene that only loads drive, its own Linearisation with rows of these; None of others."""
+        from vibcli.mechanics.linearisation import joined
+        from vibcli.mechanics.linearise import linearised_loads
+        from vibcli.scene.inputs import with_loads_alone
+
+        scene = with_loads_alone(self.scene) if self.scene.q else None
+        if scene is None:
+            return None
+        loads = scene.forces[len(self.scene.forces):]
+        if any(term.s.mask & scene.time.mask for term in loads):
+            return None
+        added, timed, form = linearised_loads(scene, loads), self.time_dependent_linearisation, self.linearisation
+        return scene, joined(timed, added), joined(form, added), self.hangs_on_time
 
     @Stage
     def linearisation(self):

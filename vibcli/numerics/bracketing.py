@@ -11,6 +11,7 @@ if TYPE_CHECKING:
 
 ROUNDS, SAME = 150, 2.0**-51
 NOTHING = 2.0**-80              # of an interval: a zero nearer to 0 than this is known well enough
+SHORT, FARTHER = 4, 8        # of least steps, and how much farther the next one goes
 SECTIONS, GOLDEN = 90, 0.3819660112501051
 
 
@@ -20,18 +21,19 @@ def zeros_between(function: Callable, low: np.ndarray, high: np.ndarray, level: 
     the level of each interval. known: its values at the ends, where they are.
 
     Inverse quadratic interpolation where three values stand for it, else halving (Chandrupatla 1997, Adv. Eng. Softw.
-    28, 145); a step falls no nearer to an end than half of what is told apart, so that both ends close in.
+    28, 145); a step falls no nearer to an end than half of what is told apart, so that both ends close in, and the next
+    one eight times as far where that was on the near side: as where rounding makes stairs of the function.
     """
     level, least = np.broadcast_to(level, low.shape), NOTHING * (high - low)
     a, b, found = high.copy(), low.copy(), (low + high) / 2
     fb, fa = (ends - level for ends in known or (function(b), function(a)))
-    open_, share = np.arange(len(low)), np.full(len(low), 0.5)
+    open_, share, step = np.arange(len(low)), np.full(len(low), 0.5), np.full(len(low), 0.5)
     for _ in range(ROUNDS):
         near = np.maximum(SAME * np.maximum(np.abs(a), np.abs(b)), least)
         wide = np.abs(b - a) > near
         found[open_] = (a + b) / 2
-        open_, level, least, near, a, b, fa, fb, share = (
-            part[wide] for part in (open_, level, least, near, a, b, fa, fb, share))
+        open_, level, least, near, a, b, fa, fb, share, step = (
+            part[wide] for part in (open_, level, least, near, a, b, fa, fb, share, step))
         if not len(open_):
             break
         trial = a + share * (b - a)
@@ -40,18 +42,20 @@ def zeros_between(function: Callable, low: np.ndarray, high: np.ndarray, level: 
         c, fc = np.where(same, a, b), np.where(same, fa, fb)
         b, fb = np.where(same | (f == 0), b, a), np.where(same, fb, fa)
         a, fa, b = trial, f, np.where(f == 0, trial, b)
-        share = _share(a, b, c, fa, fb, fc, near)
+        share, short = _share(a, b, c, fa, fb, fc, step * near)
+        step = np.where(short, FARTHER * step, step)
     return found
 
 
-def _share(a, b, c, fa, fb, fc, near):
-    """How far from a to b the next place lies."""
+def _share(a, b, c, fa, fb, fc, step):
+    """(how far from a to b the next place lies, whether that is next to one of them)."""
     with np.errstate(all="ignore"):
         place, height = (a - b) / (c - b), (fa - fb) / (fc - fb)
         share = fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb)
         smooth = (height**2 < place) & ((1 - height)**2 < 1 - place) & np.isfinite(share)
-        edge = np.minimum(near / 2 / np.abs(b - a), 0.5)
-    return np.clip(np.where(smooth, share, 0.5), edge, 1 - edge)
+        edge = np.minimum(step / np.abs(b - a), 0.5)
+    share = np.where(smooth, share, 0.5)
+    return np.clip(share, edge, 1 - edge), np.minimum(share, 1 - share) < SHORT * edge
 
 
 def maxima_between(function: Callable, low: Any, high: "float | mpmath.mpf", sections: int = SECTIONS):

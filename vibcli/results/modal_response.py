@@ -251,15 +251,12 @@ class ModalResponse(ResponseOfMembers):
         """μ ∫ φ u dx over one piece at t = 0."""
         import numpy as np
 
-        from vibcli.analyses.continuous.modal_start import of_field, of_held_shape, of_shape
+        from vibcli.analyses.continuous.modal_start import at_rest, of_field
 
-        q, shape = self.deviations[0], self.fields[number][0]
+        shape = self.fields[number][0]
         if shape is not None:
             return of_field(basis, number, shape, 0)
-        rows = basis.placed[number].rows
-        found = of_shape(basis, number, np.array([sum(x * q[i] for i, x in row.items() if i < len(q)) for row in rows]))
-        for drive in self.let_go:
-            found = found + of_held_shape(basis, number, drive)
+        found = at_rest(basis, number, self.deviations[0], self.let_go)
         if not np.isfinite(found).all():
             raise NotByModes("a load along what nothing holds lets go", "let a force at a point of it go")
         return found

@@ -60,7 +60,8 @@ class OtherValues:
             return None
         known = {**self._known, "scene": values.over(self.problem.scene)}
         system = MechanicalSystem(values.spec, known=known, shared=partial(self._shared, values))
-        return Problem(values.spec, work=system.work, modal=ModalAnalysis(Configuration(NumericSystem(system))))
+        numeric = NumericSystem(system, floats=None if values.parameters.free else values.sample)
+        return Problem(values.spec, work=system.work, modal=ModalAnalysis(Configuration(numeric)))
 
     @property
     def shares(self) -> bool:

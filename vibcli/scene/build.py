@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import SpecError
 from vibcli.scene.builder import Builder
 from vibcli.scene.contents import TERMS
-from vibcli.scene.energy_terms import AppliedLoad
 from vibcli.scene.scene import Drives, Scene, Setting, Variant
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.syntax import ExpressionError
@@ -81,13 +80,13 @@ def _assembled(builder, setting):
         return None
     drives = builder.displacements
     scene = Scene(setting, builder.coordinates, builder.contents,
-                  Drives(drives.driven, drives.inputs, drives.released))
+                  Drives(drives.driven, drives.inputs, drives.released, builder.idle))
     if scene.driven:
         scene = _driven(scene)
     if setting.variant.inputs:
-        scene = scene.with_parts(contents=scene.contents._replace(
-            forces=[*scene.forces, *_inputs(scene, drives)],
-            spread_forces=[*scene.spread_forces, *_spread_inputs(scene, drives)]))
+        from vibcli.scene.inputs import with_input_loads
+
+        scene = scene.with_parts(contents=with_input_loads(scene, drives.add_input))
     if scene.laws:
         scene = _with_laws(scene)
     if scene.constraints and not setting.variant.multipliers:
@@ -113,19 +112,6 @@ def _driven(scene):
     shaken = {kind: getattr(scene, kind) for kind in TERMS if kind != "constraints"}
     moved = scene.replaced(scene.driven, still=still)
     return moved.with_parts(contents=moved.contents._replace(shaken=shaken))
-
-
-def _inputs(scene, drives):
-    """A load as an input beside each that is given, and one along each coordinate."""
-    beside = [(term.owner, term.s, k) for k, term in enumerate(scene.forces)]
-    along = [(name, scene.symbol(name), None) for name in scene.spec.coordinates]
-    return [AppliedLoad(drives.add_input(name, load=k), s, owner=name) for name, s, k in (*beside, *along)]
-
-
-def _spread_inputs(scene, drives):
-    """An input beside each load along members in time."""
-    return [force._replace(weight=drives.add_input(force.owner, spread=k))
-            for k, force in enumerate(scene.spread_forces)]
 
 
 def _with_laws(scene):

@@ -44,7 +44,7 @@ class Builder:
     def __init__(self, spec: "Spec", given: "Mapping[str, Fraction]", attempt: int, variant: "Variant",
                  tensions: "Mapping[str, Tensions]", watched: "Callable | None" = None):
         self.tensions = tensions
-        self.spec, self.variant, self.owner, self.reports = spec, variant, None, Reports()
+        self.spec, self.variant, self.owner, self.reports, self.idle = spec, variant, None, Reports(), False
         records = spec.sections.get("records") or {}
         self.table = table = Table({name: record["samples"] for name, record in records.items()})
         self.parameters = Parameters(spec, table)
@@ -197,7 +197,10 @@ class Builder:
 
     def add_force(self, steady: "Node", in_time: "Node", s: "Node") -> None:
         """The virtual work δA = force·δs of a load in two parts, functions of coordinates and velocities."""
-        if (s.mask or self.variant.inputs) and not (steady.is_zero and in_time.is_zero):
+        if steady.is_zero and in_time.is_zero:
+            return
+        self.idle |= not s.mask
+        if s.mask or self.variant.inputs:
             offset = None if in_time.is_zero else steady
             self.contents.forces.append(AppliedLoad(steady + in_time, s, offset, self.owner))
 

@@ -96,6 +96,11 @@ class SceneCoordinates(NamedTuple):
             return at_impulses(found, self.time)
         return found
 
+    def copied(self) -> "SceneCoordinates":
+        """A copy that may become more without this one."""
+        names, q, v, a = (listed.copy() for listed in (self.names, self.q, self.v, self.a))
+        return self.apart()._replace(names=names, q=q, v=v, a=a, speeds=dict(self.speeds))
+
     def at_drawn(self, *nodes: "Node") -> "list[Node]":
         """The nodes in the drawn position, at rest."""
         return substitute(nodes, self.at_rest) if any(node.mask for node in nodes) else list(nodes)

@@ -59,11 +59,13 @@ class Setting(NamedTuple):
 
 
 class Drives(NamedTuple):
-    """`driven`: {symbol: function of the time}; `inputs`: {symbol: Opening}; coordinates `released` by supports."""
+    """`driven`: {symbol: function of the time}; `inputs`: {symbol: Opening}; coordinates `released` by supports;
+    `idle`: does a load act on what stays?"""
 
     driven: dict
     inputs: dict
     released: list
+    idle: bool = False
 
 
 class Freedom(NamedTuple):
@@ -107,9 +109,13 @@ class Scene:
         places = Places(self.spec, expressions, self.bodies, self.points, self.members)
         self.frame, self.place, self.place_of, self.rim = places.frame, places.place, places.place_of, places.rim
         self.extent, self.unit_of = places.extent, places.unit_of
-        self.driven, self.inputs, self.released = drives
+        self.drives, (self.driven, self.inputs, self.released, self.idle) = drives, drives
         self.loops, self.dependent, self.freedom = closure or Closure(None, {}, Freedom(len(self.q), 0, ()))
-        self.timed = any(node.mask & self.time.mask for node in contents.depends_on)
+
+    @cached_property
+    def timed(self) -> bool:
+        """Does anything that moves, stores, damps or loads depend on the time?"""
+        return any(node.mask & self.time.mask for node in self.contents.depends_on)
 
     def with_parts(self, **parts: Any) -> "Scene":
         """The same with other parts, as they are named where a Scene is made."""
@@ -190,6 +196,11 @@ class Scene:
     def drawn_position(self) -> "dict[Node, Node]":
         """{symbol: its value as drawn} of all coordinates and the time."""
         return {**self.drawn, self.time: self.table.zero}
+
+    @cached_property
+    def rates_at_rest(self) -> "dict[Node, Node]":
+        """{symbol: zero} of the velocities."""
+        return dict.fromkeys(self.v, self.table.zero)
 
     @property
     def drawn_coordinates(self) -> "dict[str, Node]":

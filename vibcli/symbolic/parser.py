@@ -6,14 +6,13 @@ Nothing is ever evaluated as code.
 """
 
 import re
-from fractions import Fraction
 from functools import lru_cache
 from operator import methodcaller
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.diagnostics import quoted
 from vibcli.symbolic.literals import literal
-from vibcli.symbolic.syntax import Call, Equation, ExpressionError, NameRef, Number, Power, Product, QuantityRef, Sum
+from vibcli.symbolic.syntax import Call, Equation, ExpressionError, NameRef, Power, Product, QuantityRef, Sum
 
 if TYPE_CHECKING:
     from re import Match
@@ -33,7 +32,6 @@ GREEK = dict(zip("αβγδεζηθικλμνξοπρστυφχψωΓΔΘΛΞΠΣ
 plain_name = methodcaller("translate", str.maketrans(GREEK))      # a name with Greek letters spelt out: φ1 is phi1
 
 _NUMBER = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?")
-_WHOLE = re.compile(r"[0-9]{1,15}")
 _NAME = re.compile(r"[A-Za-z_α-ωΑ-Ωϕϑϵ][A-Za-z0-9_α-ωΑ-Ωϕϑϵ]*")
 _PER_UNIT = re.compile(r"1\s*/\s*[A-Za-z]")
 _PART = re.compile(r"\.(?:[A-Za-z_][A-Za-z0-9_]*|[0-9]{1,3})")
@@ -49,8 +47,8 @@ def parse(text: str, equation: str | None = None):
     if len(text) > LONGEST:
         raise ExpressionError(0, 1, f"this expression has {len(text)} characters; the limit is {LONGEST}",
                               "give parts of it names under parameters")
-    if _WHOLE.fullmatch(text) and not equation:
-        return Number(0, len(text), Fraction(int(text)), ())
+    if not equation and (number := _NUMBER.fullmatch(text)):
+        return literal(text, number)
     parser = _Parser(text)
     tree = parser.expression(0)
     if equation:

@@ -44,6 +44,15 @@ def test_a_hundred_zeros_of_the_sine():
     assert len(asked.rounds) <= 12 and sum(asked.rounds) <= 1000
 
 
+def test_zeros_on_stairs_are_found_in_few_rounds():
+    """Stairs as rounding makes them, of which one lies on the zero but for a thousandth."""
+    k = np.arange(1, 101)
+    asked = Counted(lambda x: np.floor(np.sin(x) * 2.0**44) + 1e-3)
+    found = zeros_between(asked, (k - 0.4) * np.pi, (k + 0.3) * np.pi)
+    assert np.abs(found - k * np.pi).max() <= 2.0**-44 + 2.0**-51 * 100 * np.pi
+    assert len(asked.rounds) <= 20 and sum(asked.rounds) <= 1200
+
+
 def test_each_interval_has_its_level():
     level = np.array([0.1, 0.5, 0.9])
     found = zeros_between(np.sin, np.zeros(3), np.full(3, 1.5), level)

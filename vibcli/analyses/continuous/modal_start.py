@@ -17,6 +17,8 @@ from vibcli.numerics.pieces.panels import panel_rule
 from vibcli.numerics.pieces.stiffness import stiffness
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from vibcli.analyses.continuous.mode_basis import ModeBasis
     from vibcli.analyses.continuous.spread_drives import SpreadDrive
     from vibcli.analyses.excitation.forcing import Forcing
@@ -70,6 +72,16 @@ def of_held_shape(basis: "ModeBasis", piece: int, drive: "SpreadDrive") -> np.nd
             found[part.modes] -= part.ends[:, half:] @ put[half:]
     with np.errstate(all="ignore"):
         return whole.inertia * found / gaps
+
+
+def at_rest(basis: "ModeBasis", piece: int, q: np.ndarray, drives: "Iterable[SpreadDrive]") -> np.ndarray:
+    """μ ∫ φ u dx of each mode over a piece that coordinates bend by its ends, and loads besides; not finite where
+    nothing holds what a load bends."""
+    ends = np.array([sum(x * q[i] for i, x in row.items() if i < len(q)) for row in basis.placed[piece].rows])
+    found = of_shape(basis, piece, ends)
+    for drive in drives:
+        found = found + of_held_shape(basis, piece, drive)
+    return found
 
 
 def of_shape(basis: "ModeBasis", piece: int, ends: np.ndarray) -> np.ndarray:

@@ -43,10 +43,14 @@ def chosen(system: Any) -> Any:
 
 
 def _ordered(system):
-    """(order of the coordinates, half the width of the band)."""
+    """(order of the coordinates, half the width of the band); as they stand where more entries than those of a narrow
+    band are not zero."""
     pattern = (system.K != 0) | (system.M != 0) | (system.C != 0)
+    order = np.arange(system.n)
+    if np.count_nonzero(pattern) > (2 * NARROW + 1) * system.n:
+        return order, system.n - 1
     pattern |= pattern.T
-    order, width = np.arange(system.n), _width(pattern)
+    width = _width(pattern)
     if width > NARROW and system.n >= LARGE:
         from scipy.sparse import csr_array
         from scipy.sparse.csgraph import reverse_cuthill_mckee

@@ -17,30 +17,27 @@ from typing import Any
 
 import numpy as np
 
-from vibcli.analyses.frequency_response.direct import SINGULAR, probe, repaired
+from vibcli.analyses.frequency_response.direct import SINGULAR, repaired
+from vibcli.analyses.frequency_response.modes_of_matrices import TURNED, coupled, decoupled, reduced_to_unit_mass
 from vibcli.analyses.frequency_response.quadratics import polynomial, slope
-from vibcli.numerics.fixed_point import count_floats
-from vibcli.numerics.state_space import first_order
 
-COUPLED = 1e-14         # coupling by damping, relative to the damping of two modes
-DEPENDENT = 1e8         # condition of the modes from which on LU has too much left to do
 ROUNDING = 2.0**-51
 SINGLE = 2.0**-20       # what single precision makes of a product, relative
-TURNED = 1e-13          # of the largest entry, by which D and its transpose may differ and count as one
 BLOCK = 2.0**15         # frequencies times modes that are summed at once
 
 
 def modal_solution(system: Any, otherwise: Any, most: float = np.inf) -> "ModalSolution | None":
     """The solution that leaves to another method what it loses; None where M is not positive definite, where the modes
     are nearly dependent, and where there are more than so many degrees of freedom and damping couples them."""
-    reduced = _reduced(system)
+    reduced = reduced_to_unit_mass(system)
     if reduced is None:
         return None
-    found = _decoupled(system, *reduced)
+    found = decoupled(system, reduced)
     if found is not None:
         return ModalSolution(system, otherwise, DecoupledModalSum(system, *found))
-    modes = _complex_modes(system, *reduced) if system.n <= most else None
-    return modes and ModalSolution(system, otherwise, modes)
+    asked = [part for coefficients in (system.b, system.c) for *_, part in _terms(coefficients)]
+    modes = coupled(system, reduced, asked) if system.n <= most else None
+    return modes and ModalSolution(system, otherwise, CoupledModalSum(system, *modes))
 
 
 class DecoupledModalSum:
@@ -234,10 +231,6 @@ def _sum(terms, s, parts):
                for (power, factor, *_), part in zip(terms, parts, strict=True))
 
 
-def _same(matrix, other):
-    return np.abs(matrix - other).max() <= TURNED * np.abs(matrix).max()
-
-
 def _squared(x):
     return x.real**2 + x.imag**2
 
@@ -245,88 +238,3 @@ def _squared(x):
 def _times(matrix, x):
     """A real matrix times complex columns."""
     return (matrix @ x.view(x.real.dtype)).view(x.dtype)
-
-
-def _reduced(system):
-    """(K̃, C̃, L⁻ᵀ) with M = L Lᵀ: q = L⁻ᵀ y gives ÿ + C̃ ẏ + K̃ y = L⁻¹ b; None where M is not positive definite."""
-    M = system.M
-    if not _symmetric(M):
-        return None
-    masses = np.diag(M)
-    if (masses > 0).all() and np.count_nonzero(M) == len(M):
-        scale = 1 / np.sqrt(masses)
-        return system.K * np.outer(scale, scale), system.C * np.outer(scale, scale), np.diag(scale)
-    scale = np.exp2(-np.round(np.log2(np.where(masses > 0, masses, 1.0)) / 2))
-    try:
-        L = np.linalg.cholesky(M * np.outer(scale, scale))
-    except np.linalg.LinAlgError:
-        return None
-    back = np.linalg.inv(L).T * scale[:, None]
-    return back.T @ system.K @ back, back.T @ system.C @ back, back
-
-
-def _symmetric(matrix):
-    return bool((np.abs(matrix - matrix.T) <= 1e-15 * np.abs(matrix)).all())
-
-
-def decoupled(system: Any) -> "tuple[np.ndarray, np.ndarray, np.ndarray] | None":
-    """(ω², 2ζω, shapes) of modes that damping does not couple; None where it does, and of an M that is not positive
-    definite."""
-    reduced = _reduced(system)
-    return None if reduced is None else _decoupled(system, *reduced)
-
-
-def _decoupled(system, K, C, back):
-    if not (_symmetric(system.K) and _symmetric(system.C)):
-        return None
-    if not _commute(K, C):
-        return None
-    squares, turn = np.linalg.eigh((K + K.T) / 2)
-    damping = turn.T @ C @ turn
-    size = np.abs(turn).T @ np.abs(C) @ np.abs(turn)
-    if (np.abs(damping - np.diag(np.diag(damping))) > COUPLED * size).any():
-        return None
-    return squares, np.diag(damping), back @ turn
-
-
-def _commute(K, C):
-    """Whether K C = C K but for rounding, as seen along one vector."""
-    along = probe(len(K))
-    apart = K @ (C @ along) - C @ (K @ along)
-    K, C = np.abs(K), np.abs(C)
-    return (np.abs(apart) <= COUPLED * len(K) * (K @ (C @ along) + C @ (K @ along))).all()
-
-
-def _complex_modes(system, K, C, back):
-    """The CoupledModalSum, in real numbers; None where these are nearly dependent."""
-    n = len(K)
-    pace = np.sqrt(max(np.abs(K).max(), np.finfo(float).tiny))
-    count_floats(2 * n)
-    values, vectors = np.linalg.eig(first_order(K, C, pace))
-    above, alone = values.imag > 0, values.imag == 0
-    W = np.hstack([vectors[:, above].real, vectors[:, above].imag, vectors[:, alone].real])
-    try:
-        shares, left = _shares(system, W, back)
-    except np.linalg.LinAlgError:
-        return None
-    right = back @ W[:n] / pace
-    return shares and CoupledModalSum(system, values[above], values[alone].real, right, left, shares, pace)
-
-
-def _shares(system, W, back):
-    """(the function that gives L b, L), the latter None where D is the same as Dᵀ; (None, None) where the modes are
-    nearly dependent, as seen along b and c."""
-    n = len(back)
-    if not all(_same(matrix, matrix.T) for matrix in (system.K, system.C, system.M)):
-        inverse = np.linalg.inv(W)
-        left = inverse[:, n:] @ back.T
-        known = np.linalg.norm(inverse) * np.linalg.norm(W) < DEPENDENT
-        return (lambda b: left @ b, left) if known else (None, None)
-    asked = [part for coefficients in (system.b, system.c) for *_, part in _terms(coefficients)]
-    right = np.concatenate([np.zeros((n, len(asked))), back.T @ np.stack(asked, axis=1)])
-    found = np.linalg.solve(W, right)
-    if not (np.linalg.norm(found, axis=0) * np.linalg.norm(W)
-            <= DEPENDENT * np.linalg.norm(right, axis=0)).all():
-        return None, None
-    kept = {part.tobytes(): share for part, share in zip(asked, found.T, strict=True)}
-    return (lambda b: kept[b.tobytes()]), None

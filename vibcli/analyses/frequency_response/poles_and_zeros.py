@@ -24,11 +24,16 @@ BESIDE = 1e-9   # where Newton's method for a pole starts that rounding hides at
 def poles(system: Any) -> np.ndarray:
     """The poles with Im s ≥ 0."""
     if system.n >= LONG:
-        from vibcli.analyses.frequency_response.modal_solution import decoupled
+        from vibcli.analyses.frequency_response.modes_of_matrices import decoupled, reduced_to_unit_mass
 
-        alone = decoupled(system)
+        alone = decoupled(system, reduced_to_unit_mass(system))
         if alone is not None:
             return _of_modes(*alone[:2])
+        from vibcli.analyses.frequency_response.poles_in_a_row import poles_in_a_row
+
+        found = poles_in_a_row(system)
+        if found is not None:
+            return found
     return _roots([system.K, system.C, system.M], pace(system))
 
 

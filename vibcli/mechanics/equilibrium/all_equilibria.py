@@ -95,11 +95,14 @@ def find_equilibria(configuration: "Configuration", within: "Mapping[str, tuple[
 
 
 def _reached(configuration):
-    """[the equilibrium next to the drawn position], empty where there is none."""
+    """[the equilibrium next to the drawn position], that of linear forces wherever it is, empty where there is none."""
     try:
         return [configuration.equilibrium]
     except PhysicsError:
-        return []
+        from vibcli.mechanics.equilibrium.rest_in_digits import rest_in_digits
+
+        place = rest_in_digits(configuration.numeric, held=False)
+        return [] if place is None else [Equilibrium(place, False, 0.0)]
 
 
 def _prepared(numeric, forces, rests, given):

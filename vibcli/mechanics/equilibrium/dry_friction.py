@@ -81,7 +81,7 @@ def signs_of_speeds(scene: "Scene", nodes: "Sequence[Node]") -> "list[Node]":
 def _senses(scene, equations):
     """({sign of a velocity that vanishes at rest: σ}, {σ: σ₀})."""
     limits = scene.law_switches()[1]
-    rest = dict.fromkeys(scene.v, scene.table.zero)
+    rest = scene.rates_at_rest
     symbols, bounds = {}, {}
     for part in signs_of_speeds(scene, equations):
         if is_zero(substitute([part.args[0]], rest)[0]):

@@ -47,7 +47,7 @@ def is_balanced(numbers: "Numbers", terms: int = 8) -> bool:
 def find_equilibrium(numeric: "NumericSystem", start: Mapping[str, float]) -> Equilibrium:
     """The Equilibrium reached from `start` ({coordinate: float}); PhysicsError where V falls without bound."""
     from vibcli.mechanics.equilibrium.energy_descent import EnergyDescent
-    from vibcli.mechanics.equilibrium.no_equilibrium import unbounded, unfinished
+    from vibcli.mechanics.equilibrium.no_equilibrium import repelled, unbounded, unfinished
 
     search = EnergyDescent(numeric, start)
     q = search.vector(start)
@@ -59,7 +59,7 @@ def find_equilibrium(numeric: "NumericSystem", start: Mapping[str, float]) -> Eq
         search.forget()
         steps += 1
         if search.far(q):
-            raise unbounded(search, q)
+            raise repelled(search, unbounded(search, q))
         if steps > STEPS and search.balanced(numbers):
             break       # there but for rounding
         if steps > STEPS:
@@ -76,12 +76,14 @@ def find_equilibrium(numeric: "NumericSystem", start: Mapping[str, float]) -> Eq
 
 def _held(search, q, steps, refusal):
     """The Equilibrium that more digits tell, or where forces jump, next to which a search ends; else the refusal."""
+    from vibcli.mechanics.equilibrium.no_equilibrium import repelled
+
     if not search.scene.table.called.intersection(LEAPING):
         from vibcli.mechanics.equilibrium.rest_in_digits import rest_in_digits
 
         place = rest_in_digits(search.numeric)
         if place is None:
-            raise refusal
+            raise repelled(search, refusal)
         return Equilibrium(place, False, 0.0, steps)
     from vibcli.mechanics.equilibrium.rest_at_jumps import rest_at_jumps
 

@@ -28,7 +28,7 @@ SAME = 1e-9
 def nearest_equilibrium(numeric: Any, start: Any) -> Equilibrium:
     """The Equilibrium nearest to `start` ({coordinate: float}); PhysicsError where none is found."""
     if numeric.system.is_linear and not numeric.scene.table.called.intersection(KINKED):
-        return find_equilibrium(numeric, start)._replace(start=start)
+        return _of_linear_forces(numeric, start)._replace(start=start)
     search = _Nearest(numeric, start)
     refusal, fallen = None, None
     try:
@@ -40,6 +40,18 @@ def nearest_equilibrium(numeric: Any, start: Any) -> Equilibrium:
     if search.best is None and fallen is None:
         raise refusal
     return search.found(fallen)
+
+
+def _of_linear_forces(numeric, start):
+    try:
+        return find_equilibrium(numeric, start)
+    except PhysicsError:
+        from vibcli.mechanics.equilibrium.rest_in_digits import rest_in_digits
+
+        place = rest_in_digits(numeric, held=False)
+        if place is None:
+            raise
+        return Equilibrium(place, False, 0.0)
 
 
 class _Nearest:

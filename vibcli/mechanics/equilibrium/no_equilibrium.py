@@ -11,6 +11,7 @@ if TYPE_CHECKING:
 
 ALONE = ", or ask for what needs none: find: [accelerations]"
 FAR, BESIDE = 1e6, 1e-6      # of the size of the figure
+TOLD = 1e-9                  # of the largest eigenvalue: one below zero that is not that of rounding
 JUMPS = ("abs", "sign", "min", "max", "step", "ramp")
 
 
@@ -52,6 +53,22 @@ def unbounded(search: "EnergyDescent", q: "np.ndarray") -> PhysicsError:
         f"no equilibrium is reached from the {_origin(search)}: nothing holds '{name}', {why} along it",
         "add the spring or support that carries the load, or start elsewhere with `equilibrium:`" + ALONE,
         search.numeric.spec.origin(name).where)
+
+
+def repelled(search: "EnergyDescent", refusal: PhysicsError) -> PhysicsError:
+    """Why linear forces that balance at one place lead nowhere, where they lead away from it; the refusal of others."""
+    from vibcli.mechanics.equilibrium.rest_in_digits import rest_in_digits
+
+    place = rest_in_digits(search.numeric, held=False)
+    if place is None or rest_in_digits(search.numeric) is not None:
+        return refusal
+    found = search.np.linalg.eigvals(search.hessian(search.at(search.vector(place))))
+    if not found.real.min() < -TOLD * search.np.abs(found).max():
+        return refusal
+    there = ", ".join(f"{name} = {x:.6g}" for name, x in place.items())
+    return NoEquilibrium(
+        f"no equilibrium is reached from the {_origin(search)}: forces lead away from the only one that there is",
+        f"it is {there}: name a place near it under `equilibrium:`, or add the spring or support that holds it")
 
 
 def _is_held(search, q):

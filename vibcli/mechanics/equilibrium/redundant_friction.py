@@ -126,7 +126,7 @@ def _of_others(scene, equations, laws):
 
 def _held(scene, owner, sign, size, column):
     argument = sign.args[0]
-    drift, = substitute([argument], dict.fromkeys(scene.v, scene.table.zero))
+    drift, = substitute([argument], scene.rates_at_rest)
     return Held(owner, argument, _slopes(scene, argument), drift, size, column)
 
 

@@ -13,8 +13,9 @@ if TYPE_CHECKING:
 DIGITS, HELD = 80, 1e-35        # what is left of a stiffness, as a part, when all else gives way: less is none
 
 
-def rest_in_digits(numeric: "NumericSystem") -> dict[str, float] | None:
-    """{coordinate: float} where all forces vanish and every motion is held; None of what is not linear, or not held."""
+def rest_in_digits(numeric: "NumericSystem", held: bool = True) -> dict[str, float] | None:
+    """{coordinate: float} where all forces vanish; None of what is not linear, where they do so at no place or at many,
+    and where not every motion is held, if it is to be."""
     scene = numeric.scene
     if not numeric.system.is_linear or scene.table.called.intersection(KINKED) or scene.resting.loops is not None:
         return None
@@ -27,7 +28,7 @@ def rest_in_digits(numeric: "NumericSystem") -> dict[str, float] | None:
         numbers = in_numbers(numeric.system.statics, multiprecision(), values | start)
         entries, n = numbers.elements.stiffness(), len(names)
         K = mpmath.matrix([[entries.get((i, j), 0) for j in range(n)] for i in range(n)])
-        moved = _solved(K, [-force for force in numbers.residual])
+        moved = (_solved if held else _balanced)(K, [-force for force in numbers.residual])
         if moved is None:
             return None
         place = start | {name: start[name] + q for name, q in zip(names, moved, strict=True)}
@@ -35,6 +36,18 @@ def rest_in_digits(numeric: "NumericSystem") -> dict[str, float] | None:
         if max(map(abs, there.residual)) > HELD * max(numbers.residual_size):
             return None
         return {name: float(x) for name, x in place.items()}
+
+
+def _balanced(K, force):
+    """K⁻¹ f; None where K is singular."""
+    import mpmath
+
+    try:
+        moved = list(mpmath.lu_solve(K, mpmath.matrix(force)))
+    except ZeroDivisionError:
+        return None
+    largest = max(abs(K[i, j] * q) for i in range(len(force)) for j, q in enumerate(moved))
+    return None if HELD * largest > max(map(abs, force)) else moved
 
 
 def _solved(K, force):

@@ -11,7 +11,9 @@ from math import hypot, pi
 import pytest
 from support.scenes import problem, value
 
+from vibcli.base.errors import NoEquilibrium
 from vibcli.cli.program import run
+from vibcli.mechanics.equilibrium.all_equilibria import find_equilibria
 from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
 from vibcli.symbolic.evaluation import Floats, evaluate
 
@@ -145,3 +147,37 @@ def test_the_way_from_the_start_is_written_in_letters(kind, told, tmp_path, caps
     assert run(["solve", str(path), "--format", kind]) == 0
     out = capsys.readouterr().out
     assert told in out and "Δphi" not in out
+
+
+TURNED = """
+    parameters: {m: 0.5 kg, k: 80 N/m, a: 0.3 m, Omega: 20 rad/s}
+    bodies:
+      rod: {at: [0, 0], pin: {at: [0, 0], by: Omega*t}}
+      bead: {mass: m, at: [a, 0], slide: {along: [1, 0], by: u, carrier: rod}}
+    springs: {s: {k: k, between: [[0, 0], bead]}}
+"""
+TIPPED = """
+    bodies: {block: {mass: 2 kg, slide: x}}
+    energies: {V: 3 N*x - 30 N/m*x^2}
+"""
+
+
+@pytest.mark.parametrize(("text", "name", "at"), [(TURNED, "u", 0.5 * 400 * 0.3 / (80 - 0.5 * 400)),
+                                                  (TIPPED, "x", 0.05)])
+def test_where_linear_forces_balance_they_may_lead_away(text, name, at):
+    """The one equilibrium of a stiffness below zero: found where it is asked for, and told where it is not reached."""
+    with pytest.raises(NoEquilibrium, match="forces lead away from the only one") as refused:
+        _ = problem(text).configuration.equilibrium
+    assert f"it is {name} = {at:g}: " in refused.value.hint
+    near = problem(text + f"    equilibrium: {{{name}: {at - 0.03} m}}\n").configuration
+    assert near.equilibrium.values == pytest.approx({name: at}, rel=1e-15)
+    assert near.equilibrium.from_start == pytest.approx({name: 0.03}, rel=1e-12)
+    (only,) = find_equilibria(problem(text).configuration).items
+    assert only.equilibrium.values == pytest.approx({name: at}, rel=1e-15)
+
+
+def test_where_no_linear_forces_balance_nothing_is_listed():
+    scene = problem("bodies: {block: {mass: 2 kg, slide: x}}\nenergies: {V: 3 N*x}\n")
+    with pytest.raises(NoEquilibrium, match="nothing holds 'x'"):
+        _ = scene.configuration.equilibrium
+    assert find_equilibria(scene.configuration).items == []
