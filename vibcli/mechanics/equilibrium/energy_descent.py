@@ -26,6 +26,7 @@ EPSILON = 2.0**-52
 KNOWN = 1e-7        # of the figure: places nearer than 1e-9 of this are one
 POLISH, FARTHEST, HUGE = 12, 1e60, 1e140
 BESIDE = 1e-6       # of the figure
+HIDDEN, SOFT, MOST_IN_DIGITS = 1e-14, 1e-4, 100     # of the forces at the start; of what holds best; coordinates
 GROWN, LOWERED, CARRIED = 1e3, 1e-2, 100.0      # of the terms at the start; of the forces there; of the figure
 
 
@@ -118,6 +119,18 @@ class EnergyDescent:
         left = largest(numbers.residual) + 4 * EPSILON * largest(self.met)
         grown = largest(self.met) > GROWN * largest(self.first.residual_size)
         return bool(carried.any()) and grown and left > LOWERED * largest(self.first.residual)
+
+    def in_doubt(self, numbers: Numbers) -> bool:
+        """Does the rounding of the largest terms hide part of the forces at the start, along a motion that is held far
+        more softly than others? Floats do not tell how far it goes."""
+        np = self.np
+        hidden, at_start = (np.max(np.abs(x) * self.scale) for x in (self.met, self.first.residual))
+        if not EPSILON * hidden > HIDDEN * at_start or len(self.names) > MOST_IN_DIGITS:
+            return False
+        K = numbers.elements.stiffness_array()
+        sizes = np.sqrt(np.maximum(np.abs(K).max(axis=1), np.abs(K).max(axis=0)))
+        held = np.linalg.svd(K / np.outer(sizes, sizes), compute_uv=False) if sizes.all() else np.zeros(1)
+        return bool(held[-1] < SOFT * held[0])
 
     def at_a_pole(self, q: "np.ndarray", numbers: Numbers) -> bool:
         """Is the force far larger there than on both sides, and as large as at the start? It then grows without bound

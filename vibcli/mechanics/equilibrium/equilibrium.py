@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
@@ -71,7 +72,28 @@ def find_equilibrium(numeric: "NumericSystem", start: Mapping[str, float]) -> Eq
     if not search.balanced(numbers) or search.faded(numbers) or search.drowned(q, numbers) or (
             search.at_a_pole(q, numbers)):
         return _held(search, q, steps, unbounded(search, q))
-    return Equilibrium(search.here, False, search.relative(numbers), steps)
+    found = Equilibrium(search.here, False, search.relative(numbers), steps)
+    return _in_digits(search, found) if search.in_doubt(numbers) else found
+
+
+def _in_digits(search, found):
+    """The same from more digits than floats have, as far as these tell it."""
+    import mpmath
+
+    from vibcli.mechanics.equilibrium.rest_in_digits import DIGITS, rest_in_digits
+    from vibcli.mechanics.high_precision import equilibrium_to
+    from vibcli.symbolic.evaluation import multiprecision
+
+    if search.numeric.system.is_linear:
+        place = rest_in_digits(search.numeric)
+        return found if place is None else found._replace(values=place)
+    with mpmath.workdps(DIGITS):
+        arithmetic = multiprecision()
+        try:
+            place = equilibrium_to(search.numeric, found, search.numeric.values(arithmetic), arithmetic)
+        except PhysicsError:
+            return found
+        return found._replace(values={name: float(x) for name, x in place.items()})
 
 
 def _held(search, q, steps, refusal):
