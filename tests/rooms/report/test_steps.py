@@ -468,3 +468,17 @@ def test_lines_hang_on_no_addresses():
     path = "problems/1_statics_and_energy/plate_with_offset_hole.yaml"
     read = [problem(Path(path).read_text(encoding="utf-8")) for _ in range(6)]
     assert len({"\n".join(formula(one.parts, plain) for one in worked(scene)) for scene in read}) == 1
+
+
+@pytest.mark.parametrize(("more", "words"), [
+    ("", "λ = 0 1/s, a double root"), ("g: {c: c, between: [ground, a]}", "λ = 0 1/s")])
+def test_a_root_at_zero_is_told_as_often_as_it_is_one(more, words):
+    """Two wagons that nothing holds: λ² comes out of the determinant; one λ where a dashpot leads to the ground."""
+    found = problem(f"""
+parameters: {{m: 2 kg, k: 300 N/m, c: 8 N*s/m}}
+bodies: {{a: {{mass: m, slide: x}}, b: {{mass: 2*m, slide: y}}}}
+springs: {{s: {{k: k, between: [a, b]}}}}
+dampers: {{d: {{c: c, between: [a, b]}}{", " + more if more else ""}}}
+""")
+    lines = [formula(line.parts, plain) for line in worked(found)]
+    assert [line for line in lines if line.startswith("λ = 0")] == [words]
