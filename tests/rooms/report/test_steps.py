@@ -20,7 +20,9 @@ from vibcli.language.parameter_samples import sample_values
 from vibcli.notation.plain import plain
 from vibcli.report.blocks import Document, Factor, Name, SumOfTerms, WithNumbers, Words
 from vibcli.report.formats.formula import formula
+from vibcli.report.formats.text import running
 from vibcli.report.json_keys import KEYS
+from vibcli.report.sections.parameters import tied
 from vibcli.report.sections.steps import section_of
 from vibcli.report.steps.worked import asks_in_full, worked
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -482,3 +484,27 @@ dampers: {{d: {{c: c, between: [a, b]}}{", " + more if more else ""}}}
 """)
     lines = [formula(line.parts, plain) for line in worked(found)]
     assert [line for line in lines if line.startswith("λ = 0")] == [words]
+
+
+def test_a_plate_with_a_hole_is_told_by_its_parts():
+    """J_O of the plate less that of the hole, each with its own J and its parallel axis."""
+    found = problem("""
+parameters: {rho: , a: , b: , r: , c: , g: }
+gravity: g
+bodies:
+  plate:
+    parts:
+      - {shape: rectangle, density: rho, width: a, height: b, at: [0, -b/2]}
+      - {shape: disc, density: rho, radius: r, at: [0, -c], cut: true}
+    pin: {at: [0, 0], by: phi}
+""")
+    lines = [formula(line.parts, plain) for line in worked(found)]
+    told = next(line for line in lines if "J_O = " in line)
+    assert "J_O = ρ·a·b·(a² + b²)/12 + ρ·a·b³/4 − π·ρ·r⁴/2 − π·ρ·r²·c² = " in told
+
+
+def test_what_constraints_leave_is_told_in_its_simplest_form():
+    found = kept_problem_of(Path("problems/1_statics_and_energy/differential_hoist.yaml"))
+    (told,) = tied(found.scene)
+    text = running(told.parts)
+    assert "ψ = φ" in text and "y = −(r − R)·φ/2" in text

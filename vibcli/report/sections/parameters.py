@@ -8,6 +8,7 @@ from vibcli.base.enumeration import listed
 from vibcli.language.record_calls import own
 from vibcli.report.blocks import Definition, Definitions, Name, Paragraph, Section, maths, paragraph, section, separated
 from vibcli.report.sections.too_long import brief, passed_over, places_told
+from vibcli.report.steps.in_motion import short_form
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -120,7 +121,7 @@ def tied(scene: "Scene") -> list[Paragraph]:
     if not freedom.conditions:
         return []
     closed = [maths(Name(name)) for name in scene.loops.names] if scene.loops and not scene.held else []
-    explicit = [maths(Name(name), " = ", brief(node)) for name, node in scene.dependent.items()
+    explicit = [maths(Name(name), " = ", brief(short_form(node))) for name, node in scene.dependent.items()
                 if maths(Name(name)) not in closed and not scene.held]
     told = [paragraph(f"{freedom.coordinates} coordinate{'s' if freedom.coordinates > 1 else ''} less "
                       f"{freedom.conditions} independent condition{'s' if freedom.conditions > 1 else ''}"
