@@ -508,3 +508,9 @@ def test_what_constraints_leave_is_told_in_its_simplest_form():
     (told,) = tied(found.scene)
     text = running(told.parts)
     assert "ψ = φ" in text and "y = −(r − R)·φ/2" in text
+
+
+def test_the_kinetic_energy_of_a_plate_with_a_hole_divides_by_no_mass():
+    found = kept_problem_of(Path("problems/1_statics_and_energy/plate_with_offset_hole.yaml"))
+    assert plain(found.symbolic.energies["T"]) == "ρ·(a·b·(a² + 4·b²) − 6·π·r²·(r² + 2·c² + 2·d²))·φ̇²/24"
+    assert len(plain(found.symbolic.equations.full[0])) < 130

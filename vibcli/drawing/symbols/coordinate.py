@@ -21,8 +21,8 @@ Place = tuple[float, float]
 LENGTH, TICK, WIDE, OVER = 26.0, 5.0, 60.0, 1.5
 ROUND, AROUND = (22.0, 32.0, 44.0), (2, 6, 14, 10, 1, 7, 15, 9, 3, 5, 13, 11, 0, 4, 8, 12)
 LINES, ARCS = (5.0, 11.0, 18.0, 27.0, 38.0), (0.55, 0.7, 0.85, 0.4, 1.0)
-STARTS = 0.2, 0.7, -0.3, 1.2, -0.8, 0.08, 0.58, -0.42, 1.08     # in units of π
-LATER = 1.5         # the cost of each place that is tried before
+STARTS = (0.2, 0.7, -0.3, 1.2, -0.8), (0.08, 0.58, -0.42, 1.08)     # in units of π; those beside them
+LATER, ROUND_LATER = 1.5, 1.0       # the cost of each place that is tried before
 SLANT = 15.0        # points to either side by which a rod leans away from an arrow
 
 
@@ -127,12 +127,13 @@ def draw(item: "tuple[tuple[Run, ...], str, BodyMotion]", sketch: Sketch, looks:
     """The primitives of an arrow where it fits best, and the places beside which its name may stand."""
     _, role, motion = item
     paths = _straight(motion, sketch, looks) if motion.direction else _round(motion, sketch, looks)
-    over = OVER if motion.direction else FILLED      # an arc may well be within the body that turns
+    # an arc may well be within the body that turns
+    over, later = (OVER, LATER) if motion.direction else (FILLED, ROUND_LATER)
     best: Any = None
     for rank, (path, make, *own) in enumerate(paths):           # where an arc begins it may cross what turns
-        if best is not None and best[0] <= LATER * rank:
+        if best is not None and best[0] <= later * rank:
             break
-        cost = space.arrow(path, over) + sum(map(space.meets, own)) + LATER * rank
+        cost = space.arrow(path, over) + sum(map(space.meets, own)) + later * rank
         if best is None or cost < best[0]:
             best = cost, path, make
     _, path, make = best
@@ -204,11 +205,11 @@ def _round(motion, sketch, looks):
     if slender and plane.distance(axis, (0, 0)) < 0.15 * far:
         axis, both = plane.minus(max(points, key=lambda p: round(plane.distance(centre, p), 3)), centre), True
     if plane.distance(axis, (0, 0)) < 0.15 * far:
-        for gap in (6.0, 11.0, 17.0, 25.0):
-            for start in STARTS:
+        for starts in STARTS:
+            for gap in (6.0, 11.0, 17.0, 25.0):
                 radius = min(far, 90.0) + gap
                 span = min(0.45 * pi, max(28.0 / radius, 0.2))
-                found.append(_arced(centre, radius, start * pi, start * pi + span))
+                found += [_arced(centre, radius, start * pi, start * pi + span) for start in starts]
         return found
     headings = [plane.heading(axis) + turn for turn in ((0.0, pi) if both else (0.0,))]
     for heading in headings:

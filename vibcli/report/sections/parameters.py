@@ -8,7 +8,6 @@ from vibcli.base.enumeration import listed
 from vibcli.language.record_calls import own
 from vibcli.report.blocks import Definition, Definitions, Name, Paragraph, Section, maths, paragraph, section, separated
 from vibcli.report.sections.too_long import brief, passed_over, places_told
-from vibcli.report.steps.in_motion import short_form
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -120,6 +119,8 @@ def tied(scene: "Scene") -> list[Paragraph]:
     freedom = scene.freedom
     if not freedom.conditions:
         return []
+    from vibcli.report.steps.in_motion import short_form
+
     closed = [maths(Name(name)) for name in scene.loops.names] if scene.loops and not scene.held else []
     explicit = [maths(Name(name), " = ", brief(short_form(node))) for name, node in scene.dependent.items()
                 if maths(Name(name)) not in closed and not scene.held]
