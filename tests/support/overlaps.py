@@ -54,10 +54,10 @@ def crossed(drawn):
     arrows = [part for part in drawn if isinstance(part, Polyline) and part.layer == ARROW and part.role in ARROWS]
     others = [part for part in drawn if part.role in PARTS or _is_mass(part)]
     return [(arrow.role, other.role) for arrow in arrows for path in [_without_tail(arrow.points)] for other in others
-            if any(_cross(path, stroke) for stroke in other.strokes())]
+            if any(cross(path, stroke) for stroke in other.strokes())]
 
 
-def _cross(path, stroke):
+def cross(path, stroke):
     return any(_meet(*one, *two) for two in pairwise(stroke) for one in pairwise(path))
 
 

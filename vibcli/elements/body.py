@@ -97,8 +97,9 @@ def _with_inertia(body, scene, placed):
         if not scene.number(mass) > 0 or not scene.number(inertia) >= 0:
             scene.report(record.place("parts"), f"the parts of '{body.name}' do not leave a positive mass and inertia",
                          "a hole lies within the shape that it is cut from")
-        if not any(part.get("cut") for part in record["parts"]) and not {"inertia", "gyration"} & set(record):
-            body = body._replace(pieces=[piece[:3] for piece in pieces])
+        if not {"inertia", "gyration"} & set(record):
+            which = "cut" if any(part.get("cut") for part in record["parts"]) else "pieces"
+            body = body._replace(**{which: [piece[:3] for piece in pieces]})
         rims, radius = _rims_of_parts(record, pieces, scene)
     else:
         mass, centre, inertia, drawn, radius = _piece(record, scene, False, placed)

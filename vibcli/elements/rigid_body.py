@@ -17,7 +17,8 @@ MOTIONS = tuple(name for name, (section, _) in ELEMENTS.items() if section is No
 class Body(NamedTuple):
     """A body as built: mass centre as drawn, mass and J_C (nodes), frame, or its lumped motion.
 
-    pieces: (mass, centre, J_C) of the welded parts where T is the sum of theirs, else None. rims: the centres as drawn
+    pieces: (mass, centre, J_C) of the welded parts where T is the sum of theirs, else None. cut: the same of parts some
+    of which are holes, with negative mass, from which J_C follows. rims: the centres as drawn
     of its round shapes, and rolling_radius their radius, None of none or several. normal: the unit vector from the
     surface that it rolls or slides on to the body, or to the left of the direction in which it slides; reach: from the
     first of two contacts to the centre, along it.
@@ -29,6 +30,7 @@ class Body(NamedTuple):
     inertia: Any = None
     centre: tuple = None
     pieces: list = None
+    cut: list = None
     rims: tuple = ()
     rolling_radius: Any = None
     frame: Any = None

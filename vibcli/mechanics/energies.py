@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.scene.piece_terms import PieceSpring
 from vibcli.symbolic.derivatives import gradient
-from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.normal_form import TooLong, textbook
 
 if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
@@ -73,9 +73,20 @@ def relative_potential(scene: "Scene") -> "Node | None":
     return None if found.mask & scene.time.mask else found
 
 
+def textbook_kinetic(scene: "Scene") -> "Node":
+    """T simplified: one fraction where it divides by a sum, as the mass of a body with holes, and that is shorter."""
+    from vibcli.symbolic.common_denominator import shorter
+
+    found = textbook(kinetic(scene))
+    try:
+        return shorter(found)
+    except TooLong:
+        return found
+
+
 def textbook_energies(scene: "Scene") -> "dict[str, Node]":
     """{'T': …, 'V': …, 'Phi': …} simplified; parts of V that do not depend on the coordinates are left out."""
-    return {"T": textbook(kinetic(scene)), "V": _textbook_potential(scene), "Phi": _textbook_dissipation(scene)}
+    return {"T": textbook_kinetic(scene), "V": _textbook_potential(scene), "Phi": _textbook_dissipation(scene)}
 
 
 def _textbook_potential(scene):

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.mechanics.energies import dissipation, generalised_force, kinetic, potential
+from vibcli.mechanics.energies import dissipation, generalised_force, kinetic, potential, textbook_kinetic
 from vibcli.mechanics.given_damping_in_letters import proportional
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.normal_form import TooLong, expanded, factors_of, reduced, textbook
@@ -70,7 +70,7 @@ def gyroscopic(scene: "Scene", i: int) -> "Node":
 
 def full_equations(scene: "Scene") -> "list[Node]":
     """The left side of each equation of motion, simplified."""
-    T, V, Phi = textbook(kinetic(scene)), potential(scene), dissipation(scene)
+    T, V, Phi = textbook_kinetic(scene), potential(scene), dissipation(scene)
     return [textbook(equation_of(scene, i, T, V, Phi)) for i in range(len(scene.q))]
 
 

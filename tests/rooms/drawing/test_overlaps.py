@@ -4,10 +4,10 @@ two of a hundred figures at most."""
 from pathlib import Path
 
 import pytest
-from support.overlaps import crossed, touching
-from support.scenes import kept_problem_of
+from support.overlaps import cross, crossed, touching
+from support.scenes import kept_problem_of, problem
 
-from vibcli.drawing.canvas.primitives import Circle, Polyline
+from vibcli.drawing.canvas.primitives import ARROW, Circle, LetterRuns, Polyline
 from vibcli.drawing.drawing import draw
 from vibcli.drawing.layout import lettering
 from vibcli.drawing.symbols import arrow
@@ -45,3 +45,44 @@ def test_an_arrow_that_crosses_is_seen():
     assert crossed([*shaft, Circle((0.0, 0.0), 6.0, "body")]) == []             # from the body on which it acts
     assert crossed([*arrow.round_((0.0, 0.0), 20.0, 0.0, 2.0, "coordinate"), spring]) == []
     assert crossed([*arrow.round_((0.0, 0.0), 20.0, -2.0, 0.5, "coordinate"), spring]) == [("coordinate", "spring")]
+
+
+def test_words_on_one_line_stand_apart_and_names_of_members_make_room():
+    drawn = draw(problem("""
+        parameters: {L: 30 m, EI: 80 MN*m^2, mu: 250 kg/m, M: 9000 kg, m: 1400 kg}
+        beams: {wing: {length: L, EI: EI, mass_per_length: mu,
+          attached: [{at: L/2, mass: M}, {at: L/4, mass: m}, {at: 3*L/4, mass: m}]}}
+    """))
+    words = [part for part in drawn if isinstance(part, LetterRuns)]
+    for i, one in enumerate(words):
+        for other in words[:i]:
+            if min(one.box[3], other.box[3]) > max(one.box[1], other.box[1]):
+                assert max(one.box[0], other.box[0]) - min(one.box[2], other.box[2]) > 5.0
+
+
+def test_loads_of_bars_lie_beside_these_where_a_damper_follows():
+    drawn = draw(problem("""
+        parameters: {L: 1 m, EA: 4 kN, mu: 0.6 kg/m, c: 25 N*s/m, F: 60 N}
+        bars: {rod: {length: L, EA: EA, mass_per_length: mu, left: clamped, right: {c: c}}}
+        points: {end: {body: rod, at: L}}
+        forces: {pull: {at: end, force: F}}
+    """))
+    first = min(x for part in drawn if part.role == "damper" for x, _ in part.points)
+    load = [x for part in drawn if part.role == "load" and not isinstance(part, LetterRuns) for x, _ in part.points]
+    assert max(load) <= first + 1e-9
+
+
+def test_arcs_of_a_joint_meet_no_arrow():
+    drawn = draw(kept_problem_of(ROOT / "problems/8_continuous/portal_frame.yaml"))
+    paths = [part.points for part in drawn
+             if isinstance(part, Polyline) and part.role == "coordinate" and part.layer == ARROW]
+    crossing = [(a, b) for i, a in enumerate(paths) for b in paths[:i] if cross(a, b) and not set(a) & set(b)]
+    assert not [pair for pair in crossing if any(len(path) > 2 for path in pair)]
+
+
+def test_arcs_begin_at_no_spring_that_is_wound_about_a_rod():
+    drawn = draw(kept_problem_of(ROOT / "vibcli/examples/bead_on_a_turning_rod.yaml"))
+    springs = [part.points for part in drawn if part.role == "spring"]
+    arcs = [part.points for part in drawn
+            if isinstance(part, Polyline) and part.role == "driven" and len(part.points) > 2]
+    assert arcs and not [1 for arc in arcs for spring in springs if cross(arc, spring)]

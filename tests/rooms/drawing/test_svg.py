@@ -2,6 +2,7 @@
 
 import math
 import re
+from itertools import pairwise
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -80,6 +81,19 @@ def test_words_are_text_and_hostile_ones_stay_words():
     assert root.find(f"{SVG}title").text == root.find(f"{SVG}desc").text == HOSTILE.replace(
         "\x00", "\ufffd").replace("\u202e", "\ufffd")
     assert "".join(root.find(f"{SVG}text").itertext()) == "2 kg"
+
+
+def test_words_are_as_wide_as_drawn_in_every_font():
+    """A run of several letters states its width, which is that up to the next run; single letters need none."""
+    drawn = draw(kept_problem_of(ROOT / "problems/5_forced/compressor_to_be_isolated.yaml"))
+    load = next(part for part in drawn if isinstance(part, LetterRuns) and part.role == "load")
+    spans = [*parsed(picture([load])).iter(f"{SVG}tspan")]
+    assert any("sin" in span.text for span in spans)
+    for span, after in pairwise(spans):
+        if len(span.text.strip()) > 1:
+            assert 0 < float(after.get("x")) - float(span.get("x")) - float(span.get("textLength")) < 1.0
+        else:
+            assert span.get("textLength") is None
 
 
 def test_what_a_scene_consists_of():

@@ -20,7 +20,9 @@ from vibcli.language.parameter_samples import sample_values
 from vibcli.notation.plain import plain
 from vibcli.report.blocks import Document, Factor, Name, SumOfTerms, WithNumbers, Words
 from vibcli.report.formats.formula import formula
+from vibcli.report.formats.text import running
 from vibcli.report.json_keys import KEYS
+from vibcli.report.sections.parameters import tied
 from vibcli.report.sections.steps import section_of
 from vibcli.report.steps.worked import asks_in_full, worked
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -468,3 +470,47 @@ def test_lines_hang_on_no_addresses():
     path = "problems/1_statics_and_energy/plate_with_offset_hole.yaml"
     read = [problem(Path(path).read_text(encoding="utf-8")) for _ in range(6)]
     assert len({"\n".join(formula(one.parts, plain) for one in worked(scene)) for scene in read}) == 1
+
+
+@pytest.mark.parametrize(("more", "words"), [
+    ("", "λ = 0 1/s, a double root"), ("g: {c: c, between: [ground, a]}", "λ = 0 1/s")])
+def test_a_root_at_zero_is_told_as_often_as_it_is_one(more, words):
+    """Two wagons that nothing holds: λ² comes out of the determinant; one λ where a dashpot leads to the ground."""
+    found = problem(f"""
+parameters: {{m: 2 kg, k: 300 N/m, c: 8 N*s/m}}
+bodies: {{a: {{mass: m, slide: x}}, b: {{mass: 2*m, slide: y}}}}
+springs: {{s: {{k: k, between: [a, b]}}}}
+dampers: {{d: {{c: c, between: [a, b]}}{", " + more if more else ""}}}
+""")
+    lines = [formula(line.parts, plain) for line in worked(found)]
+    assert [line for line in lines if line.startswith("λ = 0")] == [words]
+
+
+def test_a_plate_with_a_hole_is_told_by_its_parts():
+    """J_O of the plate less that of the hole, each with its own J and its parallel axis."""
+    found = problem("""
+parameters: {rho: , a: , b: , r: , c: , g: }
+gravity: g
+bodies:
+  plate:
+    parts:
+      - {shape: rectangle, density: rho, width: a, height: b, at: [0, -b/2]}
+      - {shape: disc, density: rho, radius: r, at: [0, -c], cut: true}
+    pin: {at: [0, 0], by: phi}
+""")
+    lines = [formula(line.parts, plain) for line in worked(found)]
+    told = next(line for line in lines if "J_O = " in line)
+    assert "J_O = ρ·a·b·(a² + b²)/12 + ρ·a·b³/4 − π·ρ·r⁴/2 − π·ρ·r²·c² = " in told
+
+
+def test_what_constraints_leave_is_told_in_its_simplest_form():
+    found = kept_problem_of(Path("problems/1_statics_and_energy/differential_hoist.yaml"))
+    (told,) = tied(found.scene)
+    text = running(told.parts)
+    assert "ψ = φ" in text and "y = −(r − R)·φ/2" in text
+
+
+def test_the_kinetic_energy_of_a_plate_with_a_hole_divides_by_no_mass():
+    found = kept_problem_of(Path("problems/1_statics_and_energy/plate_with_offset_hole.yaml"))
+    assert plain(found.symbolic.energies["T"]) == "ρ·(a·b·(a² + 4·b²) − 6·π·r²·(r² + 2·c² + 2·d²))·φ̇²/24"
+    assert len(plain(found.symbolic.equations.full[0])) < 130

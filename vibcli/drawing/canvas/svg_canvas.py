@@ -80,8 +80,11 @@ def _letters(part, children, attributes):
     x, y = part.place
     found = []
     for run in part.runs:
-        slant = ' font-style="italic"' if run.slanted else ""
+        slant, wide = ' font-style="italic"' if run.slanted else "", lettering.width((run,))
+        if len(run.text.strip()) > 1:       # of another font, where this one is not there, letters are as wide as drawn
+            own = number(wide - lettering.BESIDE * run.size)
+            slant += f' textLength="{own}" lengthAdjust="spacingAndGlyphs"'
         found.append(f'<tspan x="{number(x)}" y="{number(-y - run.rise)}" font-size="{number(run.size)}"{slant}>'
                      f"{words(run.text)}</tspan>")
-        x += lettering.width((run,))
+        x += wide
     return f'<text fill="{COLOURS[part.role]}"{attributes}>{"".join(found)}{children}</text>'

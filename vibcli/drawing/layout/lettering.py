@@ -6,6 +6,7 @@ The fonts come with Matplotlib: STIX, and DejaVu for letters that it lacks; what
 import re
 from collections.abc import Sequence
 from functools import lru_cache
+from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
 from vibcli.drawing.canvas.primitives import LetterRuns, Run
@@ -23,8 +24,8 @@ BESIDE = 0.05       # of the size: behind each run
 _OPEN, _INDEX, _CLOSE = "\ue000", "\ue001", "\ue002"
 DOTS = {"'": "\u0307", "''": "\u0308"}      # of a rate: one or two above the letter
 _NUMBER_BEFORE = re.compile("(?<![^(−])([\\d.]+)·")        # 4k, but F₀ sin(Ωt)
-_HIGH = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789−")
-_PARTS = re.compile(f"{_OPEN}([^{_INDEX}]*){_INDEX}([^{_CLOSE}]*){_CLOSE}|([⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+)|([^{_OPEN}⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+)")
+RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻"
+_HIGH = str.maketrans(RAISED, "0123456789−")
 
 
 class _Marked(Plain):
@@ -56,17 +57,25 @@ def words(text: str, size: float = SIZE) -> tuple[Run, ...]:
 
 
 def _runs(text, size):
-    found = []
-    for name, index, power, other in _PARTS.findall(text):
+    head, *marked = text.split(_OPEN)
+    found = list(_plain(head, size))
+    for part in marked:
+        name, _, rest = part.partition(_INDEX)
+        index, _, rest = rest.partition(_CLOSE)
         if name:
             found.append(Run(_printable(name, True), True, size))
         if index:
             found.append(Run(_printable(index, not index.isdigit()), not index.isdigit(), SMALL * size, LOWER * size))
-        if power:
-            found.append(Run(power.translate(_HIGH), False, SMALL * size, RAISE * size))
-        if other:
-            found.append(Run(_printable(other, False), False, size))
+        found += _plain(rest, size)
     return tuple(found)
+
+
+def _plain(text, size):
+    """The runs of what is no name: powers raised."""
+    for raised, part in groupby(text, RAISED.__contains__):
+        letters = "".join(part)
+        yield (Run(letters.translate(_HIGH), False, SMALL * size, RAISE * size) if raised else
+               Run(_printable(letters, False), False, size))
 
 
 def letters(runs: Sequence[Run]) -> str:

@@ -12,15 +12,17 @@ CELL, TAKEN, FILLED, CLEAR = 2.5, 1000.0, 0.02, 1.6
 REACHES = (2.0, 4.0, 7.0, 11.0, 16.0, 22.0, 30.0, 40.0, 55.0, 75.0, 100.0, 140.0, 200.0, 280.0)
 DIRECTIONS = [(cos(pi * i / 8), sin(pi * i / 8)) for i in (4, 0, 12, 8, 2, 6, 14, 10, 1, 3, 5, 7, 9, 11, 13, 15)]
 FARNESS, STRUCK = 0.25, 4.0        # the cost of a point away; by which a line through a word in its body counts more
-KEPT_CLEAR = "spring", "damper", "oil"      # roles of what no arrow may cross, beside bodies and other arrows
+KEPT_CLEAR = "spring", "damper", "oil", "rope"  # roles of what no arrow may cross, beside bodies and other arrows
 CROSSED = 30.0                              # the cost of a cell of theirs
+COILS, COILED = 8, 0.5                      # points of a zigzag, the cost of a cell between its coils
+APART, NEAR = 6.0, 0.9                      # points between words that are not to be read as one, the cost of a cell
 
 
 class Space:
     """The cells that a drawing takes, with the cost of writing over them."""
 
     def __init__(self, primitives: Sequence[Any] = ()):
-        self.cells, self.barred = {}, set()
+        self.cells, self.barred, self.kept, self.beside = {}, set(), set(), set()
         self.add(primitives)
 
     def add(self, primitives: Any) -> None:
@@ -34,7 +36,14 @@ class Space:
             for stroke in part.strokes():
                 keys = set(_cells_of(stroke))
                 self.cells.update((key, 1.0) for key in keys if self.cells.get(key, 0.0) < 1.0)
-                if part.role in KEPT_CLEAR or part.layer == ARROW or (part.layer == BODY and getattr(part, "fill", 0)):
+                if part.role == "spring" and len(stroke) >= COILS:
+                    coiled = set(_cells_within([*stroke[1::2], *stroke[2::2][::-1]])) - keys
+                    self.cells.update((key, COILED) for key in coiled if self.cells.get(key, 0.0) < COILED)
+                    keys |= coiled
+                if part.role in KEPT_CLEAR or part.layer == ARROW:
+                    self.kept |= keys
+                    self.barred |= keys
+                elif part.layer == BODY and getattr(part, "fill", 0):
                     self.barred |= keys
 
     def bar(self, points: Sequence[tuple[float, float]]) -> None:
@@ -43,6 +52,8 @@ class Space:
 
     def reserve(self, box: Sequence[float]) -> None:
         """Take a box for good."""
+        left, bottom, right, top = box
+        self.beside.update(self._cells((left - APART, bottom, right + APART, top)))
         for key in self._cells(box, CLEAR):
             self.cells[key] = TAKEN
 
@@ -54,8 +65,9 @@ class Space:
 
     def cost(self, box: Sequence[float], least: float = 0.0) -> float:
         """The cost of writing in a box; on the body that is named strokes alone count, which cost at `least` 1."""
-        get = self.cells.get
-        return sum(cost for key in self._cells(box) if (cost := get(key, 0.0)) >= least)
+        get, beside = self.cells.get, self.beside
+        return sum(cost for key in self._cells(box)
+                   if (cost := max(get(key, 0.0), NEAR * (key in beside))) >= least)
 
     def path(self, points: Sequence[tuple[float, float]]) -> float:
         """The cost of a line along a path."""
@@ -70,8 +82,12 @@ class Space:
                                             for key in _cells_of(points))
 
     def crossings(self, points: Sequence[tuple[float, float]]) -> float:
-        """The cost of what a path crosses of springs, dampers, bodies and arrows."""
+        """The cost of what a path crosses of springs, dampers, ropes, bodies and arrows."""
         return CROSSED * sum(key in self.barred for key in _cells_of(points))
+
+    def meets(self, points: Sequence[tuple[float, float]]) -> float:
+        """The same of springs, dampers, ropes and arrows alone."""
+        return CROSSED * sum(key in self.kept for key in _cells_of(points))
 
     def put(self, runs: Sequence[Run], anchors: Sequence[tuple[float, float]], role: str = "ink",
             inside: Sequence[tuple[float, float]] = (), most: float | None = None) -> LetterRuns:

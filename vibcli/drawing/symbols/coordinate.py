@@ -21,6 +21,9 @@ Place = tuple[float, float]
 LENGTH, TICK, WIDE, OVER = 26.0, 5.0, 60.0, 1.5
 ROUND, AROUND = (22.0, 32.0, 44.0), (2, 6, 14, 10, 1, 7, 15, 9, 3, 5, 13, 11, 0, 4, 8, 12)
 LINES, ARCS = (5.0, 11.0, 18.0, 27.0, 38.0), (0.55, 0.7, 0.85, 0.4, 1.0)
+STARTS = (0.2, 0.7, -0.3, 1.2, -0.8), (0.08, 0.58, -0.42, 1.08)     # in units of π; those beside them
+LATER, ROUND_LATER = 1.5, 1.0       # the cost of each place that is tried before
+SLANT = 15.0        # points to either side by which a rod leans away from an arrow
 
 
 class BodyMotion(NamedTuple):
@@ -124,8 +127,16 @@ def draw(item: "tuple[tuple[Run, ...], str, BodyMotion]", sketch: Sketch, looks:
     """The primitives of an arrow where it fits best, and the places beside which its name may stand."""
     _, role, motion = item
     paths = _straight(motion, sketch, looks) if motion.direction else _round(motion, sketch, looks)
-    over = OVER if motion.direction else FILLED      # an arc may well be within the body that turns
-    path, make = min(enumerate(paths), key=lambda item: space.arrow(item[1][0], over) + 1.5 * item[0])[1]
+    # an arc may well be within the body that turns
+    over, later = (OVER, LATER) if motion.direction else (FILLED, ROUND_LATER)
+    best: Any = None
+    for rank, (path, make, *own) in enumerate(paths):           # where an arc begins it may cross what turns
+        if best is not None and best[0] <= later * rank:
+            break
+        cost = space.arrow(path, over) + sum(map(space.meets, own)) + later * rank
+        if best is None or cost < best[0]:
+            best = cost, path, make
+    _, path, make = best
     return make(role), [path[-1], path[len(path) // 2]]
 
 
@@ -141,21 +152,24 @@ def _straight(motion, sketch, looks):
     if abs(e[1]) > 0.7:
         sides = sides[::-1]
     wide = max(reach) - min(reach) > WIDE
-    found = []
+    thin = looks[motion.body].kind in ("rod", "arm", "bob", "bar")
+    slanted = thin and min(max(reach) - min(reach), 2 * front) > 2 * SLANT
     for gap in LINES:
         ahead = ticked(plane.plus(centre, e, front + gap), e, n)
         beside = [ticked(plane.plus(centre, n, side * (width + gap)), e, n) for width, side in sides]
         close = [ticked(plane.plus(centre, n, side * (gap + 6)), e, n) for _, side in sides]
         shifted = [ticked(plane.plus(plane.plus(centre, e, front + gap), n, shift), e, n) for shift in (20.0, -20.0)]
-        found += [ahead, *shifted, *beside] if wide else [*beside, ahead]
-        found += close if looks[motion.body].kind in ("rod", "arm", "bob", "bar") else []
-    return found + _about(centre, max(*map(abs, reach), front), e, n)
+        yield from close if slanted else ()
+        yield from [ahead, *shifted, *beside] if wide else [*beside, ahead]
+        yield from close if thin and not slanted else ()
+    yield from _about(centre, max(*map(abs, reach), front), e, n)
 
 
 def _about(centre, far, e, n):
     """Further candidates: arrows about a body, the nearer ones first."""
-    middles = [plane.polar(centre, far + gap, k * pi / 8) for gap in ROUND for k in AROUND]
-    return [ticked(plane.plus(middle, e, -LENGTH / 2), e, n) for middle in middles]
+    for gap in ROUND:
+        for k in AROUND:
+            yield ticked(plane.plus(plane.polar(centre, far + gap, k * pi / 8), e, -LENGTH / 2), e, n)
 
 
 def ticked(start: Place, e: Place, n: Place) -> tuple[list[Place], Callable[[str], list[Any]]]:
@@ -184,27 +198,30 @@ def _round(motion, sketch, looks):
     points = [sketch.frames[motion.body].point(p) for part in look.pieces for p in part.points]
     far = max(plane.distance(centre, p) for p in points)
     axis = plane.minus(plane.middle(*plane.corners(points)), centre)
-    found = []
+    found, both = [], False
     low, high = plane.corners(points)
     sides = sorted(plane.minus(high, low))
     slender = look.kind in ("rod", "bar") or (look.kind == "rectangle" and 4 * sides[0] < sides[1])
     if slender and plane.distance(axis, (0, 0)) < 0.15 * far:
-        axis = plane.minus(max(points, key=lambda p: round(plane.distance(centre, p), 3)), centre)
+        axis, both = plane.minus(max(points, key=lambda p: round(plane.distance(centre, p), 3)), centre), True
     if plane.distance(axis, (0, 0)) < 0.15 * far:
-        for gap in (6.0, 11.0, 17.0, 25.0):
-            for start in (0.2, 0.7, -0.3, 1.2, -0.8):
+        for starts in STARTS:
+            for gap in (6.0, 11.0, 17.0, 25.0):
                 radius = min(far, 90.0) + gap
                 span = min(0.45 * pi, max(28.0 / radius, 0.2))
-                found.append(_arced(centre, radius, start * pi, start * pi + span))
+                found += [_arced(centre, radius, start * pi, start * pi + span) for start in starts]
         return found
-    heading = plane.heading(axis)
-    for share in ARCS:
-        radius = min(max(share * far, min(26.0, 0.8 * far), 13.0), 85.0) + 14 * ARCS.index(share) * (share * far > 85)
-        span = min(0.5 * pi, max(26.0 / radius, 0.3))
-        found.append(_arced(centre, radius, heading, heading + span))
+    headings = [plane.heading(axis) + turn for turn in ((0.0, pi) if both else (0.0,))]
+    for heading in headings:
+        for share in ARCS:
+            radius = min(max(share * far, min(26.0, 0.8 * far), 13.0), 85.0)
+            radius += 14 * ARCS.index(share) * (share * far > 85)
+            span = min(0.5 * pi, max(26.0 / radius, 0.3))
+            found.append(_arced(centre, radius, heading, heading + span))
     return found
 
 
 def _arced(centre, radius, start, end):
-    path = plane.arc(centre, radius, start + 0.25 * (end - start), end + 4.0 / radius)
-    return path, lambda role: arrow.round_(centre, radius, start, end, role)
+    parted = start + 0.25 * (end - start)
+    path, own = plane.arc(centre, radius, parted, end + 4.0 / radius), plane.arc(centre, radius, start, parted)
+    return path, lambda role: arrow.round_(centre, radius, start, end, role), own

@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
     from vibcli.drawing.layout.space import Space
 
-OFFSETS = (15.0, 23.0, 32.0, 42.0)
-SHORTEST, ROOM, BEYOND, CROWDED = 24.0, 5.0, 3.0, 4.0
+OFFSETS = (15.0, 23.0, 32.0, 42.0, 54.0, 68.0)
+SHORTEST, ROOM, BEYOND, CROWDED, LEG = 24.0, 5.0, 3.0, 4.0, 0.2
 
 
 class Length(NamedTuple):
@@ -105,6 +105,8 @@ def draw(length: Length,
     n = plane.left(e)
     best = None
     for offset in OFFSETS:
+        if best is not None and best[0] <= (False, 0.1 * offset):
+            break
         for side in (-1, 1):
             a, b = plane.plus(length.one, n, side * offset), plane.plus(length.two, n, side * offset)
             label = plane.plus(plane.middle(a, b), n, side * 7.0)
@@ -113,7 +115,7 @@ def draw(length: Length,
             over = sum(cost for cost in map(space.path, legs) if cost >= TAKEN)       # they strike no word
             line = [plane.plus(a, e, 2), plane.plus(b, e, -2)]
             cost = space.path(line) + space.path([label, label]) + over
-            rank = cost + 0.1 * offset + space.crossings(line)
+            rank = cost > CROWDED, cost + 0.1 * offset + space.crossings(line) + LEG * sum(map(space.meets, legs))
             if best is None or rank < best[0]:
                 best = rank, cost, a, b, side, legs
     _, cost, a, b, side, legs = best

@@ -13,7 +13,7 @@ from vibcli.drawing.symbols import arrow
 if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
 
-BED, BED_SPRING, PULL, ASIDE = 17.0, 22.0, 22.0, 15.0
+BED, BED_SPRING, PULL, ASIDE = 17.0, 22.0, 22.0, 20.0
 NODE = 2.4
 LEAST = 1.0         # points: ordinates that can be seen
 

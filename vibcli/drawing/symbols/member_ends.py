@@ -213,10 +213,10 @@ def _mark(middle, e, half, radius, turned, seen):
     return [Polyline(ends, layer=JOINT)] if seen or abs(turned) > 1e-6 else []
 
 
-def names(named: list[tuple[Any, Any, list[Any]]], sketch: "Sketch") -> Iterator[tuple[Any, list[Any]]]:
-    """(runs, places for them) of what is attached."""
+def names(named: list[tuple[Any, Any, list[Any]]], sketch: "Sketch") -> Iterator[tuple[Any, list[Any], bool]]:
+    """(runs, places for them, are they within it?) of what is attached: one that has one place is named there."""
     for record, key, places in named:
         if key is not None:
             runs = captions.expression(record[key], sketch)
             if runs:
-                yield runs, places
+                yield runs, places, key in ("mass", "inertia") and len(places) == 1

@@ -17,15 +17,19 @@ if TYPE_CHECKING:
     from vibcli.drawing.layout.space import Space
 
 NAMED_BY, PUSH, BESIDE, ROW, APART = ("EI", "EA", "GIo"), 30.0, 9.0, 20.0, 18.0
+NAMED_AT = 0.3, 0.7, 0.5, 0.4, 0.6      # parts of a length where its name may stand
 
 
 def of(strip: Strip, sketch: "Sketch", space: "Space") -> Iterator[tuple[list[Any], Any, list[Any], str]]:
     """(primitives, runs, places for them, role) of all that is written on a member."""
     record, bend = strip.member.record, Bend(resting(strip, sketch.values), strip.scale if strip.placed else 0.0)
+    for runs, places, within in member_ends.names(member_ends.draw(strip, bend, sketch)[1], sketch):
+        if within:
+            yield [space.put(runs, places, inside=places)], None, [], "ink"
+        else:
+            yield [], runs, places, "ink"
     yield [], _name(record, sketch), [strip.at(part * strip.metres, side * 10.0)
-                                                           for part in (0.3, 0.7, 0.5) for side in (1, -1)], "ink"
-    for runs, places in member_ends.names(member_ends.draw(strip, bend, sketch)[1], sketch):
-        yield [], runs, places, "ink"
+                                      for part in NAMED_AT for side in (1, -1)], "ink"
     if "preload" in record:
         yield preload(strip, sketch), captions.expression(_size(record["preload"]), sketch), [
             strip.at(strip.metres, ASIDE, 14.0)], "load"
@@ -93,7 +97,7 @@ def _load(load, strip, here, sketch, space):
     runs = captions.expression(field, sketch, 18) or lettering.named(load.name)
     way = plane.times(n if strip.sideways else strip.e, sense)
     starts = [here, plane.plus(here, way, -PUSH)] if strip.sideways else [
-        here, *(plane.plus(here, n, side * BESIDE) for side in (1, -1))]
+        here, *(plane.plus(plane.plus(here, n, side * BESIDE), way, -back) for back in (PUSH, 0.0) for side in (1, -1))]
     start, tip = min(((place, plane.plus(place, way, PUSH)) for place in starts), key=lambda path: space.arrow(
         [plane.plus(path[0], way, 7), plane.plus(path[1], way, -5)]))
     return arrow.straight(start, tip, "load", 1.7), runs, [tip, start] if strip.sideways else [tip], "load"

@@ -119,8 +119,10 @@ def tied(scene: "Scene") -> list[Paragraph]:
     freedom = scene.freedom
     if not freedom.conditions:
         return []
+    from vibcli.report.steps.in_motion import short_form
+
     closed = [maths(Name(name)) for name in scene.loops.names] if scene.loops and not scene.held else []
-    explicit = [maths(Name(name), " = ", brief(node)) for name, node in scene.dependent.items()
+    explicit = [maths(Name(name), " = ", brief(short_form(node))) for name, node in scene.dependent.items()
                 if maths(Name(name)) not in closed and not scene.held]
     told = [paragraph(f"{freedom.coordinates} coordinate{'s' if freedom.coordinates > 1 else ''} less "
                       f"{freedom.conditions} independent condition{'s' if freedom.conditions > 1 else ''}"

@@ -105,9 +105,8 @@ class Bodies:
             return self._energy(body.name, [(J, omega)], None, [J * turn ** 2 / 2] if shown else [],
                                 before=[turns, *shown])
         letter = self.sheet.letter("J_O", body.name if self._several else "")
-        sum_of_parts = [part for node in written for part in (" + ", node)][1:]
-        how = ["J_C + ", Factor(body.mass), "·OC² = "] if len(parts) == 2 and not body.pieces else []
-        told = [*sum_of_parts, " = "] if len(written) > 1 else []
+        how = ["J_C + ", Factor(body.mass), "·OC² = "] if len(parts) == 2 and not (body.pieces or body.cut) else []
+        told = [SumOfTerms(tuple(written)), " = "] if len(written) > 1 else []
         line = self.sheet.write(turns, Name(letter), " = ", *how, *told, J,
                                 *self._number(J), settles=letter, node=J, value=about.value(J), unit="kg·m²")
         return self._energy(body.name, [(J, omega)], line, [self.about.letter(letter) * rate ** 2 / 2])
@@ -194,7 +193,7 @@ def _about_the_axis(body):
     """The terms of J_O, J_C and m·OC² of each part."""
     ox, oy = body.frame.drawn
     squares = [(own, mass, textbook((x - ox) ** 2 + (y - oy) ** 2))
-               for mass, (x, y), own in body.pieces or ((body.mass, body.centre, body.inertia),)]
+               for mass, (x, y), own in body.pieces or body.cut or ((body.mass, body.centre, body.inertia),)]
     nodes = [node for own, mass, square in squares for node in (own, None if mass is None else mass * square)]
     return [node for node in nodes if node is not None and not node.is_zero]
 

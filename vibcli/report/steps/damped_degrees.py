@@ -37,12 +37,24 @@ def tell_damped(about: AboutRest, sheet: WorkedSolution, found: SmallEquations, 
         lines, polynomial = [sheet.write(*head, " = 0", Words(" has the roots"), settles=DETERMINANT, uses=uses)], None
     else:
         lines, polynomial = _polynomial(about, sheet, found, head, uses)
+    again = _again(damped, polynomial)
     for mode in damped:
         value = complex(mode.eigenvalue)
         if value.imag:
             _tell_pair(about, sheet, mode, lines, polynomial)
         else:
-            sheet.write(f"λ = {told(value.real)}", Words(" 1/s"), uses=lines, settles=f"eigenvalue[{mode.index}]")
+            order, again = (again, "") if not value else ("", again)
+            sheet.write(f"λ = {told(value.real)}", Words(f" 1/s{order}"), uses=lines,
+                        settles=f"eigenvalue[{mode.index}]")
+
+
+def _again(damped, polynomial):
+    """What is said where λ = 0 is first told, of more such roots than modes: of these λ² comes out of the
+    determinant."""
+    powers = [] if polynomial is None else [i for i, part in enumerate(reversed(polynomial)) if not part.is_zero]
+    if not powers or powers[0] <= sum(not complex(mode.eigenvalue) for mode in damped):
+        return ""
+    return ", a double root" if powers[0] == 2 else f", a root of order {powers[0]}"
 
 
 def _polynomial(about, sheet, found, head, uses):
