@@ -201,6 +201,20 @@ def test_files_are_named_from_the_top_of_the_repository(folder, capsys, monkeypa
     assert places == [{"uri": elsewhere.as_uri()}, {"uri": "differs.yaml", "uriBaseId": "%SRCROOT%"}]
 
 
+def test_a_name_that_is_not_utf_8_is_told_in_each_form(folder, capsys):
+    """SARIF holds it as the bytes that it has, the others with a stand-in or escaped, on the screen as in files."""
+    name = b"sets/gr\xfcn.yaml".decode("utf-8", "surrogateescape")
+    Path(name).write_text(SCENES["differs.yaml"])
+    for form, suffix in (("json", "json"), ("junit", "xml"), ("github", "txt"), ("sarif", "sarif")):
+        assert run(["check", name, "--format", form]) == 1
+        shown = capsys.readouterr().out
+        assert run(["check", name, "--format", form, "-o", f"report.{suffix}"]) == 1
+        assert Path(f"report.{suffix}").read_bytes() == shown.encode("utf-8", "replace")
+        capsys.readouterr()
+    result, = json.loads(Path("report.sarif").read_bytes())["runs"][0]["results"]
+    assert result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"] == "sets/gr%FCn.yaml"
+
+
 def test_under_github_actions_annotations_come_by_themselves(folder, capsys, monkeypatch):
     monkeypatch.setenv("GITHUB_ACTIONS", "true")
     run(["check", "sets/differs.yaml"])

@@ -121,7 +121,7 @@ def _finish(found, on_screen, form, path, force, left):
     if path is not None:
         from vibcli.cli.pictures import write
 
-        write(path, _report(form, found).encode(), force)
+        write(path, _report(form, found).encode("utf-8", "replace"), force)     # as on the screen
 
 
 def _report(form: str, found: Sequence[CheckedFile]) -> str:

@@ -123,8 +123,8 @@ def as_sarif(found: Sequence[CheckedFile]) -> str:
         if one.column:
             region |= {"startColumn": one.column, "endColumn": one.column + one.width}
         name = _relative(one.file)
-        artifact = {"uri": f"file://{quote(name)}"} if os.path.isabs(name) else {
-            "uri": quote(name), "uriBaseId": "%SRCROOT%"}
+        artifact = {"uri": f"file://{quote(os.fsencode(name))}"} if os.path.isabs(name) else {
+            "uri": quote(os.fsencode(name)), "uriBaseId": "%SRCROOT%"}
         place = {"artifactLocation": artifact, "region": region}
         results.append({"ruleId": one.rule, "ruleIndex": list(RULES).index(one.rule), "level": level(one.rule),
                         "message": {"text": one.message}, "locations": [{"physicalLocation": place}]})
