@@ -178,7 +178,11 @@ def _modes(elements):
     follow = mpmath.zeros(len(light), len(heavy))
     k = _block(K, heavy, heavy)
     if light:
-        follow = -(_block(K, light, light) ** -1) * _block(K, light, heavy)
+        try:
+            follow = -(_block(K, light, light) ** -1) * _block(K, light, heavy)
+        except ZeroDivisionError:
+            raise PhysicsError("damping by modes needs inertia or a spring along every coordinate",
+                               "give what has neither a mass, tie it with a spring, or take it out") from None
         k = k + _block(K, heavy, light) * follow
     m = _block(M, heavy, heavy)
     try:

@@ -167,3 +167,10 @@ def test_rigid_modes_are_not_damped_by_ratios():
     row = Row(2, free=True)
     scene = problem(row.text("modal: 5 %"))
     assert matrix(scene, row.n) @ np.ones(row.n) == pytest.approx(np.zeros(row.n), abs=1e-9)
+
+
+def test_what_neither_inertia_nor_a_spring_holds_has_no_mode_to_be_damped():
+    loose = problem("bodies: {a: {mass: 0 kg, slide: x}, b: {mass: 1 kg, slide: y}}\n"
+                    "springs: {s: {k: 4 N/m, between: [ground, b]}}\ndamping: {modal: 0.1}\n")
+    with pytest.raises(PhysicsError, match="needs inertia or a spring along every coordinate"):
+        _ = loose.modal.damped
