@@ -149,6 +149,8 @@ def damped_modes(record: "Record", values: "Mapping[str, Any]", elements: Any) -
     import mpmath
 
     _require_modes(elements)
+    if len(elements.massless) == elements.n:        # without inertia there are no modes
+        return []
     squares, shapes, rows = _modes(elements)
     ratios, rates = values.get("modal"), [mpmath.sqrt(x) if x > 0 else mpmath.mpf(0) for x in squares]
     if ratios is not None:

@@ -100,7 +100,10 @@ def _property(text):
 def _relative(file):
     """The name of a file from the top of the repository in which the command runs, from where it runs if that is in
     none; the whole name of a file elsewhere."""
-    here = os.getcwd()
+    try:
+        here = os.getcwd()
+    except OSError:         # a folder that is gone
+        return file
     top = next((folder for folder in _upwards(here) if os.path.exists(os.path.join(folder, ".git"))), here)
     folder, name = os.path.split(file)
     whole = os.path.join(os.path.realpath(folder), name)
