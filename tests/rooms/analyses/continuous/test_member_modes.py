@@ -1,6 +1,7 @@
 """Modes of scenes with members as they are told: normalised, with nodes, the count that proves them, and in --json."""
 
 import json
+import warnings
 from itertools import pairwise
 from math import pi, sqrt
 
@@ -223,3 +224,15 @@ ROD = """
 def test_orthogonality_tells_on_which_stretch_and_member_each_integral_is(rod, more, written):
     """By parts on every stretch: the forces between them cancel, whatever stretches belong together."""
     assert written in told(problem(ROD % (rod, more)), "frequency_equation")
+
+
+@pytest.mark.parametrize("command", [["solve"], ["frequencies", "--json"], ["frequencies", "--digits", "20"]])
+def test_beside_a_bar_a_mechanism_is_told_by_its_name(command, tmp_path, capsys):
+    """Of rigid motions, one without inertia is no mode whose shape more digits would find."""
+    path = tmp_path / "bar.yaml"
+    path.write_text("bodies: {a: {mass: 0 kg, slide: x}, b: {mass: 10 kg, slide: y}}\n"
+                    "bars: {rod: {length: 1 m, EA: 1 N, mass_per_length: 0.1 kg/m, left: free, right: pinned}}\n")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert run([*command, str(path)]) == 4
+    assert "error: 'x' has no inertia and no spring ties it" in capsys.readouterr().err
