@@ -236,3 +236,13 @@ def test_beside_a_bar_a_mechanism_is_told_by_its_name(command, tmp_path, capsys)
         warnings.simplefilter("error")
         assert run([*command, str(path)]) == 4
     assert "error: 'x' has no inertia and no spring ties it" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("name", ["tip", "t", "motor"])
+def test_an_end_at_a_name_that_is_no_point_of_the_ground_is_refused(name, tmp_path, capsys):
+    path = tmp_path / "strut.yaml"
+    path.write_text("bodies: {motor: {mass: 1 kg, inertia: 1 kg*m^2, at: [0, 1 m], move: [x, y, p]}}\n"
+                    f"beams: {{strut: {{from: [0, 0], to: {name}, EI: 1 N*m^2, EA: 1 N, mass_per_length: 1 kg/m, "
+                    "left: clamped, right: {clamped: motor}}}\n")
+    assert run(["solve", str(path)]) == 3
+    assert f"strut.yaml:2:{len('beams: {strut: {from: [0, 0], to: ') + 1}: error" in capsys.readouterr().err
