@@ -165,6 +165,18 @@ def test_a_cache_that_cannot_be_used_is_said_and_left(folder, capfd, make, said)
     assert code == 3 and kept == 0 and "cannot keep results" in err and said in err
 
 
+def test_a_folder_of_others_is_no_cache(folder, capfd):
+    """What makes it one would have git ignore all that lies in it."""
+    before = {path.name for path in folder.iterdir()}
+    for named in ("", ".", "sets"):
+        (code, _, err, _), kept = checked(capfd, "--cache-dir", named)
+        assert code == 3 and kept == 0 and "it holds other files; all is checked anew" in err
+    assert {path.name for path in folder.iterdir()} == before
+    (folder / "empty").mkdir()
+    assert "warning" not in checked(capfd, "--cache-dir", "empty")[0][2]
+    assert checked(capfd, "--cache-dir", "empty")[1] == 5
+
+
 def test_two_at_once_leave_whole_entries(folder):
     command = [sys.executable, "-m", "vibcli", "check", "sets", "--quiet"]
     environment = {name: value for name, value in os.environ.items() if name != "VIBCLI_NO_CACHE"}

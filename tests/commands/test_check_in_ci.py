@@ -175,6 +175,46 @@ def test_a_report_is_written_whole_whatever_the_exit_code(folder, capsys):
         assert said in capsys.readouterr().err, more
 
 
+def test_files_are_named_from_the_top_of_the_repository(folder, capsys, monkeypatch):
+    """A job may run in a folder below, as by `working-directory`: annotations of a change know names from its top."""
+    elsewhere = folder / "elsewhere.yaml"
+    elsewhere.write_text(SCENES["differs.yaml"])
+    course = folder / "course"
+    course.mkdir()
+    (course / "sets").mkdir()
+    (course / "sets" / "differs.yaml").write_text(SCENES["differs.yaml"])
+    (course / "linked").symlink_to("sets")
+    monkeypatch.chdir(course / "sets")
+    for top, name in ((None, "differs.yaml"), (course, "sets/differs.yaml"), (course / "sets", "differs.yaml")):
+        if top is not None:
+            subprocess.run(["git", "init", "-q", str(top)], check=True)
+        for file in ("differs.yaml", str(course / "linked" / "differs.yaml"), "../sets/differs.yaml"):
+            assert run(["check", file, "--format", "github"]) == 1
+            (_, places, _), = annotations(capsys.readouterr().out)
+            assert places["file"] == name, (top, file)
+    assert run(["check", "../../elsewhere.yaml", "--format", "github"]) == 1
+    (_, places, _), = annotations(capsys.readouterr().out)
+    assert places["file"] == str(elsewhere)
+    run(["check", "../../elsewhere.yaml", "differs.yaml", "--format", "sarif"])
+    places = [one["locations"][0]["physicalLocation"]["artifactLocation"]
+              for one in json.loads(capsys.readouterr().out)["runs"][0]["results"]]
+    assert places == [{"uri": elsewhere.as_uri()}, {"uri": "differs.yaml", "uriBaseId": "%SRCROOT%"}]
+
+
+def test_a_name_that_is_not_utf_8_is_told_in_each_form(folder, capsys):
+    """SARIF holds it as the bytes that it has, the others with a stand-in or escaped, on the screen as in files."""
+    name = b"sets/gr\xfcn.yaml".decode("utf-8", "surrogateescape")
+    Path(name).write_text(SCENES["differs.yaml"])
+    for form, suffix in (("json", "json"), ("junit", "xml"), ("github", "txt"), ("sarif", "sarif")):
+        assert run(["check", name, "--format", form]) == 1
+        shown = capsys.readouterr().out
+        assert run(["check", name, "--format", form, "-o", f"report.{suffix}"]) == 1
+        assert Path(f"report.{suffix}").read_bytes() == shown.encode("utf-8", "replace")
+        capsys.readouterr()
+    result, = json.loads(Path("report.sarif").read_bytes())["runs"][0]["results"]
+    assert result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"] == "sets/gr%FCn.yaml"
+
+
 def test_under_github_actions_annotations_come_by_themselves(folder, capsys, monkeypatch):
     monkeypatch.setenv("GITHUB_ACTIONS", "true")
     run(["check", "sets/differs.yaml"])
@@ -197,6 +237,21 @@ def test_a_scene_from_stdin(folder, capsys, monkeypatch):
         monkeypatch.setattr(sys, "stdin", SimpleNamespace(buffer=io.BytesIO(text.encode()), isatty=lambda: False))
         assert run(["check", "-", *(["--stdin-name", name] if name else [])]) == code
         assert said in "".join(capsys.readouterr())
+
+
+def test_what_stdin_does_not_give(folder, capsys, monkeypatch):
+    long = SimpleNamespace(buffer=io.BytesIO(b"#" * 3 * 2**20))
+
+    class Broken:
+        def read(self, size):
+            raise OSError(5, "Input/output error")
+
+    for stdin, code, said in ((None, 2, "stdin cannot be read: it is closed"),
+                              (SimpleNamespace(buffer=Broken()), 2, "stdin cannot be read: Input/output error"),
+                              (long, 3, "the file holds more than 1048576 bytes")):
+        monkeypatch.setattr(sys, "stdin", stdin)
+        assert run(["check", "-"]) == code
+        assert said in capsys.readouterr().err
 
 
 def test_only_what_has_changed(folder, capsys):

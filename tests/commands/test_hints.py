@@ -141,3 +141,26 @@ def test_a_hint_writes_numbers_as_its_scene_does(tmp_path, capsys):
     scene.write_text(ENDLESS + f"find: {advised}\n")
     run(["solve", str(scene)])
     assert "write the unit" not in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("kind", "scene"), [
+    ("a length", "bodies: {a: {mass: 1 kg, slide: x}}\n"
+                 "springs: {s: {law: 1 N/m*d + 1 N/m^3*d^3, between: [ground, a]}}\n"),
+    ("an angle", "bodies: {p: {shape: rod, mass: 1 kg, from: [0, 0], to: [0, -1 m], pin: {at: [0, 0], by: phi}}}\n"
+                 "gravity: 9.81 m/s^2\n"),
+    ("numbers alone", "bodies: {a: {mass: 1, slide: x}}\nsprings: {s: {law: d + d^3, between: [ground, a]}}\n")])
+def test_how_a_backbone_is_asked_for_fits_the_scene(kind, scene, tmp_path, capsys):
+    path = tmp_path / "scene.yaml"
+    path.write_text(scene)
+    assert run(["frequencies", "--backbone", str(path)]) == 4
+    asked = re.search(r"hint: ask with (find: .*)", capsys.readouterr().err)[1]
+    path.write_text(f"{scene}{asked}\n")
+    assert run(["frequencies", "--backbone", str(path)]) == 0
+
+
+def test_where_nothing_moves_that_is_said(tmp_path, capsys):
+    path = tmp_path / "scene.yaml"
+    path.write_text("bodies: {a: {mass: 1 kg, at: [0 m, 0 m]}}\n")
+    for command in (["frequencies"], ["frequencies", "--backbone"], ["frf"], ["response"], ["solve"]):
+        assert run([*command, str(path)]) == 4, command
+        assert "nothing moves in this scene" in capsys.readouterr().err

@@ -124,3 +124,18 @@ def test_what_is_written_hangs_on_no_locale_and_no_home(how, folder):
         done = subprocess.run([sys.executable, "-m", "vibcli", *args], env=path | env, capture_output=True)
         assert done.returncode == 0 and done.stderr == f"wrote {number}.html\n".encode()
     assert Path("0.html").read_bytes() == Path("1.html").read_bytes()
+
+
+def test_a_folder_that_is_gone_while_the_command_runs_in_it(tmp_path, capsys, monkeypatch):
+    scene = tmp_path / "scene.yaml"
+    scene.write_text(SCENE + "variants: {parameters: {m: [1 kg, 2 kg]}}\n")
+    salt = tmp_path / "salt"
+    salt.write_text("a secret text that is long enough")
+    gone = tmp_path / "gone"
+    gone.mkdir()
+    monkeypatch.chdir(gone)
+    gone.rmdir()
+    for form in ("github", "sarif", "junit"):
+        assert run(["check", str(scene), "--format", form, "--no-cache"]) == 1
+    assert run(["homework", str(scene), "-o", "week", "--paper", "2", "--salt-file", str(salt)]) == 4
+    assert "No such file" in capsys.readouterr().err

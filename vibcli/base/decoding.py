@@ -29,7 +29,7 @@ def prints(text: str) -> bool:
 def decode(data: bytes, file: str) -> tuple[str, list[Any]]:
     """The text of the bytes, or None where they are not text, and the diagnostics so far."""
     if len(data) > MAX_BYTES:
-        return None, [too_long(file, len(data))]
+        return None, [too_long(file)]     # who read them may have stopped there
     if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
         return None, [Diagnostic(Where(file, 1, 1), "the file is written in UTF-16, expected UTF-8",
                                  "save it as UTF-8 in the editor")]
@@ -71,8 +71,10 @@ def on_one_line(text: str) -> str:
     return re.sub(r"\s+", " ", cleaned(text))
 
 
-def too_long(file: str, size: int) -> Diagnostic:
-    return Diagnostic(Where(file, 1, 1, 0), f"the file holds {size} bytes, expected at most {MAX_BYTES}",
+def too_long(file: str, size: int | None = None) -> Diagnostic:
+    """What is said of a file of more bytes than a scene may have; size: how many, where that is known."""
+    held = f"more than {MAX_BYTES} bytes" if size is None else f"{size} bytes, expected at most {MAX_BYTES}"
+    return Diagnostic(Where(file, 1, 1, 0), f"the file holds {held}",
                       "a scene takes a few kilobytes: is this the right file?")
 
 

@@ -121,7 +121,7 @@ def _finish(found, on_screen, form, path, force, left):
     if path is not None:
         from vibcli.cli.pictures import write
 
-        write(path, _report(form, found).encode(), force)
+        write(path, _report(form, found).encode("utf-8", "replace"), force)     # as on the screen
 
 
 def _report(form: str, found: Sequence[CheckedFile]) -> str:
@@ -166,7 +166,11 @@ def _stdin():
     """What stdin holds, no more than a scene may."""
     from vibcli.base.decoding import MAX_BYTES
 
-    return sys.stdin.buffer.read(MAX_BYTES + 1)
+    try:
+        return sys.stdin.buffer.read(MAX_BYTES + 1)
+    except (OSError, AttributeError) as error:      # there is no stream where it is closed
+        why = getattr(error, "strerror", None) or "it is closed"
+        raise click.UsageError(f"stdin cannot be read: {why}") from None
 
 
 def _cache(folder, paths, options):

@@ -46,6 +46,8 @@ def right_text(record: "Record") -> str:
 def _drawn_length(record):
     """How far the ends of a member lie apart as drawn: one coordinate, or by Pythagoras."""
     ends = [[part.text.strip() for part in record[key]] for key in ("from", "to")]
+    if any(len(end) != 2 for end in ends):      # a name that is no point: refused where places are found
+        return "0"
     apart = [i for i in (0, 1) if ends[0][i] != ends[1][i]]
     from_zero = len(apart) == 1 and ends[0][apart[0]].partition(" ")[0] == "0"
     if from_zero:

@@ -150,7 +150,7 @@ def refuse_folder(path: Path, force: bool) -> None:
     if path.exists() and any(path.iterdir()) and not (force and _is_ours(path)):
         raise PhysicsError(f"{path} is not empty", "it holds other files: name another folder" if force else
                            "name a new folder, or an empty one")
-    if path.resolve() == Path.cwd():
+    if _runs_in(path):
         raise PhysicsError("the folder in which the command runs is not replaced", "name a folder in it")
     if not path.absolute().parent.is_dir():
         raise PhysicsError(f"there is no folder {path.parent}", "make it, or name another one")
@@ -161,3 +161,10 @@ def refuse_folder(path: Path, force: bool) -> None:
 def _is_ours(path):
     """Does a folder hold what was written for homework alone? Nothing else is ever taken away."""
     return {one.name for one in path.iterdir()} <= {STUDENT, INSTRUCTOR}
+
+
+def _runs_in(folder):
+    try:
+        return folder.resolve() == Path.cwd()
+    except OSError as error:        # the folder in which the command runs is gone
+        raise PhysicsError(f"{folder} cannot be found: {error.strerror}", "name a folder that is there") from None

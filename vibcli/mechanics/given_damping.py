@@ -149,6 +149,8 @@ def damped_modes(record: "Record", values: "Mapping[str, Any]", elements: Any) -
     import mpmath
 
     _require_modes(elements)
+    if len(elements.massless) == elements.n:        # without inertia there are no modes
+        return []
     squares, shapes, rows = _modes(elements)
     ratios, rates = values.get("modal"), [mpmath.sqrt(x) if x > 0 else mpmath.mpf(0) for x in squares]
     if ratios is not None:
@@ -178,7 +180,11 @@ def _modes(elements):
     follow = mpmath.zeros(len(light), len(heavy))
     k = _block(K, heavy, heavy)
     if light:
-        follow = -(_block(K, light, light) ** -1) * _block(K, light, heavy)
+        try:
+            follow = -(_block(K, light, light) ** -1) * _block(K, light, heavy)
+        except ZeroDivisionError:
+            raise PhysicsError("damping by modes needs inertia or a spring along every coordinate",
+                               "give what has neither a mass, tie it with a spring, or take it out") from None
         k = k + _block(K, heavy, light) * follow
     m = _block(M, heavy, heavy)
     try:

@@ -20,6 +20,12 @@ if TYPE_CHECKING:
 SENSES = ("sign", "abs", "min", "max")      # functions by which dry friction acts
 
 
+def nothing_moves() -> PhysicsError:
+    """What is said of a scene without coordinates."""
+    return PhysicsError("nothing moves in this scene: it has no coordinates",
+                        "give a body a motion, as in bodies: {block: {mass: 2 kg, slide: x}}")
+
+
 class MechanicalSystem:
     """A scene and what follows from it in letters. `given`: exact values for parameters that the file leaves as
     symbols, by which signs in the geometry are read off; `work`: what counts its long work; `released`: the system
@@ -197,8 +203,7 @@ class MechanicalSystem:
             in_time = f", or ask for its motion in time: find: [{{response: {{until: {until}}}}}]"
             raise PhysicsError(words_of_locked(self.scene), hint + in_time * self.scene.timed)
         if not self.scene.q and not self.scene.pieces:
-            raise PhysicsError("nothing moves in this scene: it has no coordinates",
-                               "give a body a motion, as in bodies: {block: {mass: 2 kg, slide: x}}")
+            raise nothing_moves()
 
     @cached_property
     def linearisation_at_reference(self):

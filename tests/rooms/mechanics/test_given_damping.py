@@ -11,6 +11,7 @@ from scipy.linalg import expm
 from support.scenes import problem, value
 
 from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.cli import run
 from vibcli.symbolic.syntax import NameRef
 
 SEEDS = range(8)
@@ -167,3 +168,22 @@ def test_rigid_modes_are_not_damped_by_ratios():
     row = Row(2, free=True)
     scene = problem(row.text("modal: 5 %"))
     assert matrix(scene, row.n) @ np.ones(row.n) == pytest.approx(np.zeros(row.n), abs=1e-9)
+
+
+def test_what_neither_inertia_nor_a_spring_holds_has_no_mode_to_be_damped():
+    loose = problem("bodies: {a: {mass: 0 kg, slide: x}, b: {mass: 1 kg, slide: y}}\n"
+                    "springs: {s: {k: 4 N/m, between: [ground, b]}}\ndamping: {modal: 0.1}\n")
+    with pytest.raises(PhysicsError, match="needs inertia or a spring along every coordinate"):
+        _ = loose.modal.damped
+
+
+def test_what_has_no_inertia_has_no_mode_to_be_damped(capsys, tmp_path):
+    """All is as without damping."""
+    path, scene = tmp_path / "light.yaml", "springs: {s: {k: 4 N/m, between: [ground, a]}}\nbodies: {a: {mass: 0 kg, " \
+                                           "slide: x}}\n"
+    for command in (["frequencies"], ["frequencies", "--json"], ["response"], ["frf"]):
+        codes = []
+        for more in ("", "damping: {modal: 0.1}\n", "damping: {caughey: {1: 1 %}}\n"):
+            path.write_text(scene + more)
+            codes.append(run([*command, str(path)]))
+        assert len(set(codes)) == 1 and codes[0] in (0, 4), (command, codes)

@@ -80,3 +80,13 @@ def test_the_period_of_a_wide_swing():
     ROD.replace("ANGLE", "2") + "dampers: {d: {torsion: (1 N*m)*(1 s), between: [ground, rod]}}\n"])
 def test_no_period_without_a_start_in_small_oscillations_or_with_a_damper(text):
     assert not told(text, "Period of the swing")
+
+
+def test_what_has_no_energy_is_shared_by_no_mode():
+    """Displaced along a rigid motion and let go, it stays; beside what vibrates its mode has no share."""
+    loose = "bodies: {a: {mass: 100 kg, slide: x}, b: {mass: 1 kg, slide: y}}\n" \
+            "springs: {s: {k: 2 N/m, between: [ground, a]}}\ninitial: {y: 0.1 m"
+    still, moved = ("\n".join(section_lines(report(problem(loose + more), ["response"]).sections))
+                    for more in ("}\n", ", x: 1 mm}\n"))
+    assert "y = 0.1" in still and "share in the energy" not in still
+    assert "share in the energy: mode 1: 0 %, mode 2: 100 %" in moved

@@ -71,6 +71,21 @@ def test_the_lines_of_a_damped_rod(tmp_path, capsys):
     assert capsys.readouterr().out.endswith(PRINTED)
 
 
+@pytest.mark.parametrize("spring, form", [("", "det(λ²·M + λ·C)"), (
+    "springs: {s: {k: 4 N/m, between: [ground, a]}}\n", "det(λ²·M + λ·C + K)")])
+def test_what_dampers_alone_brake(spring, form, tmp_path, capsys):
+    """2 λ² + 6 λ + 3 = 0 beside two motions that stay; the determinant holds no matrix that there is not."""
+    path = tmp_path / "braked.yaml"
+    path.write_text("bodies: {a: {mass: 2 kg, slide: x}, b: {mass: 1 kg, slide: y}}\n" + spring +
+                    "dampers: {d: {c: 3 N*s/m, between: [ground, a]}, e: {c: 1 N*s/m, between: [a, b]}}\n")
+    assert run(["solve", str(path), "--steps"]) == 0
+    told = capsys.readouterr().out
+    assert f" {form} = " in told
+    if not spring:
+        for root in (-3 - math.sqrt(3), -3 + math.sqrt(3)):
+            assert f"λ = −{-root / 2:.6g} 1/s" in told
+
+
 def test_each_line_is_data(tmp_path, capsys):
     path = tmp_path / "rod.yaml"
     path.write_text(ROD)

@@ -8,7 +8,7 @@ textbook prints them. |H| = s √((N_r² + Ω²N_i²)/(D_r² + Ω²D_i²)), tan 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import NotInLetters
+from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.symbolic_linear import coefficients
 from vibcli.symbolic.common_denominator import shorter
@@ -148,13 +148,20 @@ def from_parts(symbolic: "SymbolicSystem", b: "Sequence[dict[int, Node]]", c: "S
     b, c = ([_pair(part, i, w, zero) for i in range(n)] for part in (b, c))
     part = _taking_part(D, b, c)
     D, b, c, n = [[D[i][j] for j in part] for i in part], [b[i] for i in part], [c[i] for i in part], len(part)
-    det = D[0][0] if n == 1 else _minus(_times(D[0][0], D[1][1], w), _times(D[0][1], D[1][0], w))
+    det = _determinant(D, w)
+    if _nothing(det):
+        raise PhysicsError("something moves here that has neither inertia nor stiffness nor damping: its response to a "
+                           "force is not finite", "give it a mass, tie it with a spring, or take it out")
     parts = [_times(_times(c[i], _adjugate(D, i, j, zero), w), b[j], w) for i in range(n) for j in range(n)]
     direct = _pair(d, 0, w, zero)
     if not all(part.is_zero for part in direct):
         parts.append(_times(direct, det, w))
     numerator = tuple(table.sum(*((part[k], ONE) for part in parts)) for k in (0, 1))
     return Formula(table, Omega, numerator, det, order, n == 1)
+
+
+def _determinant(D, w):
+    return D[0][0] if len(D) == 1 else _minus(_times(D[0][0], D[1][1], w), _times(D[0][1], D[1][0], w))
 
 
 def _slowly(sample, Omega, matrices):

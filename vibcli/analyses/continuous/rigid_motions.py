@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vibcli.analyses.modal.rigid_body_modes import rank
+from vibcli.analyses.modal.scaling import mechanism
 from vibcli.numerics.sparse_elimination import product
 
 if TYPE_CHECKING:
@@ -54,12 +55,14 @@ def _by_leaders(free):
 
 
 def _normalised(system, shapes: Any):
-    """Columns made orthogonal and of unit inertia, in turn."""
+    """Columns made orthogonal and of unit inertia, in turn; UnheldCoordinate of one that has none."""
     _, _, inertia = system.dynamic_stiffness(system.numbers([0]))
     for k in range(shapes.shape[1]):
         for other in range(k):
             moved = product(system.pattern, inertia, shapes[:, other:other + 1])[:, 0]
             shapes[:, k] = shapes[:, k] - shapes[:, other] * (moved * shapes[:, k]).sum()
         size = (product(system.pattern, inertia, shapes[:, k:k + 1])[:, 0] * shapes[:, k]).sum()
+        if not size > 0:
+            raise mechanism(int(np.flatnonzero(shapes[:, k])[0]))
         shapes[:, k] = shapes[:, k] / size ** 0.5
     return shapes

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 CLOSE = 1e-6        # part of a piece by which one stays away from its ends
 FINE = 8            # places for each half-wave
+LAYERS = np.array([0.25, 0.5, 1.0, 2.0, 4.0])       # of the length in which what begins at an end fades
 STEPS, SETTLED = 60, 2.0**-27      # of the distance of places: a step as short leaves its square, which is rounding
 BESIDE, MOVES, ROUNDING = 1e-3, 1e-9, 1e-12     # of the way to the next turning place; of |u|, of the largest one
 
@@ -121,12 +122,24 @@ def _piece_at(pieces, places):
     return np.maximum(np.searchsorted(starts, places, side="right") - 1, 0)
 
 
+def _lengths(piece, q):
+    """(half-waves along a piece at most, the part of it in which what begins at an end fades, 0 where nothing does), by
+    the roots of B β⁴ + N β² = q and B γ⁴ − N γ² = q, N the least tension, q what drives the motion per length and u."""
+    if piece.order == 2:
+        return np.sqrt(q / piece.tension) * piece.length / np.pi, 0.0
+    N = min(piece.tension, piece.tension + piece.gradient * piece.length)
+    larger = (abs(N) + np.sqrt(N * N + 4 * piece.bending * q)) / (2 * piece.bending)
+    smaller = q / (piece.bending * larger) if larger else 0.0
+    beta, gamma = np.sqrt([smaller, larger] if N > 0 else [larger, smaller])
+    return beta * piece.length / np.pi, 1 / (gamma * piece.length) if N > 0 else 0.0
+
+
 def _grid(moved):
     """Places within a piece, several for each half-wave, close to its ends too."""
     piece = moved.piece
-    stiffness = piece.bending or piece.tension
-    waves = (max(-moved.kappa, 0.0) / stiffness) ** (1 / piece.order) * piece.length / np.pi
-    if piece.order == 4 and piece.tension < 0:
-        waves += np.sqrt(-piece.tension / piece.bending) * piece.length / np.pi
+    waves, layer = _lengths(piece, max(-moved.kappa, 0.0))
     inner = np.linspace(CLOSE, 1 - CLOSE, int(FINE * (waves + 1)) + 2)
+    if 0 < layer < 1 / FINE:
+        within = layer * LAYERS[layer * LAYERS > CLOSE]
+        inner = np.unique(np.concatenate([inner, within, 1 - within]))
     return moved.start + piece.length * inner

@@ -41,8 +41,8 @@ def folder_of(paths: Sequence[str]) -> Path:
 
 
 class Cache:
-    """The cache in a folder; options: what else the results hang on. Unusable where it is a link, no folder, or not to
-    be written to."""
+    """The cache in a folder; options: what else the results hang on. Unusable where it is a link, no folder, holds
+    other files, which git would ignore from then on, or is not to be written to."""
 
     def __init__(self, folder: Path, options: Sequence[Any]):
         self._folder, self._options = folder, json.dumps(options)
@@ -50,6 +50,8 @@ class Cache:
             raise Unusable("it is a link")
         try:
             folder.mkdir(exist_ok=True)
+            if not (folder / "CACHEDIR.TAG").exists() and any(map(_is_of_others, os.listdir(folder))):
+                raise Unusable("it holds other files")
             for name, text in BESIDE.items():
                 if not (folder / name).exists():
                     _write(folder / name, text.encode())
@@ -112,6 +114,11 @@ class Cache:
     def _key(self, file, data, records):
         beside = [name and _file_digest(os.path.join(os.path.dirname(file), name)) for name in records]
         return _digest(data, self._options, json.dumps([records, beside]), self._machinery)
+
+
+def _is_of_others(name):
+    """In a folder that has no tag yet: is a file of this name none of those that make it a cache?"""
+    return not any(name.startswith((own, f".{own}.")) for own in BESIDE)
 
 
 class Dependencies(NamedTuple):

@@ -98,9 +98,24 @@ def _property(text):
 
 
 def _relative(file):
-    """The name of a file from where the command runs, as on the web; as it is where it lies elsewhere."""
-    path = os.path.relpath(file) if os.path.isabs(file) else os.path.normpath(file)
-    return (file if path.startswith("..") else path).replace(os.sep, "/")
+    """The name of a file from the top of the repository in which the command runs, from where it runs if that is in
+    none; the whole name of a file elsewhere."""
+    try:
+        here = os.getcwd()
+    except OSError:         # a folder that is gone
+        return file
+    top = next((folder for folder in _upwards(here) if os.path.exists(os.path.join(folder, ".git"))), here)
+    folder, name = os.path.split(file)
+    whole = os.path.join(os.path.realpath(folder), name)
+    path = os.path.relpath(whole, top)
+    return (whole if path.split(os.sep)[0] == os.pardir else path).replace(os.sep, "/")
+
+
+def _upwards(folder):
+    """A folder, and those that it lies in."""
+    yield folder
+    while folder != (above := os.path.dirname(folder)):
+        yield (folder := above)
 
 
 def as_sarif(found: Sequence[CheckedFile]) -> str:
@@ -110,7 +125,10 @@ def as_sarif(found: Sequence[CheckedFile]) -> str:
         region = {"startLine": one.line}
         if one.column:
             region |= {"startColumn": one.column, "endColumn": one.column + one.width}
-        place = {"artifactLocation": {"uri": quote(_relative(one.file)), "uriBaseId": "%SRCROOT%"}, "region": region}
+        name = _relative(one.file)
+        artifact = {"uri": f"file://{quote(os.fsencode(name))}"} if os.path.isabs(name) else {
+            "uri": quote(os.fsencode(name)), "uriBaseId": "%SRCROOT%"}
+        place = {"artifactLocation": artifact, "region": region}
         results.append({"ruleId": one.rule, "ruleIndex": list(RULES).index(one.rule), "level": level(one.rule),
                         "message": {"text": one.message}, "locations": [{"physicalLocation": place}]})
     rules = [{"id": name, "shortDescription": {"text": about}, "defaultConfiguration": {"level": level(name)},

@@ -177,7 +177,8 @@ class EnergyDescent:
         values, vectors = np.linalg.eigh(self.hessian(numbers))
         slope = vectors.T @ gradient
         if math.isinf(radius) and values[0] <= _tiny(values):
-            radius = float(np.linalg.norm(slope) / max(np.max(np.abs(values)), 1e-300)) or 1.0
+            with np.errstate(over="ignore"):        # where V hardly bends no step is too long
+                radius = float(np.linalg.norm(slope) / max(np.max(np.abs(values)), 1e-300)) or 1.0
         before = self.energy(q)
         for _ in range(60):
             p = _trust_step(values, slope, radius)

@@ -27,8 +27,14 @@ def _asked(problem):
     find = problem.spec.get("find")
     record = find.about(WORD) if find is not None else None
     if record is None:
+        name = next(iter(problem.scene.coordinates), None)
+        if name is None:
+            from vibcli.mechanics.system import nothing_moves
+
+            raise nothing_moves()
+        most = problem.spec.example("10 cm") if problem.system.dimension(name) else "0.5"
         raise PhysicsError("it is not known up to which amplitude the backbone curve goes",
-                           "ask with find: [{backbone: {of: [" + problem.scene.coordinates[0] + "], up_to: 10 cm}}]")
+                           f"ask with find: [{{backbone: {{of: [{name}], up_to: {most}}}}}]")
     (text, tree), *_ = trees_asked(problem, WORD)
     most = number_of(problem, record["up_to"].tree)
     return text, tree, unit(dimension_of(problem, tree)), most, record.get("mode", 1)

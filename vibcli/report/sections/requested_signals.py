@@ -148,6 +148,10 @@ def _input_asked(problem, given):
     if record is not None and "to" in record:
         return record["to"].text
     known = inputs(problem.spec)
+    if not known and not problem.spec.members:
+        from vibcli.mechanics.system import nothing_moves
+
+        raise nothing_moves()
     if not known:
         raise PhysicsError("nothing drives this scene", "add a force on a point of a member, as in `points: {tip: "
                            f"{{body: {next(iter(problem.spec.members))}, at: …}}}}`, `forces: {{drive: {{at: tip, "

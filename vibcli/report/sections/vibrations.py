@@ -55,9 +55,11 @@ def _participation(problem):
             mode.omega is None for mode in problem.modal.modes):
         return []
     shares = energy_shares(problem.response.matrices[0], problem.modal.modes, *problem.response.deviations)
+    if not shares:      # what begins at rest anywhere along rigid motions stays there
+        return []
     told = ", ".join(f"mode {mode.index}: {figure(100 * share, digits=4)} %"
                      for mode, share in zip(problem.modal.modes, shares, strict=True))
-    return [f"share in the energy: {told}"] if told else []
+    return [f"share in the energy: {told}"]
 
 
 def beats(asked: "Sequence[RequestedSignal]", until: float) -> Iterator[str]:

@@ -22,14 +22,14 @@ def tell_damped(about: AboutRest, sheet: WorkedSolution, found: SmallEquations, 
     """Whether modes stay apart, and the eigenvalues where there are numbers."""
     problem = about.problem
     of = {letter: sheet.matrix(letter) for letter in "MCGK" if getattr(found, letter)}
-    if found.C and not found.G and proportional(problem.spec):
+    if found.C and found.K and not found.G and proportional(problem.spec):
         uses = [*uses, *_proportional(about, sheet, found, of, uses)]
     damped = None if problem.numeric.has_free_symbols else problem.modal.damped
     if damped is None:
         return
     rates = [part for letter in "CG" if letter in of for part in (" + ", Name(of[letter]))][1:]
-    head = ["det(λ²·", Name(of["M"]), " + λ·", *(["(", *rates, ")"] if len(rates) > 1 else rates), " + ", Name(of["K"]),
-            ")"]
+    head = ["det(λ²·", Name(of["M"]), " + λ·", *(["(", *rates, ")"] if len(rates) > 1 else rates),
+            *([" + ", Name(of["K"])] if "K" in of else []), ")"]
     if not proportional(problem.spec):
         lines, polynomial = [sheet.write(Words("`damping:` adds what damps each mode by itself:  "),
                                        "λ = −ζ·ω ± ω·√(1 − ζ²)·i", settles=DETERMINANT, uses=uses)], None

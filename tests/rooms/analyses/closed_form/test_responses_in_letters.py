@@ -9,7 +9,8 @@ import pytest
 from support.scenes import number, problem, value
 
 from vibcli.analyses.closed_form.steady_state import steady_state
-from vibcli.base.errors import NotInLetters, SpecError
+from vibcli.api.reports import report
+from vibcli.base.errors import NotInLetters, PhysicsError, SpecError
 from vibcli.inverse import settled
 from vibcli.quantities.in_letters import quantity_in_letters
 from vibcli.report.blocks import Equations, SumOfTerms
@@ -328,3 +329,16 @@ def test_no_antiresonance_where_nothing_vanishes():
     formula = steady_state(problem(chain).symbolic, parse("x1 - 2*x2")).formula
     assert formula.zeros is None
     assert steady_state(problem(chain).symbolic, "x1").formula.zeros is not None
+
+
+@pytest.mark.parametrize("k", ["{unit: N/m}", "4 N/m"])
+def test_what_resists_no_force_has_no_finite_response(k):
+    """A body without mass that nothing ties, beside one on a spring: refused in letters, without bound in numbers."""
+    loose = problem(f"parameters: {{k: {k}}}\nbodies: {{a: {{mass: 0 kg, slide: x}}, b: {{mass: 1 kg, slide: y}}}}\n"
+                    "springs: {s: {k: k, between: [ground, b]}}\nmotion: small\n")
+    with pytest.raises(PhysicsError, match="neither inertia nor stiffness nor damping"):
+        loose.symbolic_frequency_response("x", "x")
+    assert not loose.symbolic_frequency_response("y", "y").vanishes
+    if k == "4 N/m":
+        told = "\n".join(section_lines(report(loose, ["frequency_response"]).sections))
+        assert "it has no bound" in told

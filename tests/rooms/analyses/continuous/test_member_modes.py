@@ -1,6 +1,7 @@
 """Modes of scenes with members as they are told: normalised, with nodes, the count that proves them, and in --json."""
 
 import json
+import warnings
 from itertools import pairwise
 from math import pi, sqrt
 
@@ -223,3 +224,25 @@ ROD = """
 def test_orthogonality_tells_on_which_stretch_and_member_each_integral_is(rod, more, written):
     """By parts on every stretch: the forces between them cancel, whatever stretches belong together."""
     assert written in told(problem(ROD % (rod, more)), "frequency_equation")
+
+
+@pytest.mark.parametrize("command", [["solve"], ["frequencies", "--json"], ["frequencies", "--digits", "20"]])
+def test_beside_a_bar_a_mechanism_is_told_by_its_name(command, tmp_path, capsys):
+    """Of rigid motions, one without inertia is no mode whose shape more digits would find."""
+    path = tmp_path / "bar.yaml"
+    path.write_text("bodies: {a: {mass: 0 kg, slide: x}, b: {mass: 10 kg, slide: y}}\n"
+                    "bars: {rod: {length: 1 m, EA: 1 N, mass_per_length: 0.1 kg/m, left: free, right: pinned}}\n")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert run([*command, str(path)]) == 4
+    assert "error: 'x' has no inertia and no spring ties it" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("name", ["tip", "t", "motor"])
+def test_an_end_at_a_name_that_is_no_point_of_the_ground_is_refused(name, tmp_path, capsys):
+    path = tmp_path / "strut.yaml"
+    path.write_text("bodies: {motor: {mass: 1 kg, inertia: 1 kg*m^2, at: [0, 1 m], move: [x, y, p]}}\n"
+                    f"beams: {{strut: {{from: [0, 0], to: {name}, EI: 1 N*m^2, EA: 1 N, mass_per_length: 1 kg/m, "
+                    "left: clamped, right: {clamped: motor}}}\n")
+    assert run(["solve", str(path)]) == 3
+    assert f"strut.yaml:2:{len('beams: {strut: {from: [0, 0], to: ') + 1}: error" in capsys.readouterr().err

@@ -93,3 +93,30 @@ def test_shapes_are_orthogonal_with_what_is_attached(seed):
         u = np.array([shape_along(moved_pieces(mode, "member"), places)[:, 0] for mode in modes])
         inertia += piece.piece.inertia * piece.piece.length / 2 * (u * weights) @ u.T
     assert inertia == pytest.approx(np.eye(5), abs=1e-9)
+
+
+@pytest.mark.parametrize("B", [1e-3, 1e-5, 1e-60])
+def test_a_string_is_looked_at_by_its_own_half_waves(B):
+    """However little it resists bending: pinned its nodes are those of a string; clamped it stays within 1/γ."""
+    stiff = BEAM._replace(bending=B, tension=1.0)
+    for mode in modes_of(2, ({}, {0: 1.0}, {}, {1: 1.0}), piece=stiff):
+        nodes, tops = resting_and_turning(moved_pieces(mode, "member"))
+        assert nodes == pytest.approx(np.arange(1, mode.index) / mode.index, abs=1e-12)
+        assert tops == pytest.approx((np.arange(mode.index) + 0.5) / mode.index, abs=1e-12)
+    if B < 1e-6:
+        return
+    for mode in modes_of(1, ({}, {}, {}, {0: 1.0}), piece=stiff):
+        nodes, tops = resting_and_turning(moved_pieces(mode, "member"))
+        with mpmath.workdps(400):
+            larger = mpmath.sqrt(1 + 4 * B * mpmath.mpf(mode.omega) ** 2)
+            beta, gamma = mpmath.sqrt((larger - 1) / (2 * B)), mpmath.sqrt((larger + 1) / (2 * B))
+            C = -(mpmath.sin(beta) - beta / gamma * mpmath.sinh(gamma)) / (mpmath.cos(beta) - mpmath.cosh(gamma))
+
+            def u(x, C=C, b=beta, g=gamma):
+                return mpmath.sin(b * x) - b / g * mpmath.sinh(g * x) + C * (mpmath.cos(b * x) - mpmath.cosh(g * x))
+
+            assert len(nodes) == mode.index - 1 and len(tops) == mode.index
+            for place in nodes:
+                assert place == pytest.approx(float(mpmath.findroot(u, place)), abs=1e-11)
+            for place in tops:
+                assert place == pytest.approx(float(mpmath.findroot(lambda x: mpmath.diff(u, x), place)), abs=1e-10)
