@@ -125,7 +125,12 @@ class EnergyDescent:
         more softly than others? Floats do not tell how far it goes."""
         np = self.np
         hidden, at_start = (np.max(np.abs(x) * self.scale) for x in (self.met, self.first.residual))
-        if not EPSILON * hidden > HIDDEN * at_start or len(self.names) > MOST_IN_DIGITS:
+        return EPSILON * hidden > HIDDEN * at_start and self.soft(numbers)
+
+    def soft(self, numbers: Numbers) -> bool:
+        """Is some motion held far more softly than others, in a scene that more digits can look into?"""
+        np = self.np
+        if len(self.names) > MOST_IN_DIGITS:
             return False
         K = numbers.elements.stiffness_array()
         sizes = np.sqrt(np.maximum(np.abs(K).max(axis=1), np.abs(K).max(axis=0)))

@@ -76,6 +76,30 @@ def find_equilibrium(numeric: "NumericSystem", start: Mapping[str, float]) -> Eq
     return _in_digits(search, found) if search.in_doubt(numbers) else found
 
 
+def _along_a_valley(search, q):
+    """{coordinate: float} of the stable equilibrium to which Newton's method leads from where the descent has come to,
+    in a valley that is bent and far steeper across than along; None where there is none."""
+    if not search.numeric.system.conservative or not search.soft(search.at(q)):
+        return None
+    import mpmath
+
+    from vibcli.mechanics.equilibrium.rest_in_digits import DIGITS, holds
+    from vibcli.mechanics.high_precision import equilibrium_to
+    from vibcli.mechanics.numeric_linearisation import in_numbers
+    from vibcli.symbolic.evaluation import multiprecision
+
+    with mpmath.workdps(DIGITS):
+        arithmetic, found = multiprecision(), Equilibrium(search.here, False, 0.0)
+        values = search.numeric.values(arithmetic)
+        try:
+            place = equilibrium_to(search.numeric, found, values, arithmetic)
+        except PhysicsError:
+            return None
+        held = holds(in_numbers(search.numeric.system.statics, arithmetic, values | place))
+    there = {name: float(x) for name, x in place.items()}
+    return there if held and search.energy(search.vector(there)) <= search.energy(q) else None
+
+
 def _in_digits(search, found):
     """The same from more digits than floats have, as far as these tell it."""
     import mpmath
@@ -103,7 +127,7 @@ def _held(search, q, steps, refusal):
     if not search.scene.table.called.intersection(LEAPING):
         from vibcli.mechanics.equilibrium.rest_in_digits import rest_in_digits
 
-        place = rest_in_digits(search.numeric)
+        place = rest_in_digits(search.numeric) or _along_a_valley(search, q)
         if place is None:
             raise repelled(search, refusal)
         return Equilibrium(place, False, 0.0, steps)

@@ -8,6 +8,7 @@ from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.evaluation import multiprecision
 
 if TYPE_CHECKING:
+    from vibcli.mechanics.numeric_linearisation import Numbers
     from vibcli.mechanics.numeric_system import NumericSystem
 
 DIGITS, HELD = 80, 1e-35        # what is left of a stiffness, as a part, when all else gives way: less is none
@@ -26,9 +27,7 @@ def rest_in_digits(numeric: "NumericSystem", held: bool = True) -> dict[str, flo
         values = numeric.values(multiprecision())
         start = {name: mpmath.mpf(x) for name, x in numeric.start().items()}
         numbers = in_numbers(numeric.system.statics, multiprecision(), values | start)
-        entries, n = numbers.elements.stiffness(), len(names)
-        K = mpmath.matrix([[entries.get((i, j), 0) for j in range(n)] for i in range(n)])
-        moved = (_solved if held else _balanced)(K, [-force for force in numbers.residual])
+        moved = (_solved if held else _balanced)(_matrix(numbers), [-force for force in numbers.residual])
         if moved is None:
             return None
         place = start | {name: start[name] + q for name, q in zip(names, moved, strict=True)}
@@ -36,6 +35,19 @@ def rest_in_digits(numeric: "NumericSystem", held: bool = True) -> dict[str, flo
         if max(map(abs, there.residual)) > HELD * max(numbers.residual_size):
             return None
         return {name: float(x) for name, x in place.items()}
+
+
+def holds(numbers: "Numbers") -> bool:
+    """Is K positive, at the working precision? It is that of a place from which all ways lead up."""
+    return _solved(_matrix(numbers), [0] * len(numbers.residual)) is not None
+
+
+def _matrix(numbers):
+    """K."""
+    import mpmath
+
+    entries, n = numbers.elements.stiffness(), len(numbers.residual)
+    return mpmath.matrix([[entries.get((i, j), 0) for j in range(n)] for i in range(n)])
 
 
 def _balanced(K, force):
