@@ -15,7 +15,7 @@ LOW = 12            # damped modes that are looked for one by one
 LONGEST = 1_000     # steps of a million products
 MANY, MOST, SMALL = 2400, 600, 8        # modes at most of systems of few coordinates, and of others
 BLOCK, FURTHER = 4_096, 4       # modes that are found together at first, and times as many as are known
-FINEST, LEAST = 73_728, 12_288      # modes of few coordinates for values to many digits; of more pieces not so many
+FINEST, LEAST = 81_920, 12_288      # modes of few coordinates for values to many digits; of more pieces not so many
 
 
 class DampedModalResponse(ModalResponse):
