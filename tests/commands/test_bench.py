@@ -102,6 +102,12 @@ def test_missed_and_spurious_frequencies_of_members_are_seen(monkeypatch):
         assert members_counted.counted(4, 49).wrong == seeds
 
 
+@pytest.mark.sweep
+def test_errors_of_members_are_measured_in_more_digits_than_they_are_found():
+    """By 40 digits the first ω of this one is 0.08686265014900210730, rounded once: half of half a unit in its last."""
+    assert members_counted.counted(1, 300).ratios[0] == pytest.approx(0.52408, rel=1e-4)
+
+
 def test_how_far_a_reference_goes_beyond_the_best_method():
     points = [{"error": 1e-14}, {"error": 1e-30}, {"error": None}]
     one = {"reference": {"digits": 40}, "points": points}

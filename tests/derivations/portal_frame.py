@@ -7,7 +7,7 @@ from support.transfer_matrices import beam, first_roots
 
 
 def answers(p):
-    with mp.workdps(40):
+    with mp.workdps(60):
         H, L, EI, mu = (mpf(p[n]) for n in ("H", "L", "EI", "mu"))
         column, half = beam(H, EI, mu), beam(L / 2, EI, mu)
 

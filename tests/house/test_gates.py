@@ -57,6 +57,8 @@ GATES = {       # {gate: (what it is of, {file: tests}, parts of the benchmark)}
     "A11": ("spans, steps and attachments: none missed, none too many", {
         COUNTED: ["test_random_members_have_as_many_frequencies_as_their_finite_elements",
                   "test_many_digits_agree_with_mpmath", "test_modes_that_rest_at_every_joint_are_found"],
+        ROOMS + "numerics/pieces/test_stiffness.py": ["test_nothing_is_lost_from_tiny_to_huge_pieces"],
+        ROOMS + "results/test_fifty_digits_of_members.py": ["test_one_member", "test_a_portal_frame"],
         "routes/test_laws_of_members.py": ["test_as_many_as_are_counted_are_listed"]}, ["members_counted"]),
     "A12": ("M, C and K from the energies", {
         LAGRANGE: ["test_matrices_in_floats", "test_matrices_in_many_digits",

@@ -32,7 +32,8 @@ if TYPE_CHECKING:
 class Member(NamedTuple):
     """A member as built: its kind, record, MemberSegments, and Stations from left to right; its DrawnLine in the plane;
     `stretches`: the coordinates, one a station, by which it is cut open to find its tension, which is `settled` where
-    it is the same wherever the scene rests; `tie`: as drawn that of what both ends are held to, moving along."""
+    it is the same wherever the scene rests; `tie`: as drawn that of what both ends are held to, moving along;
+    `tensions`: of each piece (N at its left end, N′, length)."""
 
     name: str
     kind: MemberKind
@@ -103,7 +104,7 @@ class Member(NamedTuple):
         if segment.stiffness is not None and not self.kind.bends:
             return segment.stiffness, zero
         if self.tensions:
-            return self.tensions[number]
+            return self.tensions[number][:2]
         return scene.lower(self.record["preload"]) if "preload" in self.record else zero, zero
 
     def stretch_forces(self, scene: Any) -> "list[tuple[Node, Node]]":

@@ -84,8 +84,8 @@ def member_element(kind: MemberKind, about: str, example: str) -> Element:
     if not kind.torsional:
         fields |= {"from": Field(DRAWN, "where its left end is drawn, in the plane"),
                    "to": Field(DRAWN, "where its right end is drawn")}
-        fields["preload"] = Field(Quantity("N"), "its tension as drawn, that at its left end where "
-                                   "its weight varies it; negative where it is compressed")
+        fields["preload"] = Field(Quantity("N"), "its tension as drawn, its mean along it where its "
+                                   "weight and loads vary it; negative where it is compressed")
     fields["segments"] = Field(Many(segment, 1, 1000, "a list of segments"), "its segments from the left: "
                                "`[{length: L1, section: …}, …]`")
     for side in ("left", "right"):

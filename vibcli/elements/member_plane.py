@@ -131,7 +131,7 @@ def _add_taut(member, segment, left, right, i, scene):
     gradient = tension_gradient(member, segment, scene)
     if _is_sought(member, scene) and not _is_taut(left, right, tension, gradient * length, scene):
         tension = 1 + scene.absolute(gradient * length)
-    member.tensions.append((tension, gradient))
+    member.tensions.append((tension, gradient, length))
     if member.kind.bends:
         if not gradient.is_zero:
             return add_graded(f"{member.name}.{i + 1}", segment, left, right, tension, gradient, scene)
@@ -142,6 +142,7 @@ def _add_taut(member, segment, left, right, i, scene):
     if not _is_taut(left, right, tension, gradient * length, scene):
         least = min(scene.number(node) for node in (tension, tension + gradient * length))
         scene.report(member.record.where, f"'{member.name}' is not taut: statics finds the tension {least:.6g} N in it",
+                     "give more `preload`" if "preload" in member.record and scene.tie(member.name) is None else
                      "let its loads pull it")
     elif not gradient.is_zero and not segment.foundation.is_zero:
         scene.report(member.record.where, f"the tension of '{member.name}' varies along it, and it rests on a "

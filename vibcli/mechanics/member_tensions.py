@@ -39,7 +39,7 @@ def _of_stretches(members, configuration):
     scene, at = configuration.scene, configuration.at_rest
     found = []
     for member in members:
-        parts = [evaluate([stretch, mean, tension], Floats, at) for (stretch, mean), (tension, _)
+        parts = [evaluate([stretch, mean, tension], Floats, at) for (stretch, mean), (tension, *_)
                  in zip(member.stretch_forces(scene), member.tensions, strict=True)]
         found.append((member, [stretch - (mean - tension) for stretch, mean, tension in parts],
                       [tension for *_, tension in parts]))
@@ -53,10 +53,11 @@ def _of_cuts(members, configuration):
     found = []
     for member in members:
         nodes = [_preload(member, configuration.scene), _last(member, configuration.scene)]
-        start, last, *drawn = evaluate([*nodes, *(tension for tension, _ in member.tensions)],
-                                       Floats, configuration.at_rest)
+        nodes += [node for piece in member.tensions for node in piece]
+        preload, last, *rest = evaluate(nodes, Floats, configuration.at_rest)
+        drawn, spans = rest[::3], list(zip(rest[1::3], rest[2::3], strict=True))
         tie = ties.get(member.name, last if member.tie is not None else None)
-        pieces = along_pieces(forces[member.name], tie, start, 0.0)
+        pieces = along_pieces(forces[member.name], tie, preload, spans, 0.0)
         found.append(TensionAtRest(member, [x + 0.0 for x in pieces], drawn, size))
     return found
 

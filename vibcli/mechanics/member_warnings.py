@@ -43,13 +43,18 @@ def _from_equilibrium(configuration, name):
 
 
 def _between(configuration, member):
-    """The tension of a member that keeps its length between ends at rest, where its weight varies it."""
-    if member.stretching or not is_between_fixed(member):
+    """The tension of a member between ends at rest, where its weight varies it."""
+    settled = configuration.system.settled
+    if not is_between_fixed(member) or (settled is not None and member.name in settled.names):
         return
     left, *_, right = evaluate(along_member(member, configuration.scene), Floats, configuration.at_rest)
-    if abs(right - left) > ROUNDING * max(abs(left), abs(right)):
+    if abs(right - left) <= ROUNDING * max(abs(left), abs(right)):
+        return
+    if member.stretching:
+        yield _from_equilibrium(configuration, member.name)
+    else:
         yield (f"'{member.name}': tension {left:.6g} N at its left end, {right:.6g} N at its right one: statics alone "
-               "leaves it open, `preload` tells it at the left end")
+               "leaves it open, `preload` tells its mean")
 
 
 def _thick(member: "Member", configuration):

@@ -14,8 +14,8 @@ if TYPE_CHECKING:
 LOW = 12            # damped modes that are looked for one by one
 LONGEST = 1_000     # steps of a million products
 MANY, MOST, SMALL = 2400, 600, 8        # modes at most of systems of few coordinates, and of others
-BLOCK = 4_096       # modes that are found together
-FINEST = 12_288     # modes of systems of few coordinates, by which what is asked to many digits is read
+BLOCK, FURTHER = 4_096, 4       # modes that are found together at first, and times as many as are known
+FINEST, LEAST = 81_920, 12_288      # modes of few coordinates for values to many digits; of more pieces not so many
 
 
 class DampedModalResponse(ModalResponse):
@@ -70,7 +70,11 @@ class DampedModalResponse(ModalResponse):
 
     @property
     def limit(self) -> int:
-        return FINEST if self.most == MANY else 0
+        if self.most < MANY:
+            return 0
+        if self._inputs:        # the more modes, the more digits what moves supports loses
+            return LEAST
+        return max(2 * FINEST // max(2, len(self.placed)), LEAST)
 
     def _found(self, count) -> "ModalMotion":
         import numpy as np
@@ -81,9 +85,9 @@ class DampedModalResponse(ModalResponse):
 
         modal, matrix = self.problem.modal, self._transfer.matrix
         with self.problem.work.task("the search for damped modes", LONGEST):
-            for last in (*range(self._reached + BLOCK, count, BLOCK), count):
-                self._known.append(damped_series(self._known[-1], last))
-                self._reached = last
+            while self._reached < count:
+                self._reached = min(max(FURTHER * self._reached, BLOCK), count)
+                self._known.append(damped_series(self._known[-1], self._reached))
         series = self._known[-1]
         rigid = [[float(x) for x in mode.shape] for mode in modal.modes.shown() if mode.rigid]
         basis = DampedBasis(series, matrix, np.array(rigid).reshape(len(rigid), matrix.n), self._transfer.pieces)

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 CLOSE = 1e-10       # of the largest value: a remainder that is small enough
 FINEST = {True: 65_536, False: 32_768}      # modes in closed form, and of others
-MARGIN = 1.05       # modes more than a remainder needs
+MARGIN = 1.15       # modes more than a remainder needs
 BLOCK = 2_048       # modes that are found together
 
 

@@ -2,8 +2,9 @@
 
 A scene whose members are cut open at their stations has for each a coordinate t along the line; as drawn the force
 F = −∂V/∂t + Σ Q ∂s/∂t of all that hangs there on the member balances the tensions left and right of it, Nⱼ₊₁ = Nⱼ − F.
-Where both ends are held, statics leaves N open but for the `preload`; of a beam that stretches between ends at rest,
-the sum of what its pieces lengthen is zero: Σ N̄ l/EA = 0.
+Where both ends are held, statics leaves N open but for the `preload` N₀; between ends at rest the sum of what the
+pieces lengthen under their loads is zero, Σ (N̄ − N₀) l/EA = 0, and a member that keeps its length is the limit EA → ∞
+of one alike all along: N₀ is then the mean of N.
 """
 
 from typing import TYPE_CHECKING, Any
@@ -92,8 +93,7 @@ def require_preloads(scene: "Scene") -> None:
 
 def along_member(member: "Member", scene: "Scene") -> "list[Node]":
     """The tension at the left and right end of each piece, from left to right."""
-    return [node for (tension, change), (_, left, right) in zip(member.tensions, pieces_of(member, scene), strict=False)
-            for node in (tension, tension + change * (right.place - left.place))]
+    return [node for tension, gradient, length in member.tensions for node in (tension, tension + gradient * length)]
 
 
 def is_between_fixed(member: "Member") -> bool:
@@ -129,11 +129,19 @@ def _stretched(scene, member, found):
 
 
 def _found(scene, member, cuts, tie):
-    whole = [None if t is None else substitute([force_along(scene, t)], cuts)[0] for t in member.stretches]
-    forces = [None if node is None else textbook(scene.at_drawn(node)[0]) for node in whole]
+    whole, forces = _whole(scene, member, cuts), _forces(scene, member, cuts)
     settled = all(node is None or is_zero(node - force) for node, force in zip(whole, forces, strict=True))
-    start = scene.lower(member.record["preload"]) if "preload" in member.record else scene.table.zero
-    return Tensions(along_pieces(forces, tie, start, scene.table.zero), settled, tie)
+    return Tensions(_as_drawn(scene, member, forces, tie), settled, tie)
+
+
+def _whole(scene, member, cuts):
+    """The force along each station, None at ends that are held."""
+    return [None if t is None else substitute([force_along(scene, t)], cuts)[0] for t in member.stretches]
+
+
+def _forces(scene, member, cuts):
+    """The same as drawn."""
+    return [None if node is None else textbook(scene.at_drawn(node)[0]) for node in _whole(scene, member, cuts)]
 
 
 def _ties(scene, cuts):
@@ -168,14 +176,16 @@ def _given(scene, names, rows, cuts):
         return {}
     members = [scene.members[names[k]] for k in kept]
     found = pinned(scene, members, [[row[k] for k in columns] for row in numbers], [row[-1] for row in numbers])
-    return {kept[k]: _of_last_piece(scene, members[k], cuts) for k in found}
+    return {kept[k]: _as_drawn(scene, members[k], _forces(scene, members[k], cuts), None)[-1] for k in found}
 
 
-def _of_last_piece(scene, member, cuts):
-    """The tension of the last piece of a member whose preload is that of the first."""
-    within = [substitute([force_along(scene, t)], cuts)[0] for t in member.stretches[1:-1]]
-    return scene.lower(member.record["preload"]) - scene.table.total(
-        [textbook(scene.at_drawn(node)[0]) for node in within])
+def _as_drawn(scene, member, forces, tie):
+    """N of each piece, by the forces along its stations as drawn."""
+    zero = scene.table.zero
+    preload = scene.lower(member.record["preload"]) if "preload" in member.record else zero
+    spans = [(tension_gradient(member, segment, scene), right.place - left.place)
+             for segment, left, right in pieces_of(member, scene)]
+    return [textbook(node) for node in along_pieces(forces, tie, preload, spans, zero)]
 
 
 def _solved(scene, rows, count):
@@ -194,16 +204,20 @@ def _solved(scene, rows, count):
     return {k: work[i][-1] / work[i][k] for k, i in pivots.items()}
 
 
-def along_pieces(forces: list, tie: Any, start: Any, zero: Any) -> list:
+def along_pieces(forces: list, tie: Any, preload: Any, spans: list, zero: Any) -> list:
     """N at the left end of each piece, by the forces along its stations, None at ends that are held: from a free end;
-    from the `tie` in the last one; or from the tension `start` in the first. Nodes or numbers."""
+    from the `tie` in the last one; or from the preload, the mean of N. spans: (N′, length) of each piece. Nodes or
+    numbers."""
     if forces[-1] is not None:
         return _summed(forces[:0:-1], zero)[::-1]
     if forces[0] is not None:
         return [-node for node in _summed(forces[:-1], zero)]
     if tie is not None:
         return _summed([tie, *forces[-2:0:-1]], zero)[::-1]
-    return [start - node for node in (zero, *_summed(forces[1:-1], zero))]
+    beyond = [zero, *(-node for node in _summed(forces[1:-1], zero))]
+    area = sum(((N + slope * length / 2) * length for N, (slope, length) in zip(beyond, spans, strict=True)), zero)
+    start = preload - area / sum((length for _, length in spans), zero)
+    return [start + N for N in beyond]
 
 
 def _summed(forces, total):

@@ -55,14 +55,14 @@ def test_a_tension_that_statics_leaves_open_is_told_with_where_it_is_from():
 
 
 def test_a_tension_between_ends_at_rest_is_told_where_its_weight_varies_it():
-    """That of a beam which keeps its length is the preload at its left end; of one that stretches its mean is 0."""
+    """Its mean is the preload, whether it stretches or keeps its length."""
     text = ("gravity: 9.81 m/s^2\nbeams: {w: {from: [0 m, 0 m], to: [WAY], EI: 2 kN*m^2, mass_per_length: 40 kg/m, "
             "left: clamped, right: clamped, attached: [{at: 1 m, mass: 2 kg}]MORE}}")
-    for way, more, said in (("0 m, 3 m", "", ["0 N at its left end, 1196.82 N at its right one"]),
-                            ("0 m, -3 m", ", preload: 50 N", ["50 N at its left end, -1146.82 N at its right one"]),
+    for way, more, said in (("0 m, 3 m", "", ["-601.68 N at its left end, 595.14 N at its right one"]),
+                            ("0 m, -3 m", ", preload: 50 N", ["651.68 N at its left end, -545.14 N at its right one"]),
                             ("3 m, 0 m", ", preload: 50 N", [])):
         told = member_warnings(problem(text.replace("WAY", way).replace("MORE", more)).configuration)
-        assert told == [f"'w': tension {one}: statics alone leaves it open, `preload` tells it at the left end"
+        assert told == [f"'w': tension {one}: statics alone leaves it open, `preload` tells its mean"
                         for one in said]
     text = text.replace("WAY", "0 m, 3 m").replace(", attached: [{at: 1 m, mass: 2 kg}]MORE", ", EA: 1 MN")
     assert member_warnings(problem(text).configuration) == [

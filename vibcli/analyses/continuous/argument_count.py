@@ -37,7 +37,7 @@ TURN = 1.4          # by which the argument changes at most between the middle o
 UNIT = 2.0**-53
 FADED = 1e-250      # of D: floats hardly hold what its waves bring back
 HUGE = 1e100        # D is singular in floats
-CLEAR = 2.0 ** -np.array([*range(10), 11, 13])      # relative distances at which poles are looked for
+CLEAR = 2.0 ** -np.array([*range(10), 11, 13, 15, 17])      # relative distances at which poles are looked for
 
 
 def zeros_within(matrix: "DynamicMatrix", radius: float) -> int | None:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 LONGEST = 200       # steps down to where nothing grows as fast
 LADDER = 4.0        # steps in z up to where enough frequencies lie below,
 MANY, NARROW = 256, 1.1     # modes, whose first and last are looked for first: z within which they lie then
-RUNGS = 4           # so many at once where arrays cost no more than numbers
+RUNGS, FINE = 12, 40        # so many at once where arrays cost no more than numbers; so many between them at least
 SLACK = 1e4         # of counts that only have to part frequencies
 SWEEPS = 400
 SPLITS = 0.5, 0.382, 0.618, 0.45, 0.55      # where brackets are parted in turn, so that an unknown count is left
@@ -129,7 +129,8 @@ def reached(counts: KnownCounts, first: int, last: int) -> None:
     if last - first > 4 and counts.below.max() > last // 2:
         top, low = counts.z[int(np.argmax(counts.below >= last))], counts.z[int(np.sum(counts.above < first)) - 1]
         least = float(max(low / top, 0)) ** 0.5 if last - first > MANY else 0.0
-        share = counts.system.numbers(np.linspace(least, 1, 3 * (last - first) + 1)[1:-1])
+        many = max(3 * (last - first), FINE if _in_arrays(counts.system) else 0)
+        share = counts.system.numbers(np.linspace(least, 1, many + 1)[1:-1])
         counts.add(top * share * share)
 
 

@@ -37,10 +37,10 @@ def count(system: "ContinuousSystem", z: np.ndarray, slack: float = SLACK) -> Co
     entries, sizes, slope = system.dynamic_stiffness(z)
     scale = scales(system, z, sizes, slope)
     room = rounding(system, sizes, scale) * slack
-    below, sure_below = _negative(system, entries, sizes, scale, room)
-    above, sure_above = _negative(system, entries, sizes, scale, -room)
+    twice = [np.concatenate([part, part], axis=1) for part in (entries, sizes, scale)]
+    (below, above), sure = _negative(system, *twice, np.concatenate([room, -room], axis=1))
     finite = np.isfinite(sizes.astype(float)).all(axis=0)
-    unsure = np.flatnonzero(finite & ~(sure_below & sure_above))
+    unsure = np.flatnonzero(finite & ~sure.all(axis=0))
     if len(unsure):
         below[unsure], above[unsure] = by_eigenvalues(
             system, entries[:, unsure], scale[:, unsure], room[:, unsure])
@@ -64,14 +64,15 @@ def scales(system: "ContinuousSystem", z: np.ndarray, sizes: np.ndarray, slope: 
 
 
 def _negative(system, entries, sizes, scale, room):
-    """The negative eigenvalues of D + room, and whether E covers what the elimination rounds."""
+    """The negative eigenvalues of D + room, and whether E covers what the elimination rounds, of two halves."""
     shifted = entries.copy()
     shifted[:system.n] = shifted[:system.n] + room
     factors = system.eliminated(shifted, sizes)
+    negative = factors.negative().reshape(2, -1)
     if system.pattern.tree:
-        return factors.negative(), np.ones(room.shape[1], bool)
+        return negative, np.ones(negative.shape, bool)
     rounded = rounding(system, factors.products, scale) * (ELIMINATED / GUARD)
-    return factors.negative(), (rounded <= abs(room) * (1 - 1 / SLACK)).all(axis=0)
+    return negative, (rounded <= abs(room) * (1 - 1 / SLACK)).all(axis=0).reshape(2, -1)
 
 
 def by_eigenvalues(system: "ContinuousSystem", entries: np.ndarray, scale: np.ndarray, room: np.ndarray

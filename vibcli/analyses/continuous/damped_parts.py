@@ -122,8 +122,7 @@ class DampedPart(PartWithModes):
     def _undamped(self, radius, top):
         """iω without dampers: each root but those of strong dampers has its own near it."""
         with uncounted():
-            omega = np.array([float(mode.omega or 0.0) for mode in self._natural().up_to(top)])
-        return 1j * omega[omega > radius / BESIDE]
+            return 1j * np.array([float(mode.omega) for mode in self._natural().between(radius / BESIDE, top)])
 
     def _starts(self, rates, radius, top, effort):
         if not self.matrix.pieces:

@@ -80,7 +80,7 @@ def error_of_extreme(motion: "ModalMotion", output: "LinearOutput", start: float
         return most
     above = [_lifted(motion, output, low, (max(start, low), high), enough, (sense, sense * value))
              for low, high in early]
-    return max(enough, max(above) + rounding)
+    return max([enough, *(lifted + rounding for lifted in above)])
 
 
 def zeros(motion: "ModalMotion", output: "LinearOutput", start: float, end: float) -> list[float]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vibcli.analyses.continuous.shapes import Moved, antinodes, resting_and_turning, shape_along
+from vibcli.analyses.continuous.shapes import Moved, antinodes_and_displacements, resting_and_turning, shape_along
 from vibcli.analyses.modal.normalisation import sign
 from vibcli.base.errors import PhysicsError
 from vibcli.numerics.pieces.fields import fields
@@ -121,14 +121,14 @@ class ModeFields:
         return self._kept(self._furthest, member)
 
     def _furthest(self, member):
-        pieces = self._in_floats(member)
-        ends = [place for moved in pieces for place in (moved.start, moved.start + moved.piece.length)]
-        places = sorted([*ends, *self._kept(self._marks, member)[1]])
-        sizes = np.abs(shape_along(pieces, places)[:, 0])
+        ends, places, u, _ = self._kept(self._tops, member)
+        sizes = np.abs(u)
         if not np.isfinite(sizes).all():
             raise PhysicsError(f"the shape of a mode along '{member}' is not found", "ask for its frequency alone")
-        x = places[int(np.flatnonzero(sizes >= sizes.max() * (1 - SAME))[0])]
-        x = x if x in ends else self._polished(member, x, 1)
+        top = int(np.flatnonzero(sizes >= sizes.max() * (1 - SAME))[0])
+        if self.number is float:
+            return places[top], u[top].item()
+        x = places[top] if places[top] in ends else self._polished(member, places[top], 1)
         return x, self.at(member, x)[0]
 
     def size(self, member: str, order: int) -> float:
@@ -146,7 +146,15 @@ class ModeFields:
 
     def antinode_places(self, member: str) -> list[float]:
         """The places from left to right at which a member moves more than beside them, in floats."""
-        return antinodes(self._in_floats(member), self._kept(self._marks, member)[1])
+        return self._kept(self._tops, member)[3]
+
+    def _tops(self, member):
+        """Ends of pieces, these and the turning places, u there, and the antinodes among them."""
+        pieces, turning = self._in_floats(member), self._kept(self._marks, member)[1]
+        ends = [place for moved in pieces for place in (moved.start, moved.start + moved.piece.length)]
+        places = sorted([*ends, *turning])
+        found, u = antinodes_and_displacements(pieces, turning, places)
+        return ends, places, u, found
 
     def _marks(self, member):
         return resting_and_turning(self._in_floats(member))

@@ -158,8 +158,8 @@ def certified(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray, indices:
     proved, left = np.zeros(len(numbers), bool), np.flatnonzero(sound & (z != 0))
     while len(left := left[error[left] < WIDEST]):
         away = 2 * error[left] * abs(z[left])
-        under, over = (count(system, side) for side in (z[left] - away, z[left] + away))
-        good = (under.above < numbers[left]) & (over.below >= numbers[left])
+        beside = count(system, np.concatenate([z[left] - away, z[left] + away]))
+        good = (beside.above[:len(left)] < numbers[left]) & (beside.below[len(left):] >= numbers[left])
         proved[left[good]] = True
         left = left[~good]
         error[left] *= 2

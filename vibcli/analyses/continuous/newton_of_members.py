@@ -11,7 +11,7 @@ import numpy as np
 from vibcli.analyses.continuous.argument_count import sizes
 from vibcli.analyses.continuous.counting import GUARD, SLACK
 from vibcli.analyses.continuous.damped_roots import GIVEN
-from vibcli.analyses.continuous.dynamic_matrix import BLOWN, SHARES
+from vibcli.analyses.continuous.dynamic_matrix import SHARES
 from vibcli.analyses.continuous.short_pieces import bends
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.fixed_point import count_floats
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 STEPS, SETTLED = 14, 1e-11
 UNIT = 2.0**-53
 ALIKE, SAME = 1e-9, 1e-12       # relative distance of roots that are looked at together, and of those that are one
+WHOLE = 4.0         # times their natural size up to which pieces stay whole: rounding grows as they do
 ENTRIES = 2**19         # of matrices that are held at once
 
 
@@ -79,7 +80,7 @@ class Divisions:
                 one = matrix.at(s[left], steep=True)
                 found.append((matrix, left, one))
                 if len(found) == 1 and self._whole:
-                    left = left[~(one.excess <= BLOWN)]
+                    left = left[~(one.excess <= WHOLE)]
             size = np.full((len(found), len(s)), np.inf)
             for row, (_, at, one) in zip(size, found, strict=True):
                 row[at] = np.nan_to_num(one.excess, nan=np.inf)

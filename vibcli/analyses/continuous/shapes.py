@@ -57,7 +57,8 @@ def resting_and_turning(pieces: Sequence[Moved]) -> tuple[list[float], list[floa
     """The nodes, places at which a member rests, its ends and supports not counted, and the places within it at which
     u is largest or least among those around them."""
     places = np.concatenate([_grid(moved) for moved in pieces])
-    values = shape_along(pieces, places)[:, :2].real
+    derivatives = _with_slopes(pieces, places)
+    values = derivatives[:, :2].copy()
     alone = (values[1:-1] == 0) & (values[:-2] != 0) & (values[2:] != 0)
     values[1:-1] = np.where(alone, values[:-2], values[1:-1])       # a zero that is looked at lies right of that place
     of, turns = np.nonzero((values[:-1] * values[1:] < 0).T)
@@ -65,28 +66,36 @@ def resting_and_turning(pieces: Sequence[Moved]) -> tuple[list[float], list[floa
     held = [not which and any(places[at] < place < places[at + 1] for place in supports)
             for which, at in zip(of, turns, strict=True)]
     of, turns = of[np.logical_not(held)], turns[np.logical_not(held)]
-    found = _narrowed(pieces, of, places[[turns, turns + 1]], values[[turns, turns + 1], of])
+    ends = [turns, turns + 1]
+    found = _narrowed(pieces, of, places[ends], values[ends, of], derivatives[ends, of + 1])
     return found[of == 0].tolist(), found[of == 1].tolist()
 
 
 def antinodes(pieces: Sequence[Moved], turning: Sequence[float]) -> list[float]:
     """The places at which a member moves more than beside them: |u| is largest there, at ends that are not held too;
     turning: its turning places."""
+    return antinodes_and_displacements(pieces, turning, ())[0]
+
+
+def antinodes_and_displacements(pieces: Sequence[Moved], turning: Sequence[float], at: Sequence[float]
+                                ) -> tuple[list[float], np.ndarray]:
+    """The antinodes, and u at further places, in one."""
     places = np.array([pieces[0].start, *turning, pieces[-1].start + pieces[-1].piece.length])
     aside = BESIDE * np.diff(places)
     looked_at = np.array([places, places - np.append(0.0, aside), places + np.append(aside, 0.0)])
-    size, left, right = np.abs(shape_along(pieces, looked_at)[..., 0].real)
+    u = shape_along(pieces, np.append(looked_at, at))[:, 0]
+    size, left, right = np.abs(u[:looked_at.size].real).reshape(looked_at.shape)
     moves = size > MOVES * size.max()
     above = [(size > (1 + ROUNDING) * beside) | (places == end) for beside, end in (
         (left, places[0]), (right, places[-1]))]
-    return places[moves & above[0] & above[1]].tolist()
+    return places[moves & above[0] & above[1]].tolist(), u[looked_at.size:]
 
 
-def _narrowed(pieces, of, ends, values):
-    """The zeros of u, of = 0, and of u′, 1, between two ends each, (2, zeros), with these values there, by Newton steps
-    that stay between them, from where a straight line is zero."""
-    (low, high), (below, above) = ends, values
-    found, short, moving = low + (high - low) * (below / (below - above)), SETTLED * (high - low), np.arange(len(of))
+def _narrowed(pieces, of, ends, values, slopes):
+    """The zeros of u, of = 0, and of u′, 1, between two ends each, (2, zeros), with these values and slopes there, by
+    Newton steps that stay between them, from where a cubic of place by value is, that has these slopes."""
+    (low, high), below = ends, values[0]
+    found, short, moving = _between(ends, values, slopes), SETTLED * (high - low), np.arange(len(of))
     for _ in range(STEPS):
         if not len(moving):
             break
@@ -101,6 +110,18 @@ def _narrowed(pieces, of, ends, values):
         on = abs(found[moving] - place) > short
         moving, of, low, high, below, short = (kept[on] for kept in (moving, of, low, high, below, short))
     return found
+
+
+def _between(ends, values, slopes):
+    """Where x(f) = 0 of Hermite's cubic by the values f at both ends and 1/f′; of the straight line where it leaves
+    them."""
+    (low, high), (below, above) = ends, values
+    rise = above - below
+    share = -below / rise
+    with np.errstate(all="ignore"):
+        one, other = rise / slopes - (high - low)
+        found = low + share * (high - low) + share * (1 - share) * ((1 - share) * one - share * other)
+    return np.where((found > low) & (found < high), found, low + share * (high - low))
 
 
 def _with_slopes(pieces, places):

@@ -100,6 +100,14 @@ class Modes(Sequence):
             return [mode for mode in self._known if not mode.omega or mode.omega * (1 - mode.error) <= Omega]
         return self.first(self._solved(self._source.count, Omega))
 
+    def between(self, low: float, high: float) -> list[Any]:
+        """All with low < ω ≤ high, however many, found without those far before."""
+        if self.finite:
+            return [mode for mode in self.up_to(high) if (mode.omega or 0.0) > low]
+        below, last = (self._solved(self._source.count, Omega) for Omega in (low, high))
+        return [mode for first in range(below + 1, last + 1, MOST)
+                for mode in self.numbered(first, min(first + MOST - 1, last))]
+
     def shown(self, asked: Selection | None = None) -> list[Any]:
         """Those asked for; else all, or without end those that grow, the rigid ones and five more."""
         if asked is not None:

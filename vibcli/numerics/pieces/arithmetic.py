@@ -28,7 +28,7 @@ class Arithmetic(NamedTuple):
         found = np.asarray(values)
         if self.number is not None:
             return np.asarray(self.number(found), object)
-        return found.astype(complex if found.dtype.kind == "c" else float, copy=False)
+        return found if found.dtype.char in "dD" else found.astype(complex if found.dtype.kind == "c" else float)
 
     def terms(self, order: int) -> int:
         """How many terms the power series of parts of varying tension take: of strings they fall like 5⁻ᵏ."""

@@ -17,21 +17,21 @@ def fields(piece: "Piece", kappa: Any, ends: Any, x: Any) -> np.ndarray:
     All else broadcasts to (…), κ as in stiffness_and_slope. The force N u′ − B u‴ and the moment B u″ follow. A piece
     that vibrates while its ends rest has no field of end values: divide it elsewhere.
     """
-    ends = np.moveaxis(np.asarray(ends), -1, 0)
-    flat = flattened(piece, kappa, x, *ends)
+    ends = np.asarray(ends)
+    flat = flattened(piece, kappa, x, *(ends[..., i] for i in range(ends.shape[-1])))
 
     def uniform(one, kappa, x, *ends):
         half, rest = one.length / 2, one.length - x
         near = np.where(x < rest, x, rest) / half
         xi = np.where(x < rest, near - 1, 1 - near)
         if flat.order == 2:
-            return second_order_fields(xi, near, half, one.tension, kappa, np.stack(ends, axis=-1), flat.numbers)
-        return fourth_order_fields(xi, near, half, one.bending, one.tension, kappa, np.stack(ends, axis=-1),
+            return second_order_fields(xi, near, half, one.tension, kappa, np.array(ends).T, flat.numbers)
+        return fourth_order_fields(xi, near, half, one.bending, one.tension, kappa, np.array(ends).T,
                                    flat.numbers)
 
     def graded(one, kappa, x, *ends):
         from vibcli.numerics.pieces.graded import graded_fields
 
-        return graded_fields(one, kappa, np.stack(ends, axis=-1), x, flat.numbers)
+        return graded_fields(one, kappa, np.array(ends).T, x, flat.numbers)
 
     return flat.filled((flat.order,), uniform, graded)

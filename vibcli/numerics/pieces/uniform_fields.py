@@ -47,7 +47,7 @@ def second_order_fields(xi: np.ndarray, near: np.ndarray, half: np.ndarray, tens
     own, here = even_functions_of([z, z * xi * xi], numbers)
     fading = _fading(own, here, near, numbers)
     even, odd = (ends[..., 1] + ends[..., 0]) / 2 / own.c * fading, (ends[..., 1] - ends[..., 0]) / 2 / own.s * fading
-    return np.stack([even * here.c + odd * xi * here.s, (even * z * xi * here.s + odd * here.c) / half], axis=-1)
+    return np.array([even * here.c + odd * xi * here.s, (even * z * xi * here.s + odd * here.c) / half]).T
 
 
 def fourth_order_fields(xi: np.ndarray, near: np.ndarray, half: np.ndarray, bending: np.ndarray, tension: np.ndarray,
@@ -63,7 +63,7 @@ def fourth_order_fields(xi: np.ndarray, near: np.ndarray, half: np.ndarray, bend
             size = half[chosen]
             amplitudes = ((u_l + u_0) / 2, (t_l - t_0) / 2 * size, (u_l - u_0) / 2, (t_l + t_0) / 2 * size)
             values = _derivatives(form(nu[chosen], chi[chosen], xi[chosen], near[chosen], numbers), amplitudes)
-            values = np.stack([value / size**k for k, value in enumerate(values)], axis=-1)
+            values = np.array([value / size**k for k, value in enumerate(values)]).T
             values = numbers.real(values) if real else values
             if chosen.all():
                 return values.astype(found.dtype, copy=False)
@@ -150,7 +150,7 @@ def _by_means(nu, chi, xi, near, numbers):
 def _by_series(nu, chi, xi, near, numbers):
     """Means and divided differences of Pᵏ by their recurrence."""
     zero = nu * chi * 0
-    powers = [np.stack([zero + 1, zero]), np.stack([zero + nu / 2, zero + 1])]      # means, differences
+    powers = [np.array([zero + 1, zero]), np.array([zero + nu / 2, zero + 1])]      # means, differences
     for k in range(1, terms(ALIKE, numbers)):
         powers.append(nu * powers[k] - chi * powers[k - 1])
 
@@ -194,4 +194,4 @@ def _derivatives(form, amplitudes):
 
 def _stacked(*pairs):
     """Several pairs as one."""
-    return _Pair(*(np.stack(values) for values in zip(*pairs, strict=True)))
+    return _Pair(*map(np.array, zip(*pairs, strict=True)))

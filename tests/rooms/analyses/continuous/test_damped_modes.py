@@ -63,6 +63,14 @@ def test_zeros_within_a_circle(r):
         assert zeros_within(matrix, radius) == sum(2 if value.imag else 1 for value in known)
 
 
+@pytest.mark.parametrize("count", [1000, 16_384, 60_000])
+def test_zeros_are_counted_between_high_modes(count):
+    """A damped cantilever has βL near (n − ½)π: within (nπ)² are n pairs, where poles of D are as dense."""
+    beam = member(Piece(1.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0), {}, {}, {0: 1.0}, {1: 1.0})
+    matrix = dynamic_matrix(FactoredSystem(2, dampers=[(0.5, {0: 1.0})], pieces=[beam]))
+    assert zeros_within(matrix, (count * math.pi) ** 2) == 2 * count
+
+
 def test_a_matched_damper_lets_nothing_come_back():
     assert dies_after(bar(1.0)) == 2.0
     assert dies_after(bar(1.0 + 1e-12)) is None and dies_after(bar(0.5)) is None

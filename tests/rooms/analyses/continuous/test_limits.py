@@ -5,6 +5,7 @@ import math
 import mpmath
 import numpy as np
 import pytest
+from support.scenes import problem
 
 from tests.support.random_members import at_rest, random_members
 from vibcli.analyses.continuous.mode_source import NaturalModes
@@ -116,6 +117,29 @@ def test_a_hanging_chain_has_the_zeros_of_bessel():
     found = frequencies(FactoredSystem(1, pieces=[placed(chain, {}, {0: 1.0})]), 6)
     exact = [float(mpmath.besseljzero(0, n)) / 2 * math.sqrt(9.81 / 1.7) for n in range(1, 7)]
     assert found == pytest.approx(exact, rel=1e-12)
+
+
+COLUMN = """
+    gravity: 9.81 m/s^2
+    parameters: {L: 1.7 m, EI: 3 N*m^2, M: MASS kg}
+    beams: {column: {from: [0, 0], to: [0, L], EI: EI, left: clamped, attached: [{at: L, mass: M}]}}
+"""
+
+
+def test_a_mass_on_a_massless_column_comes_to_rest_at_its_buckling_load():
+    """M ω² = P/(tan(kL)/k − L), k² = P/EI (Euler): zero at P = Mg = π² EI/(4 L²)."""
+    with mpmath.workdps(40):
+        L, EI, g = map(mpmath.mpf, ("1.7", "3", "9.81"))
+        critical = mpmath.pi**2 * EI / (4 * L**2)
+        for share in ("1e-12", "1e-3", "0.5", "0.99", "0.999999", "0.999999999999", "1.000000000001", "1.5"):
+            P = critical * mpmath.mpf(share)
+            k = mpmath.sqrt(P / EI)
+            square = P / (mpmath.tan(k * L) / k - L) * g / P
+            scene = problem(COLUMN.replace("MASS", mpmath.nstr(P / g, 35)))
+            mode = scene.modal.modes.first(1)[0]
+            found = mode.omega**2 if mode.growth_rate is None else -mode.growth_rate**2
+            assert abs(found - square) <= 1e-12 * (g / L + abs(square))
+            assert abs(mpmath.sqrt(abs(found / square)) - 1) <= mode.error
 
 
 def test_units_do_not_matter():

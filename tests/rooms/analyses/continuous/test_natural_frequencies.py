@@ -37,6 +37,8 @@ def cantilever(tip=0.0, **data):
 def test_cantilever_with_half_its_mass_at_the_tip_to_two_roundings():
     exact = [mpmath.findroot(lambda x: 1 + mpmath.cos(x) * mpmath.cosh(x) + x / 2 * (
         mpmath.cos(x) * mpmath.sinh(x) - mpmath.sin(x) * mpmath.cosh(x)), start) for start in (1.42, 4.11, 7.19, 10.3)]
+    assert [float(x) for x in exact[:3]] == pytest.approx([1.41996442976815, 4.11113338642443, 7.19033524196079],
+                                                          abs=5e-15)
     modes = NaturalModes(cantilever(0.5)).numbered(1, 4)
     for mode, x in zip(modes, exact, strict=True):
         assert abs(math.sqrt(mode.omega) / x - 1) <= 2 * EPS

@@ -47,22 +47,48 @@ def tip(s, c):
     return across[0] * first[0] + across[1] * first[1]
 
 
+def rounded(transfer, Omega):
+    """What the last digits of D and x make of H where it is driven, |c|ᵀ |D⁻¹| |D| |x| (Skeel)."""
+    system = transfer.system
+    D = np.moveaxis(system.matrix.at(1j * Omega).D[np.ix_(system.free, system.free)], -1, 0)
+    row = np.array([system.output.rows[0].get(i, 0.0) for i in system.free])
+    inverse = np.linalg.inv(D)
+    return np.einsum("i,kij,kjl,kl->k", np.abs(row), np.abs(inverse), np.abs(D), np.abs(inverse @ row))
+
+
 @pytest.mark.parametrize("c", [0, 2**-20, 3])
 def test_stepped_beam_with_attachments(c):
-    """Condition: |H| that the last digits of D and x make, |c|ᵀ |D⁻¹| |D| |x|, over |H| (Skeel)."""
     scene = problem(STEPPED % (f", {{at: 0.75 m, c: {c} N*s/m}}" if c else ""))
     poles = [float(mode.omega) for mode in scene.modal.modes.first(4)]
     beside = [pole * (1 + away) for pole in poles for away in (1e-9, -3e-10, 1e-5)]
     asked = np.array([*np.geomspace(1, 2e4, 12), *beside])
     transfer = scene.frequency_response("arm.u(1 m)", "drive").transfer
-    system, found = transfer.system, frf(transfer, asked)
-    D = np.moveaxis(system.matrix.at(1j * asked).D[np.ix_(system.free, system.free)], -1, 0)
-    row = np.array([system.output.rows[0].get(i, 0.0) for i in system.free])
-    inverse = np.linalg.inv(D)
-    felt = np.einsum("i,kij,kjl,kl->k", np.abs(row), np.abs(inverse), np.abs(D), np.abs(inverse @ row))
+    found, felt = frf(transfer, asked), rounded(transfer, asked)
     with mpmath.workdps(60):
         for Omega, value, size in zip(asked, found, felt, strict=True):
             assert abs(value - tip(mpmath.mpc(0, Omega), c)) <= 4 * EPS * size, Omega
+
+
+@pytest.mark.parametrize("k", ["1e-11", "1e-7", "0.001", "40"])
+def test_modes_next_to_each_other(k):
+    """Two cantilevers whose tips a spring ties: H = (G + 1/(1/G + 2k))/2, G that of one alone."""
+    beam = "{length: 1 m, EI: 50 N*m^2, mass_per_length: 2 kg/m, left: clamped}"
+    scene = problem(f"""
+        beams: {{one: {beam}, two: {beam}}}
+        points: {{p: {{body: one, at: 1 m}}, q: {{body: two, at: 1 m}}}}
+        springs: {{tie: {{k: {k} N/m, between: [p, q]}}}}
+        forces: {{drive: {{at: p, force: 1 N*sin(3 rad/s*t)}}}}
+    """)
+    poles = [float(mode.omega) for mode in scene.modal.modes.first(4)]
+    asked = np.array([pole * (1 + away) for pole in poles for away in (1e-9, -3e-10, 1e-10, -1e-5, 0.1)])
+    transfer = scene.frequency_response("one.u(1 m)", "drive").transfer
+    found, felt = frf(transfer, asked), rounded(transfer, asked)
+    with mpmath.workdps(60):
+        for Omega, value, size in zip(asked, found, felt, strict=True):
+            whole = along(50, mpmath.mpc(0, Omega), mpmath.mpf(1))
+            first = mpmath.lu_solve(whole[2:4, 2:4], mpmath.matrix([0, -1]))
+            alone = whole[0, 2] * first[0] + whole[0, 3] * first[1]
+            assert abs(value - (alone + 1 / (1 / alone + 2 * mpmath.mpf(k))) / 2) <= 10 * EPS * size, Omega
 
 
 def test_poles_of_a_scene_are_found_once_for_all_that_it_answers(monkeypatch):

@@ -61,6 +61,8 @@ def test_no_more_is_found_than_is_asked_and_nothing_twice():
     assert indices(modes.up_to(9 * pi + 1)) == list(range(1, 10)) and source.asked[-1] == (7, 9)
     assert indices(modes.numbered(990, 1000)) == indices(modes.numbered(990, 1000)) == list(range(990, 1001))
     assert source.asked[3:] == [(990, 1000)]
+    assert indices(modes.between(2000 * pi + 1, 13000 * pi + 1)) == list(range(2001, 13001))
+    assert source.asked[4:] == [(2001, 12000), (12001, 13000)] and modes.between(1.0, 2.0) == []
 
 
 def test_what_needs_all_of_them_is_refused():
@@ -80,6 +82,7 @@ def test_finite_ones_are_a_list():
     modes = Modes(known)
     assert (len(modes), list(modes), modes[-1], modes[1:], modes.shown()) == (3, known, known[2], known[1:], known)
     assert modes.first(7) == known and modes.numbered(2, 9) == known[1:] and modes.up_to(2 * pi) == known[:2]
+    assert modes.between(1.5 * pi, 9 * pi) == known[1:]
     assert not Modes([]) and Modes(known) and modes.finite
 
 
