@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 SAME = 1e-9         # of the largest displacement: how far a field may be from what holds the member
+WHAT = "this field", "the slope of this field"      # as a support holds them
 POINTS = 61         # between which a field is looked at for its size
 
 
@@ -61,14 +62,14 @@ def _along(configuration, rest, member, field, primes):
     sizes = _sizes(configuration, parts, member)
     for station, row in zip(member.stations, values, strict=True):
         found |= _hung(configuration, rest, member, station, row[0], primes)
-        for motion, value, size in zip(member.motions(station), row, sizes, strict=False):
+        for motion, value, size, what in zip(member.motions(station), row, sizes, WHAT, strict=False):
             if motion.op == "symbol" and motion.name in scene.coordinates:
                 found[motion.name + primes] = value
             elif any(node.op == "symbol" and node.name in scene.coordinates for node in reachable([motion])):
                 raise PhysicsError(f"what '{member.name}' is held to at {station.text} does not move as one coordinate:"
                                    " a field does not say how it starts", "give the start of each coordinate", where)
             elif not primes and abs(value - _at_first(configuration, motion)) > SAME * size:
-                raise PhysicsError(f"'{member.name}' is held at {station.text}, where this field is {value:.6g}",
+                raise PhysicsError(f"'{member.name}' is held at {station.text}, where {what} is {value:.6g}",
                                    "a field of displacements fits the supports", where)
     return found
 

@@ -44,6 +44,12 @@ def test_a_displacement_fits_the_supports():
         given("{rod.u: a*(1 + x/L)}")
 
 
+def test_a_slope_fits_a_clamped_end():
+    scene = SCENE.replace("left: pinned", "left: clamped").format(initial="{wing.u: a*x/L}")
+    with pytest.raises(PhysicsError, match=r"'wing' is held at 0 m, where the slope of this field is 0\.0005"):
+        assert problem(scene).initial.given
+
+
 @pytest.mark.parametrize(("initial", "words", "hint"), [
     ("{rod.v: 1 mm}", "a bar starts with a field of 'u'", "write rod.u: …"),
     ("{line.u: 1 mm}", "a shaft starts with a field of 'phi'", "write line.phi: … or line.phi': …"),
