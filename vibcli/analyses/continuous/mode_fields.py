@@ -173,7 +173,8 @@ class ModeFields:
     def scale(self, how: str, weights: Sequence[float], named: int) -> Any:
         """What the shape is multiplied by: `first` makes the first of the `named` coordinates that moves 1, where none
         does the largest displacement of the first member that moves, and where they rest too the end of a bar that
-        turns, or else an oscillator; `largest` the largest of all of these; `mass` the sign that makes the former positive.
+        turns, or else an oscillator; `largest` the largest of all of these; `mass` the sign that makes the former
+        positive.
 
         weights: √M of each coordinate, by which those that move are told from those that rest.
         """

@@ -144,6 +144,7 @@ def _proved(modes, found):
     if region.below:
         told += f", {region.below} of them |λ| < {region.inner:.8g} 1/s"
     rest = "" if any(mode.eigenvalue.real for mode in found) else "; those above leave all dampers at rest"
+    rest = "; whether more grow is left open" if found[-1].growth_rate is not None else rest
     return paragraph(f"{told}, by the argument principle: none is missing{rest}")
 
 

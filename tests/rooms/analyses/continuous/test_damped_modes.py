@@ -186,6 +186,25 @@ def test_light_damping_is_that_of_perturbation():
         assert other.eigenvalue == pytest.approx(complex(-c * one.shape[0] ** 2 / 2, one.omega), abs=1e-10 * one.omega)
 
 
+def test_a_damper_that_drives_makes_modes_grow_without_end_and_some_are_shown():
+    """Of a cantilever with −c at its end: EI β³ (1 + cos βL cosh βL) = c s (sin βL cosh βL − cos βL sinh βL)."""
+    scene = problem("beams: {a: {length: 1 m, EI: 900 N*m^2, mass_per_length: 2 kg/m, left: clamped, attached: "
+                    "[{at: 1 m, c: -3 N*s/m}]}}")
+    shown = scene.modal.damped.shown()
+    assert len(shown) == 25 and all(mode.growth_rate for mode in shown)
+
+    def equation(s):
+        b = mpmath.sqrt(mpmath.sqrt(-2 * s ** 2 / 900))
+        return 900 * b ** 3 * (1 + mpmath.cos(b) * mpmath.cosh(b)) - 3 * s * (
+            mpmath.sin(b) * mpmath.cosh(b) - mpmath.cos(b) * mpmath.sinh(b))
+
+    for mode in (shown[0], shown[4]):
+        root = mpmath.findroot(equation, mode.eigenvalue, verify=False)
+        assert complex(root) == pytest.approx(mode.eigenvalue, rel=1e-12)
+        assert root.real > 2.99
+    assert scene.modal.stability.kind == "unstable"
+
+
 def test_equal_members_side_by_side_have_each_root_twice():
     piece = Piece(1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0)
     system = FactoredSystem(2, dampers=[(0.4, {0: 1.0}), (0.4, {1: 1.0})],
