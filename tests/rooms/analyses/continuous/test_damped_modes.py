@@ -255,6 +255,30 @@ def test_gyroscopic_terms_and_a_damper_beside_a_bar():
         -0.124744261031225 + 12.9664673858409j], rel=1e-13)
 
 
+def test_loads_that_turn_velocities_couple_and_damp_nothing():
+    """A disc at the end of a stretching cantilever under (−b ẏ, b ẋ): det [D(iω) + iω b J] = 0 of its x and y."""
+    scene = problem("""
+        parameters: {L: 1 m, EI: 80 N*m^2, mu: 0.9 kg/m, m: 0.3 kg, b: 20 kg/s}
+        bodies: {d: {mass: m, at: [L, 0], move: [x, y, psi], inertia: 0.01 kg*m^2}}
+        beams: {a: {from: [0, 0], to: [L, 0], left: clamped, right: {clamped: d}, EA: 1 MN, EI: EI,
+                    mass_per_length: mu}}
+        forces: {gx: {coordinate: x, value: "-b*y'"}, gy: {coordinate: y, value: "b*x'"}}
+    """)
+    found = scene.modal.damped.shown()
+    assert all(mode.eigenvalue.real == 0 for mode in found)
+
+    def determinant(w):
+        k, b = w * mpmath.sqrt(0.9e-6), mpmath.sqrt(w) * mpmath.mpf("0.9") ** 0.25 / mpmath.mpf(80) ** 0.25
+        c, s, ch, sh = mpmath.cos(b), mpmath.sin(b), mpmath.cosh(b), mpmath.sinh(b)
+        d = 80 / (1 - c * ch)
+        kyy, kyp, kpp = d * b**3 * (s * ch + c * sh), -d * b**2 * s * sh, d * b * (s * ch - c * sh)
+        bent = kyy - 0.3 * w**2 - kyp**2 / (kpp - 0.01 * w**2)
+        return (1e6 * k / mpmath.tan(k) - 0.3 * w**2) * bent - (20 * w) ** 2
+
+    for mode in found[:5]:
+        assert float(mpmath.findroot(determinant, mode.omega_d)) == pytest.approx(mode.omega_d, rel=1e-11)
+
+
 def test_rounding_in_a_mode_all_of_whose_nodes_rest_is_no_damping():
     found = problem("""
         beams: {w: {length: 1 m, EI: 100 N*m^2, mass_per_length: 1 kg/m, left: clamped, attached: [
