@@ -128,12 +128,12 @@ def _angle(end, scene):
     return angle_of(end, scene, "write `k` or `c` instead of `torsion`")
 
 
-def slope_of(end: Any, member: "Member", station: "Station", scene: Any):
+def slope_of(end: Any, member: "Member", station: "Station", scene: Any, hint: str = TURNING):
     """The turn of a shaft or beam at a point; None of a bar or string, which is reported."""
     if member.kind.torsional:
         return station.u
     if station.slope is None:
-        scene.report(end.where, f"'{end.text}' is on a {member.kind.name}, which does not turn", TURNING)
+        scene.report(end.where, f"'{end.text}' is on a {member.kind.name}, which does not turn", hint)
     return station.slope
 
 

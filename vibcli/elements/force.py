@@ -112,7 +112,7 @@ def _turning(record, scene):
     if found is None:
         return scene.report(record.place("at"), "a moment acts on a body, or at a point of a shaft or beam",
                             "write `body:` in place of `at:`")
-    return slope_of(record["at"], *found, scene)
+    return slope_of(record["at"], *found, scene, "moments act on bodies, and at points of shafts and beams")
 
 
 def _force(record, scene):

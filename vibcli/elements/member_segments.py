@@ -153,7 +153,8 @@ class _Given:
                 found = getattr(self._section(level), key)
                 if found is None:
                     self._missing("the torsion constant of a rectangle is not its polar second moment I_o",
-                                  "give `GIo:` with the torsion constant of its shape in place of I_o", "section")
+                                  "give `GIo:` with its torsion constant, and `inertia_per_length:`, in place of the "
+                                  "section", "section")
                     return self.scene.table.one
                 return found
         return None

@@ -128,10 +128,13 @@ def rests(numeric: "NumericSystem", position: Mapping[str, float]) -> bool:
 
 
 def _newton_step(numbers, mpmath):
-    """−K⁻¹ r; coordinates that nothing holds stay where they are."""
+    """−K⁻¹ r; coordinates that nothing holds, and those tied by K to no force that is left, stay where they are."""
     n = numbers.elements.n
     K = numbers.elements.stiffness()
-    held = [i for i in range(n) if any(K.get((i, j)) for j in range(n))]
+    moved = {i for i in range(n) if numbers.residual[i]}
+    for _ in range(n):
+        moved |= {j for i in moved for j in range(n) if K.get((i, j)) or K.get((j, i))}
+    held = [i for i in sorted(moved) if any(K.get((i, j)) for j in range(n))]
     step = [mpmath.mpf(0)] * n
     if held:
         block = mpmath.matrix([[K.get((i, j), 0) for j in held] for i in held])

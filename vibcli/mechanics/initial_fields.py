@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 SAME = 1e-9         # of the largest displacement: how far a field may be from what holds the member
+WHAT = "this field", "the slope of this field"      # as a support holds them
 POINTS = 61         # between which a field is looked at for its size
 
 
@@ -41,19 +42,21 @@ def member_fields(scene: "Scene") -> dict[str, MemberFields]:
     return found
 
 
-def start_of_stations(configuration: "Configuration", rest: "Callable[[], Mapping[str, float]]") -> dict[str, float]:
+def start_of_stations(configuration: "Configuration", rest: "Callable[[], Mapping[str, float]]",
+                      given: "Mapping[str, float]") -> dict[str, float]:
     """{coordinate, or velocity x': value} of what is attached to members that start with a field, `rest()` the
-    coordinates at rest; PhysicsError where a displacement contradicts a support."""
-    scene, found = configuration.scene, {}
+    coordinates at rest, and what is `given` of them by name; PhysicsError where a displacement contradicts a support,
+    what is given, or the field of another member."""
+    scene, found = configuration.scene, dict(given)
     for name, fields in member_fields(scene).items():
         member = scene.members[name]
         for field, primes in ((fields.displacement, ""), (fields.rate, "'")):
             if field is not None:
-                found |= _along(configuration, rest, member, field, primes)
+                found = _along(configuration, rest, member, field, primes, found) | found
     return found
 
 
-def _along(configuration, rest, member, field, primes):
+def _along(configuration, rest, member, field, primes, known):
     scene, found = configuration.scene, {}
     parts = [field, gradient(field).get(scene.time, scene.table.zero)] if member.kind.bends else [field]
     where = scene.spec.get("initial").place(f"{member.name}.{member.kind.motion}{primes}")
@@ -61,14 +64,18 @@ def _along(configuration, rest, member, field, primes):
     sizes = _sizes(configuration, parts, member)
     for station, row in zip(member.stations, values, strict=True):
         found |= _hung(configuration, rest, member, station, row[0], primes)
-        for motion, value, size in zip(member.motions(station), row, sizes, strict=False):
+        for motion, value, size, what in zip(member.motions(station), row, sizes, WHAT, strict=False):
             if motion.op == "symbol" and motion.name in scene.coordinates:
                 found[motion.name + primes] = value
+                other = known.get(motion.name, value)
+                if not primes and abs(value - other) > SAME * max(size, abs(other)):
+                    raise PhysicsError(f"'{motion.name}' starts at {other:.6g}, and {what} is {value:.6g} there",
+                                       "let both agree, or leave one of them out", where)
             elif any(node.op == "symbol" and node.name in scene.coordinates for node in reachable([motion])):
                 raise PhysicsError(f"what '{member.name}' is held to at {station.text} does not move as one coordinate:"
                                    " a field does not say how it starts", "give the start of each coordinate", where)
             elif not primes and abs(value - _at_first(configuration, motion)) > SAME * size:
-                raise PhysicsError(f"'{member.name}' is held at {station.text}, where this field is {value:.6g}",
+                raise PhysicsError(f"'{member.name}' is held at {station.text}, where {what} is {value:.6g}",
                                    "a field of displacements fits the supports", where)
     return found
 

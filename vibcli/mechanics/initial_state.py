@@ -42,7 +42,7 @@ class InitialState:
         if configuration.spec.get(FIELDS):
             from vibcli.mechanics.initial_fields import start_of_stations
 
-            found = start_of_stations(configuration, partial(at_rest, configuration)) | found
+            found = start_of_stations(configuration, partial(at_rest, configuration), found)
         return found
 
     @Stage

@@ -39,7 +39,8 @@ def can_be_asked(spec: "Spec", reader: "Reader", expression: "Expression", tree:
     own, number = about_which(tree)
     most = len(quantity.indices)
     if not most - quantity.spare <= len(own.indices) <= most:
-        takes = " or ".join(("no index", "one index", "two indices")[most - quantity.spare:most + 1])
+        words = "no index", "one index", "two indices", "three indices"
+        takes = " or ".join(words[most - quantity.spare:most + 1])
         beyond = quantity.several and len(indices) == most + 1
         reader.report(place, f"'{head}' takes {takes}, found {len(indices) or 'none'}", "write "
                       + usage_of(head, quantity, spec) + "[2] for the second equilibrium" * beyond)

@@ -44,6 +44,27 @@ def test_a_displacement_fits_the_supports():
         given("{rod.u: a*(1 + x/L)}")
 
 
+@pytest.mark.parametrize(("initial", "message"), [
+    ("{rod.u: a*x/L, z: 2 mm}", "'z' starts at 0.002, and this field is 0.001 there"),
+    ("{wing.u: a*x/L, rod.u: a*x/L}", "'rod.u(L/2)' starts at 0.001, and this field is 0.0005 there"),
+])
+def test_a_displacement_is_the_same_for_all_that_it_moves(initial, message):
+    scene = SCENE.replace("left: pinned", "left: pinned, right: {{pinned: rod, at: L/2}}")
+    with pytest.raises(PhysicsError) as refusal:
+        assert problem(scene.format(initial=initial)).initial.given
+    assert refusal.value.message == message
+
+
+def test_velocities_may_jump_at_what_is_attached():
+    assert given("{rod.u: a*x/L, z: a, z': 2 m/s, rod.u': 0 m/s}")["z'"] == 2.0
+
+
+def test_a_slope_fits_a_clamped_end():
+    scene = SCENE.replace("left: pinned", "left: clamped").format(initial="{wing.u: a*x/L}")
+    with pytest.raises(PhysicsError, match=r"'wing' is held at 0 m, where the slope of this field is 0\.0005"):
+        assert problem(scene).initial.given
+
+
 @pytest.mark.parametrize(("initial", "words", "hint"), [
     ("{rod.v: 1 mm}", "a bar starts with a field of 'u'", "write rod.u: …"),
     ("{line.u: 1 mm}", "a shaft starts with a field of 'phi'", "write line.phi: … or line.phi': …"),

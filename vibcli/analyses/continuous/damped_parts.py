@@ -221,7 +221,8 @@ def cleaned(root: DampedRoot, matrix: DynamicMatrix) -> DampedRoot:
     elif abs(value.real) <= size:
         largest = max(abs(root.shape).max(initial=0.0), _usual(matrix))
         x = np.where(abs(root.shape) > STILL * largest, root.shape, 0.0)
-        lost = float((x.conj() @ matrix.polynomial[1] @ x).real) + _dragged(matrix, x, value.imag)
+        damping = (matrix.polynomial[1] + matrix.polynomial[1].T) / 2       # gyroscopic terms lose nothing
+        lost = float((x.conj() @ damping @ x).real) + _dragged(matrix, x, value.imag)
         value = complex(-lost / 2, value.imag)
     return root._replace(value=value)
 

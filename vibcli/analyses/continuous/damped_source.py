@@ -18,7 +18,7 @@ from vibcli.analyses.continuous.damped_roots import DampedRoot, Whole, roots_at
 from vibcli.analyses.continuous.dynamic_matrix import dynamic_matrix
 from vibcli.analyses.continuous.newton_of_members import distinct
 from vibcli.analyses.modal.damped_modes import DampedMode
-from vibcli.analyses.modal.mode_sequence import NoMoreTold
+from vibcli.analyses.modal.mode_sequence import FEW, NoMoreTold
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 
@@ -60,6 +60,11 @@ class DampedModes:
         beta = self.matrix.retardation
         self._limit, self._ended = BELOW / beta if beta else np.inf, False
         self._resting = [mode.shape for mode in natural().shown() if mode.rigid]
+
+    @property
+    def most_shown(self) -> int:
+        """How many are shown unasked: more grow than without dampers only where a damper drives."""
+        return len(self._natural().shown()) + FEW
 
     def numbered(self, first: int, last: int) -> list[DampedMode]:
         """The modes with an index from first to last."""

@@ -181,7 +181,8 @@ class ModeFields:
     def scale(self, how: str, weights: Sequence[float], named: int) -> Any:
         """What the shape is multiplied by: `first` makes the first of the `named` coordinates that moves 1, where none
         does the largest displacement of the first member that moves, and where they rest too the end of a bar that
-        turns; `largest` the largest of all of these; `mass` the sign that makes the former positive.
+        turns, or else an oscillator; `largest` the largest of all of these; `mass` the sign that makes the former
+        positive.
 
         weights: √M of each coordinate, by which those that move are told from those that rest.
         """
@@ -193,6 +194,7 @@ class ModeFields:
         if how == "mass" and first is not None:
             return sign(first)
         tops = [*(self.largest(member)[1] for member in self.scene.members), *self._turning()]
+        tops = tops if any(tops) else shape[named:]
         most = max(map(abs, tops))
         if how == "largest":
             return 1 / max([*shape[:named], *tops], key=abs)

@@ -95,7 +95,8 @@ class ModalAnalysis:
         if self.many and self.spec.get("damping") is not None:
             return True
         elements = self.configuration.element_data
-        return bool(elements.dampers or elements.C or any(placed.piece.drag for placed in elements.pieces))
+        return bool(elements.dampers or elements.C or any(elements.drag.values())
+                    or any(placed.piece.drag for placed in elements.pieces))
 
     @Stage
     def damped(self) -> Modes | None:

@@ -7,6 +7,7 @@ shown.
 
 from bisect import bisect_left
 from collections.abc import Callable, Iterator, Sequence
+from math import inf
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
@@ -109,13 +110,15 @@ class Modes(Sequence):
                 for mode in self.numbered(first, min(first + MOST - 1, last))]
 
     def shown(self, asked: Selection | None = None) -> list[Any]:
-        """Those asked for; else all, or without end those that grow, the rigid ones and five more."""
+        """Those asked for; else all, or without end those that grow, the rigid ones and five more, of damped ones no
+        more than 20 beyond those shown without dampers: a damper that drives makes modes grow without end."""
         if asked is not None:
             return self.numbered(asked.first, asked.last) if asked.up_to is None else self.up_to(asked.up_to)
         if self.finite:
             return list(self._known)
         found, count, wanted = [], 0, USUAL
-        while count < wanted:
+        most = getattr(self._source, "most_shown", inf)
+        while count < wanted and count < most:
             count, found = wanted, self.first(wanted)
             wanted = USUAL + len({mode.index for mode in found if not mode.omega or mode.growth_rate is not None})
         return found

@@ -71,9 +71,7 @@ def _of_members(problem, found, head, rows, doubts):
     if beta is not None:
         head = (head[0], "β [1/m]", *head[1:])
         rows = [(row[0], one, *row[1:]) for row, one in zip(rows, beta, strict=True)]
-    elements = problem.configuration.linear_system
-    damped = elements.dampers or elements.C or any(placed.piece.drag for placed in elements.pieces)
-    yield from section(f"Natural frequencies ({'of the undamped system' if damped else 'undamped'})",
+    yield from section(f"Natural frequencies ({'of the undamped system' if problem.modal.damps else 'undamped'})",
                        TableBlock(head, tuple(rows)), _counted(problem.modal.modes, found), *doubts)
 
 
@@ -144,6 +142,7 @@ def _proved(modes, found):
     if region.below:
         told += f", {region.below} of them |λ| < {region.inner:.8g} 1/s"
     rest = "" if any(mode.eigenvalue.real for mode in found) else "; those above leave all dampers at rest"
+    rest = "; whether more grow is left open" if found[-1].growth_rate is not None else rest
     return paragraph(f"{told}, by the argument principle: none is missing{rest}")
 
 

@@ -194,6 +194,25 @@ def test_light_damping_is_that_of_perturbation():
         assert other.eigenvalue == pytest.approx(complex(-c * one.shape[0] ** 2 / 2, one.omega), abs=1e-10 * one.omega)
 
 
+def test_a_damper_that_drives_makes_modes_grow_without_end_and_some_are_shown():
+    """Of a cantilever with −c at its end: EI β³ (1 + cos βL cosh βL) = c s (sin βL cosh βL − cos βL sinh βL)."""
+    scene = problem("beams: {a: {length: 1 m, EI: 900 N*m^2, mass_per_length: 2 kg/m, left: clamped, attached: "
+                    "[{at: 1 m, c: -3 N*s/m}]}}")
+    shown = scene.modal.damped.shown()
+    assert len(shown) == 25 and all(mode.growth_rate for mode in shown)
+
+    def equation(s):
+        b = mpmath.sqrt(mpmath.sqrt(-2 * s ** 2 / 900))
+        return 900 * b ** 3 * (1 + mpmath.cos(b) * mpmath.cosh(b)) - 3 * s * (
+            mpmath.sin(b) * mpmath.cosh(b) - mpmath.cos(b) * mpmath.sinh(b))
+
+    for mode in (shown[0], shown[4]):
+        root = mpmath.findroot(equation, mode.eigenvalue, verify=False)
+        assert complex(root) == pytest.approx(mode.eigenvalue, rel=1e-12)
+        assert root.real > 2.99
+    assert scene.modal.stability.kind == "unstable"
+
+
 def test_equal_members_side_by_side_have_each_root_twice():
     piece = Piece(1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0)
     system = FactoredSystem(2, dampers=[(0.4, {0: 1.0}), (0.4, {1: 1.0})],
@@ -242,6 +261,30 @@ def test_gyroscopic_terms_and_a_damper_beside_a_bar():
     assert [mode.eigenvalue for mode in damped] == pytest.approx([
         -0.0820408410146647 + 7.47298755764236j, -2.93316539434232e-5 + 9.97095433360192j,
         -0.124744261031225 + 12.9664673858409j], rel=1e-13)
+
+
+def test_loads_that_turn_velocities_couple_and_damp_nothing():
+    """A disc at the end of a stretching cantilever under (−b ẏ, b ẋ): det [D(iω) + iω b J] = 0 of its x and y."""
+    scene = problem("""
+        parameters: {L: 1 m, EI: 80 N*m^2, mu: 0.9 kg/m, m: 0.3 kg, b: 20 kg/s}
+        bodies: {d: {mass: m, at: [L, 0], move: [x, y, psi], inertia: 0.01 kg*m^2}}
+        beams: {a: {from: [0, 0], to: [L, 0], left: clamped, right: {clamped: d}, EA: 1 MN, EI: EI,
+                    mass_per_length: mu}}
+        forces: {gx: {coordinate: x, value: "-b*y'"}, gy: {coordinate: y, value: "b*x'"}}
+    """)
+    found = scene.modal.damped.shown()
+    assert all(mode.eigenvalue.real == 0 for mode in found)
+
+    def determinant(w):
+        k, b = w * mpmath.sqrt(0.9e-6), mpmath.sqrt(w) * mpmath.mpf("0.9") ** 0.25 / mpmath.mpf(80) ** 0.25
+        c, s, ch, sh = mpmath.cos(b), mpmath.sin(b), mpmath.cosh(b), mpmath.sinh(b)
+        d = 80 / (1 - c * ch)
+        kyy, kyp, kpp = d * b**3 * (s * ch + c * sh), -d * b**2 * s * sh, d * b * (s * ch - c * sh)
+        bent = kyy - 0.3 * w**2 - kyp**2 / (kpp - 0.01 * w**2)
+        return (1e6 * k / mpmath.tan(k) - 0.3 * w**2) * bent - (20 * w) ** 2
+
+    for mode in found[:5]:
+        assert float(mpmath.findroot(determinant, mode.omega_d)) == pytest.approx(mode.omega_d, rel=1e-11)
 
 
 def test_rounding_in_a_mode_all_of_whose_nodes_rest_is_no_damping():

@@ -56,6 +56,16 @@ def test_the_largest_displacement_of_the_first_member_is_one():
         assert quantity_value(scene, f"mode[{mode}][{asked}]").value == pytest.approx(value, abs=1e-12), (mode, asked)
 
 
+@pytest.mark.parametrize(("bond", "mode"), [("c: 3 N*s/m", 1), ("k: 4 kN/m", 1)])
+def test_an_oscillator_that_moves_alone_is_one(bond, mode):
+    """On a dashpot alone, without dampers; or at a place that is held."""
+    scene = problem(f"beams: {{wing: {{length: 1 m, EI: 900 N*m^2, mass_per_length: 2 kg/m, left: clamped, "
+                    f"right: pinned, attached: [{{at: 1 m, oscillator: {{mass: 1 kg, {bond}}}}}]}}}}")
+    found = scene.modal.modes[mode - 1]
+    for how in ("first", "largest", "mass"):
+        assert [abs(x) for x in scene.modal.shape(found, how)] == [0, 1]
+
+
 def test_massless_parts_are_straight_or_cubic():
     """A massless bar carries the force of what hangs at its end."""
     scene = problem("""

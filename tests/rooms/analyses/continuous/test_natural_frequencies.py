@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from tests.support.random_members import at_rest, random_members, squares_by_finite_elements
+from tests.support.scenes import problem
 from vibcli.analyses.continuous.mode_source import NaturalModes
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.factored_system import FactoredSystem, PlacedPiece
@@ -218,3 +219,21 @@ def test_two_thousand_modes_at_a_time_of_a_beam_that_is_clamped_and_heavy_at_its
         assert int(b / mpmath.pi) == mode.index - 1
     omega = np.array([mode.omega for mode in found])
     assert np.abs(np.diff(np.sqrt(omega)) / np.pi - 1).max() < 1e-3
+
+
+@pytest.mark.parametrize("length", ["L", "1.3*L"])
+def test_what_moves_freely_beside_what_its_weight_bends_is_left_where_it_is(length):
+    """A free beam beside a cantilever that bends under a pendulum: the frequencies of each alone."""
+    scene = """
+        parameters: {L: 1 m, EI: 80 N*m^2, mu: 0.9 kg/m, m: 0.3 kg, l: 0.4 m}
+        gravity: 9.81 m/s^2
+        bodies: {c: {mass: m, at: [L, 0], move: [x, y, psi], inertia: 0.01 kg*m^2},
+                 bob: {mass: m, at: [L, -l], pin: {at: [L, 0], carrier: c, by: phi}}}
+        beams: {a: {from: [0, 0], to: [L, 0], left: clamped, right: {clamped: c}, EI: EI, mass_per_length: mu}FREE}
+    """
+    free = ", f: {length: LENGTH, EI: EI, mass_per_length: mu}".replace("LENGTH", length)
+    both = [mode.omega for mode in problem(scene.replace("FREE", free)).modal.modes.first(8)]
+    alone = [mode.omega for mode in problem(scene.replace("FREE", "")).modal.modes.first(6)]
+    size = 1.3 if length != "L" else 1.0
+    bent = [(x / size) ** 2 * (80 / 0.9) ** 0.5 for x in (4.730040744862704, 7.853204624095838)]
+    assert both == pytest.approx(sorted([0, 0, *alone, *bent])[:8], rel=1e-11)

@@ -85,3 +85,17 @@ def test_digits_are_those_of_the_data_whatever_precision_is_worked_in_outside(tu
         omega = mpmath.sqrt(square)
         assert abs(near.omega - omega) <= near.error * omega
         assert abs(mode.omega - omega) <= mpmath.mpf(10) ** -30 * omega
+
+
+def test_loads_that_turn_velocities_alone_have_damped_modes():
+    """(k₁ − mω²)(k₂ − mω²) = (bω)²; the natural frequencies are those without what loads make of velocities."""
+    scene = problem("""
+        parameters: {m: 0.3 kg, k: 900 N/m, l: 300 N/m, b: 20 kg/s}
+        bodies: {d: {mass: m, at: [0, 0], move: [x, y]}}
+        springs: {a: {k: k, between: [d, [1 m, 0]]}, c: {k: l, between: [d, [0, 1 m]]}}
+        forces: {gx: {coordinate: x, value: "-b*y'"}, gy: {coordinate: y, value: "b*x'"}}
+    """)
+    for mode in scene.modal.damped:
+        w = mode.omega_d
+        assert not mode.eigenvalue.real
+        assert float((900 - 0.3 * w**2) * (300 - 0.3 * w**2)) == pytest.approx(float((20 * w) ** 2), rel=1e-12)
