@@ -11,7 +11,7 @@ from scipy.linalg import expm
 from support.scenes import problem, value
 
 from vibcli.base.errors import PhysicsError, SpecError
-from vibcli.cli import run
+from vibcli.cli.program import run
 from vibcli.symbolic.syntax import NameRef
 
 SEEDS = range(8)

@@ -87,7 +87,7 @@ def _tension(placed):
 def station_conditions(member: Any, pieces: "Sequence[Any]", matrices: Any, scene: Any) -> Iterator[Line]:
     """What holds at each station: motions that are held, forces where they are free."""
     u, starts = _letter(member), {piece.start: piece for piece in pieces if piece.owner == member.name}
-    whose = [Words(f" of {member.name}")] if member.kind.letter in scene.coordinates else []
+    whose: list[Any] = [Words(f" of {member.name}")] if member.kind.letter in scene.coordinates else []
     left = None
     for station in member.stations:
         right, parts = starts.get(station.place), []

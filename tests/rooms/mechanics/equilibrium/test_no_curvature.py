@@ -4,7 +4,7 @@ import warnings
 
 import pytest
 
-from vibcli.cli import run
+from vibcli.cli.program import run
 
 
 @pytest.mark.parametrize("force", ["-1e20 N", "1e50 N", "1e-50 N"])
