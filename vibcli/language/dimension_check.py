@@ -198,7 +198,8 @@ def _unknown(spec, name, names, moves, local):
         return f"unknown name '{name}'", f"a power of a unit is written {power.group(1)}^{power.group(2)}"
     hint = nearest(name, names)
     if local and not (hint or "").startswith("did"):
-        return f"unknown name '{name}'", f"what it depends on is called {local[0]} here"
+        return (f"unknown name '{name}'",
+                f"what it depends on is called {local[0]} here; a parameter is declared under `parameters:`")
     if names is not spec.parameters and (not hint or hint.startswith("valid")):
         hint = "a parameter is declared under `parameters:`, a coordinate " + (
             f"within an expression by `coordinates: [{name}]`" if moves else f"by a motion such as `slide: {name}`")

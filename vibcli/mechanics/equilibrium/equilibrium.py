@@ -93,7 +93,7 @@ def _along_a_valley(search, q):
         values = search.numeric.values(arithmetic)
         try:
             place = equilibrium_to(search.numeric, found, values, arithmetic)
-        except PhysicsError:
+        except (PhysicsError, ArithmeticError):      # a slope is infinite
             return None
         held = holds(in_numbers(search.numeric.system.statics, arithmetic, values | place))
     there = {name: float(x) for name, x in place.items()}
@@ -115,7 +115,7 @@ def _in_digits(search, found):
         arithmetic = multiprecision()
         try:
             place = equilibrium_to(search.numeric, found, search.numeric.values(arithmetic), arithmetic)
-        except PhysicsError:
+        except (PhysicsError, ArithmeticError):      # a slope is infinite
             return found
         return found._replace(values={name: float(x) for name, x in place.items()})
 

@@ -45,7 +45,7 @@ def even_functions_of(z: "Sequence[np.ndarray]", numbers: "Arithmetic") -> list[
     if numbers.number is not None or len({values.dtype for values in z}) > 1:
         return [even_functions(values, numbers) for values in z]
     found = even_functions(np.concatenate(z), numbers)
-    return [Even(*parts) for parts in zip(*(values.reshape(len(z), -1) for values in found), strict=True)]
+    return [Even(*parts) for parts in zip(*(values.reshape(len(z), *z[0].shape) for values in found), strict=True)]
 
 
 def merged(chosen: np.ndarray, inside: np.ndarray, outside: np.ndarray) -> np.ndarray:
