@@ -148,6 +148,7 @@ def wanted(unit: str | None, dimension: Mapping[str, int]) -> str:
 
 
 _WANTED = {"rad": "an angle (rad)", "J": "an energy (J)", "N*m": "a moment or torsional stiffness (N·m)",
+           "N/m": "a stiffness (N/m)",
            "Hz": "a frequency (Hz)", "1/s": "a rate (1/s)", "W": "a power (W)"}
 
 
@@ -162,7 +163,7 @@ def name(dimension: Mapping[str, Fraction | int]) -> str:
 
 
 _WORDS = ((LENGTH, "a length"), (MASS, "a mass"), (TIME, "a time"), (FORCE, "a force"),
-          (si(1, 0, -2), "a stiffness"), (si(1, 0, -1), "a damping coefficient"),
+          (si(1, 0, -2), "a stiffness or load per length"), (si(1, 0, -1), "a damping coefficient"),
           (ENERGY, "a moment, torsional stiffness or energy"), (si(1, 2), "a moment of inertia"),
           (si(1, 2, -1), "a torsional damping coefficient"), (si(0, 1, -2), "an acceleration"),
           (SPEED, "a speed"), (RATE, "an angular frequency"), (AREA, "an area"),
