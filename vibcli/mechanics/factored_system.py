@@ -93,6 +93,11 @@ class FactoredSystem:
         return FactoredSystem(len(numbers), massless=[numbers[i] for i in self.massless if i in numbers], **parts)
 
     @property
+    def damps(self):
+        """Do forces depend on velocities, the gyroscopic ones of what moves left out?"""
+        return bool(self.dampers or self.C or any(self.drag.values()) or any(one.piece.drag for one in self.pieces))
+
+    @property
     def circulatory(self):
         """Is K not symmetric? Exactly, or by more than the rounding of its sums where K_size tells that."""
         size = self.K_size

@@ -27,7 +27,6 @@ NAMES = {letter: name for name, letter in GREEK.items()}
 _SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _SUPERSCRIPT = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 PRODUCTS = re.compile(r"([EG])([AIJ](?:[op]|\d*))")   # names read as products: EI, GIo of members, and βL
-WAVES = "Lxξsχ"
 TYPED = re.compile(r"[A-Za-z][a-z]\d{1,2}")           # kt1: the stiffness k of torsion number 1
 _DOTS = {"": "", "'": "\u0307", "''": "\u0308"}
 _PRECOMPOSED = {"x\u0307": "ẋ", "x\u0308": "ẍ", "y\u0307": "ẏ", "y\u0308": "ÿ", "s\u0307": "ṡ", "z\u0307": "ż",
@@ -41,10 +40,8 @@ def lowered(number: int) -> str:
 
 def factors_of(name: str) -> list[str]:
     """The names of which one is a product, as E and I2 of EI2; none of others."""
-    if len(name) == 2 and name[0] == "β" and name[1] in WAVES:
-        return list(name)
     found = PRODUCTS.fullmatch(name)
-    return list(found.groups()) if found else []
+    return list(name) if name in ("βL", "βx", "βξ", "βs", "βχ") else list(found.groups()) if found else []
 
 
 @lru_cache(maxsize=1000)

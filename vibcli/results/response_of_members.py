@@ -292,8 +292,7 @@ class ResponseOfMembers(SmallResponse):
         from vibcli.mechanics.inputs_outputs.displacements import resting
         from vibcli.symbolic.evaluation import Floats, evaluate
 
-        node = resting(self.problem.scene.resting, name)
-        return evaluate([node], Floats, self.configuration.at_rest)[0]
+        return evaluate([resting(self.problem.scene.resting, name)], Floats, self.configuration.at_rest)[0]
 
     def state_signal(self, node: "Node"):
         """Energies of members are spread along them: they are not found."""

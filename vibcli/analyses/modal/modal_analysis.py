@@ -94,9 +94,7 @@ class ModalAnalysis:
         """Does anything depend on velocities?"""
         if self.many and self.spec.get("damping") is not None:
             return True
-        elements = self.configuration.element_data
-        return bool(elements.dampers or elements.C or any(elements.drag.values())
-                    or any(placed.piece.drag for placed in elements.pieces))
+        return self.configuration.element_data.damps
 
     @Stage
     def damped(self) -> Modes | None:
