@@ -99,7 +99,7 @@ def test_what_is_left_of_heavily_damped_modes_is_rounding():
             f"  {key}{i}: {{{key}: {size.format(1 + i % 7)}, between: [{f'b{i - 1}' if i > 1 else 'ground'}, b{i}]}}\n"
             for i in range(1, n + 1))
     problem = problem_of(text_source(text))
-    assert max(mode.error for mode in problem.modal.damped) <= 5e-11
+    assert max(mode.error for mode in problem.modal.damped) <= 1e-9      # 1e-6 by floats alone, on any processor
     assert certificate(problem)["damped modes"] <= ROUNDING
 
 
