@@ -149,7 +149,7 @@ def test_a_short_pulse_late_in_time_is_not_stepped_over():
     found = simulate(scene.configuration, 60.0)
     times = np.array([49.9, 50.002, 52.0, 60.0])
     exact = 10 * np.where(times > 50, np.cos(10 * np.maximum(times - 50.005, 0)) - np.cos(10 * (times - 50)), 0.0)
-    assert np.abs(found.at(times)[0][0] - exact).max() < 1e-13
+    assert np.abs(found.at(times)[0][0] - exact).max() < 2 * 2.0**-52 * 10 * 60      # 2 eps·ωt, on any processor
     assert found.balance.error < 1e-12
 
 
