@@ -1,6 +1,5 @@
 """Work on many files in processes of their own; what each finds comes in the order of the files."""
 
-import signal
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
@@ -9,13 +8,11 @@ def in_processes(work: Callable, files: Sequence[str], jobs: int, said: Callable
                  longest: Callable[[str], float] | None = None) -> Iterator[Any]:
     """work(file) of each file, in their order, so many at a time; those first that are `longest`. said(found): is
     anything printed of it? An interrupt, or leaving before the end, ends the processes."""
-    from concurrent.futures import ProcessPoolExecutor
-    from multiprocessing import active_children
-
+    from vibcli.cli.processes import Processes
     from vibcli.cli.progress import teller
 
     tell = teller()
-    pool = ProcessPoolExecutor(jobs, initializer=leave_interrupts)
+    pool = Processes(jobs, None)
     try:
         order = range(len(files)) if longest is None else sorted(range(len(files)), key=lambda i: -longest(files[i]))
         waiting = {i: pool.submit(work, files[i]) for i in order}
@@ -26,16 +23,7 @@ def in_processes(work: Callable, files: Sequence[str], jobs: int, said: Callable
             yield found
             if tell is not None:
                 tell(f"{number + 1} of {len(files)} files", (number + 1) / len(files), True)
-    except BaseException:
-        for child in active_children():
-            child.terminate()
-        raise
     finally:
         if tell is not None:
             tell(None, 1.0, False)
-        pool.shutdown()
-
-
-def leave_interrupts() -> None:
-    """An interrupt from the terminal reaches all processes: the first of them ends the others."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+        pool.end()

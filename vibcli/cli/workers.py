@@ -1,13 +1,13 @@
 """Workers for long work: processes of this machine, or a cluster of dask.distributed."""
 
 from collections.abc import Callable, Iterator
-from concurrent.futures import BrokenExecutor, Executor
 from contextlib import contextmanager
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
-from vibcli.base.errors import PhysicsError
+if TYPE_CHECKING:
+    from concurrent.futures import Executor
 
 ANSWERS = 3         # seconds in which a cluster does: its machine, and a little later its scheduler
 
@@ -21,7 +21,7 @@ def worker_options(command: Callable) -> Callable:
 
 
 @contextmanager
-def workers(jobs: int, cluster: str | None) -> Iterator[Executor | None]:
+def workers(jobs: int, cluster: str | None) -> "Iterator[Executor | None]":
     """The Executor of some options, None of one job; it ends with what is done in it, or when that is interrupted."""
     if cluster is not None:
         if jobs > 1:
@@ -31,6 +31,8 @@ def workers(jobs: int, cluster: str | None) -> Iterator[Executor | None]:
     elif jobs == 1:
         yield None
     else:
+        from vibcli.cli.processes import Processes
+
         pool = Processes(jobs)
         try:
             yield pool
@@ -82,71 +84,3 @@ def _reach(address):
     if place.hostname is None or place.port is None:
         raise ValueError("write it as in tcp://host:8786")
     socket.create_connection((place.hostname, place.port), ANSWERS).close()
-
-
-class Processes(Executor):
-    """So many processes of this machine. Where one dies, which is said, what was not done is done again once."""
-
-    def __init__(self, jobs: int):
-        self._jobs = jobs
-        self._pool = self._new()
-
-    def _new(self):
-        import gc
-        from concurrent.futures import ProcessPoolExecutor
-        from multiprocessing import get_context
-
-        return ProcessPoolExecutor(self._jobs, get_context("spawn"), _begun, gc.get_threshold())
-
-    def submit(self, work: Callable, /, *args: Any, **named: Any) -> Any:
-        """What gives the result when it is asked for."""
-        return _Pending(self, self._pool, self._pool.submit(work, *args, **named), (work, args, named))
-
-    def again(self, broken: Executor, task: Any) -> Any:
-        """A task whose pool broke, in a new one."""
-        if self._pool is broken:
-            click.echo("a worker ended before its work did: its part is done again", err=True)
-            self._pool = self._new()
-        work, args, named = task
-        return self._pool.submit(work, *args, **named)
-
-    def end(self) -> None:
-        """End the processes at once."""
-        from multiprocessing import active_children
-
-        for child in active_children():
-            child.terminate()
-        self._pool.shutdown(cancel_futures=True)
-
-    def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
-        """Let the processes go."""
-        self._pool.shutdown(wait, cancel_futures=cancel_futures)
-
-
-def _begun(*thresholds):
-    """What a process does first: it searches for garbage as seldom as the one that began it."""
-    import gc
-
-    from vibcli.cli.jobs import leave_interrupts
-
-    gc.set_threshold(*thresholds)
-    leave_interrupts()
-
-
-class _Pending:
-    """A result that is under way."""
-
-    def __init__(self, executor, pool, future, task):
-        self._executor, self._pool, self._future, self._task = executor, pool, future, task
-
-    def result(self) -> Any:
-        """The result; PhysicsError where workers ended twice."""
-        try:
-            return self._future.result()
-        except BrokenExecutor:
-            pass
-        try:
-            return self._executor.again(self._pool, self._task).result()
-        except BrokenExecutor:
-            raise PhysicsError("workers ended twice before their work did", "ask for fewer --jobs: memory may be short"
-                               ) from None

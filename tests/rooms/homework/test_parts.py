@@ -16,7 +16,8 @@ from support.homework_scenes import BLOCK
 
 from vibcli.api.source import problem_of, text_source
 from vibcli.base.errors import PhysicsError
-from vibcli.cli.workers import Processes, workers
+from vibcli.cli.processes import Processes
+from vibcli.cli.workers import workers
 from vibcli.homework.document import SceneDocument
 from vibcli.homework.key_summary import summaries
 from vibcli.homework.parts import begin_variants, solve_in_parts

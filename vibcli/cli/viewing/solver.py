@@ -1,9 +1,8 @@
 """A process that solves scenes for the page, so that the server answers, and an interrupt ends it, whatever it does."""
 
 import signal
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
-from multiprocessing import get_context
+from collections.abc import Sequence
+from multiprocessing import get_context, resource_tracker
 from typing import Any
 
 from vibcli.api.source import SceneSource, bytes_source, settled
@@ -11,6 +10,7 @@ from vibcli.base.diagnostics import render
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.cli.common import chosen, problem_in
+from vibcli.cli.processes import interrupts_held
 
 
 class Job(NamedTuple):
@@ -33,9 +33,10 @@ class Solver:
     def start(self, job: Job) -> None:
         if self.process is None or not self.process.is_alive():
             context = get_context("spawn")      # no thread of the server lives on in a copy
+            resource_tracker.ensure_running()   # it lets interrupts through when it begins
             self.ours, theirs = context.Pipe()
             process = context.Process(target=_serve, args=(theirs,), daemon=True)
-            with _interrupts_held():
+            with interrupts_held():
                 process.start()
                 self.process = process
             theirs.close()
@@ -60,19 +61,6 @@ class Solver:
             self.process.join()
             self.ours.close()
         self.process, self.busy = None, False
-
-
-@contextmanager
-def _interrupts_held() -> Iterator[None]:
-    """An interrupt waits until this is done: half a process is none that can be ended."""
-    came = []
-    before = signal.signal(signal.SIGINT, lambda *_: came.append(True))
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGINT, before)
-    if came:
-        raise KeyboardInterrupt
 
 
 def _serve(connection):

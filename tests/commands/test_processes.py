@@ -1,0 +1,107 @@
+"""The processes of `--jobs`: an interrupt ends them wherever it falls, what cannot be pickled or read is told."""
+
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from vibcli.cli.processes import Processes, interrupts_held
+
+ROOT = Path(__file__).parents[2]
+DRIVEN = """
+import os
+import signal
+import sys
+from contextlib import suppress
+from multiprocessing import active_children
+
+from vibcli.cli.jobs import in_processes
+
+OURS = os.getpid()
+
+
+def opcodes(packages, interrupted=0):
+    'How many opcodes there are in these packages; an interrupt comes before the one of that number.'
+    seen = 0
+
+    def local(frame, event, arg):
+        nonlocal seen
+        if event == "opcode":
+            seen += 1
+            if seen == interrupted:
+                sys.settrace(None)
+                signal.raise_signal(signal.SIGINT)
+        return local
+
+    def entered(frame, event, arg):
+        if os.getpid() == OURS and frame.f_globals.get("__name__", "").split(".")[0] in packages:
+            frame.f_trace_opcodes = True
+            return local
+
+    sys.settrace(entered)
+    try:
+        list(in_processes(abs, range(4), 2, lambda found: False))
+    finally:
+        sys.settrace(None)
+    return seen
+
+
+opcodes(("threading",))
+for packages, most in ((("threading",), 1000), (("vibcli", "multiprocessing", "concurrent"), 150)):
+    total = opcodes(packages)
+    for number in range(min(total, most)):
+        with suppress(KeyboardInterrupt):
+            opcodes(packages, 1 + number * total // min(total, most))
+print(total > 1000)
+for child in active_children():
+    child.kill()
+"""
+
+
+def test_an_interrupt_ends_the_processes_wherever_it_falls():
+    """Between taking a lock and the block that gives it back, too: nothing waits for ever, nothing is printed."""
+    done = subprocess.run([sys.executable, "-c", DRIVEN], capture_output=True, text=True, cwd=ROOT, timeout=300)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "True\n", "")
+
+
+class Unreadable(Exception):
+    """An exception that is pickled and cannot be read."""
+
+    def __init__(self, one, two):
+        super().__init__(f"{one} {two}")
+
+
+def raises(error, *given):
+    raise error(*given)
+
+
+def gives_what_cannot_be_pickled():
+    return lambda: 0
+
+
+def test_what_a_task_raises_is_raised_here_and_the_others_are_done():
+    pool = Processes(2, None)
+    try:
+        tasks = [pool.submit(raises, KeyError, "x"), pool.submit(raises, Unreadable, 1, 2),
+                 pool.submit(gives_what_cannot_be_pickled), pool.submit(abs, -3)]
+        assert tasks[3].result() == 3
+        for task, error in zip(tasks, (KeyError, TypeError, TypeError), strict=False):
+            with pytest.raises(error):
+                task.result()
+        with pytest.raises(Exception, match="pickle"):
+            pool.submit(lambda: 0)
+        assert pool.submit(abs, -4).result() == 4
+    finally:
+        pool.end()
+
+
+def test_an_interrupt_that_is_held_comes_afterwards():
+    done = []
+    with pytest.raises(KeyboardInterrupt):
+        with interrupts_held():
+            signal.raise_signal(signal.SIGINT)
+            done.append(1)
+        done.append(2)
+    assert done == [1]

@@ -1,0 +1,159 @@
+"""Processes of this machine that do what they are given, each at its end of a pipe."""
+
+import gc
+import signal
+from collections import deque
+from collections.abc import Callable, Iterator
+from concurrent.futures import Executor
+from contextlib import contextmanager, suppress
+from multiprocessing import get_context, resource_tracker
+from multiprocessing.connection import Connection, wait
+from typing import Any, cast
+
+import click
+
+from vibcli.base.errors import PhysicsError
+
+
+class Processes(Executor):
+    """So many processes of this machine, begun as there is work, and what is given to them in its order.
+
+    Between one of them and this process there is a pipe, no thread and no lock: an interrupt, wherever it falls, leaves
+    nothing that waits for another. What is found is taken in while a result is waited for. Where a process dies, which
+    is said, its task is done again once. `start`: fork, spawn or forkserver, None for what is usual here."""
+
+    def __init__(self, jobs: int, start: str | None = "spawn"):
+        self._jobs, self._context = jobs, cast(Any, get_context(start))
+        if self._context.get_start_method() != "fork":
+            resource_tracker.ensure_running()       # where it begins it lets interrupts through
+        self._waiting: deque[_Pending] = deque()
+        self._processes: dict[Connection, Any] = {}
+        self._tasks: dict[Connection, _Pending] = {}        # of those that are at work
+
+    def submit(self, work: Callable, /, *args: Any, **named: Any) -> Any:
+        """What gives the result when it is asked for."""
+        task = _Pending(self, (work, args, named))
+        self._waiting.append(task)
+        self._hand_out()
+        return task
+
+    def _hand_out(self):
+        while self._waiting and len(self._tasks) < self._jobs:
+            ours = next((one for one in self._processes if one not in self._tasks), None)
+            if ours is None:
+                with interrupts_held():
+                    ours = self._begun()
+            task = self._waiting.popleft()
+            with suppress(OSError):     # where it died while it had nothing to do: as if it had died of this
+                ours.send(task.work)
+            self._tasks[ours] = task
+
+    def _begun(self):
+        ours, theirs = self._context.Pipe()
+        self._processes[ours] = self._context.Process(target=_work, args=(theirs, gc.get_threshold()), daemon=True)
+        self._processes[ours].start()
+        theirs.close()
+        return ours
+
+    def take_in(self) -> None:
+        """Wait until something is found."""
+        for ours in wait(list(self._tasks)):
+            assert isinstance(ours, Connection)
+            task = self._tasks.pop(ours)
+            try:
+                task.finish(*ours.recv())
+            except (EOFError, OSError):
+                self._bury(ours)
+                if task.begin_again():
+                    self._waiting.appendleft(task)
+            except Exception as error:      # one may be pickled and yet not be read
+                task.finish(None, error)
+        self._hand_out()
+
+    def _bury(self, ours):
+        ours.close()
+        self._processes.pop(ours).join()
+
+    def end(self) -> None:
+        """End the processes at once."""
+        with interrupts_held():
+            for process in self._processes.values():
+                process.kill()
+            self.shutdown()
+
+    def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
+        """Let the processes go; what was not waited for is not begun."""
+        self._waiting.clear()
+        for ours in self._processes:
+            ours.close()
+        for process in self._processes.values() if wait else ():
+            process.join()
+        self._processes.clear()
+        self._tasks.clear()
+
+
+class _Pending:
+    """A task, done or not."""
+
+    def __init__(self, processes, work):
+        self._processes, self.work = processes, work
+        self._done, self._repeated, self._value, self._error = False, False, None, None
+
+    def finish(self, value: Any, error: Exception | None) -> None:
+        """What it gave, or what it raised."""
+        self._done, self._value, self._error = True, value, error
+
+    def begin_again(self) -> bool:
+        """Is it to be done again, as its process died? Once, and that is said."""
+        if self._repeated:
+            self.finish(None, PhysicsError("workers ended twice before their work did",
+                                           "ask for fewer --jobs: memory may be short"))
+            return False
+        click.echo("a worker ended before its work did: its part is done again", err=True)
+        self._repeated = True
+        return True
+
+    def result(self) -> Any:
+        """The result; PhysicsError where processes ended twice."""
+        while not self._done:
+            self._processes.take_in()
+        if self._error is not None:
+            raise self._error
+        return self._value
+
+
+def _work(theirs, threshold):
+    """Do task by task until the other end is closed, searching for garbage as seldom as who began this."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)        # one from the terminal reaches all: who began this ends it
+    gc.set_threshold(*threshold)
+    while True:
+        try:
+            work, args, named = theirs.recv()
+        except (EOFError, OSError):
+            return
+        try:
+            found = work(*args, **named), None
+        except Exception as error:
+            found = None, error
+        try:
+            theirs.send(found)
+        except OSError:
+            return
+        except Exception as error:      # it cannot be pickled
+            theirs.send((None, TypeError(str(error))))
+
+
+@contextmanager
+def interrupts_held() -> Iterator[None]:
+    """An interrupt waits until this is done: half a process is none that can be ended. A process that begins meanwhile
+    does not hear of any."""
+    came: list[int] = []
+    before = signal.signal(signal.SIGINT, lambda number, _: came.append(number))
+    let_through = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, let_through)
+        signal.signal(signal.SIGINT, before)
+    if came:
+        signal.raise_signal(signal.SIGINT)
