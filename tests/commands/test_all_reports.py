@@ -33,6 +33,7 @@ def test_what_is_not_closed_is_seen():
         assert unbalanced(wrong)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("words", (["--pictures"], ["--steps"]))
 def test_pages_hold_what_the_standard_knows(tmp_path, words):
     """With the figure, a plot whose unit has a gap, formulas on several rows."""

@@ -177,12 +177,13 @@ def test_a_folder_of_others_is_no_cache(folder, capfd):
     assert checked(capfd, "--cache-dir", "empty")[1] == 5
 
 
+@pytest.mark.sweep
 def test_two_at_once_leave_whole_entries(folder):
     command = [sys.executable, "-m", "vibcli", "check", "sets", "--quiet"]
     environment = {name: value for name, value in os.environ.items() if name != "VIBCLI_NO_CACHE"}
     both = [subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
             for _ in range(2)]
-    assert {process.communicate(timeout=60)[0] and process.returncode for process in both} == {3}
+    assert {process.communicate(timeout=300)[0] and process.returncode for process in both} == {3}
     entries = list((folder / ".vibcli_cache").glob("*.json"))
     assert len(entries) == 5 and all(json.loads(entry.read_text())["form"] == 1 for entry in entries)
     assert not list((folder / ".vibcli_cache").glob(".*.json.*"))

@@ -137,6 +137,7 @@ def test_a_key_that_canvas_loses_is_refused_by_it_alone(course, capsys):
     assert exported("--export", "moodle", "--pool", "3", file="small.yaml") == 0
 
 
+@pytest.mark.sweep
 def test_a_variant_whose_item_names_its_key_is_in_no_pool(course, capsys):
     assert exported("--export", "qti21", "--pool", "18") == 0
     problem, = json.loads((course / "out/instructor/manifest.json").read_text(encoding="utf-8"))["problems"]
@@ -153,6 +154,7 @@ def test_a_variant_whose_item_names_its_key_is_in_no_pool(course, capsys):
     assert [one["variant"] for one in problem["variants"]] == those and len(those) < 18
 
 
+@pytest.mark.sweep
 def test_a_variant_whose_question_tells_its_key_by_chance_is_in_no_pool(course, capsys):
     """At as many figures as the question has, which its band does not reach."""
     exact = SCENE.replace("points: 2}", "points: 2, rtol: 0.01 %}")

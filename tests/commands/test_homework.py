@@ -310,6 +310,7 @@ def test_answers_that_are_none(course, capsys, text, said):
     assert said in capsys.readouterr().err
 
 
+@pytest.mark.sweep
 def test_hostile_answers(course, capsys):
     """Neither orders to a screen nor formulas of a spreadsheet nor a cell without end come through."""
     assert homework() == 0

@@ -61,6 +61,7 @@ def test_in_several_processes(course):
     ran(course, "-n", "2").assert_outcomes(passed=6, failed=2)
 
 
+@pytest.mark.sweep
 def test_without_the_setting_nothing_is_collected(pytester):
     pytester.makefile(".yaml", right=RIGHT)
     ran(pytester).assert_outcomes()

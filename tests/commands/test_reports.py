@@ -540,6 +540,7 @@ def test_refusals_stand_in_the_report(scene, capsys, kind):
     CHECKS[kind](out)
 
 
+@pytest.mark.sweep
 def test_pictures_are_drawn_into_the_page_and_beside_the_others(scene):
     assert run(["solve", scene, "--pictures", "-o", "r.html"]) == 0
     root = assert_page(Path("r.html").read_text())

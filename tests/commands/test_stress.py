@@ -8,6 +8,7 @@ from vibcli.cli.program import run
 from vibcli.evidence.stress import claims
 
 
+@pytest.mark.sweep
 def test_a_family_is_a_table_and_a_sentence(capsys):
     assert run(["stress", "--family", "mass_ratio"]) == 0
     out = capsys.readouterr().out
@@ -42,6 +43,7 @@ def test_a_family_that_there_is_not(capsys, name, hint):
     assert f"there is no family '{name}'" in err and hint in err
 
 
+@pytest.mark.sweep
 def test_what_is_broken_ends_with_1(monkeypatch, capsys):
     plain = claims.measure
     monkeypatch.setattr(claims, "measure", lambda *args: (plain(*args)[0], 1e-20))

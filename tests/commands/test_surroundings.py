@@ -101,6 +101,7 @@ class Full:
         raise OSError(28, "No space left on device")
 
 
+@pytest.mark.sweep
 def test_a_full_disc_leaves_nothing_behind(folder, capsys, monkeypatch):
     monkeypatch.setattr("vibcli.base.output_files.os.fdopen", Full)
     for args in (["solve", "scene.yaml", "-o", "a.md"], ["draw", "scene.yaml"], ["response", "scene.yaml", "--save",

@@ -55,7 +55,7 @@ def served():
 
 def asked(port, path, method="GET", **headers):
     """(status, headers, text) of a request."""
-    connection = HTTPConnection("127.0.0.1", port, timeout=30)
+    connection = HTTPConnection("127.0.0.1", port, timeout=300)
     connection.request(method, path, headers=headers)
     answer = connection.getresponse()
     return answer.status, answer.headers, answer.read().decode()
@@ -115,7 +115,7 @@ def test_an_odd_version_gets_the_present_one(served, after):
 
 def test_who_waits_is_told_of_news(served):
     port, shown = served
-    connection = HTTPConnection("127.0.0.1", port, timeout=30)
+    connection = HTTPConnection("127.0.0.1", port, timeout=300)
     connection.request("GET", f"/content?after={shown.state.version}")
     shown.show(title="<i>T</i>")        # no news
     shown.show(work="solving …")
@@ -260,7 +260,7 @@ def interrupted(process):
     children = Path(f"/proc/{process.pid}/task/{process.pid}/children")
     others = children.read_text().split() if children.exists() else []
     process.send_signal(signal.SIGINT)
-    _, said = process.communicate(timeout=30)
+    _, said = process.communicate(timeout=300)
     time.sleep(0.1)
     assert not [child for child in others if "spawn" in _command(child)]
     return process.returncode, said.strip()
@@ -273,6 +273,7 @@ def _command(pid):
         return ""
 
 
+@pytest.mark.sweep
 def test_the_file_is_followed_from_outside():
     with viewing(SCENE) as (process, port):
         assert "ω" in "".join(until(port, lambda found: found["parts"])["parts"])
@@ -310,6 +311,7 @@ def test_a_port_that_is_taken_is_named(served, capsys):
     assert f"--port {served[0]} cannot be had: address already in use" in capsys.readouterr().err
 
 
+@pytest.mark.sweep
 def test_other_commands_import_nothing_of_it():
     Path("scene.yaml").write_text(SCENE)
     for command in ("solve", "check", "draw"):
@@ -368,7 +370,7 @@ def _titled(port, title):
     """Wait until a tab has this title."""
     end, found = time.monotonic() + 60, None
     while time.monotonic() < end:
-        connection = HTTPConnection("127.0.0.1", port, timeout=30)
+        connection = HTTPConnection("127.0.0.1", port, timeout=300)
         connection.request("GET", "/json")
         found = [unescape(tab["title"]) for tab in json.loads(connection.getresponse().read()) if tab["type"] == "page"]
         if title in found:

@@ -54,6 +54,7 @@ def clocks(path):
     return found
 
 
+@pytest.mark.sweep
 def test_clocks_are_read_where_times_are_told_alone():
     found = {path.relative_to(ROOT).as_posix(): names for path in sorted((ROOT / "vibcli").rglob("*.py"))
              if (names := clocks(path))}

@@ -95,6 +95,7 @@ def test_exports_are_the_files_that_write_a_package():
     assert all(is_a_line(about) for about in exports.FORMATS.values())
 
 
+@pytest.mark.sweep
 def test_sections_of_a_report_are_the_generators_of_their_files(house):
     """A section is a generator that takes the problem and the report, which it may not need."""
     found = {(node.name, module.rpartition(".")[2]) for module, tree in house.trees.items()

@@ -90,6 +90,7 @@ def test_check_in_numbers(stem):
     assert not names & {"scipy", "sympy", "matplotlib"}
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("args", "example"), [
     (["response"], "forced_vibration"), (["response", "--plot"], "free_vibration"), (["response"], "bump_in_the_road"),
     (["response", "--plot"], "square_wave"), (["frf", "--plot"], "frequency_response"), (["check"], "forced_vibration"),
@@ -101,6 +102,7 @@ def test_responses_in_numbers_need_numpy_alone(args, example):
     assert names <= {"numpy"}
 
 
+@pytest.mark.sweep
 def test_a_picture_needs_matplotlib_and_no_scipy(tmp_path):
     path = tmp_path / "response.svg"
     code, names = imported("response", PACKAGE / "examples" / "free_vibration.yaml", "--save", path)
@@ -221,6 +223,7 @@ def test_a_scene_that_chooses_nothing_imports_nothing_of_it(two_degrees, command
     assert not names & OF_CHOICES
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("command", ["frequencies", "check"])
 def test_choosing_in_numbers_needs_no_heavy_package_but_numpy(tmp_path, command):
     path = tmp_path / "chosen.yaml"

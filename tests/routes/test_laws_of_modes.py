@@ -13,6 +13,7 @@ from support.laws import EPS, FEW, GROUND, LAW, SIZES, Row, plates, rates, rows,
 POWERS = st.integers(-6, 6)
 
 
+@pytest.mark.sweep
 @LAW
 @given(rows(damped=True), POWERS, POWERS)
 def test_powers_of_two_change_no_bit_of_rows(row, heavier, faster):
@@ -44,6 +45,7 @@ def test_bodies_and_springs_in_another_order(row, dice):
     assert same(rates(row.model()), rates(row._replace(springs=tuple(springs)).model(order)))
 
 
+@pytest.mark.sweep
 @FEW
 @given(plates())
 def test_a_mirror(plate):
@@ -54,6 +56,7 @@ def test_a_mirror(plate):
         assert abs(left.value - sign * right.value) <= left.error + right.error
 
 
+@pytest.mark.sweep
 @FEW
 @given(plates(), st.tuples(st.integers(-99, 99), st.integers(-99, 99)), st.integers(0, 3))
 def test_a_rigid_offset_and_quarter_turns(plate, shift, quarters):

@@ -69,6 +69,7 @@ def test_powers_of_two_change_no_bit(row, spins, heavier, faster):
     assert [2.0**faster * omega for omega in one.omega] == list(two.omega)
 
 
+@pytest.mark.sweep
 @LAW
 @given(rows(most=4), SPINS, st.randoms(use_true_random=False))
 def test_another_order_a_mirror_and_the_other_sense_of_turning(row, spins, dice):

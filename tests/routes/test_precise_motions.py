@@ -84,6 +84,7 @@ class Chain:
         return z, G * z
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("seed", range(6))
 def test_values_of_random_chains(seed):
     chain = Chain(seed)

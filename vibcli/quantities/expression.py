@@ -81,6 +81,10 @@ def bounded(problem: "Problem", expression: "Expression") -> tuple[float, float]
 
 
 def _bounded(problem, expression, arithmetic, values):
+    searched = problem.choice.conditions if problem.choice is not None and not problem.choice.exact else ()
+    for name in searched:
+        found = number_in(values[name])
+        values[name] = Rounded(found, ROUNDING * abs(found), arithmetic.unit)
     for quantity in expression.parts.quantities:
         value, error = measure(problem, quantity)
         values[quantity.text] = Rounded(value, error * abs(value) if value else 0.0, arithmetic.unit)

@@ -37,6 +37,7 @@ def test_ground_is_open_where_a_spring_leads_through_it():
     assert whole[0] < 0 < whole[1]
 
 
+@pytest.mark.sweep
 def test_a_bowl_ends_at_the_rim_on_which_a_rod_leans():
     scene = of("rod_over_the_rim_of_a_bowl")
     found = SceneDrawing.of(scene).primitives
@@ -47,6 +48,7 @@ def test_a_bowl_ends_at_the_rim_on_which_a_rod_leans():
     assert all(math.hypot(x, y) == pytest.approx(radius) for x, y in bowl.points)
 
 
+@pytest.mark.sweep
 def test_what_is_chosen_is_drawn_as_it_is_found():
     """The rod leans by 29.21°, as the answers of the file say."""
     found = SceneDrawing.of(of("rod_over_the_rim_of_a_bowl")).primitives

@@ -192,6 +192,7 @@ def test_a_body_that_a_spring_alone_joins_to_a_member_hangs_there():
     assert not [name for name in names if "between" in name] and crossed(figure) == touching(figure) == []
 
 
+@pytest.mark.sweep
 def test_a_body_that_hangs_moves_in_a_mode_and_in_time():
     found = problem(DRIVEN % ("", CARRIERS["beam"].replace(", " + ATTACHED, "")))
     stage = compose.Scenery(found.scene)

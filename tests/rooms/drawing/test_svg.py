@@ -101,6 +101,7 @@ def test_what_a_scene_consists_of():
         "bodies: wheel, sprung; springs: tyre, suspension; dampers: absorber")
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("file", sorted({file for files in lettering.FONTS.values() for file in files}))
 def test_fonts_are_read_as_freetype_reads_them(file):
     """Every letter has the glyph and the advance that FreeType finds, and no other letter any."""

@@ -46,6 +46,7 @@ def test_a_sense_that_is_forgotten_is_seen(forgotten, monkeypatch):
     assert BROKEN in {one.verdict for one in seen(SCENE).values()}
 
 
+@pytest.mark.sweep
 def test_what_is_not_drawn_is_left_out_and_what_is_not_known_refused_by_its_name():
     assert seen(CHAIN) == {}
     top = scene_read_again(SCENE)[1]

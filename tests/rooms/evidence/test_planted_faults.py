@@ -26,6 +26,7 @@ TIGHT = ("buckling", "1e-5"), ("damped_chain", "1e6"), ("double_eigenvalue", "1e
     "long_times", "1e10"), ("sharp_peak", "1e-11")
 
 
+@pytest.mark.sweep
 def test_a_doubled_loop_is_found_by_a_counter():
     before, now = counters(BOOM), counters(BOOM, DOUBLED)
     found = differences({"one": before}, {"one": now})
@@ -33,6 +34,7 @@ def test_a_doubled_loop_is_found_by_a_counter():
     assert now["Newton's methods"] > before["Newton's methods"] and now["exit"] == before["exit"] == 0
 
 
+@pytest.mark.sweep
 def test_an_extra_import_is_found_by_a_counter():
     before, now = (counters(BEAD, planted) for planted in ("", "import vibcli.plots.figure"))
     assert differences({"one": before}, {"one": now}) == [f"one: modules {before['modules']} → {now['modules']}"]

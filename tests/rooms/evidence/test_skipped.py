@@ -24,6 +24,7 @@ def found():
     return skipped.every_question(skipped.example())
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("question", skipped.QUESTIONS)
 def test_stages_that_a_question_takes_are_those_that_it_needs(found, question):
     one = found[question]

@@ -20,6 +20,7 @@ def near(values, exact):
     return all(abs(x - y) <= mpmath.mpf(10) ** -45 * abs(y) for x, y in zip(values, exact, strict=True))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("more", "equation", "starts"), [
     (", left: pinned, right: pinned", mpmath.sin, (3.1, 6.3, 9.4)),
     (", left: clamped", lambda x: mpmath.cos(x) * mpmath.cosh(x) + 1, (1.88, 4.69, 7.85)),
@@ -37,6 +38,7 @@ def test_a_free_beam_has_two_rigid_motions():
         assert near(found(BEAM.format(more=""), 3), [0, 0, (root / 2) ** 4 * mpmath.mpf(3) / 5])
 
 
+@pytest.mark.sweep
 def test_bars_and_a_string_under_tension():
     with mpmath.workdps(60):
         clamped = found(BAR.format(more=", left: clamped"), 3)

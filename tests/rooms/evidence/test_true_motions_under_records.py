@@ -116,6 +116,7 @@ dampers: {{d: {{c: 2 N*s/m, between: [base, b]}}}}
         assert close(found.values[0], known.at(1.5)[0])
 
 
+@pytest.mark.sweep
 def test_a_full_motion_under_a_record(scene):
     text = """
 records: {{f: {{file: f.csv, unit: N*m}}}}

@@ -60,6 +60,7 @@ def number(text, **letters):
     return eval(text.replace("^", "**"), {"sqrt": sqrt, "pi": pi}, letters)
 
 
+@pytest.mark.sweep
 def test_expressions_are_those_of_the_closed_form():
     found = solved(ROD)
     assert len(found.accepted) == found.reread == 4
@@ -107,6 +108,7 @@ def test_expressions_are_found_once_and_put_in(text, least):
     assert least <= variants.sharing < count
 
 
+@pytest.mark.sweep
 def test_worked_solutions_in_letters_go_along_one_path():
     source = text_source(ROD)
     document = SceneDocument.of(source.node, source.file, None)
@@ -147,6 +149,7 @@ def test_two_ways_that_differ_are_a_fault(monkeypatch):
         solved(ROD)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("text, key, right", [(ROD, 1, "text"), (BLOCK, 0, "terms")])
 def test_a_mistake_that_is_said_to_give_the_right_equation_is_a_fault(text, key, right):
     source = text_source(text)
@@ -206,6 +209,7 @@ def test_the_full_equation_and_one_that_coefficients_do_not_tell():
     assert "numbers stand within" in solved(odd + "  without: [told, regime]\n").advice
 
 
+@pytest.mark.sweep
 def test_alike_is_what_a_search_for_the_factor_finds():
     draw = random.Random("factors")
     for _ in range(400):
@@ -277,6 +281,7 @@ def test_marks_of_expressions(handed):
         assert all(one.said for one in found.values() if one.verdict == "unreadable"), text
 
 
+@pytest.mark.sweep
 def test_marks_of_equations_and_energies_in_letters(handed):
     _, _, out = handed(ONE)
     for text in ("3*m*a^2*phi'' + (k*a^2 + 3*m*g*a/2)*phi = 0", "φ̈ = -(g/(2·a) + k/(3·m))·φ",
@@ -293,6 +298,7 @@ def test_marks_of_equations_and_energies_in_letters(handed):
     assert (one.verdict, one.mistake) == ("wrong", "particle for body (rod)")
 
 
+@pytest.mark.sweep
 def test_marks_of_equations_with_numbers(handed):
     code, err, out = handed(BLOCK.replace("{from: 1 kg, to: 3 kg, step: 0.5 kg}", "[3 kg]").replace("600 N/m, ", ""))
     assert code == 0, err

@@ -46,6 +46,7 @@ def test_keys_are_those_of_closed_forms():
             assert key.error <= 1e-12 * value < key.band.width
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("name, varied", [
     ("4_free_damped/bell_crank_dashpot", "m1: {from: 4 kg, to: 8 kg, step: 0.5 kg}, k: [1.6 kN/m, 2 kN/m, 2.4 kN/m]"),
     ("6_two_degrees/car_bounce_and_pitch", "m: {from: 900 kg, to: 1200 kg, step: 50 kg}, kf: [16 kN/m, 18 kN/m, "
@@ -204,6 +205,7 @@ def test_a_mistake_that_is_no_scene_is_refused():
         solved(BLOCK + GRID + '  mistakes: {twice: {answers: {"zeta[1]": "2*zeta[1]"}}}\n')
 
 
+@pytest.mark.sweep
 def test_chosen_parameters_are_printed_and_the_scene_solved_with_them():
     text = BLOCK.replace(", c: 8 N*s/m", "").replace("answers", "choose: {c: \"zeta[1] = 0.1\"}\nanswers")
     for how, allowed in (("3", None), ("R20", {str(x) for x in preferred("R20", 1, 1000)})):
@@ -303,6 +305,7 @@ variants:
 """
 
 
+@pytest.mark.sweep
 def test_closed_forms_are_held_against_all_variants():
     found = solved(CAR.replace("Hz", "rad/s"))
     assert found.closed == {"omega[1]": 303, "omega[2]": 303, "mode[1][y]": 303}

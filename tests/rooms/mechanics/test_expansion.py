@@ -53,6 +53,7 @@ def wanted(V, symbols, place, powers):
     return found / (factorial(powers[0]) * factorial(powers[1]))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("seed", range(1))
 def test_coefficients_are_derivatives_of_the_energy(seed):
     text, V, symbols = random_scene(seed)

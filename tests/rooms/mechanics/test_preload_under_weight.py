@@ -22,5 +22,6 @@ def test_one_that_keeps_its_length_is_the_limit_of_one_that_stretches(given):
     assert beam(given) == pytest.approx(beam(given + ", EA: 2e13 N"), rel=1e-12)
 
 
+@pytest.mark.sweep
 def test_drawn_the_other_way_it_is_the_same():
     assert beam(MASS % 1) == pytest.approx(beam(MASS % 2, upwards=False), rel=1e-14)

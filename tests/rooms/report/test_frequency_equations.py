@@ -159,6 +159,7 @@ PAIRS = {
 }
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("text", PAIRS.values(), ids=PAIRS)
 def test_roots_of_what_is_printed_are_the_frequencies(text):
     """All of them and no others, as its lines are read."""

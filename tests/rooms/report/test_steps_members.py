@@ -21,6 +21,7 @@ def told(lines):
     return [formula(line.parts, plain).replace("\u00a0", " ") for line in lines]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("path", MEMBERS, ids=lambda path: path.stem)
 def test_every_member_has_its_lines(path):
     """Frequencies are those of the engine; each root gives its frequency by its own line."""

@@ -77,6 +77,7 @@ def signal(text, name):
     return response.signal(with_places(parse(name), scene.spec.members))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("held", [True, False])
 def test_a_bar_whose_modes_without_end_creep(held):
     found = signal(BAR.replace("LEFT", "clamped" if held else "free"), "rod.u(0.2*L)")

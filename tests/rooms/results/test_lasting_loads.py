@@ -82,6 +82,7 @@ def image(x):
     return sign, np.minimum(x, 2 * LENGTH - x)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("text, until, signals", SCENES.values(), ids=SCENES)
 def test_modes_agree_within_their_bounds(text, until, signals):
     one, times = problem(text), np.linspace(until / 40, until, 13)

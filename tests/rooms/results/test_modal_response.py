@@ -213,6 +213,7 @@ def test_a_field_on_a_shaken_base_adds_the_motion_that_it_starts_on_one_at_rest(
     assert np.abs(both.values(TIMES) - alone.values(TIMES) - free.values(TIMES)).max() <= 1e-12
 
 
+@pytest.mark.sweep
 def test_values_after_a_jump_of_the_velocity_of_a_base_are_read_of_many_modes():
     """The same with 200,000 modes, −2 Σ φ G sin(b² t)/b² falling like b⁻³: to 1e-10 of the largest, as is told."""
     scene = problem("""\

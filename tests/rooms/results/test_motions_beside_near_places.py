@@ -63,6 +63,7 @@ OTHERS = {"mass": "{at: PLACE, mass: 0.3 kg}", "spring": "{at: PLACE, k: 5000 N/
 JUMPS = {"mass": lambda x: 0.3 * x["u''"], "spring": lambda x: 5000 * x["u"]}
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("apart, left, right, tip", [
     (1e-5, "mass", "spring", DAMPED), (1e-8, "mass", "spring", DAMPED), (1e-8, "spring", "spring", ""),
     (1e-8, "spring", "held", DAMPED), (1e-5, "mass", "held", ""), (1e-8, "held", "spring", DAMPED),

@@ -250,6 +250,7 @@ def test_what_bends_with_the_motion_is_refused_by_name(extra, told):
         precise("bodies: {block: {mass: 2 kg, slide: x}}\ninitial: {x: 1 cm}\n" + extra + "\n", "x", 2)
 
 
+@pytest.mark.sweep
 def test_what_would_take_minutes_is_refused_with_the_estimate():
     with pytest.raises(PhysicsError, match=r"would take about .* steps of a million products") as refusal:
         precise(DOUBLE + "initial: {p: 3 rad, r: 3 rad}\n", "p", 1000, 100)

@@ -60,6 +60,7 @@ def series(p, rate):
     return np.array([float(value) for value in found])
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("field", "p", "rate"), [(*LOADED, False), (*LOADED, True), (*HIGHER, False), (*HIGHER, True)])
 def test_displacements(field, p, rate):
     text = f"arm.u': {field}/(1 s)" if rate else f"arm.u: {field}"

@@ -43,7 +43,8 @@ class KnownCounts:
     def __init__(self, system: "ContinuousSystem"):
         self.system, self.scale = system, system.scale
         self.met: set = set()
-        self.z, self.below, self.above, self.held = [], np.zeros(0, int), np.zeros(0, int), np.zeros(0, int)
+        self.z = np.zeros(0, float if system.digits is None else object)
+        self.below = self.above = self.held = np.zeros(0, int)
         self._least = self._most = np.zeros(0, int)
 
     def add(self, z: Any) -> None:
@@ -58,11 +59,10 @@ class KnownCounts:
         self._merge([self.system.number(z)], [J], [J], [J])
 
     def _merge(self, z, below, above, held):
-        z = [*self.z, *z]
-        order = sorted(range(len(z)), key=z.__getitem__)
-        self.z = [z[i] for i in order]
-        self.below, self.above, self.held = (np.append(old, new)[order] for old, new in (
-            (self.below, below), (self.above, above), (self.held, held)))
+        z = np.append(self.z, np.array([*z], self.z.dtype))
+        order = np.argsort(z, kind="stable")
+        self.z, self.below, self.above, self.held = (found[order] for found in (
+            z, np.append(self.below, below), np.append(self.above, above), np.append(self.held, held)))
         self._least = np.minimum.accumulate(self.above[::-1])[::-1]     # of `above` from each z on
         self._most = np.maximum.accumulate(self.below)                  # of `below` up to each z
 
@@ -71,7 +71,8 @@ class KnownCounts:
         i, j = int(self._least.searchsorted(index)) - 1, int(self._most.searchsorted(index))
         if i < 0 or j == len(self.z):
             return None
-        return Bracket(self.z[i], self.z[j], int(self.above[i]), int(self.below[j]), self.held[i] != self.held[j])
+        low, high = self.z.item(i), self.z.item(j)
+        return Bracket(low, high, int(self.above[i]), int(self.below[j]), self.held[i] != self.held[j])
 
 
 class Ground(NamedTuple):
@@ -127,7 +128,8 @@ def reached(counts: KnownCounts, first: int, last: int) -> None:
     if last - first > MANY:
         parted(counts, [first, last], lambda bracket: 0 < bracket.high < NARROW * bracket.low)
     if last - first > 4 and counts.below.max() > last // 2:
-        top, low = counts.z[int(np.argmax(counts.below >= last))], counts.z[int(np.sum(counts.above < first)) - 1]
+        ends = int(np.argmax(counts.below >= last)), int(np.sum(counts.above < first)) - 1
+        top, low = map(counts.z.item, ends)
         least = float(max(low / top, 0)) ** 0.5 if last - first > MANY else 0.0
         many = max(3 * (last - first), FINE if _in_arrays(counts.system) else 0)
         share = counts.system.numbers(np.linspace(least, 1, many + 1)[1:-1])

@@ -7,7 +7,7 @@ import numpy as np
 
 from vibcli.analyses.continuous.modal_grid import TURN
 from vibcli.analyses.continuous.modal_search import BENT, bends, first_top
-from vibcli.numerics.sums_on_grids import sum_on_grid
+from vibcli.numerics.sums_on_grids import SumsOnGrid
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.modal_motion import ModalMotion
@@ -71,8 +71,9 @@ def _swung(weights, rates, tau):
     """Re Σ c e^{λτ} on a grid, as e^{λτ} = e^{(σ + iω)τ} Σ ((Re λ − σ)τ)ᵏ/k!, σ being the slowest decay."""
     sizes, slowest = np.abs(weights), float(rates.real.max(initial=-np.inf))
     found, shares = np.zeros(len(tau)), np.ones(len(tau))
+    sums = SumsOnGrid(rates.imag, tau[1], len(tau))
     for k in range(MIXED):
-        found += shares * np.real(sum_on_grid(weights, rates.imag, tau[1], len(tau)))
+        found += shares * sums.of(weights)
         weights = weights * (rates.real - slowest)
         shares = shares * tau / (k + 1)
         if np.abs(weights).sum() * shares[-1] <= ALIKE * sizes.sum():

@@ -57,7 +57,8 @@ class NaturalModes:
     def _found(self, first, last):
         """Modes that are not rigid."""
         if self.digits is not None:
-            roots = self._precise_roots(first, last, {}, 10.0 ** -self.digits)
+            near = natural_frequencies(self._at(None), first, last)
+            roots = self._precise_roots(first, last, near, 10.0 ** -self.digits)
         elif self.uniform is not None:
             resting = self.uniform.resting
             known = uniform_modes(self.uniform, self._at(None).system, first - resting, last - resting)

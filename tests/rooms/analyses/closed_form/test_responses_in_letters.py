@@ -158,6 +158,7 @@ def test_frequency_responses_say_where_they_resonate():
     assert "resonances where (k₁ + k₂ − m₁·Ω²)·(k₂ − m₂·Ω²) − k₂² = 0" in lines
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("scene", [FORCED % "sin", UNBALANCED])
 def test_peak_of_one_degree(scene):
     lettered = problem(scene)

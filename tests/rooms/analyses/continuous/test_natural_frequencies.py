@@ -147,6 +147,7 @@ def test_bars_tied_by_gyroscopic_terms_and_free_ones_that_are_refused():
         NaturalModes(coupled({2: 1.0}, {3: 1.0}))
 
 
+@pytest.mark.sweep
 def test_random_members_have_as_many_frequencies_as_their_finite_elements():
     for seed in range(12):
         system = random_members(seed)

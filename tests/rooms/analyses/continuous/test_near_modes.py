@@ -59,6 +59,7 @@ def tuned(mass):
         """)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("one, near", [
     (lambda: supports(0.5, "1e-5"), 4), (lambda: supports(0.4137, "1e-8"), 0), (lambda: turned(0.4137, "1e-8"), 0),
     (lambda: tied(0.55, "1e-8"), 0), (lambda: tuned("1e-9"), 1), (lambda: tuned("1e-14"), 1)])

@@ -35,6 +35,7 @@ def test_those_of_a_bar_are_the_roots_of_its_frequency_equation(zeta, c):
             assert abs(root - told) <= mode.error * abs(root) < 1e-12
 
 
+@pytest.mark.sweep
 def test_their_number_is_that_of_zeros_and_poles_of_the_frequency_equation():
     modes = problem(BAR.format(zeta="0.85", c="0.3")).modal.damped
     modes.numbered(1, 4)

@@ -81,6 +81,7 @@ def test_a_load_on_a_part_of_a_cantilever():
             assert near[0] * near[1] < 0
 
 
+@pytest.mark.sweep
 def test_more_digits():
     scene = problem(CANTILEVER)
     with mpmath.workdps(40):

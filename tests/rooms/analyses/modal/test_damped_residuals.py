@@ -58,6 +58,7 @@ def _all_within_bounds(elements):
     return found
 
 
+@pytest.mark.sweep
 def test_the_farthest_and_the_nearest_by_newtons_method():
     elements = chain(24, 5, 2, 2, 3, 1)
     found = damped_floats(elements)

@@ -116,6 +116,7 @@ def test_a_coordinate_without_inertia_is_refused():
     assert "need an inertia at each of them" in refusal(vibcli.load(scene), "omega[1]")
 
 
+@pytest.mark.sweep
 def test_a_scene_whose_parts_move_with_all_coordinates_keeps_the_old_limit():
     scene = chain(constraints={"c": {"equal": ["x1", "2*x2"]}})
     with pytest.raises(SpecError, match="the limit is 2000 where `constraints:` ties them"):
