@@ -186,7 +186,7 @@ class Dimensions:
 
     def resolve(self, dimension: Mapping[str, Fraction | int]):
         """`dimension` with every unknown that has been solved replaced."""
-        while any(base in self._solved for base in dimension):
+        while not self._solved.keys().isdisjoint(dimension):
             found = {}
             for base, exponent in dimension.items():
                 found = times(found, self._solved.get(base, {base: 1}), exponent)

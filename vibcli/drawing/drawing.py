@@ -20,7 +20,7 @@ def draw(problem: Any) -> list[Any]:
         from vibcli.drawing.symbols import abstract
 
         found = abstract.draw(stage.scene)
-        return found + notes.lines(stage, extent(found))
+        return found + notes.lines(stage, found)
     found, where = compose.figure(stage, stage.sketch)
     if any("move" in body.record for body in stage.scene.bodies.values()):
         from vibcli.drawing.symbols import path
@@ -67,8 +67,8 @@ def annotations(stage: Any, found: Any,
         beside = [plane.plus(middle, normal, 7.0 * side) for side in sides or (1.0, -1.0)]
         made.append(space.put(_element(name, sketch), beside))
     made += _lengths(stage, space)
-    put(_gravity(sketch, extent(found + made)))
-    return made + notes.lines(stage, extent(found + made))
+    put(_gravity(sketch, found + made))
+    return made + notes.lines(stage, found + made)
 
 
 def _loads(stage, space):
@@ -203,12 +203,13 @@ def _spots(name, look, sketch):
     return [plane.middle(*plane.corners(part.points))]
 
 
-def _gravity(sketch, box):
-    """An arrow beside the upper right corner."""
+def _gravity(sketch, drawn):
+    """An arrow beside the upper right corner of what is drawn."""
     gravity = sketch.scene.gravity
     if gravity is None:
         return []
     direction = plane.unit([sketch.scene.number(part) for part in gravity], (0.0, -1.0))
+    box = extent(drawn)
     middle = box[2] + 18.0, box[3] - GRAVITY / 2
     start, tip = (plane.plus(middle, direction, side * GRAVITY / 2) for side in (-1, 1))
     field = sketch.spec.get("gravity")

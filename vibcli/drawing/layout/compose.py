@@ -39,12 +39,12 @@ class Scenery:
             from vibcli.drawing.symbols import rope
 
             self.ropes = rope.ropes(self.sketch, self.looks, self.ties)
-        box = extent(primitives(self, self.sketch)[0])
-        left, top = (box[0], box[1] - BELOW) if box else (0.0, 0.0)
         self.hung, self.rows, self.wound, self.strips = [], [], [], []
         if self.sketch.lumped or scene.members:
             from vibcli.drawing.layout import unplaced
 
+            box = extent(primitives(self, self.sketch)[0])
+            left, top = (box[0], box[1] - BELOW) if box else (0.0, 0.0)
             self.hung, self.rows, self.wound, self.strips = unplaced.laid_out(self.sketch, left, top)
 
     def at(self, position: Mapping[str, float] | None = None, time: float = 0.0) -> Sketch:

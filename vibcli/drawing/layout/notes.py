@@ -1,8 +1,9 @@
 """What a drawing cannot show, in words below it: elements without a place, equations, given energies and matrices."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+from vibcli.drawing.canvas.primitives import extent
 from vibcli.drawing.layout import captions, lettering
 from vibcli.drawing.symbols.connection import symbol
 from vibcli.notation.names import GREEK
@@ -14,11 +15,12 @@ if TYPE_CHECKING:
 SIZE, LEADING, MOST = 9.5, 15.0, 8
 
 
-def lines(stage: "Scenery", box: Sequence[float]) -> "list[LetterRuns]":
-    """The Texts of the notes, below the box of the drawing."""
+def lines(stage: "Scenery", drawn: Sequence[Any]) -> "list[LetterRuns]":
+    """The Texts of the notes, below what is drawn."""
+    found, every = [], of(stage)[:MOST]
+    box = extent(drawn) if every else None
     left, bottom = (box[0], box[1] - 10.0) if box else (0.0, 0.0)
-    found = []
-    for runs in of(stage)[:MOST]:
+    for runs in every:
         bottom -= LEADING
         found.append(lettering.text(runs, left, bottom, "note"))
     return found

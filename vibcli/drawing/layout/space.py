@@ -37,16 +37,23 @@ class Space:
                     self.cells.setdefault(key, FILLED)
             for stroke in part.strokes():
                 keys = set(_cells_of(tuple(stroke)))
-                self.cells.update((key, 1.0) for key in keys if self.cells.get(key, 0.0) < 1.0)
+                self._taken(keys, 1.0)
                 if part.role == "spring" and len(stroke) >= COILS:
                     coiled = set(_cells_within([*stroke[1::2], *stroke[2::2][::-1]])) - keys
-                    self.cells.update((key, COILED) for key in coiled if self.cells.get(key, 0.0) < COILED)
+                    self._taken(coiled, COILED)
                     keys |= coiled
                 if part.role in KEPT_CLEAR or part.layer == ARROW:
                     self.kept |= keys
                     self.barred |= keys
                 elif part.layer == BODY and getattr(part, "fill", 0):
                     self.barred |= keys
+
+    def _taken(self, keys, cost):
+        """Let some cells cost so much at least."""
+        cells = self.cells
+        for key in keys:
+            if cells.get(key, 0.0) < cost:
+                cells[key] = cost
 
     def bar(self, points: Sequence[tuple[float, float]]) -> None:
         """Let no arrow into an outline."""
@@ -140,11 +147,14 @@ def _cells_of(points):
 def _cells_within(points):
     """The cells inside an outline, row by row."""
     ys = [y for _, y in points]
-    for j in range(ceil(min(ys) / CELL), floor(max(ys) / CELL) + 1):
-        y = (j + 0.5) * CELL
-        xs = sorted(ax + (y - ay) * (bx - ax) / (by - ay)
-                    for (ax, ay), (bx, by) in zip(points, [*points[1:], points[0]], strict=True)
-                    if (ay > y) != (by > y))
+    crossed = {j: [] for j in range(ceil(min(ys) / CELL), floor(max(ys) / CELL) + 1)}
+    for (ax, ay), (bx, by) in zip(points, [*points[1:], points[0]], strict=True):
+        for j in range(floor(min(ay, by) / CELL) - 1, ceil(max(ay, by) / CELL) + 1):
+            y = (j + 0.5) * CELL
+            if (ay > y) != (by > y) and j in crossed:
+                crossed[j].append(ax + (y - ay) * (bx - ax) / (by - ay))
+    for j, xs in crossed.items():
+        xs.sort()
         for left, right in zip(xs[::2], xs[1::2], strict=False):
             for i in range(ceil(left / CELL), floor(right / CELL)):
                 yield i, j
