@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from vibcli.drawing.canvas.primitives import extent
-from vibcli.drawing.layout import captions, compose, lettering, letters, notes, plane
+from vibcli.drawing.layout import captions, compose, lettering, notes, plane
 from vibcli.drawing.layout.space import Space
 from vibcli.drawing.symbols import arrow, connection, coordinate, dimension
 
@@ -15,7 +15,7 @@ SLENDER = ("rod", "arm", "bob", "bar", "ring", "hoop", "rim", "arch", "frame")
 
 def draw(problem: Any) -> list[Any]:
     """The primitives of a scene as drawn, with its names."""
-    stage = letters.pleasing(problem, compose.Scenery)
+    stage = _pleasing(problem) if problem.scene.parameters.free else compose.Scenery(problem.scene)
     if not stage.scene.bodies and not stage.scene.members:
         from vibcli.drawing.symbols import abstract
 
@@ -27,6 +27,13 @@ def draw(problem: Any) -> list[Any]:
 
         found += path.draw(stage)
     return found + annotations(stage, found, where)
+
+
+def _pleasing(problem):
+    """The stage of a scene with parameters that may be letters."""
+    from vibcli.drawing.layout.letters import pleasing
+
+    return pleasing(problem, compose.Scenery)
 
 
 def annotations(stage: Any, found: Any,

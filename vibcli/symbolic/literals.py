@@ -24,7 +24,8 @@ def literal(text: str, number: "Match") -> Number:
     if len(mantissa) > 80 or len(exponent) > 4 or abs(int(exponent or 0)) > 60:
         raise ExpressionError(start, len(digits), "this number is out of range", RANGE)
     chain, end = _units(text.replace("μ", "µ"), start, number.end())
-    return Number(start, end, Fraction(digits), tuple(chain))
+    value = Fraction(int(digits)) if digits.isdecimal() else Fraction(digits)
+    return Number(start, end, value, tuple(chain))
 
 
 def _units(text, start, at):
@@ -50,6 +51,8 @@ def _units(text, start, at):
 def _unit_power(match):
     """The power of a unit: 2, -1, 0.5 or (3/2)."""
     text = match.group(3) or match.group(4) or _SUPERSCRIPTS.get(match.group(5), "1")
+    if text in ("1", "2", "3", "4"):
+        return int(text)
     above, _, below = text.partition("/")
     if len(text) > 12 or (below and not int(below)) or abs(power := Fraction(above) / Fraction(below or 1)) > 12:
         raise ExpressionError(match.start(2), match.end() - match.start(2), "this power is out of range",

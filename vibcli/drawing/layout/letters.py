@@ -22,7 +22,7 @@ FACTORS = Fraction(2), Fraction(1, 2), Fraction(3)      # by which single length
 def pleasing(problem: Any, stage_of: type[Any]) -> "Scenery":
     """The stage (`stage_of(scene)`) whose letters draw the scene best; only that of the problem where it has none."""
     stage = stage_of(problem.scene)
-    if not problem.scene.parameters.free or not problem.numeric.has_free_symbols or crowding(stage) <= ENOUGH:
+    if not problem.numeric.has_free_symbols or crowding(stage) <= ENOUGH:
         return stage
     best = crowding(stage), stage
     for tries in (_anew, _stretched):
