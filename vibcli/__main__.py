@@ -1,7 +1,10 @@
 """What `vibcli` and `python -m vibcli` run. Nothing is imported before an interrupt is provided for."""
 
+import atexit
 import gc
+import os
 import sys
+from contextlib import suppress
 
 YOUNG = 100_000     # objects between searches for garbage: what is imported and read is none, and searching it is slow
 
@@ -18,8 +21,19 @@ def main():
     except KeyboardInterrupt:
         sys.stderr.write("interrupted\n")
         code = 130
-    gc.freeze()         # what is left goes with the process: no search
-    sys.exit(code)
+    _leave(code)
+
+
+def _leave(code):
+    """End the process: what waits for its end is done and what was written goes out; modules and objects, which go with
+    the process, are not taken apart one by one."""
+    if sys.gettrace() or sys.getprofile():      # whoever watches wants to see the end
+        sys.exit(code)
+    atexit._run_exitfuncs()
+    for stream in (sys.stdout, sys.stderr):
+        with suppress(Exception):
+            stream.flush()
+    os._exit(code)
 
 
 if __name__ == "__main__":

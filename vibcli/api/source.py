@@ -59,7 +59,7 @@ def shown_lines(file: str) -> list[str]:
 
 def stage_costs(problem: "Problem") -> "dict[str, float | None]":
     """{stage: seconds that it took, None where it was skipped}, of reading those alone that were timed."""
-    from vibcli.results.problem import STAGES
+    from vibcli.results.stages import STAGES
 
     read = {stage: problem.timings[stage] for stage in ("read", "spec") if stage in problem.timings}
     return read | {stage: problem.timings.get(stage) for stage in STAGES}

@@ -19,14 +19,20 @@ def si(kg: int = 0, m: int = 0, s: int = 0) -> dict[str, int]:
 
 class Unit:
     """value·πᵖ·Π bᵉ in SI, the last of `roots` (b, e) with fractional e; a dimension, and the powers in which it counts
-    cycles (1 of Hz) and radians (1 of rpm)."""
+    cycles (1 of Hz) and radians (1 of rpm). Of a scene's few units alone the value is made a fraction."""
 
-    __slots__ = ("cycles", "dimension", "pi", "radians", "roots", "value")
+    __slots__ = ("_prefix", "_value", "cycles", "dimension", "pi", "radians", "roots")
 
     def __init__(self, value: Any, dimension: Mapping[str, Fraction | int], pi: Fraction | int = 0, cycles: int = 0,
-                 radians: int = 0, roots: Any = ()):
-        self.value, self.dimension, self.pi = Fraction(value), dimension, pi
-        self.cycles, self.radians, self.roots = cycles, radians, roots
+                 radians: int = 0, roots: Any = (), prefix: str = ""):
+        self._value, self.dimension, self.pi = value, dimension, pi
+        self.cycles, self.radians, self.roots, self._prefix = cycles, radians, roots, prefix
+
+    @property
+    def value(self) -> Fraction:
+        if not isinstance(self._value, Fraction):
+            self._value = Fraction(_PREFIXES[self._prefix]) * Fraction(self._value)
+        return self._value
 
     def in_si(self, number: Fraction | int) -> float:
         """So many of this unit in SI, as a float."""
@@ -38,17 +44,16 @@ class Unit:
 
 RATE, SPEED, AREA = si(s=-1), si(m=1, s=-1), si(m=2)
 FORCE, ENERGY, POWER, PRESSURE = si(1, 1, -2), si(1, 2, -2), si(1, 2, -3), si(1, -1, -2)
-_PREFIXES = {"n": "1e-9", "u": "1e-6", "µ": "1e-6", "m": "1e-3", "c": "1e-2", "d": "0.1", "da": "10", "k": "1e3",
-             "M": "1e6", "G": "1e9"}
+_PREFIXES = {"": "1", "n": "1e-9", "u": "1e-6", "µ": "1e-6", "m": "1e-3", "c": "1e-2", "d": "0.1", "da": "10",
+             "k": "1e3", "M": "1e6", "G": "1e9"}
 _POUND, _INCH, _GRAVITY = Fraction("0.45359237"), Fraction("0.0254"), Fraction("9.80665")     # exact by definition
 _POUND_FORCE, _FOOT, _MILE = _POUND * _GRAVITY, 12 * _INCH, 63360 * _INCH
 _HOUR = 3600
 
 
-def _prefixed(name, prefixes, dimension, value=1, **counts):
+def _prefixed(name, prefixes, dimension, **counts):
     """{name: Unit} of a unit with each of some prefixes, and without."""
-    return {prefix + name: Unit(Fraction(_PREFIXES.get(prefix, 1)) * value, dimension, **counts)
-            for prefix in ("", *prefixes.split())}
+    return {prefix + name: Unit(1, dimension, prefix=prefix, **counts) for prefix in ("", *prefixes.split())}
 
 
 UNITS = {
@@ -181,7 +186,7 @@ class Dimensions:
 
     def resolve(self, dimension: Mapping[str, Fraction | int]):
         """`dimension` with every unknown that has been solved replaced."""
-        while any(base in self._solved for base in dimension):
+        while not self._solved.keys().isdisjoint(dimension):
             found = {}
             for base, exponent in dimension.items():
                 found = times(found, self._solved.get(base, {base: 1}), exponent)
@@ -209,13 +214,11 @@ class Dimensions:
 @lru_cache(maxsize=256)
 def parse_unit(text: str) -> Unit:
     """The unit of a text such as 'kg*m^2' (for the declarations of fields); raises ValueError."""
-    import re
-
-    chain, sign = [], 1
-    for sep, word, power in re.findall(r"([*/·]?)\s*([A-Za-zµ°%]+|1)(?:\^(-?\d+))?", text):
-        sign = -1 if sep == "/" else 1
-        if word != "1":
-            if word not in UNITS:
-                raise ValueError(f"unknown unit '{word}'")
-            chain.append((word, sign * int(power or 1)))
+    chain = []
+    for part in text.replace("·", "*").replace("/", "*/").split("*"):
+        word, _, power = part.strip("/ ").partition("^")
+        if word not in UNITS and word not in ("", "1"):
+            raise ValueError(f"unknown unit '{word}'")
+        if word in UNITS:
+            chain.append((word, (-1 if part.startswith("/") else 1) * int(power or 1)))
     return combine(tuple(chain))

@@ -7,7 +7,6 @@ import click
 
 from vibcli.cli.common import load
 from vibcli.cli.pictures import one, picture_options, target, write
-from vibcli.cli.sampled import INSTANT, show_curves, size
 
 SUFFIXES = (".png", ".svg", ".pdf")
 
@@ -31,7 +30,7 @@ def command(file: str, settings: Sequence[Any], case: str | None, output: str | 
     """The scene as a textbook figure, a mode shape on it, or diagrams of the forces and moments within its members:
     png, svg or pdf by the suffix of the file."""
     _refuse(index, both, place, diagrams, {"--at": instant, "--amplitudes": amplitudes, "--plot": plot})
-    at = None if instant is None else float(size(instant, "--at", "s", INSTANT, exact=True))
+    at = None if instant is None else _instant(instant)
     problem = one(load(file, settings, patience), case)
     path = None if plot and output is None else target(file, output, SUFFIXES, force, case, "diagrams" * diagrams,
                                                        f"mode{index}" if index else None,
@@ -51,7 +50,16 @@ def command(file: str, settings: Sequence[Any], case: str | None, output: str | 
     if path is not None:
         write(path, SceneDrawing.of_forces(problem, which).data(path.suffix[1:].lower()), force)
     if plot:
+        from vibcli.cli.sampled import show_curves
+
         show_curves(True, (), force, "", lambda: force_figure(problem, which))
+
+
+def _instant(text):
+    """A time [s] given on the command line."""
+    from vibcli.cli.sampled import INSTANT, size
+
+    return float(size(text, "--at", "s", INSTANT, exact=True))
 
 
 def _refuse(index, both, place, diagrams, further):

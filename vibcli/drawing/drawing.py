@@ -4,10 +4,9 @@ from collections.abc import Mapping
 from typing import Any
 
 from vibcli.drawing.canvas.primitives import extent
-from vibcli.drawing.layout import captions, compose, lettering, letters, lumped, notes, plane
+from vibcli.drawing.layout import captions, compose, lettering, notes, plane
 from vibcli.drawing.layout.space import Space
-from vibcli.drawing.symbols import abstract, arrow, connection, coordinate, dimension, load, member_words, path
-from vibcli.drawing.symbols.shape import outline
+from vibcli.drawing.symbols import arrow, connection, coordinate, dimension
 
 GRAVITY = 30.0
 SHOWN = "bodies bars shafts beams strings springs dampers inerters forces constraints".split()
@@ -16,13 +15,25 @@ SLENDER = ("rod", "arm", "bob", "bar", "ring", "hoop", "rim", "arch", "frame")
 
 def draw(problem: Any) -> list[Any]:
     """The primitives of a scene as drawn, with its names."""
-    stage = letters.pleasing(problem, compose.Scenery)
+    stage = _pleasing(problem) if problem.scene.parameters.free else compose.Scenery(problem.scene)
     if not stage.scene.bodies and not stage.scene.members:
+        from vibcli.drawing.symbols import abstract
+
         found = abstract.draw(stage.scene)
-        return found + notes.lines(stage, extent(found))
+        return found + notes.lines(stage, found)
     found, where = compose.figure(stage, stage.sketch)
-    found += path.draw(stage)
+    if any("move" in body.record for body in stage.scene.bodies.values()):
+        from vibcli.drawing.symbols import path
+
+        found += path.draw(stage)
     return found + annotations(stage, found, where)
+
+
+def _pleasing(problem):
+    """The stage of a scene with parameters that may be letters."""
+    from vibcli.drawing.layout.letters import pleasing
+
+    return pleasing(problem, compose.Scenery)
 
 
 def annotations(stage: Any, found: Any,
@@ -37,15 +48,9 @@ def annotations(stage: Any, found: Any,
         space.add(parts)
 
     thin, words = [], []
-    for record in (sketch.spec.get("forces") or {}).values():       # where they act is given: names make room for them
-        drawn = load.draw(record, sketch, stage.looks, space)
-        if drawn is not None:
-            put(drawn[0])
-            words.append((drawn[1], drawn[2], "load"))
-    for layout in stage.rows:
-        for parts, runs, places, role in lumped.arrows(layout, stage.scene, sketch):
-            put(parts)
-            words.append((runs, places, role))
+    for parts, runs, places, role in _loads(stage, space):      # where they act is given: names make room for them
+        put(parts)
+        words.append((runs, places, role))
     for runs, places, outside in _bodies(stage):
         if outside:
             thin.append((runs, places, "ink"))
@@ -55,11 +60,10 @@ def annotations(stage: Any, found: Any,
         parts, places = coordinate.draw(item, sketch, stage.looks, space)
         put(parts)
         words.append((item[0], places, item[1]))
-    for strip in stage.strips:
-        for parts, runs, places, role in member_words.of(strip, sketch, space):
-            put(parts)
-            if runs:
-                words.append((runs, places, role))
+    for parts, runs, places, role in _of_members(stage, space):
+        put(parts)
+        if runs:
+            words.append((runs, places, role))
     for runs, places, role in words + thin:
         made.append(space.put(runs, places, role))
     for parts, runs, places in _shaken(stage):
@@ -70,8 +74,33 @@ def annotations(stage: Any, found: Any,
         beside = [plane.plus(middle, normal, 7.0 * side) for side in sides or (1.0, -1.0)]
         made.append(space.put(_element(name, sketch), beside))
     made += _lengths(stage, space)
-    put(_gravity(sketch, extent(found + made)))
-    return made + notes.lines(stage, extent(found + made))
+    put(_gravity(sketch, found + made))
+    return made + notes.lines(stage, found + made)
+
+
+def _loads(stage, space):
+    """(primitives, runs, places, role) of loads on what has a place, and of all that moves and drives rows."""
+    if stage.sketch.spec.get("forces"):
+        from vibcli.drawing.symbols import load
+
+        for record in stage.sketch.spec.get("forces").values():
+            drawn = load.draw(record, stage.sketch, stage.looks, space)
+            if drawn is not None:
+                yield *drawn, "load"
+    if stage.rows:
+        from vibcli.drawing.layout import lumped
+
+        for layout in stage.rows:
+            yield from lumped.arrows(layout, stage.scene, stage.sketch)
+
+
+def _of_members(stage, space):
+    """The same of what is written on members."""
+    if stage.strips:
+        from vibcli.drawing.symbols import member_words
+
+        for strip in stage.strips:
+            yield from member_words.of(strip, stage.sketch, space)
 
 
 def contents(spec: Any) -> str:
@@ -82,13 +111,21 @@ def contents(spec: Any) -> str:
 def _lengths(stage, space):
     """Those that have room for their label."""
     found = []
-    for length in [*dimension.lengths(stage.sketch), *member_words.lengths(stage.strips, stage.sketch)]:
+    for length in [*dimension.lengths(stage.sketch), *_lengths_of_members(stage)]:
         drawn = dimension.draw(length, space)
         if drawn is not None:
             space.add(drawn[0])
             label = space.put(drawn[1], drawn[2], "measure", most=dimension.ROOM)
             found += [*drawn[0], label] if label is not None else []
     return found
+
+
+def _lengths_of_members(stage):
+    if not stage.strips:
+        return []
+    from vibcli.drawing.symbols.member_words import lengths
+
+    return lengths(stage.strips, stage.sketch)
 
 
 def _shaken(stage):
@@ -126,10 +163,12 @@ def _bodies(stage):
         if runs is not None and not parts:
             found.append((runs, _spots(name, look, stage.sketch), look.kind in SLENDER))
     for layout in stage.rows:
+        from vibcli.drawing.layout.lumped import label_places
+
         for name, place in layout.places.items():
             runs = captions.mass(stage.scene.bodies[name].record, stage.sketch)
             if runs is not None:
-                found.append((runs, lumped.label_places(place), False))
+                found.append((runs, label_places(place), False))
     return found
 
 
@@ -138,6 +177,8 @@ def _parts(name, sketch):
     found = []
     for part in sketch.scene.bodies[name].record.get("parts", ()):
         if "mass" in part and not part.get("cut"):
+            from vibcli.drawing.symbols.shape import outline
+
             shape, points = part.get("shape", "particle"), outline(part, sketch).points
             points = [sketch.frames[name].point(p) for p in points]
             ring = [points[len(points) * i // 8] for i in (3, 1, 5, 7)]
@@ -169,12 +210,13 @@ def _spots(name, look, sketch):
     return [plane.middle(*plane.corners(part.points))]
 
 
-def _gravity(sketch, box):
-    """An arrow beside the upper right corner."""
+def _gravity(sketch, drawn):
+    """An arrow beside the upper right corner of what is drawn."""
     gravity = sketch.scene.gravity
     if gravity is None:
         return []
     direction = plane.unit([sketch.scene.number(part) for part in gravity], (0.0, -1.0))
+    box = extent(drawn)
     middle = box[2] + 18.0, box[3] - GRAVITY / 2
     start, tip = (plane.plus(middle, direction, side * GRAVITY / 2) for side in (-1, 1))
     field = sketch.spec.get("gravity")

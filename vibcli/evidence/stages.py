@@ -6,7 +6,8 @@ from collections.abc import Callable
 from vibcli.analyses import OF_MODES
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.results.problem import STAGES, Problem
+from vibcli.results.problem import Problem
+from vibcli.results.stages import STAGES
 
 DEAR, FEW = ("closed_forms", "equilibria"), 3       # stages, and the coordinates up to which they are measured
 

@@ -5,7 +5,8 @@ import re
 from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.as_printed import as_printed
-from vibcli.notation.plain import GREEK, plain
+from vibcli.notation.names import GREEK
+from vibcli.notation.plain import plain
 from vibcli.quantities.quantity import quantity_of
 from vibcli.symbolic.syntax import NameRef
 

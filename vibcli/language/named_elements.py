@@ -38,16 +38,22 @@ class Lazy(NamedTuple):
 
 
 class LazyKind(NamedTuple):
-    """A kind of value by its room and the name of its file, imported when a scene first uses it."""
+    """A kind of value by its room, the name of its file and its own there, imported when a scene first uses it."""
 
     name: str
     room: str
+    what: str = "KIND"
+
+    @property
+    def opened(self) -> Any:
+        """The kind itself."""
+        return getattr(load(self.name, self.room), self.what)
 
     def __getattr__(self, attribute: str) -> Callable | str:
-        return getattr(load(self.name, self.room).KIND, attribute)
+        return getattr(self.opened, attribute)
 
     def read(self, node: Any, reader: Any):
-        return load(self.name, self.room).KIND.read(node, reader)
+        return self.opened.read(node, reader)
 
 
 class Named(NamedTuple):

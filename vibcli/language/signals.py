@@ -163,11 +163,3 @@ def near_signals(spec: "Spec", text: str) -> list[str]:
 
         return member_signals(spec, signal)
     return [f"{signal.name}.{part}" for part in _parts(spec, signal.name)] or list(spec.coordinates)
-
-
-def coordinate_name(spec: "Spec", index: str) -> str:
-    """A coordinate by its name or its number from 1; None where there is none."""
-    names = list(spec.coordinates)
-    if index.isdecimal() and index.isascii():
-        return names[int(index) - 1] if 1 <= int(index) <= len(names) else None
-    return index if index in spec.coordinates else None

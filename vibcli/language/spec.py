@@ -8,6 +8,7 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.units import Dimensions
 from vibcli.language.reader import Record
 
+RELEASED = "released"       # the key of the force that lets go, among what a motion starts from
 EXPANDED = "expanded"       # motions of the equations to the third order, {order: 3}
 MEMBERS = ("bars", "shafts", "beams", "strings")        # the sections of continuous members
 
@@ -102,6 +103,19 @@ class Spec(NamedTuple):
     def members(self) -> dict[str, str]:
         """{name: section} of its bars, shafts, beams and strings."""
         return {name: section for section in MEMBERS for name in self.sections.get(section) or ()}
+
+    def coordinate_name(self, index: str) -> str | None:
+        """A coordinate by its name or its number from 1; None where there is none."""
+        names = list(self.coordinates)
+        if index.isdecimal() and index.isascii():
+            return names[int(index) - 1] if 1 <= int(index) <= len(names) else None
+        return index if index in self.coordinates else None
+
+    @property
+    def let_go(self) -> str | None:
+        """The name of the force that lets go at t = 0; None where none does."""
+        record = self.get("initial")
+        return record[RELEASED].text if record is not None and RELEASED in record else None
 
     def with_parameters(self, parameters: Any) -> "Spec":
         """The Spec with other parameters."""

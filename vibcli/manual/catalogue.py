@@ -6,7 +6,7 @@ from vibcli.language import sections
 from vibcli.language.document.document import Mapping, Scalar, Sequence
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Many, MotionField, NameOf, OneOf
-from vibcli.language.named_elements import Lazy, Named, load
+from vibcli.language.named_elements import Lazy, LazyKind, Named, load
 from vibcli.language.reader import article
 from vibcli.reader import sections as questions
 from vibcli.reader.read import SECTIONS
@@ -50,7 +50,8 @@ class Catalogue:
         self.elements, self.sections = {}, {}
         modules = [load(name, room) for room, names in FACES for name in names]
         self._of_kind = {id(module.KIND): module for module in modules if hasattr(module, "KIND")}
-        for section, (kind, _) in SECTIONS.items():
+        for section in SECTIONS:
+            kind = _kind(section)
             module = self._of_kind.get(id(kind))
             inner = kind.kind if isinstance(kind, Named) else kind
             whole = inner is kind and module is None
@@ -89,8 +90,7 @@ class Catalogue:
 
     def about(self, section: str) -> str:
         """What a section is: the fullest text that its declarations have."""
-        kind, about = SECTIONS[section]
-        return getattr(self._of_kind.get(id(kind)), "ABOUT", None) or about
+        return getattr(self._of_kind.get(id(_kind(section))), "ABOUT", None) or SECTIONS[section][1]
 
     def pairs(self) -> list[tuple[str, str]]:
         """Every key of every element as (element word, key)."""
@@ -105,11 +105,17 @@ class Catalogue:
                 for _, part in node.entries.values():
                     found += self.used(part)
             elif section in SECTIONS:
-                kind = SECTIONS[section][0]
+                kind = _kind(section)
                 module = self._of_kind.get(id(kind))
                 inner = Named(self.sections[section].kind, "") if module and section in self.sections else kind
                 found += _used(inner, node)
         return found
+
+
+def _kind(section):
+    """The kind of a section, the file of a lazy one loaded."""
+    kind, _ = SECTIONS[section]
+    return kind.opened if isinstance(kind, LazyKind) else kind
 
 
 def opened(kind: Element | Lazy) -> tuple[str, Any, str]:

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.base.stage import Stage
-from vibcli.language.sections.initial import FIELDS, RELEASED
+from vibcli.language.sections.initial import FIELDS
+from vibcli.language.spec import RELEASED
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.transfer_between_tables import copied

@@ -1,5 +1,6 @@
 """The small oscillations of a scene in letters: equilibrium, matrices, excitation, equations of motion."""
 
+from collections.abc import Callable
 from contextlib import suppress
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -20,7 +21,7 @@ class SymbolicSystem:
     """A Configuration in letters. `modal_of`: what finds the modes of a Configuration, by which the stable equilibria
     are told from the others."""
 
-    def __init__(self, configuration: "Configuration", modal_of: type[Any]):
+    def __init__(self, configuration: "Configuration", modal_of: Callable):
         self.configuration, self.modal_of = configuration, modal_of
         self.numeric, self.system, self.spec = configuration.numeric, configuration.system, configuration.spec
         self.work, self.costs = configuration.work, configuration.costs

@@ -54,9 +54,7 @@ class MechanicalSystem:
     @cached_property
     def preloaded(self) -> "MechanicalSystem | None":
         """The system under the force that lets go at t = 0; None where none does."""
-        from vibcli.language.sections.initial import let_go
-
-        if let_go(self.spec) is None or self.released is not None:
+        if self.spec.let_go is None or self.released is not None:
             return None
         return MechanicalSystem(self.spec, self.given, self.work, self)
 

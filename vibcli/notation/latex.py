@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import Any
 
-from vibcli.notation.plain import COMMANDS, GREEK, NAMES
+from vibcli.notation.names import COMMANDS, GREEK, NAMES
 from vibcli.notation.typeset import Stacked
 
 FUNCTIONS = {"sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "exp", "ln"}

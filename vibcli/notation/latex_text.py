@@ -4,7 +4,7 @@ import re
 import unicodedata
 
 from vibcli.base.decoding import on_one_line
-from vibcli.notation.plain import COMMANDS, NAMES
+from vibcli.notation.names import COMMANDS, NAMES
 
 SPECIAL = {"\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "%": r"\%", "&": r"\&", "#": r"\#",
            "_": r"\_", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}", "<": r"\textless{}",

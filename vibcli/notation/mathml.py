@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from html import escape
 from typing import Any
 
-from vibcli.notation.plain import GREEK
+from vibcli.notation.names import GREEK
 from vibcli.notation.typeset import Stacked
 
 TIMES = '<mo>&#x2062;</mo><mspace width="0.17em"/>'       # invisible, with the space by which letters stand apart

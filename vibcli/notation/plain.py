@@ -4,10 +4,10 @@ import itertools
 import re
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from functools import lru_cache
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
+from vibcli.notation.names import GREEK, SUBSCRIPT, factors_of, split_marks, split_name
 from vibcli.notation.numbers import NEGATIVE, added_as_decimal, common_denominator, decimal, shown_as_decimal
 from vibcli.notation.ordering import factor_rank, is_rooted, positive_first, term_rank, upright
 from vibcli.notation.radicals import is_constant, place, split
@@ -17,51 +17,10 @@ from vibcli.symbolic.rationals import ONE
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
-GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η", "theta": "θ",
-          "iota": "ι", "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "rho": "ρ", "sigma": "σ",
-          "tau": "τ", "upsilon": "υ", "phi": "φ", "chi": "χ", "psi": "ψ", "omega": "ω", "pi": "π", "Gamma": "Γ",
-          "Delta": "Δ", "Theta": "Θ", "Lambda": "Λ", "Xi": "Ξ", "Pi": "Π", "Sigma": "Σ", "Phi": "Φ", "Psi": "Ψ",
-          "Omega": "Ω"}
-COMMANDS = {"phi": "varphi", "epsilon": "varepsilon"}      # of LaTeX, where they differ from the names
-NAMES = {letter: name for name, letter in GREEK.items()}
-_SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _SUPERSCRIPT = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
-PRODUCTS = re.compile(r"([EG])([AIJ](?:[op]|\d*))")   # names read as products: EI, GIo of members, and βL
-TYPED = re.compile(r"[A-Za-z][a-z]\d{1,2}")           # kt1: the stiffness k of torsion number 1
 _DOTS = {"": "", "'": "\u0307", "''": "\u0308"}
 _PRECOMPOSED = {"x\u0307": "ẋ", "x\u0308": "ẍ", "y\u0307": "ẏ", "y\u0308": "ÿ", "s\u0307": "ṡ", "z\u0307": "ż",
                 "u\u0308": "ü", "r\u0307": "ṙ"}
-
-
-def lowered(number: int) -> str:
-    """'₁₂' of 12."""
-    return str(number).translate(_SUBSCRIPT)
-
-
-def factors_of(name: str) -> list[str]:
-    """The names of which one is a product, as E and I2 of EI2; none of others."""
-    found = PRODUCTS.fullmatch(name)
-    return list(name) if name in ("βL", "βx", "βξ", "βs", "βχ") else list(found.groups()) if found else []
-
-
-@lru_cache(maxsize=1000)
-def split_name(name: str) -> tuple[str, str, str]:
-    """('φ', '1', "'") of phi1': letter, subscript, primes; ('k', 't1', '') of kt1; words as length stay whole."""
-    bare = name.rstrip("'")
-    primes = name[len(bare):]
-    letter = max((word for word in GREEK if bare.startswith(word)), key=len, default=bare[:1])
-    rest = bare[len(letter):]
-    if letter != "ℓ" and not (letter.isascii() and letter.isalpha()):
-        return bare, "", primes
-    short = len(bare) == 2 or (letter in GREEK and len(rest) <= 2) or TYPED.fullmatch(bare)
-    return (letter, rest, primes) if short or rest.isdigit() or rest[:1] in ("", "_") else (bare, "", primes)
-
-
-def split_marks(name: str) -> tuple[str, int]:
-    """("phi0'", 1) of phi0′': the name without the marks ′ of a letter that stands beside another, and their number."""
-    bare = name.rstrip("'")
-    own = bare.rstrip("′")
-    return own + name[len(bare):], len(bare) - len(own)
 
 
 class Notation:
@@ -227,7 +186,7 @@ class Plain(Notation):
         name, marks = split_marks(name)
         letter, rest, primes = split_name(name)
         letter = GREEK.get(letter, letter)
-        below = rest.translate(_SUBSCRIPT) if rest.isdigit() else rest
+        below = rest.translate(SUBSCRIPT) if rest.isdigit() else rest
         if len(letter) > 1:
             return letter + "′" * marks + primes
         dotted = letter + _DOTS[primes]

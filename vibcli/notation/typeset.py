@@ -8,9 +8,10 @@
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
+from vibcli.notation.names import factors_of, split_marks, split_name
 from vibcli.notation.notation_text import read
 from vibcli.notation.numbers import decimal, shown_as_decimal
-from vibcli.notation.plain import Notation, factors_of, split_marks, split_name
+from vibcli.notation.plain import Notation
 from vibcli.notation.radicals import place
 from vibcli.symbolic.rationals import ONE
 

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from vibcli.base.decoding import on_one_line
-from vibcli.notation.plain import GREEK
+from vibcli.notation.names import GREEK
 from vibcli.notation.typeset import Stacked
 
 FUNCTIONS = {"sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "exp", "ln"}

@@ -4,7 +4,6 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters, PhysicsError
-from vibcli.language.signals import coordinate_name
 from vibcli.quantities.modal import along, amplitude_as_asked, counted, in_letters, largest, of_shape, one_degree, ten
 from vibcli.quantities.quantity import COMPLEX, PERIOD, Declaration, as_asked, full_turn, in_floats, rounded
 
@@ -85,7 +84,7 @@ def _eigenvalue(problem, tree, args):
 def _shape(problem, tree, args):
     """In more digits, if there are any, where another eigenvalue is close: the error grows with 1/gap. An amplitude
     that is tiny beside the largest has a larger part of that one's error."""
-    signal = coordinate_name(problem.spec, tree.indices[1]) or tree.indices[1]
+    signal = problem.spec.coordinate_name(tree.indices[1]) or tree.indices[1]
     mode, lost = _pair(problem, tree)[0], 1.0
     number = int(tree.indices[0])
     gap = _gap(_beside(problem.modal.damped, number), number)

@@ -4,7 +4,6 @@ from typing import TYPE_CHECKING
 
 from vibcli.base import units
 from vibcli.quantities.quantity import SIGNAL, about_which, declared, is_choice, quantity_of
-from vibcli.quantities.signal_dimensions import output_dimension
 from vibcli.symbolic.semantics import DimensionCheck
 from vibcli.symbolic.syntax import ExpressionError, QuantityRef
 
@@ -52,6 +51,8 @@ def unit_of(spec: "Spec", asked: "Expression") -> str:
 
 def checker(spec: "Spec", text: str = "") -> DimensionCheck:
     """What finds the dimensions of signals; ExpressionError of a misfit."""
+    from vibcli.quantities.signal_dimensions import output_dimension
+
     def of(name, primes):
         found = spec.dimensions.of(name) if name in spec.parameters else output_dimension(spec, name + "'" * primes)
         return units.times(found, units.TIME, 0)

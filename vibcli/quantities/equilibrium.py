@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.base.units import LENGTH
 from vibcli.language.signal_names import signal_name
-from vibcli.language.signals import CONTACT, coordinate_name, is_reaction, signal_dimension
+from vibcli.language.signals import CONTACT, is_reaction, signal_dimension
 from vibcli.quantities.matrices import coordinate_number
 from vibcli.quantities.quantity import COUNT, FUNCTION, ROUNDING, TRUTH, Declaration, measured, unit
 from vibcli.quantities.signal_dimensions import generalised_dimension, name_dimension
@@ -41,7 +41,7 @@ def _equilibrium(problem, tree, args):
     from vibcli.symbolic.evaluation import evaluate
     from vibcli.symbolic.running_errors import RunningErrors
 
-    signal = coordinate_name(problem.spec, tree.indices[0]) or tree.indices[0]
+    signal = problem.spec.coordinate_name(tree.indices[0]) or tree.indices[0]
     scene, (name, part, *_) = problem.scene.resting, signal_name(signal)
     node = resting(scene, signal)
     if node is None and part == "force" and name in (problem.spec.get("springs") or {}):
@@ -80,7 +80,7 @@ def _in_letters(problem, tree):
     from vibcli.symbolic.derivatives import substitute
     from vibcli.symbolic.normal_form import textbook
 
-    text = coordinate_name(problem.spec, tree.indices[0]) or tree.indices[0]
+    text = problem.spec.coordinate_name(tree.indices[0]) or tree.indices[0]
     scene, name = problem.scene, signal_name(text)
     node = resting(scene, text)
     if node is None and name.part == "force" and name.name in (problem.spec.get("springs") or {}):
@@ -113,7 +113,7 @@ def _size(problem, tree):
     from vibcli.results.random_states import reach
 
     text = tree.indices[0]
-    name = coordinate_name(problem.spec, text)
+    name = problem.spec.coordinate_name(text)
     if name is not None:
         return reach(problem, name)
     dimension = signal_dimension(problem.spec, text)
@@ -141,11 +141,11 @@ QUANTITIES = {
     "equilibrium": Declaration(
         "a coordinate or signal in equilibrium", None, _equilibrium, ("signal",), several=True, size=_size,
         symbolic=_in_letters, dimension=lambda spec, tree: name_dimension(
-            spec, coordinate_name(spec, tree.indices[0]) or tree.indices[0])),
+            spec, spec.coordinate_name(tree.indices[0]) or tree.indices[0])),
     "Q": Declaration(
         "generalised force of weights, springs and steady loads at rest, δA = Σ Q δq", indices=("coordinate",),
         kind=FUNCTION, symbolic=_generalised_force, dimension=lambda spec, tree: generalised_dimension(
-            spec, coordinate_name(spec, tree.indices[0]))),
+            spec, spec.coordinate_name(tree.indices[0]))),
     "stable": Declaration(
         "`true` where the equilibrium is stable: by the eigenvalues of small motions, by the signs of K where not "
         "everything has inertia, and by terms beyond the linear ones where these vanish", "1",

@@ -3,9 +3,7 @@
 from collections.abc import Callable
 
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.language.signals import coordinate_name, near_signals, signal_dimension
 from vibcli.language.spec import MEMBERS
-from vibcli.quantities.signal_dimensions import input_dimension, inputs, output_dimension
 
 MOST_COUNTED = 1000
 
@@ -24,7 +22,7 @@ class IndexKind(NamedTuple):
     @property
     def of_signals(self) -> bool:
         """Are they signals?"""
-        return self.names is near_signals
+        return self.names is _near_signals
 
 
 def _whole(index):
@@ -59,8 +57,34 @@ def _is_mode(spec, index):
     return _whole(index) and (bool(spec.members) or int(index) <= 2 * len(spec.coordinates))
 
 
+def _near_signals(spec, index):
+    from vibcli.language.signals import near_signals
+
+    return near_signals(spec, index)
+
+
 def _is_signal(spec, index):
-    return coordinate_name(spec, index) is not None or signal_dimension(spec, index) is not None
+    from vibcli.language.signals import signal_dimension
+
+    return spec.coordinate_name(index) is not None or signal_dimension(spec, index) is not None
+
+
+def _is_output(spec, index):
+    from vibcli.quantities.signal_dimensions import output_dimension
+
+    return output_dimension(spec, index) is not None
+
+
+def _inputs(spec, index):
+    from vibcli.quantities.signal_dimensions import inputs
+
+    return inputs(spec)
+
+
+def _is_input(spec, index):
+    from vibcli.quantities.signal_dimensions import input_dimension
+
+    return input_dimension(spec, index) is not None
 
 
 HIGHEST = 8         # order of a product
@@ -91,12 +115,11 @@ INDICES = {
     "equilibrium": IndexKind(lambda spec, index: ["1", "2", "3"], lambda spec, index: _whole(index), "1", (),
                              "equilibrium"),
     "coordinate": IndexKind(lambda spec, index: list(spec.coordinates),
-                            lambda spec, index: coordinate_name(spec, index) is not None, "coordinate", ("q", "r"),
+                            lambda spec, index: spec.coordinate_name(index) is not None, "coordinate", ("q", "r"),
                             "coordinate"),
-    "signal": IndexKind(near_signals, _is_signal, "signal", ("q",), "coordinate or signal"),
-    "output": IndexKind(near_signals, lambda spec, index: output_dimension(spec, index) is not None, "x", (), "output"),
-    "input": IndexKind(lambda spec, index: inputs(spec), lambda spec, index: input_dimension(spec, index) is not None,
-                       "F", (), "input"),
+    "signal": IndexKind(_near_signals, _is_signal, "signal", ("q",), "coordinate or signal"),
+    "output": IndexKind(_near_signals, _is_output, "x", (), "output"),
+    "input": IndexKind(_inputs, _is_input, "F", (), "input"),
     "number": _free(f"a whole number from 1 to {MOST_COUNTED}",
                     lambda index: _whole(index) and int(index) <= MOST_COUNTED, "1")._replace(letters=("k",)),
     "root": _free("1 or 2, of two real eigenvalues by ascending |λ|", lambda index: index in ("1", "2"), "1")._replace(

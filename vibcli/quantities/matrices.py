@@ -5,7 +5,6 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 from vibcli.base.errors import NotInLetters, PhysicsError
-from vibcli.language.signals import coordinate_name
 from vibcli.quantities.quantity import ROUNDING, Declaration
 from vibcli.symbolic.running_errors import error_in
 
@@ -19,7 +18,7 @@ POWERS = {"M": 2, "C": 1, "G": 1, "K": 0}       # of the time in an entry, which
 
 def coordinate_number(problem: "Problem", index: str) -> int:
     """The number of an independent coordinate, from 0."""
-    name = coordinate_name(problem.spec, index)
+    name = problem.spec.coordinate_name(index)
     if name not in problem.scene.coordinates:
         if not problem.scene.coordinates:
             raise PhysicsError(f"the constraints leave '{name}' no freedom: nothing here has an equation of motion",
@@ -53,7 +52,7 @@ def largest(problem: "Problem", tree: "QuantityRef") -> float:
 
 def _symbolic(problem, tree):
     matrix = dict(zip("MCGK", problem.symbolic.matrices, strict=True))[tree.head]
-    names, coordinates = [coordinate_name(problem.spec, index) for index in tree.indices], problem.scene.coordinates
+    names, coordinates = [problem.spec.coordinate_name(index) for index in tree.indices], problem.scene.coordinates
     if not set(names) <= set(coordinates):
         raise NotInLetters(f"'{tree.text}' is found in numbers")
     return matrix.get(tuple(map(coordinates.index, names)), problem.scene.table.zero)
@@ -66,7 +65,7 @@ def entry_dimension(which: str, q: Any, r: Mapping[str, Any]):
 
 def dimension(spec: "Spec", tree: "QuantityRef") -> dict[str, int]:
     """Of an entry."""
-    return entry_dimension(tree.head, *(spec.dimensions.of(coordinate_name(spec, index)) for index in tree.indices))
+    return entry_dimension(tree.head, *(spec.dimensions.of(spec.coordinate_name(index)) for index in tree.indices))
 
 
 def _of_matrix(word):

@@ -5,12 +5,8 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 from vibcli.base.errors import NotInLetters, PhysicsError
-from vibcli.language.member_signals import OF_COORDINATES
-from vibcli.language.signal_names import signal_name
-from vibcli.language.signals import coordinate_name
 from vibcli.quantities.matrices import entry_dimension
 from vibcli.quantities.quantity import COMPLEX, PERIOD, ROUNDING, Declaration, as_asked, full_turn, rounded
-from vibcli.quantities.signal_dimensions import name_dimension
 
 if TYPE_CHECKING:
     import mpmath
@@ -87,7 +83,10 @@ def ten(problem: "Problem", tree: "QuantityRef") -> float:
 
 
 def _shape(problem, tree, args):
-    signal = coordinate_name(problem.spec, tree.indices[1]) or tree.indices[1]
+    from vibcli.language.member_signals import OF_COORDINATES
+    from vibcli.language.signal_names import signal_name
+
+    signal = problem.spec.coordinate_name(tree.indices[1]) or tree.indices[1]
     mode = problem.modal.told_apart(_mode(problem, tree))
     shape, placed = problem.modal.shape(mode), signal_name(signal)
     if placed.name in problem.spec.members and placed.kind not in OF_COORDINATES:
@@ -169,13 +168,16 @@ def _measured(spec, slopes=False):
 
 def of_shape(spec: "Spec", tree: "QuantityRef", slopes: bool = False):
     """The dimension of an amplitude where all that may be 1 measures the same, `slopes` of beams too; else None."""
+    from vibcli.quantities.signal_dimensions import name_dimension
+
     measured = _measured(spec, slopes)
-    name = coordinate_name(spec, tree.indices[1]) or tree.indices[1]
+    name = spec.coordinate_name(tree.indices[1]) or tree.indices[1]
     return None if measured is None else units.times(name_dimension(spec, name), measured, -1)
 
 
 def along(problem: "Problem", shape: "Sequence[complex | mpmath.mpf]", signal: str) -> "complex | mpmath.mpf":
     """How far a signal moves where the coordinates move by `shape`: Σ (∂s/∂qᵢ) φᵢ."""
+    from vibcli.language.signal_names import signal_name
     from vibcli.mechanics.inputs_outputs.displacements import displacement
     from vibcli.symbolic.derivatives import gradient
     from vibcli.symbolic.evaluation import Floats, evaluate

@@ -2,7 +2,6 @@
 
 from typing import TYPE_CHECKING, Any
 
-from vibcli.language.signals import coordinate_name
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.syntax import ExpressionError, NameRef, Number, Power, Product
 
@@ -20,7 +19,7 @@ def powers_in(spec: "Spec", text: str, highest: int) -> "dict[tuple[str, int], i
     for side, factor in tree.parts if isinstance(tree, Product) else ((1, tree),):
         base: Any = factor.base if isinstance(factor, Power) else factor
         n = _whole(factor.exponent) if isinstance(factor, Power) else 1
-        name = coordinate_name(spec, base.name) if isinstance(base, NameRef) and base.primes < 2 else None
+        name = spec.coordinate_name(base.name) if isinstance(base, NameRef) and base.primes < 2 else None
         if name is None or not n or side != 1:
             return None
         found[name, base.primes] = found.get((name, base.primes), 0) + n

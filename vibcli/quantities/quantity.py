@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.quantities import FAMILIES, FORMS
 from vibcli.symbolic.parser import IN_TWO_BRACKETS
-from vibcli.symbolic.running_errors import UNIT, error_in, number_in
 from vibcli.symbolic.syntax import NameRef, QuantityRef, Sum, parts_of
 
 if TYPE_CHECKING:
@@ -57,11 +56,15 @@ def rounded(problem: "Problem", error: float) -> float:
 
 def unit(problem: "Problem") -> float:
     """The rounding of the numbers in which a problem is asked."""
+    from vibcli.symbolic.running_errors import UNIT
+
     return UNIT if problem.digits is None else 10.0**-problem.digits
 
 
 def measured(found: Any, least: float = 0.0) -> tuple[Any, float]:
     """(value, relative error bound) of a number with its bound; at least so much."""
+    from vibcli.symbolic.running_errors import error_in, number_in
+
     value, error = number_in(found), error_in(found)
     return value, max(least, float(error / abs(value))) if value else ROUNDING
 

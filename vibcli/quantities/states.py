@@ -3,8 +3,7 @@
 from math import isfinite
 
 from vibcli.base.errors import NotInLetters, PhysicsError
-from vibcli.language.sections.initial import RELEASED
-from vibcli.language.signals import coordinate_name
+from vibcli.language.spec import RELEASED
 from vibcli.quantities.matrices import coordinate_number
 from vibcli.quantities.matrices import dimension as entry_dimension
 from vibcli.quantities.quantity import ERROR, ROUNDING, Declaration
@@ -98,5 +97,5 @@ QUANTITIES = {
         "generalised force −∂V/∂q + Σ F ∂s/∂q of springs, weights and loads as they act at an instant, dampers left "
         "out, with what the inertia of driven motions exerts at relative rest", None, _value, ("coordinate",),
         ("time",), size=_size, symbolic=_in_letters,
-        dimension=lambda spec, tree: generalised_dimension(spec, coordinate_name(spec, tree.indices[0]))),
+        dimension=lambda spec, tree: generalised_dimension(spec, spec.coordinate_name(tree.indices[0]))),
 }

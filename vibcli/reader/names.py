@@ -5,9 +5,8 @@ from typing import TYPE_CHECKING
 from vibcli.base import units
 from vibcli.language.dimension_check import check, check_whole_literal
 from vibcli.language.named_place import NamedPlace
-from vibcli.language.reader import Reader, Record
+from vibcli.language.reader import Expression, Reader, Record
 from vibcli.language.record_calls import own
-from vibcli.language.sections.initial import RELEASED
 from vibcli.language.spec import MEMBERS
 from vibcli.quantities.dimensions import asked_dimension
 from vibcli.reader.references import check_references
@@ -250,7 +249,7 @@ def _start(spec):
     pairs = [(record["value"], units.times(units.ENERGY, unknown(record["coordinate"].text), -1))
              for record in (spec.get("forces") or {}).values() if "value" in record and "coordinate" in record]
     pairs += [(value, units.times(unknown(name.rstrip("'")), units.TIME, -name.count("'")))
-              for name, value in initial.items() if name != RELEASED]
+              for name, value in initial.items() if isinstance(value, Expression)]
     pairs += [(record[bound], unknown(name)) for name, record in (spec.get("choose") or {}).items()
               for bound in ("from", "to") if bound in record]
     pairs += [(record["per_length"], {**units.parse_unit("N" if record["body"].text in (spec.get("shafts") or {}) else

@@ -7,7 +7,6 @@ from vibcli.base import units
 from vibcli.base.diagnostics import quoted
 from vibcli.base.spelling import nearest
 from vibcli.language.dimension_check import applied
-from vibcli.language.signals import near_signals
 from vibcli.quantities import FAMILIES
 from vibcli.quantities.cycle_count import cycles
 from vibcli.quantities.dimensions import checker
@@ -198,11 +197,14 @@ def _unknown(spec, reader, tree, name, place):
         reader.report(place, f"unknown quantity or signal {quoted(name)}", _hint(spec, name, words))
     else:
         reader.report(place, f"this scene has no coordinate or signal {quoted(name)}",
-                      _hint(spec, name, near_signals(spec, name)))
+                      _hint(spec, name))
 
 
-def _hint(spec, name, words):
-    return nearest(name, near_signals(spec, name) if "." in name else words)
+def _hint(spec, name, words=None):
+    """The nearest of some words; of signals where the name is like that of one, or no words are given."""
+    from vibcli.language.signals import near_signals
+
+    return nearest(name, near_signals(spec, name) if words is None or "." in name else words)
 
 
 def _dimension(spec, reader, expression, tree):

@@ -17,10 +17,9 @@ from vibcli.language.named_elements import Lazy, LazyKind, Named
 from vibcli.language.reader import MOST_PROBLEMS, Reader, TooManyErrors
 from vibcli.language.record_calls import RESERVED, own
 from vibcli.language.sections import NAMES as GIVEN
-from vibcli.language.sections import OWN_OF_CASES, coordinates, equilibrium, gravity, initial
+from vibcli.language.sections import OWN_OF_CASES
 from vibcli.language.spec import MEMBERS, Spec
 from vibcli.reader.sections import NAMES as ASKED
-from vibcli.reader.sections import answer, find
 from vibcli.symbolic.parser import plain_name
 
 MOST_CASES = 100
@@ -57,6 +56,11 @@ def _kind(name, section):
     return Named(Lazy(name), f"a mapping from names to {_CALLED.get(section, section)}", _TAKEN.get(section, ()))
 
 
+def _own(name):
+    """The kind of a section that has a file of its own."""
+    return LazyKind(name, "language.sections")
+
+
 _CALLED, _TAKEN = {"points": "places"}, {"points": ("ground",), "bodies": ("ground",)}
 SECTIONS = {
     "title": (Text(), "what the scene shows, in a line"),
@@ -66,20 +70,20 @@ SECTIONS = {
                    GIVEN["parameter"]),
     "records": (Named(Lazy("record", "language.sections"), "a mapping from names to records", RESERVED),
                 GIVEN["record"]),
-    "coordinates": (coordinates.KIND, GIVEN["coordinates"]),
-    "gravity": (gravity.KIND, GIVEN["gravity"]),
+    "coordinates": (_own("coordinates"), GIVEN["coordinates"]),
+    "gravity": (_own("gravity"), GIVEN["gravity"]),
     **{section: (_kind(name, section), about) for name, (section, about) in ELEMENTS.items() if section is not None},
-    "equilibrium": (equilibrium.KIND, GIVEN["equilibrium"]),
-    "initial": (initial.KIND, GIVEN["initial"]),
-    "motion": (LazyKind("motion", "language.sections"), (
+    "equilibrium": (_own("equilibrium"), GIVEN["equilibrium"]),
+    "initial": (_own("initial"), GIVEN["initial"]),
+    "motion": (_own("motion"), (
         "what motions in time are: `small` oscillations in closed form, the default about an equilibrium, or those of "
         "the `full` equations, integrated; `{order: 3}`: those of the equations expanded to the third order in the "
         "deviations from equilibrium; `{accuracy: 1e-6}`: how accurately the full ones, or with `order: 3` the "
         "expanded ones, are integrated. Scenes with nonlinear laws must say which")),
-    "find": (find.QUESTIONS, ASKED["find"]),
+    "find": (LazyKind("find", "reader.sections", "QUESTIONS"), ASKED["find"]),
     "choose": (Named(Lazy("choose", "reader.sections"), "a mapping from parameters to conditions", ("pi", "t")),
                ASKED["choose"]),
-    "answers": (answer.KIND, ASKED["answer"]),
+    "answers": (LazyKind("answer", "reader.sections"), ASKED["answer"]),
     "variants": (Lazy("variants", "reader.sections"), ASKED["variants"]),
     "cases": (_Cases(), "parts of the scene by name, each merged over it, with its own find and answers"),
 }
@@ -183,7 +187,11 @@ def _sections(root, reader):
         if len(reader.diagnostics) > before and key not in (*OWN_OF_CASES, "choose", "initial"):
             reader.not_whole()
     found = _with_member_points({key: sections[key] for key in SECTIONS if key in sections})
-    return initial.with_fields_apart(found) if reader.members else found
+    if not reader.members or "initial" not in found:
+        return found
+    from vibcli.language.sections.initial import with_fields_apart
+
+    return with_fields_apart(found)
 
 
 def _with_member_points(sections):

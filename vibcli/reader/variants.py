@@ -11,7 +11,6 @@ from vibcli.language.given_values import FIGURES, GivenValue, converted, giver, 
 from vibcli.language.reader import ByName, Expression, Reader
 from vibcli.quantities.quantity import FUNCTION, OF_STATE, TRUTH, kind_of
 from vibcli.reader.answer_check import as_quantity, check_question, checked
-from vibcli.reader.choices import check_sides, finished_sides
 from vibcli.reader.quantity_check import can_be_asked
 from vibcli.reader.sections.answer import Answer
 from vibcli.reader.sections.variants import MOST_CANDIDATES, MOST_VALUES, SERIES, AskedQuantity, Requirement
@@ -232,6 +231,8 @@ def _steps(reader, values, unit, low, high):
 
 def _comparison(spec, reader, one):
     """A Requirement with its sides finished; None where something is wrong with it."""
+    from vibcli.reader.choices import check_sides, finished_sides
+
     left, right = finished_sides(spec, one.left, one.right)
     before = len(reader.diagnostics)
     for side in (left, right):

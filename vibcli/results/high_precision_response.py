@@ -25,7 +25,8 @@ def given_start(problem: "Problem", values: "Mapping[str, mpmath.mpf]",
     """The same, where all that is not given stands at `rest`."""
     import mpmath
 
-    from vibcli.language.sections.initial import FIELDS, RELEASED
+    from vibcli.language.sections.initial import FIELDS
+    from vibcli.language.spec import RELEASED
     from vibcli.symbolic.evaluation import evaluate, multiprecision
 
     if problem.spec.get(FIELDS):

@@ -9,25 +9,23 @@ from collections.abc import Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from vibcli.analyses import OF_MODES
-from vibcli.analyses.modal.modal_analysis import ModalAnalysis
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.base.stage import Stage
-from vibcli.mechanics.configuration import Configuration
-from vibcli.mechanics.factored_system import require_dense
-from vibcli.mechanics.numeric_system import NumericSystem
-from vibcli.mechanics.symbolic_system import SymbolicSystem
 from vibcli.mechanics.system import MechanicalSystem
 
 if TYPE_CHECKING:
     from fractions import Fraction
 
     from vibcli.analyses.closed_form.closed_forms import ClosedForms
+    from vibcli.analyses.modal.modal_analysis import ModalAnalysis
     from vibcli.base.work import Work
     from vibcli.language.spec import Spec
+    from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.equilibrium.all_equilibria import Equilibria
     from vibcli.mechanics.equilibrium.equilibrium import Equilibrium
+    from vibcli.mechanics.numeric_system import NumericSystem
     from vibcli.mechanics.symbolic_linear import Tree
+    from vibcli.mechanics.symbolic_system import SymbolicSystem
     from vibcli.results.frequency_response import FrequencyResponse
     from vibcli.results.limit_loads import LimitLoads
     from vibcli.results.phase_plane import PhasePlane
@@ -37,8 +35,6 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
     from vibcli.symbolic.syntax import QuantityRef
 
-STAGES = ("scene", "linearisation", "equilibrium", "linear_system", "modes", "damped", "energies", "equations",
-          "closed_forms", "equilibria", "reactions", *OF_MODES)
 STEADY = ("amplitude", "phase", "harmonic", "mean", "rms", "period")     # of what loads keep up, where they do
 
 
@@ -52,14 +48,17 @@ class Problem:
     many = False
 
     def __init__(self, spec: "Spec", given: "Mapping[str, Fraction] | None" = None, work: "Work | None" = None,
-                 modal: ModalAnalysis | None = None, choice: Any = None, earlier: Mapping[str, float] | None = None,
-                 end: Any = None, signed: bool = False, digits: int | None = None,
-                 symbolic: SymbolicSystem | None = None):
-        if modal is None:
-            modal = ModalAnalysis(Configuration(NumericSystem(MechanicalSystem(spec, given, work))))
-        self.spec, self.modal, self.configuration, self.numeric = spec, modal, modal.configuration, modal.numeric
-        self.system, self.work, self.costs = modal.system, modal.work, modal.costs
-        self.symbolic = symbolic or SymbolicSystem(self.configuration, ModalAnalysis)
+                 modal: "ModalAnalysis | None" = None, choice: Any = None,
+                 earlier: Mapping[str, float] | None = None, end: Any = None, signed: bool = False,
+                 digits: int | None = None, symbolic: "SymbolicSystem | None" = None):
+        self.spec, self.system = spec, MechanicalSystem(spec, given, work) if modal is None else modal.system
+        self.work, self.costs = self.system.work, self.system.costs
+        self.given: Mapping[str, Fraction] = self.system.given
+        if modal is not None:
+            self.modal, self.configuration, self.numeric = modal, modal.configuration, modal.numeric
+            self.costs, self.given = modal.costs, modal.numeric.given
+        if symbolic is not None:
+            self.symbolic = symbolic
         self.choice, self.earlier, self.end, self.signed = choice, earlier or {}, end, signed
         self.digits = digits
         self._cases, self._curves, self._limits = {}, {}, {}
@@ -69,6 +68,28 @@ class Problem:
     @cached_property
     def scene(self) -> "Scene":
         return self.system.scene
+
+    @cached_property
+    def numeric(self) -> "NumericSystem":
+        from vibcli.mechanics.numeric_system import NumericSystem
+
+        return NumericSystem(self.system)
+
+    @cached_property
+    def configuration(self) -> "Configuration":
+        from vibcli.mechanics.configuration import Configuration
+
+        return Configuration(self.numeric)
+
+    @cached_property
+    def modal(self) -> "ModalAnalysis":
+        return _modes_of(self.configuration)
+
+    @cached_property
+    def symbolic(self) -> "SymbolicSystem":
+        from vibcli.mechanics.symbolic_system import SymbolicSystem
+
+        return SymbolicSystem(self.configuration, _modes_of)
 
     @property
     def timings(self) -> dict[str, float]:
@@ -82,18 +103,20 @@ class Problem:
 
     def with_spec(self, spec: "Spec") -> "Problem":
         """The scene of another Spec, with the same values and the same count of work."""
-        return Problem(spec, self.numeric.given, self.work)
+        return Problem(spec, self.given, self.work)
 
     def with_values(self, given: "Mapping[str, Fraction]") -> "Problem":
         """The same scene with values for its symbols, drawn anew."""
-        return Problem(self.spec, {**self.numeric.given, **given}, self.work)
+        return Problem(self.spec, {**self.given, **given}, self.work)
 
     def sharing(self, given: "Mapping[str, Fraction]", known: tuple = (None, None),
                 equilibrium: "Equilibrium | None" = None) -> "Problem":
         """The same with the expressions of this scene: for values on which no sign in its geometry hangs; `known`: its
         natural modes and its damped ones, each None where they are to be found, as `equilibrium` is."""
+        from vibcli.mechanics.configuration import Configuration
+
         configuration = Configuration(self.numeric.sharing(given), equilibrium)
-        return self._copy(modal=ModalAnalysis(configuration, known=known), end=None)
+        return self._copy(modal=_modes_of(configuration, known=known), end=None)
 
     def until(self, end: Any) -> "Problem":
         """The same scene with its motion looked at until an instant [s]."""
@@ -118,11 +141,11 @@ class Problem:
     def afresh(self) -> "Problem":
         """The same with its expressions and element data, and nothing found of modes and motions: what its methods
         begin with."""
-        return self._copy(modal=ModalAnalysis(self.configuration, self.modal.free), symbolic=self.symbolic)
+        return self._copy(modal=_modes_of(self.configuration, self.modal.free), symbolic=self.symbolic)
 
-    def about(self, configuration: Configuration, free: int = 0) -> "Problem":
+    def about(self, configuration: "Configuration", free: int = 0) -> "Problem":
         """The same scene about another of its equilibria; `free`: in how many directions it moves freely there."""
-        return self._copy(modal=ModalAnalysis(configuration, free), end=None)
+        return self._copy(modal=_modes_of(configuration, free), end=None)
 
     def _copy(self, **changes):
         kept = {"spec": self.spec, "modal": self.modal, "choice": self.choice, "earlier": self.earlier, "end": self.end,
@@ -132,7 +155,7 @@ class Problem:
     def case(self, name: str) -> "Problem":
         """The problem of a case of the file."""
         if name not in self._cases:
-            given = {key: value for key, value in self.numeric.given.items() if key not in self.spec.choices}
+            given = {key: value for key, value in self.given.items() if key not in self.spec.choices}
             self._cases[name] = Problem(self.spec.cases[name], given, self.work)
         return self._cases[name]
 
@@ -161,6 +184,7 @@ class Problem:
     def equilibria(self) -> "Equilibria":
         """All equilibria within the bounds of the file, or within default ones."""
         from vibcli.mechanics.equilibrium.all_equilibria import find_equilibria
+        from vibcli.mechanics.factored_system import require_dense
 
         require_dense(len(self.scene.q), "the search for equilibria")
         return find_equilibria(self.configuration)
@@ -176,35 +200,9 @@ class Problem:
     @Stage
     def response(self):
         """The motion in time, as `motion:` of the file says."""
-        from vibcli.results import responses
+        from vibcli.results.kinds_of_motion import motion_in_time
 
-        require_dense(len(self.scene.q), "a motion in time")
-        if not self.scene.q and self.scene.timed and not self.scene.pieces:
-            from vibcli.results.prescribed_motion import PrescribedResponse
-
-            return PrescribedResponse(self)
-        kind = self.spec.motion
-        if kind is None and self.scene.laws:
-            raise responses.nonlinear(self.spec, self.scene.laws[0].owner)
-        if self.scene.pieces:
-            require_no_accuracy(self.spec)
-            from vibcli.results.members_in_time import members_in_time
-
-            return members_in_time(self)
-        if self.spec.expanded:
-            from vibcli.results.expanded_response import ExpandedResponse
-
-            return ExpandedResponse(self)
-        if kind == "full" and self.digits is not None:
-            from vibcli.results.series_response import SeriesResponse
-
-            return SeriesResponse(self)
-        if kind == "full" or (kind is None and not self.numeric.has_free_symbols and self.configuration.falls):
-            from vibcli.results.full_response import FullResponse
-
-            return FullResponse(self)
-        require_no_accuracy(self.spec)
-        return responses.SmallResponse(self, _precise_response)
+        return motion_in_time(self)
 
     def response_of(self, tree: "QuantityRef") -> Any:
         """The motion that a quantity of a signal is read off: where of members that vibrate the steady state alone is
@@ -287,14 +285,8 @@ class Problem:
         return self._curves[signal, driver]
 
 
-def require_no_accuracy(spec: "Spec") -> None:
-    """PhysicsError where an accuracy is asked of a motion that is not integrated."""
-    if spec.accuracy is not None:
-        raise PhysicsError("this motion is exact in time: it is not integrated, and no accuracy can be asked of it",
-                           "leave the accuracy out, or ask for motion: full")
+def _modes_of(configuration, free=0, known=(None, None)):
+    """The ModalAnalysis of a Configuration."""
+    from vibcli.analyses.modal.modal_analysis import ModalAnalysis
 
-
-def _precise_response(problem):
-    from vibcli.results.precise_response import PreciseResponse
-
-    return PreciseResponse(problem)
+    return ModalAnalysis(configuration, free, known)

@@ -154,10 +154,9 @@ class ResponseOfMembers(SmallResponse):
     def let_go(self) -> list:
         """The SpreadDrives of a load along members that lets go."""
         from vibcli.analyses.continuous.spread_drives import spread_drive
-        from vibcli.language.sections.initial import let_go
         from vibcli.symbolic.evaluation import Floats
 
-        held, name = self.configuration.preloaded, let_go(self.problem.spec)
+        held, name = self.configuration.preloaded, self.problem.spec.let_go
         forces = [] if held is None else [force for force in held.scene.spread_forces if force.owner == name]
         return [spread_drive(force, held.at_rest, Floats) for force in forces]
 

@@ -9,7 +9,6 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.excitation.linear_output import LinearOutput, combined
-from vibcli.base.errors import PhysicsError
 from vibcli.language.signals import ENERGIES
 from vibcli.results.given_start import check_start
 from vibcli.results.response import Response
@@ -22,17 +21,8 @@ from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import NameRef, Power, QuantityRef, Sum
 
 if TYPE_CHECKING:
-    from vibcli.language.spec import Spec
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
-
-
-def nonlinear(spec: "Spec", owner: str) -> PhysicsError:
-    """The refusal of a motion in time that nobody said to linearise."""
-    record = spec.connection(owner)
-    return PhysicsError(f"'{owner}' has a nonlinear law: its motion in time is not that of small oscillations",
-                        "write motion: small where the motion stays small" if spec.members else
-                        "write motion: full, or motion: small where the motion stays small", record and record.where)
 
 
 def _jumps(node, symbols):

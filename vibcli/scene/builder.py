@@ -10,7 +10,6 @@ from vibcli.language.named_elements import load
 from vibcli.language.parameter_samples import sample_values
 from vibcli.language.parameters import Parameters
 from vibcli.language.reader import Expression, Record, Reference
-from vibcli.language.sections.initial import let_go
 from vibcli.scene.build_order import carriers_first
 from vibcli.scene.contents import Constraint, Contents, InnerStretch
 from vibcli.scene.coordinates import SceneCoordinates
@@ -21,7 +20,6 @@ from vibcli.scene.places import Frame, Places
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats
 from vibcli.symbolic.expression import Table
-from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -124,7 +122,7 @@ class Builder:
         if name == section:
             load(name).build(found, self)
             return
-        left_out = let_go(self.spec) if section == "forces" and not self.variant.preloaded else None
+        left_out = self.spec.let_go if section == "forces" and not self.variant.preloaded else None
         for record in found.values():
             self.owner = record.name
             try:
@@ -156,12 +154,12 @@ class Builder:
     def tension(self, name: str, piece: int) -> "Node | None":
         """What statics finds in a piece of a member; None where nothing tells."""
         found = self.tensions.get(name)
-        return found and copied([found.pieces[piece]], self.table)[0]
+        return found and _copied(found.pieces[piece], self.table)
 
     def tie(self, name: str) -> "Node | None":
         """The multiplier that keeps the length of a member both of whose ends move along it, as drawn."""
         found = self.tensions.get(name)
-        return None if found is None or found.tie is None else copied([found.tie], self.table)[0]
+        return None if found is None or found.tie is None else _copied(found.tie, self.table)
 
     def drifts(self, motion: "Node") -> bool:
         """Is a motion driven, and not to and fro?"""
@@ -266,6 +264,13 @@ class Reports:
         if self.diagnostics:
             raise SpecError(self.diagnostics)
         self.finished = True
+
+
+def _copied(node, table):
+    """An expression of another scene in this one."""
+    from vibcli.symbolic.transfer_between_tables import copied
+
+    return copied([node], table)[0]
 
 
 def _samples(spec, free, given, attempt):

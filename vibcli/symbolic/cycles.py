@@ -89,7 +89,9 @@ class Cycles(NamedTuple):
     def require_radians(self, tree: Any, message: str = "this counts cycles (Hz) where radians are due",
                         whole: bool = False) -> None:
         """Report a tree that counts cycles where an angle, a stiffness … is due."""
-        if not in_radians(self.count(tree), self.dimension(tree)):
+        count = self.count(tree)
+        clear = left_over(count) <= 0 and count.get(CYCLE, 0) >= 0      # whatever it measures
+        if not clear and not in_radians(count, self.dimension(tree)):
             start, end = (0, len(self.text)) if whole else (tree.start, tree.end)
             raise ExpressionError(start, end - start, message, self.advice(tree))
 

@@ -12,10 +12,9 @@ if TYPE_CHECKING:
 
 SMALLEST, LARGEST = 1e-60, 1e60
 RANGE = "in SI units a value is zero or between 1e-60 and 1e60 in size"
-_UNIT = re.compile(r"\s*([*/·])?\s*([A-Za-zµμ°%]+)(?:\s*(?:\^|\*\*)\s*(?:"
+_UNIT = re.compile(r"\s*([*/·])?\s*([A-Za-zµ°%]+)(?:\s*(?:\^|\*\*)\s*(?:"
                    r"(-?\d+(?:\.\d+)?)(?!\d)|\(\s*(-?\d+(?:\.\d+|\s*/\s*\d+)?)\s*\))|([²³⁴]))?(?![\w.(\[])")
 _SUPERSCRIPTS = {"²": "2", "³": "3", "⁴": "4"}
-_POWER_SIGN = re.compile(r"\s*(?:\^|\*\*)")
 
 
 def literal(text: str, number: "Match") -> Number:
@@ -24,8 +23,9 @@ def literal(text: str, number: "Match") -> Number:
     mantissa, _, exponent = digits.lower().partition("e")
     if len(mantissa) > 80 or len(exponent) > 4 or abs(int(exponent or 0)) > 60:
         raise ExpressionError(start, len(digits), "this number is out of range", RANGE)
-    chain, end = _units(text, start, number.end())
-    return Number(start, end, Fraction(digits), tuple(chain))
+    chain, end = _units(text.replace("μ", "µ"), start, number.end())
+    value = Fraction(int(digits)) if digits.isdecimal() else Fraction(digits)
+    return Number(start, end, value, tuple(chain))
 
 
 def _units(text, start, at):
@@ -35,7 +35,7 @@ def _units(text, start, at):
         match = _UNIT.match(text, at)
         if not match or bool(match.group(1)) != bool(chain):
             return chain, at
-        word = match.group(2).replace("μ", "µ")
+        word = match.group(2)
         if word not in UNITS:
             if not chain:
                 raise _unknown_unit(text, match, start, at)
@@ -43,7 +43,7 @@ def _units(text, start, at):
         power = _unit_power(match)
         chain.append(UnitPower(word, -power if match.group(1) == "/" else power, match.start(2), match.end(2)))
         at = match.end()
-        if _POWER_SIGN.match(text, at):
+        if text[at:].lstrip().startswith(("^", "**")):
             raise ExpressionError(match.start(2), len(word), f"the power of the unit '{word}' is no number",
                                   f"write {word}^2 or {word}^(1/2), or brackets around what is raised")
 
@@ -51,6 +51,8 @@ def _units(text, start, at):
 def _unit_power(match):
     """The power of a unit: 2, -1, 0.5 or (3/2)."""
     text = match.group(3) or match.group(4) or _SUPERSCRIPTS.get(match.group(5), "1")
+    if text in ("1", "2", "3", "4"):
+        return int(text)
     above, _, below = text.partition("/")
     if len(text) > 12 or (below and not int(below)) or abs(power := Fraction(above) / Fraction(below or 1)) > 12:
         raise ExpressionError(match.start(2), match.end() - match.start(2), "this power is out of range",

@@ -32,12 +32,15 @@ GREEK = dict(zip("αβγδεζηθικλμνξοπρστυφχψωΓΔΘΛΞΠΣ
 plain_name = methodcaller("translate", str.maketrans(GREEK))      # a name with Greek letters spelt out: φ1 is phi1
 
 _NUMBER = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?")
-_NAME = re.compile(r"[A-Za-z_α-ωΑ-Ωϕϑϵ][A-Za-z0-9_α-ωΑ-Ωϕϑϵ]*")
-_PER_UNIT = re.compile(r"1\s*/\s*[A-Za-z]")
-_PART = re.compile(r"\.(?:[A-Za-z_][A-Za-z0-9_]*|[0-9]{1,3})")
-_INDEX = re.compile(r"\[([^][]{1,80})\]")
-_BETWEEN = re.compile(r",(?![^()]*\))")       # commas that no brackets hold
-_SPACE = re.compile(r"[ \t\n]*")
+_WORD = re.compile(r"[^\W\d]\w*")             # a name, where its letters are those below
+# Patterns that few scenes need, the first of a table of all characters: each is compiled where it is first matched.
+_NAME = r"[A-Za-z_α-ωΑ-Ωϕϑϵ][A-Za-z0-9_α-ωΑ-Ωϕϑϵ]*"
+_PER_UNIT = r"1\s*/\s*[A-Za-z]"
+_PART = r"\.(?:[A-Za-z_][A-Za-z0-9_]*|[0-9]{1,3})"
+_INDEX = r"\[([^][]{1,80})\]"
+_BETWEEN = r",(?![^()]*\))"                    # commas that no brackets hold
+_SPACES = " ", "\t", "\n"
+_SIGNS, _FACTORS = {"+": 1, "-": -1}, {"*": 1, "·": 1, "/": -1}
 
 
 @lru_cache(REMEMBERED)
@@ -69,12 +72,19 @@ def parse(text: str, equation: str | None = None):
     return tree
 
 
+def _name(text: str, at: int) -> "Match | None":
+    """The match of a name at a place, None where there is none."""
+    word = _WORD.match(text, at)
+    return word if word is None or word.group().isascii() else re.compile(_NAME).match(text, at)
+
+
 class _Parser:
     def __init__(self, text: str):
         self.text, self.at, self.depth = text, 0, 0
 
     def skip(self) -> None:
-        self.at = _SPACE.match(self.text, self.at).end()
+        while self.text.startswith(_SPACES, self.at):
+            self.at += 1
 
     def take(self, token: str) -> bool:
         self.skip()
@@ -86,7 +96,7 @@ class _Parser:
     def fail_after(self):
         """Something stands where an operator or the end was expected."""
         found = self.text[self.at]
-        word = _NAME.match(self.text, self.at)
+        word = _name(self.text, self.at)
         if found == "=":
             raise ExpressionError(self.at, 1, "expected an expression, found an equation", "write what one side is")
         if found == ",":
@@ -103,7 +113,7 @@ class _Parser:
 
     def _joined(self, what):
         """The hint where a number or name is followed by another."""
-        if _PER_UNIT.match(self.text, self.at):
+        if re.compile(_PER_UNIT).match(self.text, self.at):
             return "the unit 1/s is written s^-1: 3 s^-1"
         if self.text[self.at - 1].isdigit() and what[0] in "_xXob":
             return "numbers are written in decimal digits alone: 1000"
@@ -122,12 +132,11 @@ class _Parser:
             terms.append((sign, self.product(depth)))
             if len(terms) > PARTS:
                 raise ExpressionError(start, 1, f"more than {PARTS} terms in one sum", "name parts of it")
-            if self.take("+"):
-                sign = 1
-            elif self.take("-"):
-                sign = -1
-            else:
+            self.skip()
+            sign = _SIGNS.get(self.text[self.at:self.at + 1], 0)
+            if not sign:
                 break
+            self.at += 1
         if len(terms) == 1 and terms[0][0] == 1:
             return terms[0][1]
         return Sum(start, self.at, tuple(terms))
@@ -140,21 +149,19 @@ class _Parser:
             if len(factors) > PARTS:
                 raise ExpressionError(start, 1, f"more than {PARTS} factors in one product", "name parts of it")
             self.skip()
-            if self.text.startswith("**", self.at):
+            power = _FACTORS.get(self.text[self.at:self.at + 1], 0)
+            if not power or self.text.startswith("**", self.at):
                 break
-            if self.take("*") or self.take("·"):
-                power = 1
-            elif self.take("/"):
-                power = -1
-            else:
-                break
+            self.at += 1
         return factors[0][1] if len(factors) == 1 else Product(start, self.at, tuple(factors))
 
     def power(self, depth: int):
         self.skip()
         start = self.at
         base = self.atom(depth)
-        if self.take("^") or self.take("**"):
+        self.skip()
+        if self.text.startswith(("^", "**"), self.at):
+            self.at += 1 + self.text.startswith("*", self.at)
             if depth > DEEPEST:
                 raise ExpressionError(self.at, 1, f"more than {DEEPEST} powers of powers", "name the inner parts")
             self.skip()
@@ -174,7 +181,7 @@ class _Parser:
             found = literal(self.text, number)
             self.at = found.end
             return found
-        word = _NAME.match(self.text, start)
+        word = _name(self.text, start)
         if word:
             return self.applied(self.word(word, depth), start, depth)
         if self.take("("):
@@ -225,7 +232,7 @@ class _Parser:
             return self.call(start, name, depth)
         if self.text.startswith("[", self.at):
             return self.quantity(start, name, depth)
-        while part := _PART.match(self.text, self.at):
+        while self.text.startswith(".", self.at) and (part := re.compile(_PART).match(self.text, self.at)):
             self.at = part.end()
         name = self.text[start:self.at]
         primes = 0
@@ -252,8 +259,8 @@ class _Parser:
         if head in FUNCTIONS:
             raise ExpressionError(self.at, 1, f"{head} takes its argument in round brackets", f"write {head}(…)")
         indices, last = [], ()
-        while match := _INDEX.match(self.text, self.at):
-            last = _BETWEEN.split(match.group(1))
+        while match := re.compile(_INDEX).match(self.text, self.at):
+            last = re.split(_BETWEEN, match.group(1)) if "," in match.group(1) else [match.group(1)]
             indices.extend(plain_name(part.strip()) for part in last)
             self.at = match.end()
         if self.text.startswith("[", self.at):
@@ -267,7 +274,7 @@ class _Parser:
 
     def component(self) -> str:
         """The word after a dot, such as x of centre[rod].x, or nothing."""
-        if self.text.startswith(".", self.at) and (word := _NAME.match(self.text, self.at + 1)):
+        if self.text.startswith(".", self.at) and (word := _name(self.text, self.at + 1)):
             self.at = word.end()
             return word.group()
         return ""

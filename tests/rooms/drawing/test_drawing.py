@@ -23,7 +23,7 @@ from vibcli.drawing.canvas.matplotlib_canvas import MARGIN, figure, picture
 from vibcli.drawing.canvas.primitives import Circle, Hatch, LetterRuns, Polygon, Polyline, extent
 from vibcli.drawing.drawing import draw
 from vibcli.drawing.layout import compose, lettering, plane
-from vibcli.drawing.symbols import SYMBOLS, mode_shape, rope, sliding
+from vibcli.drawing.symbols import SYMBOLS, mode_shape, on_surfaces, rope, sliding
 from vibcli.elements import ELEMENTS
 from vibcli.language.named_elements import load
 
@@ -515,12 +515,13 @@ def test_a_plank_lies_under_its_whole_surface_and_its_centre(place, angle, monke
     e = math.cos(math.radians(angle)), math.sin(math.radians(angle))
     a = (20.0, -30.0)
     b, centre = plane.plus(a, e, 100.0), plane.plus(plane.plus(a, e, place), plane.left(e), -12.0)
-    monkeypatch.setattr(sliding, "contacts", lambda *_: ())
-    monkeypatch.setattr(sliding, "free_side", lambda *_: 1)
-    monkeypatch.setattr(sliding, "straight", lambda record, *_: record["line"])
+    monkeypatch.setattr(on_surfaces, "contacts", lambda *_: ())
+    monkeypatch.setattr(on_surfaces, "free_side", lambda *_: 1)
+    monkeypatch.setattr(on_surfaces, "straight", lambda record, *_: record["line"])
     sketch = SimpleNamespace(pair=lambda end: end, centre=lambda name: centre)
     surface = type("Surface", (dict,), {"name": "s"})(line=(a, b))
-    plank = sliding.platform(SimpleNamespace(name="p", record={}), sketch, surface).core
+    plank = on_surfaces.platform(SimpleNamespace(name="p", record={}), sketch, surface).core
     along, across = ([plane.dot(plane.minus(corner, a), d) for corner in plank] for d in (e, plane.left(e)))
-    assert (min(along), max(along)) == pytest.approx((min(0, place - sliding.DECK), max(100, place + sliding.DECK)))
+    deck = on_surfaces.DECK
+    assert (min(along), max(along)) == pytest.approx((min(0, place - deck), max(100, place + deck)))
     assert max(across) == pytest.approx(0, abs=1e-9) and min(across) < -12

@@ -5,7 +5,8 @@ from support.scenes import problem
 
 from vibcli.drawing.canvas.primitives import LetterRuns
 from vibcli.drawing.drawing import draw
-from vibcli.drawing.layout.lettering import letters, named, written
+from vibcli.drawing.layout.formulas import written
+from vibcli.drawing.layout.lettering import letters, named
 from vibcli.symbolic.expression import Table
 
 

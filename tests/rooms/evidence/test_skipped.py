@@ -7,7 +7,7 @@ from vibcli.bench import scenes
 from vibcli.cli.program import run
 from vibcli.evidence import skipped
 from vibcli.evidence.stages import stage_costs
-from vibcli.results.problem import STAGES
+from vibcli.results.stages import STAGES
 
 ALWAYS = {"read", "spec", "scene", "linearisation", "equilibrium"}
 MODAL = {"linear_system", "modes", "damped"}

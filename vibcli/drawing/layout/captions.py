@@ -35,7 +35,9 @@ def expression(field: "Expression", sketch: "Sketch", longest: int = SHORT) -> "
     node = raw(field, sketch.scene)
     if node.op == "number" or not any(letter.isalpha() for letter in text):
         return lettering.words(as_printed(text)) if len(text) <= longest else None
-    runs = lettering.written(node)
+    from vibcli.drawing.layout.formulas import written
+
+    runs = written(node)
     return runs if len(lettering.letters(runs)) <= longest else None
 
 

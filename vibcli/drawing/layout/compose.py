@@ -4,20 +4,19 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
-from vibcli.drawing.canvas.primitives import BODY, SURFACE, Circle, Polyline, extent
-from vibcli.drawing.layout import gears, hung, lumped, plane, rows
+from vibcli.drawing.canvas.primitives import BODY, Circle, Polyline, extent
+from vibcli.drawing.layout import plane
 from vibcli.drawing.layout.positions import values_at
 from vibcli.drawing.layout.scale import scale_of
 from vibcli.drawing.layout.sketch import Sketch
-from vibcli.drawing.layout.strips import resting, strips
 from vibcli.drawing.layout.ties import Ties
-from vibcli.drawing.symbols import bodies, connection, joint, member, member_ends, rope, support, tracks
+from vibcli.drawing.symbols import bodies, connection, joint, support
 from vibcli.drawing.symbols.appearance import looks
 
 if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
 
-BELOW, MOST = 40.0, 80      # points to the first row of lumped bodies; bodies
+BELOW, MOST = 40.0, 80      # points to the first row of bodies without a place; bodies
 FINE = 1e9                  # points per metre at which what has a size on paper alone has none
 
 
@@ -34,26 +33,19 @@ class Scenery:
         self.ties = Ties(self.sketch)
         self.looks = looks(self.sketch, self.ties)
         self.bunches = connection.bunches(self.sketch, self.looks)
-        self.ropes = {name: rope.stops(record, self.sketch, self.looks)
-                      for name, record in (scene.spec.get("constraints") or {}).items() if "rope" in record}
-        for number, found in enumerate(self.ties.implied):
-            self.ropes[f"implied {number}"] = rope.implied(found, self.sketch, self.looks)
-        for found in self.ties.standing:
-            self.ropes[f"standing {found.wheel}"] = rope.standing(found, self.sketch)
-        for cord in self.ties.cords:
-            self.ropes[cord.end.carrier] = rope.wound(cord, self.sketch)
-            self.bunches.append(connection.Bunch([cord.record], cord.wall, cord.end))
-        box = extent(primitives(self, self.sketch)[0])
-        left, top = (box[0], box[1] - BELOW) if box else (0.0, 0.0)
-        every = rows.rows(scene)
-        self.hung = hung.find(every, self.sketch)
-        elsewhere = {*_held_alone(scene), *(one.body for one in self.hung)}
-        self.rows = lumped.layouts([row for row in every if not _only(row, elsewhere)], self.sketch, left, top)
-        self.wound = gears.wound(scene) if self.rows else []
-        self.sketch.numbers["standing"] = {name for layout in self.rows for name in layout.places}
-        if self.rows:
-            top = min(layout.y - max(place.height for place in layout.places.values()) for layout in self.rows) - BELOW
-        self.strips = strips(self.sketch, left, top)
+        self.bunches += [connection.Bunch([cord.record], cord.wall, cord.end) for cord in self.ties.cords]
+        self.ropes = {}
+        if self.ties.roped:
+            from vibcli.drawing.symbols import rope
+
+            self.ropes = rope.ropes(self.sketch, self.looks, self.ties)
+        self.hung, self.rows, self.wound, self.strips = [], [], [], []
+        if self.sketch.lumped or scene.members:
+            from vibcli.drawing.layout import unplaced
+
+            box = extent(primitives(self, self.sketch)[0])
+            left, top = (box[0], box[1] - BELOW) if box else (0.0, 0.0)
+            self.hung, self.rows, self.wound, self.strips = unplaced.laid_out(self.sketch, left, top)
 
     def at(self, position: Mapping[str, float] | None = None, time: float = 0.0) -> Sketch:
         """The Sketch in another position; None where its loops cannot follow."""
@@ -68,70 +60,13 @@ def figure(stage: Scenery, sketch: Any, unit: Any = 1.0,
     lumped bodies are displaced by `unit` points for one metre; `room`: that in which bodies slide on the ground;
     `bends`: {member: Bend} of members in motion."""
     found, where = primitives(stage, sketch, room)
-    for layout in stage.rows:
-        moved = {name: sketch.lumped[name] * (1.0 if place.turns else unit) for name, place in layout.places.items()}
-        lines, places = lumped.draw(layout, moved)
+    if stage.rows or stage.strips:
+        from vibcli.drawing.layout import unplaced
+
+        lines, places = unplaced.draw(stage, sketch, unit, bends or {})
         found += lines
         where |= places
-    for strip in stage.strips:
-        found += along(strip, sketch, unit, (bends or {}).get(strip.name))
-    found += member_ends.branches(stage.strips, sketch)
-    return found + _tied(stage, sketch, unit, bends or {}), where
-
-
-def _tied(stage, sketch, unit, bends):
-    """Dashed lines for what joins lumped bodies to members without a place: to points on them, or to their ends; and to
-    each other where one winds the other up."""
-    points = sketch.spec.get("member_points") or {}
-    strips = {strip.name: strip for strip in stage.strips if not strip.placed}
-    places = {name: (place, layout.y - place.height) for layout in stage.rows for name, place in layout.places.items()}
-
-    def tie(strip, x, name):
-        place, foot = places[name]
-        on_strip = member.place(strip, bends.get(strip.name) or _still(strip, sketch, unit), x)
-        moved = 0.0 if place.turns else sketch.lumped[name] * unit
-        return Polyline(((place.middle[0] + moved, foot), on_strip), "measure", 0.8, True, SURFACE)
-
-    found = []
-    for record in sketch.spec.connections:
-        names = [getattr(end, "text", None) for end in record.get("between", ())]
-        ends = [name for name in names if name in points and points[name]["body"].text in strips]
-        bodies = [name for name in names if name in places]
-        if len(ends) == len(bodies) == 1:
-            strip = strips[points[ends[0]]["body"].text]
-            found.append(tie(strip, sketch.number(points[ends[0]]["at"]), bodies[0]))
-    for strip in strips.values():
-        for side, x in (("left", 0.0), ("right", strip.metres)):
-            found += [tie(strip, x, name) for _, name in member_ends.held(strip.member, side) if name in places]
-    for drum, load in stage.wound:
-        above, below = places[drum][0], places[load][0]
-        head = below.middle[0] + sketch.lumped[load] * unit, below.middle[1] + below.height
-        side = -above.half if head[0] < above.middle[0] else above.half
-        start = plane.plus(above.middle, (side, -0.5 * above.height))
-        found.append(Polyline((start, head), "rope", 1.2, True, SURFACE))
-    return found
-
-
-def _still(strip, sketch, unit):
-    """A member as its stations are."""
-    return member.Bend(resting(strip, sketch.values), strip.scale if strip.placed else unit)
-
-
-def along(strip: Any, sketch: Any, unit: Any = 1.0, bend: Any = None) -> list[Any]:
-    """A member with its ends and what is attached; without a Bend as its stations are."""
-    if bend is None:
-        bend = _still(strip, sketch, unit)
-    return member.bed(strip) + member.draw(strip, bend) + member_ends.draw(strip, bend, sketch)[0]
-
-
-def _held_alone(scene):
-    """The bodies without a place to which members are held: they are drawn there."""
-    return {name for one in scene.members.values() if one is not None and one.line is None
-            for side in ("left", "right") for _, name in member_ends.held(one, side)}
-
-
-def _only(row, held):
-    return len(row.bodies) == 1 and row.bodies[0] in held and not row.gaps and not row.lanes
+    return found, where
 
 
 def primitives(stage: Scenery, sketch: Any,
@@ -146,8 +81,10 @@ def primitives(stage: Scenery, sketch: Any,
         found += lines
         where |= places
     found += _pegs(sketch, ties)
-    for chain in stage.ropes.values():
-        found += rope.draw(chain, sketch)
+    if stage.ropes:
+        from vibcli.drawing.symbols import rope
+
+        found += [part for chain in stage.ropes.values() for part in rope.draw(chain, sketch)]
     for end in ties.hinges:
         found += support.hinge(sketch.now(end))
     found += _constraints(sketch)
@@ -161,6 +98,8 @@ def _surfaces(sketch, looks):
     for name, record in (sketch.spec.get("surfaces") or {}).items():
         if "body" in record and not sketch.is_fixed(record["body"].text):
             continue
+        from vibcli.drawing.symbols import tracks
+
         found += tracks.ground(record, tracks.contacts(name, sketch), sketch)
     return found
 
@@ -188,6 +127,8 @@ def _constraints(sketch):
         elif places:
             found += support.hinge(places[0])
         elif "belt" in record:
+            from vibcli.drawing.symbols import rope
+
             found += rope.belt(record, sketch)
     return found
 
@@ -196,11 +137,10 @@ def _fixed_ends(stage, sketch):
     """[(Attachment, direction into the ground)] of what ends on the ground or on a driven support."""
     ends = [(a, plane.unit(plane.minus(a.drawn, b.drawn))) for bunch in stage.bunches
             for a, b in ((bunch.one, bunch.two), (bunch.two, bunch.one))]
-    for chain in stage.ropes.values():
-        for stop, other in ((chain[0], chain[1]), (chain[-1], chain[-2])):
-            if not stop.sense:
-                free = rope.draw([stop, other], stage.sketch)[0].points
-                ends.append((stop.at, plane.unit(plane.minus(free[0], free[1]))))
+    if stage.ropes:
+        from vibcli.drawing.symbols.rope import ends as ends_of_ropes
+
+        ends += ends_of_ropes(stage.ropes, stage.sketch)
     for record in (sketch.spec.get("constraints") or {}).values():
         if "link" in record:
             a, b = (sketch.attachment(end) for end in record["link"])

@@ -3,18 +3,14 @@
 The fonts come with Matplotlib: STIX, and DejaVu for letters that it lacks; what neither has is shown as □.
 """
 
-import re
 from collections.abc import Sequence
 from functools import lru_cache
 from itertools import groupby
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from vibcli.drawing.canvas.primitives import LetterRuns, Run
 from vibcli.drawing.layout.fonts import font
-from vibcli.notation.plain import GREEK, Plain, factors_of, split_name
-
-if TYPE_CHECKING:
-    from vibcli.symbolic.node import Node
+from vibcli.notation.names import GREEK, factors_of, split_name
 
 SIZE, SMALL, LOWER, RAISE = 11.5, 0.72, -0.22, 0.38
 ASCENT, DESCENT = 0.70, 0.22
@@ -23,32 +19,21 @@ MISSING, LONGEST, GAP = "□", 90, 0.13
 BESIDE = 0.05       # of the size: behind each run
 _OPEN, _INDEX, _CLOSE = "\ue000", "\ue001", "\ue002"
 DOTS = {"'": "\u0307", "''": "\u0308"}      # of a rate: one or two above the letter
-_NUMBER_BEFORE = re.compile("(?<![^(−])([\\d.]+)·")        # 4k, but F₀ sin(Ωt)
 RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻"
 _HIGH = str.maketrans(RAISED, "0123456789−")
 
 
-class _Marked(Plain):
-    """Plain notation in which names are marked off with their indices."""
-
-    def symbol(self, name: str) -> str:
-        if factors := factors_of(name):
-            return "".join(map(self.symbol, factors))
-        letter, rest, primes = split_name(name)
-        return f"{_OPEN}{GREEK.get(letter, letter)}{DOTS.get(primes, primes)}{_INDEX}{rest.removeprefix('_')}{_CLOSE}"
-
-    def product(self, value: Any, args: Any):
-        return _NUMBER_BEFORE.sub(r"\1", super().product(value, args)).replace("·", " ")
-
-
 def named(name: str, size: float = SIZE) -> tuple[Run, ...]:
     """The runs of a name: φ₁ of phi1, a word as it is."""
-    return _runs(_Marked().symbol(name), size)
+    return runs(marked(name), size)
 
 
-def written(node: "Node", size: float = SIZE) -> tuple[Run, ...]:
-    """The runs of an expression."""
-    return _runs(_Marked()(node).replace("\u00a0", " "), size)
+def marked(name: str) -> str:
+    """A name with marks about it and before its index."""
+    if factors := factors_of(name):
+        return "".join(map(marked, factors))
+    letter, rest, primes = split_name(name)
+    return f"{_OPEN}{GREEK.get(letter, letter)}{DOTS.get(primes, primes)}{_INDEX}{rest.removeprefix('_')}{_CLOSE}"
 
 
 def words(text: str, size: float = SIZE) -> tuple[Run, ...]:
@@ -56,7 +41,8 @@ def words(text: str, size: float = SIZE) -> tuple[Run, ...]:
     return (Run(_printable(text[:LONGEST], False), False, size),)
 
 
-def _runs(text, size):
+def runs(text: str, size: float = SIZE) -> tuple[Run, ...]:
+    """The runs of a text in which names are marked."""
     head, *marked = text.split(_OPEN)
     found = list(_plain(head, size))
     for part in marked:

@@ -1,12 +1,12 @@
 """What a drawing cannot show, in words below it: elements without a place, equations, given energies and matrices."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from vibcli.drawing.layout import captions, lettering, rows
-from vibcli.drawing.symbols import member_ends
+from vibcli.drawing.canvas.primitives import extent
+from vibcli.drawing.layout import captions, lettering
 from vibcli.drawing.symbols.connection import symbol
-from vibcli.notation.plain import GREEK
+from vibcli.notation.names import GREEK
 
 if TYPE_CHECKING:
     from vibcli.drawing.canvas.primitives import LetterRuns, Run
@@ -15,11 +15,12 @@ if TYPE_CHECKING:
 SIZE, LEADING, MOST = 9.5, 15.0, 8
 
 
-def lines(stage: "Scenery", box: Sequence[float]) -> "list[LetterRuns]":
-    """The Texts of the notes, below the box of the drawing."""
+def lines(stage: "Scenery", drawn: Sequence[Any]) -> "list[LetterRuns]":
+    """The Texts of the notes, below what is drawn."""
+    found, every = [], of(stage)[:MOST]
+    box = extent(drawn) if every else None
     left, bottom = (box[0], box[1] - 10.0) if box else (0.0, 0.0)
-    found = []
-    for runs in of(stage)[:MOST]:
+    for runs in every:
         bottom -= LEADING
         found.append(lettering.text(runs, left, bottom, "note"))
     return found
@@ -28,8 +29,7 @@ def lines(stage: "Scenery", box: Sequence[float]) -> "list[LetterRuns]":
 def of(stage: "Scenery") -> "list[tuple[Run, ...]]":
     """The runs of each note."""
     spec, scene = stage.scene.spec, stage.scene
-    shown = {edge.record.name for edge in rows.edges(scene) if _is_plain(edge, scene)}
-    shown |= {cord.record.name for cord in stage.ties.cords}
+    shown = {cord.record.name for cord in stage.ties.cords} | (_shown(scene) if stage.rows else set())
     found = []
     for record in spec.connections:
         if "stretch" in record and record.name not in shown:
@@ -40,9 +40,7 @@ def of(stage: "Scenery") -> "list[tuple[Run, ...]]":
     hung = [name for one in stage.hung for name in one.ties]
     found += [_tie(record, stage.sketch) for record in spec.connections
               if record.name not in hung and _unplaced(record, stage.sketch)]
-    standing = stage.sketch.numbers["standing"]
-    found += [lettering.words(f"{strip.name}: {side} end {word} to {name}", SIZE) for strip in stage.strips
-              for side in ("left", "right") for word, name in member_ends.held(strip.member, side) if name in standing]
+    found += _held(stage) if stage.rows and stage.strips else []
     for name, record in (spec.get("forces") or {}).items():
         if "value" in record:
             found.append(_note(f"{name}: ", scene, (record["value"], "")))
@@ -58,12 +56,28 @@ def of(stage: "Scenery") -> "list[tuple[Run, ...]]":
     return found
 
 
-def _is_plain(edge, scene):
-    """Is an element among lumped bodies stretched by how far they are apart, to either side?"""
+def _shown(scene):
+    """The names of the elements in rows that say no more than what is drawn of them."""
+    from vibcli.drawing.layout import rows
+
+    return {edge.record.name for edge in rows.edges(scene) if _is_plain(edge, scene, rows.motion)}
+
+
+def _held(stage):
+    """What holds members to bodies in rows."""
+    from vibcli.drawing.symbols.member_ends import held
+
+    standing = {name for layout in stage.rows for name in layout.places}
+    return [lettering.words(f"{strip.name}: {side} end {word} to {name}", SIZE) for strip in stage.strips
+            for side in ("left", "right") for word, name in held(strip.member, side) if name in standing]
+
+
+def _is_plain(edge, scene, motion):
+    """Is an element among lumped bodies stretched by how far they are apart, to either side? motion: of a body."""
     if "stretch" not in edge.record:
         return True
     stretch = captions.raw(edge.record["stretch"], scene)
-    one, two = (scene.table.zero if name is None else captions.raw(rows.motion(scene.bodies[name]), scene)
+    one, two = (scene.table.zero if name is None else captions.raw(motion(scene.bodies[name]), scene)
                 for name in (edge.one, edge.two))
     return any((stretch - sign * (two - one)).is_zero for sign in (1, -1))
 
@@ -84,12 +98,14 @@ def _tie(record, sketch):
 
 
 def _note(head, scene, *parts):
+    from vibcli.drawing.layout.formulas import written
+
     runs = list(lettering.words(head, SIZE))
     for field, after in parts:
         node = captions.raw(field, scene)
         given = node.op == "number"     # which keeps its unit
         runs += (lettering.words(captions.as_printed(field.text.strip()), SIZE) if given else
-                 shortened(lettering.written(node, SIZE)))
+                 shortened(written(node, SIZE)))
         if after:
             runs += lettering.words(after, SIZE)
     return tuple(runs)

@@ -1,6 +1,7 @@
 """Vectors of the plane as pairs of floats: what drawing needs and no more."""
 
 from collections.abc import Callable, Sequence
+from functools import lru_cache
 from math import acos, atan2, cos, hypot, pi, sin, tau
 from typing import Any
 
@@ -80,7 +81,12 @@ def arc(centre: tuple[float, float], radius: float, start: float, end: float) ->
 
 
 def circle(centre: tuple[float, float], radius: float) -> list[tuple[float, float]]:
-    return arc(centre, radius, 0.0, tau)[:-1]
+    return list(_circle(*centre, radius))
+
+
+@lru_cache(64)      # of one thing it is asked for its outline, its extent and the room that it takes
+def _circle(x, y, radius):
+    return arc((x, y), radius, 0.0, tau)[:-1]
 
 
 def box(centre: tuple[float, float], width: float, height: float, angle: float = 0.0) -> list[tuple[float, float]]:

@@ -6,8 +6,6 @@ from typing import Any
 from vibcli.base.units import LENGTH
 from vibcli.drawing.layout import plane
 from vibcli.drawing.layout.ties import Ties
-from vibcli.drawing.symbols import path, tracks
-from vibcli.drawing.symbols.shape import outline
 
 WIDE, HIGH, SHORT, GROWTH, ALONE = 300.0, 210.0, 46.0, 1.8, 90.0
 
@@ -27,17 +25,16 @@ def scale_of(sketch: Any) -> float:
             found += plane.circle(sketch.rim(name).drawn, max(radii))
     for name, record in (sketch.spec.get("surfaces") or {}).items():
         if "circle" in record:
+            from vibcli.drawing.symbols import tracks
+
             places = [place for place, room in tracks.contacts(name, sketch) if room is not None]
             found += tracks.visible(record, places, sketch)
     left, bottom, right, top = plane.bounds(found) if found else (0.0, 0.0, 0.0, 0.0)
     size = sketch.numbers["size"] = hypot(right - left, top - bottom)
     if size < 100.0:
         size = sketch.numbers["size"] = 0.0
-        halves = [tracks.half_width(record, sketch) for record in (sketch.spec.get("surfaces") or {}).values()
-                  if "curve" in record]
-        half = None if halves else path.half_width(sketch)
-        sizes = halves or _given_lengths(sketch) or ([half] if half else [])
-        return ALONE / (sizes[0] * sketch.scale) if sizes else 1.0 / sketch.scale
+        size = _curve(sketch)
+        return ALONE / (size * sketch.scale) if size else 1.0 / sketch.scale
     much = sum(len(sketch.spec.get(section) or ()) for section in ("bodies", "points", "forces"))
     much += len(sketch.spec.connections)
     share = min(1.5, max(0.62, 0.5 + 0.12 * much))
@@ -46,6 +43,17 @@ def scale_of(sketch: Any) -> float:
     short = min((d for one, two in ties.ends if (d := plane.distance(one.drawn, two.drawn)) > 1e-9 * size),
                 default=size) * scale
     return scale * min(GROWTH, max(1.0, SHORT / short))
+
+
+def _curve(sketch):
+    """A length in metres for a scene at one place: half the width of a curve, else the largest length among the
+    parameters, else half the width of the path of a particle; None where there is none."""
+    from vibcli.drawing.symbols import path, tracks
+
+    halves = [tracks.half_width(record, sketch) for record in (sketch.spec.get("surfaces") or {}).values()
+              if "curve" in record]
+    sizes = halves or _given_lengths(sketch) or [path.half_width(sketch)]
+    return sizes[0]
 
 
 def _key_points(sketch):
@@ -57,6 +65,8 @@ def _key_points(sketch):
                 if part.get("shape", "particle") == "particle":
                     found.append(sketch.centre(body.name) if part is body.record else sketch.pair(part["at"]))
                 else:
+                    from vibcli.drawing.symbols.shape import outline
+
                     found += outline(part, sketch).points
             if (pivot := sketch.pivot(body.name)) is not None:
                 found.append(pivot.drawn)

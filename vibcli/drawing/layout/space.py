@@ -1,8 +1,9 @@
 """Room on paper: which cells of a fine grid are taken, and where a word or an arrow fits best."""
 
 from collections.abc import Sequence
-from itertools import pairwise
-from math import ceil, cos, floor, hypot, pi, sin
+from functools import lru_cache
+from itertools import pairwise, product
+from math import ceil, cos, floor, hypot, inf, pi, sin
 from typing import Any
 
 from vibcli.drawing.canvas.primitives import ARROW, BODY, Circle, LetterRuns, Polygon, Run
@@ -16,6 +17,7 @@ KEPT_CLEAR = "spring", "damper", "oil", "rope"  # roles of what no arrow may cro
 CROSSED = 30.0                              # the cost of a cell of theirs
 COILS, COILED = 8, 0.5                      # points of a zigzag, the cost of a cell between its coils
 APART, NEAR = 6.0, 0.9                      # points between words that are not to be read as one, the cost of a cell
+ROUNDED = 1e-9                              # by which costs may differ that are added in another order
 
 
 class Space:
@@ -34,17 +36,24 @@ class Space:
                 for key in _cells_within(part.points):
                     self.cells.setdefault(key, FILLED)
             for stroke in part.strokes():
-                keys = set(_cells_of(stroke))
-                self.cells.update((key, 1.0) for key in keys if self.cells.get(key, 0.0) < 1.0)
+                keys = set(_cells_of(tuple(stroke)))
+                self._taken(keys, 1.0)
                 if part.role == "spring" and len(stroke) >= COILS:
                     coiled = set(_cells_within([*stroke[1::2], *stroke[2::2][::-1]])) - keys
-                    self.cells.update((key, COILED) for key in coiled if self.cells.get(key, 0.0) < COILED)
+                    self._taken(coiled, COILED)
                     keys |= coiled
                 if part.role in KEPT_CLEAR or part.layer == ARROW:
                     self.kept |= keys
                     self.barred |= keys
                 elif part.layer == BODY and getattr(part, "fill", 0):
                     self.barred |= keys
+
+    def _taken(self, keys, cost):
+        """Let some cells cost so much at least."""
+        cells = self.cells
+        for key in keys:
+            if cells.get(key, 0.0) < cost:
+                cells[key] = cost
 
     def bar(self, points: Sequence[tuple[float, float]]) -> None:
         """Let no arrow into an outline."""
@@ -59,35 +68,42 @@ class Space:
 
     def _cells(self, box, margin=0.0):
         left, bottom, right, top = box
-        for i in range(floor((left - margin) / CELL), floor((right + margin) / CELL) + 1):
-            for j in range(floor((bottom - margin) / CELL), floor((top + margin) / CELL) + 1):
-                yield i, j
+        return product(range(floor((left - margin) / CELL), floor((right + margin) / CELL) + 1),
+                       range(floor((bottom - margin) / CELL), floor((top + margin) / CELL) + 1))
 
-    def cost(self, box: Sequence[float], least: float = 0.0) -> float:
-        """The cost of writing in a box; on the body that is named strokes alone count, which cost at `least` 1."""
-        get, beside = self.cells.get, self.beside
-        return sum(cost for key in self._cells(box)
-                   if (cost := max(get(key, 0.0), NEAR * (key in beside))) >= least)
+    def cost(self, box: Sequence[float], least: float = 0.0, most: float = inf) -> float:
+        """The cost of writing in a box, as far as it is at `most` that; on the body that is named strokes alone count,
+        which cost at `least` 1."""
+        get, beside, total = self.cells.get, self.beside, 0.0
+        for key in self._cells(box):
+            cost = get(key, 0.0)
+            if cost < NEAR and key in beside:
+                cost = NEAR
+            if cost >= least:
+                total += cost
+                if total > most:
+                    break
+        return total
 
     def path(self, points: Sequence[tuple[float, float]]) -> float:
         """The cost of a line along a path."""
         get = self.cells.get
-        return sum(get(key, 0.0) for key in _cells_of(points))
+        return sum([get(key, 0.0) for key in _cells_of(tuple(points))])
 
     def arrow(self, points: Sequence[tuple[float, float]], within: float = FILLED) -> float:
         """The cost of an arrow along a path, which is to cross nothing that is kept clear; `within`: that of a cell
         inside an outline."""
         get = self.cells.get
-        return self.crossings(points) + sum(within if (cost := get(key, 0.0)) == FILLED else cost
-                                            for key in _cells_of(points))
+        return self.crossings(points) + sum([within if (cost := get(key, 0.0)) == FILLED else cost
+                                             for key in _cells_of(tuple(points))])
 
     def crossings(self, points: Sequence[tuple[float, float]]) -> float:
         """The cost of what a path crosses of springs, dampers, ropes, bodies and arrows."""
-        return CROSSED * sum(key in self.barred for key in _cells_of(points))
+        return CROSSED * sum(map(self.barred.__contains__, _cells_of(tuple(points))))
 
     def meets(self, points: Sequence[tuple[float, float]]) -> float:
         """The same of springs, dampers, ropes and arrows alone."""
-        return CROSSED * sum(key in self.kept for key in _cells_of(points))
+        return CROSSED * sum(map(self.kept.__contains__, _cells_of(tuple(points))))
 
     def put(self, runs: Sequence[Run], anchors: Sequence[tuple[float, float]], role: str = "ink",
             inside: Sequence[tuple[float, float]] = (), most: float | None = None) -> LetterRuns:
@@ -107,7 +123,8 @@ class Space:
                 for ax, ay in anchors:
                     x, y = ax + dx * (reach + width / 2), ay + dy * (reach + height / 2)
                     box = x - width / 2, y - height / 2, x + width / 2, y + height / 2
-                    cost = self.cost(box) + FARNESS * reach + 0.01 * rank
+                    far = FARNESS * reach + 0.01 * rank
+                    cost = self.cost(box, most=inf if best is None else best[0] - far + ROUNDED) + far
                     if best is None or cost < best[0]:
                         best = cost, box
         if best is None or (most is not None and best[0] > most):
@@ -116,22 +133,28 @@ class Space:
         return lettering.text(runs, best[1][0], best[1][1], role)
 
 
+@lru_cache(64)      # one line is asked for several costs
 def _cells_of(points):
     """The cells along a polyline, some of them twice."""
+    found = []
     for (ax, ay), (bx, by) in pairwise(points):
-        steps = max(1, ceil(hypot(bx - ax, by - ay) / CELL))
-        for i in range(steps + 1):
-            yield floor((ax + (bx - ax) * i / steps) / CELL), floor((ay + (by - ay) * i / steps) / CELL)
+        dx, dy = bx - ax, by - ay
+        steps = max(1, ceil(hypot(dx, dy) / CELL))
+        found += [(floor((ax + dx * i / steps) / CELL), floor((ay + dy * i / steps) / CELL)) for i in range(steps + 1)]
+    return found
 
 
 def _cells_within(points):
     """The cells inside an outline, row by row."""
     ys = [y for _, y in points]
-    for j in range(ceil(min(ys) / CELL), floor(max(ys) / CELL) + 1):
-        y = (j + 0.5) * CELL
-        xs = sorted(ax + (y - ay) * (bx - ax) / (by - ay)
-                    for (ax, ay), (bx, by) in zip(points, [*points[1:], points[0]], strict=True)
-                    if (ay > y) != (by > y))
+    crossed = {j: [] for j in range(ceil(min(ys) / CELL), floor(max(ys) / CELL) + 1)}
+    for (ax, ay), (bx, by) in zip(points, [*points[1:], points[0]], strict=True):
+        for j in range(floor(min(ay, by) / CELL) - 1, ceil(max(ay, by) / CELL) + 1):
+            y = (j + 0.5) * CELL
+            if (ay > y) != (by > y) and j in crossed:
+                crossed[j].append(ax + (y - ay) * (bx - ax) / (by - ay))
+    for j, xs in crossed.items():
+        xs.sort()
         for left, right in zip(xs[::2], xs[1::2], strict=False):
             for i in range(ceil(left / CELL), floor(right / CELL)):
                 yield i, j

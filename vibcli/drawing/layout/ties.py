@@ -3,7 +3,7 @@ carries, and the places at which anything is joined."""
 
 from typing import TYPE_CHECKING
 
-from vibcli.drawing.layout import cords, implied, joined, plane, standing
+from vibcli.drawing.layout import plane
 
 if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
@@ -34,18 +34,36 @@ class Ties:
             self._joined(record.get("between"), sketch)
         for record in (sketch.spec.get("constraints") or {}).values():
             self._constraint(record, sketch)
-        self.hinges, self.fastened = [], set()
-        for name, end in joined.hinges(sketch):
-            self._carries(name, end.drawn)
-            self.hinges.append(end)
-        self.implied = []
-        ropes = implied.ropes(sketch)
-        for rope in ropes:
-            self._implied(rope, sketch)
-        self.standing = standing.ropes(sketch, ropes, self.ends)
-        self.cords = cords.cords(sketch)
+        self.hinges, self.fastened, self.implied, self.standing, self.cords = [], set(), [], [], []
+        self._unnamed({word for body in sketch.scene.bodies.values() for word in body.record}, sketch)
+        if any("stretch" in record and "between" not in record for record in sketch.spec.connections):
+            from vibcli.drawing.layout.cords import cords
+
+            self.cords = cords(sketch)
         for cord in self.cords:
             self._rim(cord.wheel, cord.radius)
+        self.roped = bool(self.implied or self.standing or self.cords) or any(
+            "rope" in record for record in (sketch.spec.get("constraints") or {}).values())
+
+    def _unnamed(self, keys, sketch):
+        """Pins and ropes that the records do not name, which those of bodies with some keys may need."""
+        if "move" in keys:
+            from vibcli.drawing.layout.joined import hinges
+
+            for name, end in hinges(sketch):
+                self._carries(name, end.drawn)
+                self.hinges.append(end)
+        ropes = []
+        if "slide" in keys and len(sketch.frames) > 1:
+            from vibcli.drawing.layout import implied
+
+            ropes = implied.ropes(sketch)
+        for rope in ropes:
+            self._implied(rope, sketch)
+        if "move" in keys:
+            from vibcli.drawing.layout import standing
+
+            self.standing = standing.ropes(sketch, ropes, self.ends)
 
     def _body(self, body, sketch):
         if body.name not in sketch.frames:

@@ -4,11 +4,9 @@ from typing import TYPE_CHECKING
 
 from vibcli.drawing.canvas.primitives import BODY, Polygon, Polyline
 from vibcli.drawing.layout import plane
-from vibcli.drawing.symbols import hulls, sliding
-from vibcli.drawing.symbols.look import Look, ball, teeth
-from vibcli.drawing.symbols.pinned import pinned
+from vibcli.drawing.symbols import hulls
+from vibcli.drawing.symbols.look import BALL, Look, ball, teeth
 from vibcli.drawing.symbols.posts import with_posts
-from vibcli.drawing.symbols.shape import BALL, outline
 
 if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
@@ -33,10 +31,11 @@ def look_of(body: "Body", sketch: "Sketch", ties: "Ties") -> Look:
     centre = sketch.centre(name)
     carried = {kind: surface for surface in reversed(ties.surfaces.get(name, ()))
                for kind in ("line", "curve", "circle") if kind in surface}
-    if "line" in carried:
-        return sliding.platform(body, sketch, carried["line"])
-    if "curve" in carried:
-        return sliding.bowl(carried["curve"], sketch)
+    if "line" in carried or "curve" in carried:
+        from vibcli.drawing.symbols import on_surfaces
+
+        return (on_surfaces.platform(body, sketch, carried["line"]) if "line" in carried else
+                on_surfaces.bowl(carried["curve"], sketch))
     if "circle" in carried:
         rim = plane.circle(sketch.pair(carried["circle"]["circle"]), sketch.length(carried["circle"]["radius"]))
         return Look([Polygon(tuple(rim), None, width=2.2)], "hoop")
@@ -49,21 +48,33 @@ def look_of(body: "Body", sketch: "Sketch", ties: "Ties") -> Look:
         return Look([ball(centre, KNOT)._replace(fill="ink")], "joint")
     pivot = sketch.pivot(name)
     if pivot is not None:
+        from vibcli.drawing.symbols.pinned import pinned
+
         return pinned(body, centre, pivot.drawn, sketch, ties)
     if "slide" in record and hulls.encloses(body, [*ties.carried.get(name, ()), centre], sketch):
         return hulls.frame(body, [*ties.carried[name], centre], ties)
     if hulls.follows(name, sketch):
         return Look([found := ball(centre, hulls.ROLLER)], "ball", found.points)
-    if "slide" in record:
-        if "surface" not in record["slide"]:
-            return sliding.block(body, centre, sketch, ties)
-        surface = sketch.scene.surfaces[record["slide"]["surface"].text]
-        if "line" in surface:
-            return sliding.resting(centre, surface, sketch)
-    return _loose(body, centre, sketch, ties)
+    return (_sliding(body, centre, sketch, ties) if "slide" in record else None) or _loose(body, centre, sketch, ties)
+
+
+def _sliding(body, centre, sketch, ties):
+    """A block, or a box on a straight surface; None on others."""
+    if "surface" not in body.record["slide"]:
+        from vibcli.drawing.symbols.sliding import block
+
+        return block(body, centre, sketch, ties)
+    surface = sketch.scene.surfaces[body.record["slide"]["surface"].text]
+    if "line" not in surface:
+        return None
+    from vibcli.drawing.symbols.on_surfaces import resting
+
+    return resting(centre, surface, sketch)
 
 
 def _shaped(record, sketch, ties):
+    from vibcli.drawing.symbols.shape import outline
+
     toothed = record.name in ties.toothed
     parts = [outline(part, sketch) for part in record.get("parts", (record,))]
     pieces = [_piece(part) for part in sorted(parts, key=lambda part: part.cut)]

@@ -7,7 +7,7 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.drawing.canvas.primitives import Hatch, Polygon, Polyline
 from vibcli.drawing.layout import plane
 from vibcli.drawing.layout.sketch import Attachment, Sketch
-from vibcli.drawing.symbols import SYMBOLS, parts, support
+from vibcli.drawing.symbols import SYMBOLS, support
 from vibcli.language.named_elements import load
 
 if TYPE_CHECKING:
@@ -79,6 +79,8 @@ def _edge(end, other, looks):
 
 def draw(bunch: Bunch, sketch: Sketch) -> tuple[list[Any], dict[str, tuple[Any, ...]]]:
     """The primitives of a Bunch, and where each member is: {name: (middle, normal)}."""
+    from vibcli.drawing.symbols import parts
+
     a, b = sketch.now(bunch.one), sketch.now(bunch.two)
     length, at = plane.distance(a, b), plane.along(a, b)
     count, drawn = len(bunch.members), plane.distance(bunch.one.drawn, bunch.two.drawn)
@@ -103,8 +105,10 @@ def draw(bunch: Bunch, sketch: Sketch) -> tuple[list[Any], dict[str, tuple[Any, 
 
 def outline(bunch: Bunch, sketch: Sketch) -> list[Any]:
     """The corners of a Bunch, from the middle of its first element to that of its last."""
+    from vibcli.drawing.symbols.parts import offsets
+
     a, b = sketch.now(bunch.one), sketch.now(bunch.two)
-    at, length, sides = plane.along(a, b), plane.distance(a, b), parts.offsets(bunch.members, APART)
+    at, length, sides = plane.along(a, b), plane.distance(a, b), offsets(bunch.members, APART)
     return [at(s, t) for s, t in ((0.0, sides[0]), (length, sides[0]), (length, sides[-1]), (0.0, sides[-1]))]
 
 

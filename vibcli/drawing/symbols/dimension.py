@@ -8,7 +8,7 @@ from vibcli.drawing.canvas.primitives import ARROW, Polygon, Polyline, Run
 from vibcli.drawing.layout import captions, lettering, plane
 from vibcli.drawing.layout.space import TAKEN
 from vibcli.drawing.symbols import arrow
-from vibcli.drawing.symbols.shape import ROD
+from vibcli.drawing.symbols.look import ROD
 
 if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch

@@ -7,6 +7,7 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.drawing.canvas.primitives import JOINT, Circle, Polygon, Polyline
 from vibcli.drawing.layout import plane
 
+ROD, BALL = 3.2, 5.0            # half the thickness of a rod, the radius of a particle
 PITCH, TOOTH = 7.0, 1.7         # of a gear: from tooth to tooth along its circle, half the height of a tooth
 
 

@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.drawing.canvas.primitives import BEHIND, BODY, Polygon, Polyline
 from vibcli.drawing.layout import plane
-from vibcli.drawing.symbols.look import Look, ball, centre_mark
-from vibcli.drawing.symbols.shape import BALL, ROD
+from vibcli.drawing.symbols.look import BALL, ROD, Look, ball, centre_mark
 
 if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch

@@ -9,7 +9,7 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.drawing.canvas.primitives import Polyline
 from vibcli.drawing.layout import plane
 from vibcli.drawing.layout.sketch import Attachment, Sketch
-from vibcli.drawing.layout.ties import SIDES
+from vibcli.drawing.layout.ties import SIDES, Ties
 
 if TYPE_CHECKING:
     from vibcli.drawing.layout.cords import Cord
@@ -27,6 +27,27 @@ class DrawnStop(NamedTuple):
     at: Attachment
     radius: float = 0.0
     sense: int = 0
+
+
+def ropes(sketch: Sketch, looks: "Mapping[str, Look]", ties: Ties) -> dict[str, list[DrawnStop]]:
+    """{name: the Stops} of the ropes of a scene, named and not."""
+    found = {name: stops(record, sketch, looks)
+             for name, record in (sketch.spec.get("constraints") or {}).items() if "rope" in record}
+    for number, rope in enumerate(ties.implied):
+        found[f"implied {number}"] = implied(rope, sketch, looks)
+    found |= {f"standing {rope.wheel}": standing(rope, sketch) for rope in ties.standing}
+    return found | {cord.end.carrier: wound(cord, sketch) for cord in ties.cords}
+
+
+def ends(ropes: Mapping[str, Sequence[DrawnStop]], sketch: Sketch) -> list[tuple[Attachment, tuple[float, float]]]:
+    """[(where a rope ends, the direction in which it would go on)]."""
+    found = []
+    for chain in ropes.values():
+        for stop, other in ((chain[0], chain[1]), (chain[-1], chain[-2])):
+            if not stop.sense:
+                free = draw([stop, other], sketch)[0].points
+                found.append((stop.at, plane.unit(plane.minus(free[0], free[1]))))
+    return found
 
 
 def stops(record: "Record", sketch: Sketch, looks: "Mapping[str, Look]") -> list[DrawnStop]:

@@ -4,12 +4,11 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.drawing.layout import plane
+from vibcli.drawing.symbols.look import BALL, ROD
 
 if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
     from vibcli.language.reader import Record
-
-ROD, BALL = 3.2, 5.0     # half the thickness of a rod, the radius of a particle
 
 
 class Outline(NamedTuple):

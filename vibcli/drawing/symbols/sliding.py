@@ -1,23 +1,18 @@
-"""Looks of bodies without a shape that slide: blocks, carts with a deck or a bowl, wedges, knots."""
+"""Looks of bodies without a shape that slide: blocks, carts, wedges under others, knots."""
 
 from math import pi
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.drawing.canvas.primitives import JOINT, Polygon, Polyline
 from vibcli.drawing.layout import plane
 from vibcli.drawing.symbols.look import Look, ball
-from vibcli.drawing.symbols.tracks import contacts, curve_points, free_side, straight, sunk
 
 if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
     from vibcli.drawing.layout.ties import Ties
     from vibcli.elements.rigid_body import Body
-    from vibcli.language.reader import Record
 
-FLAT_ENOUGH = 0.05      # sine of what is level
-BLOCK, FLAT, BAR, DECK, DEEP = (36.0, 25.0), (22.0, 13.0), (26.0, 5.0), 19.0, 70.0
-
-Place = tuple[float, float]
+BLOCK, FLAT, BAR = (36.0, 25.0), (22.0, 13.0), (26.0, 5.0)
 
 
 def block(body: "Body", centre: tuple[float, float], sketch: "Sketch", ties: "Ties") -> Look:
@@ -46,15 +41,6 @@ def block(body: "Body", centre: tuple[float, float], sketch: "Sketch", ties: "Ti
         corners = plane.box(middle, width, height)
     hanger = [Polyline((centre, plane.plus(centre, (0.0, -1.0), hook)), width=1.4, layer=JOINT)] if hook else []
     return Look([*hanger, Polygon(tuple(corners))], "block", corners, angle, width, height)
-
-
-def resting(place: Place, surface: "Record", sketch: "Sketch") -> Look:
-    """A box on a straight surface, on the side where the ground is not, about its place where it can be."""
-    a, b = (sketch.pair(end) for end in surface["line"])
-    e = plane.times(plane.unit(plane.minus(b, a)), free_side(a, b, contacts(surface.name, sketch)))
-    middle = plane.plus(place, plane.left(e), BLOCK[1] / 2 - sunk(surface.name, sketch))
-    corners = plane.box(middle, *BLOCK, plane.heading(e))
-    return Look([Polygon(tuple(corners))], "box", corners)
 
 
 def _holder(body, centre, ties):
@@ -87,34 +73,3 @@ def _ramp(place, direction, carried):
     foot, head = plane.plus(foot, drop), plane.plus(head, drop)
     corners = [foot, (head[0], foot[1]), head]
     return Look([Polygon(tuple(corners))], "ramp")
-
-
-def platform(body: Any, sketch: Any, surface: Any) -> Look:
-    """A plank under the surface that it carries, away from what is on it; so thick that it holds its centre. A wedge
-    where it slides on level ground and the surface leans."""
-    a, b = straight(surface, contacts(surface.name, sketch), sketch)
-    side = free_side(a, b, contacts(surface.name, sketch))
-    if side < 0:
-        a, b = b, a
-    e = plane.unit(plane.minus(b, a))
-    down = plane.times(plane.left(e), -1)
-    offset = plane.minus(sketch.centre(body.name), a)
-    depth, s = plane.dot(offset, down), plane.dot(offset, e)
-    thick = max(DECK, depth + 8) if depth < DEEP else DECK
-    a, b = plane.plus(a, e, min(0.0, s - DECK)), plane.plus(a, e, max(plane.distance(a, b), s + DECK))
-    along = body.record["slide"].get("along") if "slide" in body.record else None
-    level = "slide" in body.record and (along is None or abs(sketch.pair(along)[1]) < FLAT_ENOUGH)
-    if level and down[1] < 0 and FLAT_ENOUGH < abs(e[1]) < 1 - FLAT_ENOUGH:
-        low = min(a[1], b[1]) - BAR[1]
-        corners = [a, b, (b[0], low), (a[0], low)]
-        return Look([Polygon(tuple(corners))], "ramp", corners)
-    corners = [a, b, plane.plus(b, down, thick), plane.plus(a, down, thick)]
-    return Look([Polygon(tuple(corners))], "platform", corners, plane.heading(e), plane.distance(a, b), thick)
-
-
-def bowl(surface: "Record", sketch: "Sketch") -> Look:
-    points = curve_points(surface, sketch)
-    bottom = min(y for _, y in points) - DECK
-    corners = [*points, (points[-1][0], bottom), (points[0][0], bottom)]
-    width = points[-1][0] - points[0][0]
-    return Look([Polygon(tuple(corners))], "platform", corners, 0.0, width, DECK)

@@ -1,17 +1,15 @@
 """The start of a motion: values of coordinates and velocities, or the equilibrium under a force that lets go."""
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from vibcli.language.document.document import Mapping
 from vibcli.language.kinds import Kind, NameOf, Quantity
 from vibcli.language.reader import Record, Reference
 from vibcli.language.signal_names import signal_name
+from vibcli.language.spec import RELEASED
 from vibcli.symbolic.parser import plain_name
 
-if TYPE_CHECKING:
-    from vibcli.language.spec import Spec
-
-RELEASED, PLACE = "released", "x"
+PLACE = "x"
 FIELDS = "initial_fields"       # the section of the fields that members start with
 ABOUT = ("Where a motion in time starts: `{x: 2 cm, x': 0.5 m/s}`, coordinates counted as in the drawn position. "
          "Those left out start at rest in the equilibrium without the loads that depend on time, or as drawn where "
@@ -80,8 +78,3 @@ def with_fields_apart(sections: dict) -> dict:
 
 
 KIND = Initial()
-
-def let_go(spec: "Spec") -> str | None:
-    """The name of the force that lets go at t = 0; None where none does."""
-    record = spec.get("initial")
-    return record.get(RELEASED).text if record is not None and RELEASED in record else None

@@ -12,7 +12,6 @@ from vibcli.language.kinds import Choice, Kind, Many, OneOf, Quantity, WholeNumb
 from vibcli.language.named_elements import Named
 from vibcli.language.reader import ByName, Expression, Record
 from vibcli.language.sections.parameter import UNIT
-from vibcli.reader.sides import report_unreadable, side
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.syntax import ExpressionError
 
@@ -69,6 +68,8 @@ class _Requirement(Kind):
 
 def _side(node, start, end, reader):
     """One side of a comparison, None where something was reported."""
+    from vibcli.reader.sides import report_unreadable, side
+
     start += len(node.text[start:end]) - len(node.text[start:end].lstrip())
     try:
         return side(node, start, end, reader)
@@ -104,6 +105,8 @@ class _Asked(Kind):
         try:
             tree = reader.at_places(parse(key.text))
         except ExpressionError as error:
+            from vibcli.reader.sides import report_unreadable
+
             return report_unreadable(key, error, reader)
         nothing = isinstance(value, Scalar) and not value.text.strip()
         named = key.text, key.where

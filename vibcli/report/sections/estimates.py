@@ -46,7 +46,7 @@ def _members(found):
     if lumped:
         yield Heading("One coordinate alone, the rest as at rest:")
         yield TableBlock(("", "mass", "of the member's", "stiffness", "ω [rad/s]", "error"), tuple(lumped))
-    from vibcli.notation.plain import lowered
+    from vibcli.notation.names import lowered
 
     exact = found.members.exact
     rows = [(str(divisions), *_beside(omegas, exact)) for divisions, omegas in found.members.elements]

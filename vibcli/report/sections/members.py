@@ -52,7 +52,7 @@ def member_equations(problem: "Problem") -> Iterator[Section]:
 
 def _letter(member):
     """u, or φ of a shaft."""
-    from vibcli.notation.plain import GREEK
+    from vibcli.notation.names import GREEK
 
     return GREEK.get(member.kind.letter, member.kind.letter)
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters, PhysicsError, Unknown
 from vibcli.base.units import TIME, times
-from vibcli.language.sections.initial import FIELDS, let_go
+from vibcli.language.sections.initial import FIELDS
 from vibcli.notation.numbers import figure, supported, with_unit
 from vibcli.reader.sections.find import RESPONSE
 from vibcli.report import blocks
@@ -173,7 +173,7 @@ def _start(problem, motion, drive):
     given = problem.initial.given
     if any(name not in given for name in places) and not problem.system.named_start and problem.configuration.falls:
         parts += ["   (as drawn: no equilibrium is reached)"]
-    force = let_go(problem.spec)
+    force = problem.spec.let_go
     parts += [f", where {force} lets go"] if force else []
     yield from section(f"Motion in time ({motion.words})", paragraph("from ", *(parts or ["rest"])), *drive)
 

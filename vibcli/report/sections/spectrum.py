@@ -51,7 +51,7 @@ def _doubts(problem):
 
 def _counted(modes, found):
     """The proof that none is missing: the count just above the last frequency."""
-    from vibcli.notation.plain import lowered
+    from vibcli.notation.names import lowered
 
     last = found[-1]
     if not last.omega:

@@ -4,7 +4,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.base.work import longer
-from vibcli.notation.plain import lowered, plain
+from vibcli.notation.names import lowered
+from vibcli.notation.plain import plain
 from vibcli.report.blocks import (
     Either,
     Equations,

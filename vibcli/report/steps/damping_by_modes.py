@@ -8,7 +8,7 @@ from vibcli.mechanics.given_damping_in_letters import excitation_by_damping, pro
 from vibcli.mechanics.linearisation import at_position
 from vibcli.mechanics.symbolic_linear import place_in_letters
 from vibcli.mechanics.symbolic_matrices import matrices_in_letters
-from vibcli.notation.plain import lowered
+from vibcli.notation.names import lowered
 from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.held import HINT, UNTOLD, SmallEquations, Untold
 from vibcli.report.steps.small import AboutRest

@@ -9,8 +9,8 @@ from vibcli.analyses.closed_form.member_shapes import shape, unstrained
 from vibcli.analyses.closed_form.textbook_equation import by_letters, sides
 from vibcli.analyses.closed_form.tied_members import tied_equations
 from vibcli.base.errors import PhysicsError
+from vibcli.notation.names import GREEK, lowered
 from vibcli.notation.numbers import figure
-from vibcli.notation.plain import GREEK, lowered
 from vibcli.report.blocks import Factor, Name, WithNumbers, Words
 from vibcli.report.place_letter import by_letter, place_letter
 from vibcli.report.sections.frequency_equation import SIMPLE, whose

@@ -4,7 +4,7 @@ determinant of K − ω²M written out of two, ratios of amplitudes, damped eige
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from vibcli.notation.plain import lowered
+from vibcli.notation.names import lowered
 from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.assumed_shapes import tell_estimates
 from vibcli.report.steps.characteristic import polynomial, tell_polynomial, tell_roots

@@ -9,7 +9,7 @@ from math import isclose, pi
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters, PhysicsError
-from vibcli.notation.plain import lowered
+from vibcli.notation.names import lowered
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.characteristic import determinant
 from vibcli.report.steps.complex_numbers import cleared, complex_parts, complex_told

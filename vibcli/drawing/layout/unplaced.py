@@ -1,0 +1,86 @@
+"""What of a scene is laid out below what has a place: rows of bodies without one, members below one another, and what
+ties these to each other."""
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from vibcli.drawing.canvas.primitives import SURFACE, Polyline
+from vibcli.drawing.layout import plane
+
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.compose import Scenery
+    from vibcli.drawing.layout.sketch import Sketch
+
+BELOW = 40.0        # points to the first row
+
+
+def laid_out(sketch: "Sketch", left: float, top: float) -> tuple[list[Any], list[Any], list[Any], list[Any]]:
+    """The Hung of a scene, the Layouts of its rows, [(what turns, what it winds up)] and the Strips of its members,
+    from the upper left corner on."""
+    hung, rows, wound, strips = [], [], [], []
+    if sketch.lumped:
+        hung, rows, wound = _rows(sketch, left, top)
+        top = min([top, *(layout.y - max(place.height for place in layout.places.values()) - BELOW for layout in rows)])
+    sketch.numbers["standing"] = {name for layout in rows for name in layout.places}
+    if sketch.scene.members:
+        from vibcli.drawing.layout import strips as members
+
+        strips = members.strips(sketch, left, top)
+    return hung, rows, wound, strips
+
+
+def _rows(sketch, left, top):
+    """The Hung, the Layouts of rows, and what they wind up."""
+    from vibcli.drawing.layout import gears, hung, lumped, rows
+
+    every = rows.rows(sketch.scene)
+    hanging = hung.find(every, sketch)
+    elsewhere = {*_held_alone(sketch.scene), *(one.body for one in hanging)}
+    found = lumped.layouts([row for row in every if not _only(row, elsewhere)], sketch, left, top)
+    return hanging, found, gears.wound(sketch.scene) if found else []
+
+
+def _held_alone(scene):
+    """The bodies without a place to which members are held: they are drawn there."""
+    if not scene.members:
+        return set()
+    from vibcli.drawing.symbols.member_ends import held
+
+    return {name for one in scene.members.values() if one is not None and one.line is None
+            for side in ("left", "right") for _, name in held(one, side)}
+
+
+def _only(row, held):
+    return len(row.bodies) == 1 and row.bodies[0] in held and not row.gaps and not row.lanes
+
+
+def draw(stage: "Scenery", sketch: "Sketch", unit: float,
+         bends: Mapping[str, Any]) -> tuple[list[Any], dict[str, tuple[Any, ...]]]:
+    """The primitives of rows and members, and where their elements are."""
+    found, where = [], {}
+    if stage.rows:
+        from vibcli.drawing.layout import lumped
+
+        for layout in stage.rows:
+            moved = {name: sketch.lumped[name] * (1.0 if place.turns else unit)
+                     for name, place in layout.places.items()}
+            lines, places = lumped.draw(layout, moved)
+            found += lines
+            where |= places
+    if stage.strips:
+        from vibcli.drawing.layout import drawn_members
+
+        found += drawn_members.draw(stage, sketch, unit, bends)
+    return found + _ropes(stage, sketch, unit), where
+
+
+def _ropes(stage, sketch, unit):
+    """Dashed lines between rows of which one winds the other up."""
+    places, found = {name: place for layout in stage.rows for name, place in layout.places.items()}, []
+    for drum, load in stage.wound:
+        above, below = places[drum], places[load]
+        head = below.middle[0] + sketch.lumped[load] * unit, below.middle[1] + below.height
+        side = -above.half if head[0] < above.middle[0] else above.half
+        start = plane.plus(above.middle, (side, -0.5 * above.height))
+        found.append(Polyline((start, head), "rope", 1.2, True, SURFACE))
+    return found
