@@ -1,5 +1,6 @@
 """What `vibcli` and `python -m vibcli` run. Nothing is imported before an interrupt is provided for."""
 
+import _thread
 import atexit
 import gc
 import os
@@ -10,15 +11,23 @@ YOUNG = 100_000     # objects between searches for garbage: what is imported and
 
 
 def main():
-    """Run the command line and leave with its exit code; 130 where it is interrupted, while importing too."""
+    """Run the command line and leave with its exit code; 130 where it is interrupted, while importing too. An interrupt
+    after that ends the process at once, in silence."""
     gc.set_threshold(YOUNG)
+    sys.unraisablehook = _raised_anew
     try:
+        from signal import SIG_DFL, SIGINT, signal
+
         from vibcli.cli.program import run
         from vibcli.cli.streams import provide
 
         provide()
         code = run()
+        signal(SIGINT, SIG_DFL)
     except KeyboardInterrupt:
+        from signal import SIG_DFL, SIGINT, signal
+
+        signal(SIGINT, SIG_DFL)
         sys.stderr.write("interrupted\n")
         code = 130
     _leave(code)
@@ -34,6 +43,19 @@ def _leave(code):
         with suppress(Exception):
             stream.flush()
     os._exit(code)
+
+
+class _Interrupt(int):
+    """A signal that comes `again` where that is read: after a call Python would look for signals at once."""
+
+    again = property(_thread.interrupt_main)
+
+
+def _raised_anew(lost):
+    """An interrupt in a callback, as that of a lock of an import, whose errors go nowhere, comes again behind it."""
+    if issubclass(lost.exc_type, KeyboardInterrupt):
+        return _Interrupt(2).again
+    return sys.__unraisablehook__(lost)
 
 
 if __name__ == "__main__":

@@ -125,6 +125,11 @@ def test_a_damaged_entry_is_checked_anew_in_silence(folder, capfd):
     again, kept = checked(capfd)
     assert again == first and kept <= 1
     assert checked(capfd) == (first, 5)
+    for one in (*entries[:2], folder / ".vibcli_cache" / "sources"):    # what has no end is not waited for
+        one.unlink()
+        os.mkfifo(one)
+    assert checked(capfd) == (first, 3)
+    assert checked(capfd) == (first, 5)
 
 
 def test_a_fault_is_not_kept(folder, capfd, monkeypatch):

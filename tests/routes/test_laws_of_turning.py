@@ -103,6 +103,11 @@ LENGTHS = st.tuples(st.integers(4, 9), st.integers(4, 9), st.integers(6, 12), st
 
 
 def linkage(lengths, masses, place=lambda x, y: (x, y), down=(0, -1), bits=0, order=1, **sections):
+    """The scene of rods that close a loop; `sections`: what stands beside them."""
+    return vibcli.load({**rods(lengths, masses, place, down, bits, order), **sections})
+
+
+def rods(lengths, masses, place=lambda x, y: (x, y), down=(0, -1), bits=0, order=1):
     """Two rods that hang from the ground, at places that lengths in eighths of a metre give, and a third that joins
     their lower ends: it closes a loop. `bits`: lengths and g times 2^bits."""
     unit = Fraction(2) ** bits
@@ -118,10 +123,9 @@ def linkage(lengths, masses, place=lambda x, y: (x, y), down=(0, -1), bits=0, or
                           "pin": {"at": at(*B), "carrier": "left", "by": "b"}},
               "right": {"shape": "rod", "mass": written(masses[2], "kg"), "from": at(*D), "to": at(*C),
                         "pin": {"at": at(*D), "by": "c"}}}
-    return vibcli.load({
-        "gravity": [written(Fraction(c) * Fraction(981, 100) * unit, "m/s^2") for c in down],
-        "points": {"P": {"body": "between", "at": at(*C)}, "Q": {"body": "right", "at": at(*C)}},
-        "bodies": dict(list(bodies.items())[::order]), "constraints": {"closed": {"join": ["P", "Q"]}}, **sections})
+    return {"gravity": [written(Fraction(c) * Fraction(981, 100) * unit, "m/s^2") for c in down],
+            "points": {"P": {"body": "between", "at": at(*C)}, "Q": {"body": "right", "at": at(*C)}},
+            "bodies": dict(list(bodies.items())[::order]), "constraints": {"closed": {"join": ["P", "Q"]}}}
 
 
 def rest(model):

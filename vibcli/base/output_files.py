@@ -41,8 +41,8 @@ def write_whole(path: Path | str, data: bytes, new: bool = False) -> None:
     path = Path(path)
     beside = path.with_name(f".{path.name[:64]}.{os.urandom(8).hex()}")
     try:
-        descriptor = os.open(beside, os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_NOFOLLOW", 0), 0o666)
         try:
+            descriptor = os.open(beside, os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_NOFOLLOW", 0), 0o666)
             with os.fdopen(descriptor, "wb") as file:
                 file.write(data)
             _put(beside, path, new)

@@ -220,7 +220,9 @@ def show_usage(error: click.ClickException) -> None:
 
 
 def fault(error: Exception) -> str:
-    """A fault of ours in short."""
+    """A fault of ours in short; KeyboardInterrupt where it was made of one, as in the making of a class."""
+    if isinstance(error.__cause__, KeyboardInterrupt):
+        raise KeyboardInterrupt
     return f"{type(error).__name__}: {str(error)[:200]}"
 
 

@@ -57,7 +57,7 @@ def main(args: list[str] | None = None):
 def run(args: list[str] | None = None) -> int:
     """Run the command line; returns the exit code."""
     for stream in (sys.stdout, sys.stderr):
-        if hasattr(stream, "reconfigure"):
+        if hasattr(stream, "reconfigure") and stream.errors != "replace":
             stream.reconfigure(errors="replace")
     try:
         code = group.main(args, prog_name="vibcli", standalone_mode=False)

@@ -45,7 +45,8 @@ class Stream(io.RawIOBase):
 
 def provide():
     """Let stdout and stderr be such streams."""
-    sys.stdout, sys.stderr = _stream(sys.stdout, True), _stream(sys.stderr, False)
+    for name in ("stdout", "stderr"):
+        setattr(sys, name, _stream(getattr(sys, name), refuses=name == "stdout"))
 
 
 def _stream(given, refuses):

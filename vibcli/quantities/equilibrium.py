@@ -12,6 +12,8 @@ from vibcli.quantities.signal_dimensions import generalised_dimension, name_dime
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 
 def about(problem: "Problem", number: int) -> "Problem":
@@ -36,16 +38,23 @@ def count(problem: "Problem") -> int:
     return len(found.items)
 
 
-def _equilibrium(problem, tree, args):
+def at_rest(problem: "Problem", scene: "Scene", signal: str) -> "Node | None":
+    """The expression of a coordinate, place, turn, stretch or force of a spring at rest; None of another signal."""
     from vibcli.mechanics.inputs_outputs.displacements import resting
+
+    node, (name, part, *_) = resting(scene, signal), signal_name(signal)
+    if node is None and part == "force" and name in (problem.spec.get("springs") or {}):
+        return scene.force_of(name)
+    return node
+
+
+def _equilibrium(problem, tree, args):
     from vibcli.symbolic.evaluation import evaluate
     from vibcli.symbolic.running_errors import RunningErrors
 
     signal = problem.spec.coordinate_name(tree.indices[0]) or tree.indices[0]
     scene, (name, part, *_) = problem.scene.resting, signal_name(signal)
-    node = resting(scene, signal)
-    if node is None and part == "force" and name in (problem.spec.get("springs") or {}):
-        node = scene.force_of(name)
+    node = at_rest(problem, scene, signal)
     if node is None and part == "energy" and (laws := scene.terms_of(name, "laws")):
         node = scene.table.total([law.energy(scene) for law in laws])
     if node is None:
@@ -76,15 +85,12 @@ def _opened(problem, jumps, node, signal):
 
 def _in_letters(problem, tree):
     """A coordinate, place, turn, stretch or tension in equilibrium."""
-    from vibcli.mechanics.inputs_outputs.displacements import resting
     from vibcli.symbolic.derivatives import substitute
     from vibcli.symbolic.normal_form import textbook
 
     text = problem.spec.coordinate_name(tree.indices[0]) or tree.indices[0]
     scene, name = problem.scene, signal_name(text)
-    node = resting(scene, text)
-    if node is None and name.part == "force" and name.name in (problem.spec.get("springs") or {}):
-        node = scene.force_of(name.name)
+    node = at_rest(problem, scene, text)
     if node is None and is_reaction(problem.spec, text) and name.kind not in CONTACT:
         return _force_in_letters(problem, text)
     if node is None:

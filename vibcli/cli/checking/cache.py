@@ -102,12 +102,11 @@ class Cache:
     def _entry(self, file):
         """The entry of a file, None where there is none or it is damaged."""
         try:
-            with open(self._path(file), "rb") as stream:
-                outer = json.loads(stream.read(LARGEST))
+            outer = json.loads(_bytes(self._path(file), LARGEST) or b"")
             if outer["form"] != FORM or outer["sum"] != _digest(outer["entry"]):
                 return None
             entry = json.loads(outer["entry"])
-        except (OSError, ValueError, KeyError, TypeError, RecursionError):
+        except (ValueError, KeyError, TypeError, RecursionError):
             return None
         return entry if entry["file"] == file else None
 
@@ -180,10 +179,10 @@ def _sources(kept):
     files = sorted((os.path.relpath(path, ROOT), path) for path in _files(ROOT))
     looks = _digest(*(f"{name} {(known := os.stat(path)).st_size} {known.st_mtime_ns}" for name, path in files))
     try:
-        before, found, own = kept.read_text().split()
+        before, found, own = (_bytes(kept, MAX_BYTES) or b"").decode().split()
         if before == looks and own == _digest(before, found):
             return found
-    except (OSError, ValueError):
+    except ValueError:
         pass
     found = _digest(*(part for name, path in files for part in (name, Path(path).read_bytes())))
     with suppress(PhysicsError):
