@@ -289,10 +289,9 @@ class ResponseOfMembers(SmallResponse):
 
     def _at_rest(self, name):
         """A signal in equilibrium."""
-        from vibcli.mechanics.inputs_outputs.displacements import resting
-        from vibcli.symbolic.evaluation import Floats, evaluate
+        from vibcli.mechanics.rest_curves import value_at_rest
 
-        return evaluate([resting(self.problem.scene.resting, name)], Floats, self.configuration.at_rest)[0]
+        return value_at_rest(self.configuration, name)
 
     def state_signal(self, node: "Node"):
         """Energies of members are spread along them: they are not found."""
