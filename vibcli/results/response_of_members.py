@@ -249,7 +249,7 @@ class ResponseOfMembers(SmallResponse):
 
     def _one(self, part, source=()):
         if getattr(part[0], "head", "") == "steady":
-            return self.kept_up.signal(part[0].args[0]).steady
+            return self.kept_up.signal(part[0])
         return super()._one(part, source)
 
     def lasting(self):

@@ -64,6 +64,8 @@ class SteadyResponse(SmallResponse):
     def lasting(self):
         from vibcli.analyses.transient.duration import duration
 
+        if self.only is None and self.input_forcing.period is not None:
+            return float(self.input_forcing.period)
         speeds = [Omega for waves in self.waves.values() for Omega, _ in waves if Omega]
         if not speeds:
             raise self.reason
@@ -76,6 +78,14 @@ class SteadyResponse(SmallResponse):
     def state_signal(self, node: Any):
         """Energies of members are spread along them: they are not found."""
         raise self.reason
+
+    def _one(self, part, source=()):
+        period = self.input_forcing.period if self.only is None else None
+        if period is not None and getattr(part[0], "head", "") == "steady":
+            from vibcli.results.repeating_signal import repeating
+
+            return repeating(self.problem, part[0].args[0], float(period))
+        return super()._one(part, source)
 
     def _part(self, parts, name, primes, part):
         if name in self.problem.scene.parameters.nodes or isinstance(part, QuantityRef):
@@ -197,9 +207,10 @@ class SteadyResponse(SmallResponse):
     def _of_harmonic(self, forcing):
         """The waves of one harmonic."""
         if self.only is None:
-            raise PhysicsError("this load has harmonics without end: the steady state of members is found of one at a "
-                               "time", "ask for harmonic[1](…), harmonic[2](…) and so on of single signals, or for "
-                               "abs(frf[…](Ω))")
+            all_of_them = "max(steady(x)), amplitude(x), or for " if self.problem.modal.damped else ""
+            raise PhysicsError("this load has harmonics without end, and of members this is found of one at a time",
+                               f"ask for {all_of_them}harmonic[1](x), harmonic[2](x) and so on of single signals, "
+                               "or for abs(frf[…](Ω))")
         s, forces = harmonic_forces(forcing, self.only)
         return {number: [(s.imag, complex(A) if self.only else float(A))]
                 for number, A in enumerate(forces, self.configuration.with_inputs.n) if A}
