@@ -209,3 +209,10 @@ def test_a_beam_whose_tension_varies_balances_piece_by_piece():
     V = shear.stretches[0].values(np.array([0.0, 1.0, 2.7, 5.0]))
     for x, value_there in zip((1.0, 2.7, 5.0), V[1:], strict=True):
         assert value_there - V[0] == pytest.approx(w * x + N(x) * slope(x), rel=1e-9)
+
+
+def test_an_amplitude_that_vanishes_between_two_places_has_no_value_there():
+    """|M| under one load comes to a corner at 0, which is no least value to be told."""
+    for place in (0.3141592, 0.35, 0.3777, 0.41, 0.4321):
+        corner = CurveStretch(0.0, 1.0, lambda x, place=place: np.abs(np.asarray(x) - place))
+        assert [x for x, _ in told(InternalForce("a", "moment", [corner]))] == [0.0, 1.0]
