@@ -74,7 +74,8 @@ RESPONSE = [
          "zero counts as a passage does."),
         ("steady", "What is left when the free vibration has died out; `transient` is the rest. Without damping the "
          "steady state is the motion with the frequencies of the loads alone, and the rest does not die out. At a "
-         "resonance without damping there is none. Of a ramp or another power of the time it is what follows it, "
+         "resonance without damping there is none. Of members under loads with harmonics without end it is found where "
+         "they are damped. Of a ramp or another power of the time it is what follows it, "
          "v t − c v/k."),
         ("formula", "Printed where it is short: decaying vibrations and waves, for each piece of the loads."),
     ],

@@ -216,6 +216,11 @@ class Configuration:
         return with_damping(found, self.given_damping(digits))
 
     @cached_property
+    def bent_pieces(self) -> dict:
+        """{(member, number of a piece): its deflection at rest} as far as they were asked for."""
+        return {}
+
+    @cached_property
     def bounded_rest(self):
         """An arithmetic of bounded numbers, and {symbol: number with the bound of its error} of everything at rest."""
         from vibcli.mechanics.bounded_rest import bounded_rest

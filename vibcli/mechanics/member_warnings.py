@@ -2,6 +2,7 @@
 tensions that statics alone does not find."""
 
 from itertools import pairwise
+from math import atan2
 from typing import TYPE_CHECKING
 
 from vibcli.scene.member_tensions import along_member, is_between_fixed, placed_members
@@ -86,6 +87,10 @@ def _turned(member, configuration):
     elif member.kind.bends or member.line is not None:
         slopes += [(right.u - left.u) / (right.place - left.place) for left, right in pairwise(member.stations)]
     largest = max(map(abs, evaluate(slopes, Floats, configuration.at_rest)), default=0.0)
+    if member.turns:        # as far as it likes, about any point
+        first, last = member.stations[0], member.stations[-1]
+        largest = abs(atan2(*evaluate([last.u - first.u, member.length + (last.along - first.along)], Floats,
+                                      configuration.at_rest)))
     if largest > SMALL:
         yield (f"'{member.name}' turns by {largest:.3g} rad in equilibrium, more than 0.1 rad: members are linear "
                "about their drawn line")

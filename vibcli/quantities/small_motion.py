@@ -11,10 +11,10 @@ from vibcli.quantities.quantity import EXACT
 from vibcli.results import feature_errors, signal_features, steady_features
 from vibcli.results.envelope import Envelope
 from vibcli.results.signals import ComposedSignal, LinearSignal
+from vibcli.symbolic.syntax import QuantityRef
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
-    from vibcli.symbolic.syntax import QuantityRef
 
     Measured = tuple[float, Callable[[], float]]
 
@@ -31,12 +31,31 @@ def _linear(problem, tree, harmonic=None):
     return signal
 
 
+def _repeating(problem, tree):
+    """The steady state of members under loads with harmonics without end; None of others."""
+    response, asked = problem.response_of(tree), tree.args[0]
+    if response.KIND != "steady" or response.input_forcing.period is None:
+        return None
+    if not _repeating_part(response, tree):
+        asked = QuantityRef(0, 0, f"steady({tree.text})", "steady", args=(asked,))
+    return response.signal(asked)
+
+
+def _repeating_part(response, tree):
+    """Is a quantity asked of the steady state of members by that name?"""
+    return response.KIND == "steady" and getattr(tree.args[0], "head", "") == "steady"
+
+
 def _of_harmonic(response, number):
     return response.of_harmonic(number) if response.KIND == "steady" else response
 
 
 def amplitude(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> "Measured":
     """Of the steady state that loads keep up, else of the free vibration."""
+    repeats = _repeating(problem, tree)
+    if repeats is not None:
+        found, error = repeats.amplitude
+        return found, lambda: error
     signal = _linear(problem, tree)
     if not signal_features.kept_up(signal):
         found = signal_features.amplitude(signal)
@@ -75,6 +94,8 @@ def harmonic(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> "M
 def _over_a_period(which):
     """The mean or the rms of the steady state that loads keep up, else of the free vibrations that last."""
     def value(problem, tree, args):
+        if _repeating_part(problem.response_of(tree), tree):
+            tree = tree._replace(args=tree.args[0].args)
         signal = _of_harmonic(problem.response_of(tree), 0).signal(tree.args[0])
         if isinstance(signal, ComposedSignal | Envelope):
             signal = problem.response_of(tree).signal(tree.args[0])
@@ -103,6 +124,9 @@ def period(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> "Mea
     """That of a full motion as it is found."""
     if problem.response_of(tree).KIND not in EXACT:
         return problem.response.period(tree.args[0])[0], lambda: 0.0
+    repeats = _repeating(problem, tree)
+    if repeats is not None:
+        return repeats.period, lambda: 0.0
     signal = _linear(problem, tree)
     kept_up = signal_features.kept_up(signal)
     found = tau / steady_features.fundamental(signal) if kept_up else signal_features.free_period(signal)

@@ -49,7 +49,7 @@ def forces_in_time(problem: "Problem", instant: float) -> tuple[list[InternalFor
     def signal(name):
         return problem.response.signal(NameRef(0, len(name), name, 0))
 
-    return _of_signals(problem, lambda name: float(signal(name).values(at)[0]),
+    return _of_signals(problem, lambda name, _: _one_by_one(lambda one: float(signal(one).values(at)[0])),
                        lambda name: signal(name).error(instant))
 
 
@@ -57,23 +57,42 @@ def amplitudes(problem: "Problem") -> tuple[list[InternalForce], list[str]]:
     """(amplitudes of the steady state, why others are not found)."""
     from vibcli.results import feature_errors, steady_features
 
+    def steady(name):
+        return QuantityRef(0, 0, f"steady({name})", "steady", args=(NameRef(0, len(name), name, 0),))
+
+    def response(name):
+        return problem.response_of(QuantityRef(0, 0, f"amplitude({name})", "amplitude", args=(steady(name),)))
+
     def signal(name):
-        args = NameRef(0, len(name), name, 0),
-        return problem.response.signal(QuantityRef(0, 0, f"steady({name})", "steady", args=args))
+        return response(name).signal(steady(name))
 
-    return _of_signals(problem, lambda name: steady_features.amplitude(signal(name)),
-                       lambda name: feature_errors.amplitude(signal(name)))
+    def values(name, between):
+        found = response(name).amplitudes_along(name, between) if response(name).KIND == "steady" else None
+        return _one_by_one(lambda one: steady_features.amplitude(signal(one))) if found is None else (
+            lambda names, places: found(places))
+
+    return _of_signals(problem, values, lambda name: feature_errors.amplitude(signal(name)))
 
 
-def _of_signals(problem, value, error):
-    """Those whose values signals tell, each at a place."""
+def _one_by_one(value):
+    """(names of signals, their places) → values; each of them is found once."""
+    seen: dict[str, float] = {}
+
+    def values(names, _):
+        seen.update((name, value(name)) for name in names if name not in seen)
+        return np.array([seen[name] for name in names])
+    return values
+
+
+def _of_signals(problem, values, error):
+    """Those whose values signals tell: values(name of one, stations it lies between) → (names, places) → values."""
     scene, found, refused = problem.scene, [], []
     for name, member, part in forces_within(scene):
         length, stations = scene.number(member.length), [scene.number(one.place) for one in member.stations]
         stations = [0.0, *sorted(x for x in stations if SAME * length < x < (1 - SAME) * length), length]
-        signal, seen = f"{name}.{part}", {}
+        signal = f"{name}.{part}"
         try:
-            stretches = [_of_signal(signal, start, end, value, seen) for start, end in pairwise(stations)]
+            stretches = [_of_signal(signal, between, values) for between in pairwise(stations)]
             force = InternalForce(name, part, stretches, lambda x, signal=signal: error(f"{signal}({x!r} m)"))
             force.largest       # noqa: B018 - refused where it is not found
             found.append(force)
@@ -84,16 +103,18 @@ def _of_signals(problem, value, error):
     return found, [f"the {what} is not found: {refusal.message}" for what, refusal in refused]
 
 
-def _of_signal(signal, start, end, value, seen):
-    """The CurveStretch of a signal; `seen` {name: value} are those that are known."""
-    def values(places):
-        names = [f"{signal}({x!r} m{LEFT_OF * (x >= end)})" for x in places.tolist()]
-        for name in names:
-            if name not in seen:
-                seen[name] = value(name)
-        return np.array([seen[name] for name in names])
+def _of_signal(signal, between, values):
+    """The CurveStretch of a signal, which is looked at again and again at the same places."""
+    along, known = values(f"{signal}({sum(between) / 2!r} m)", between), {}
 
-    return CurveStretch(start, end, values, COARSE)
+    def at(places):
+        asked = places.tobytes()
+        if asked not in known:
+            names = [f"{signal}({x!r} m{LEFT_OF * (x >= between[1])})" for x in places.tolist()]
+            known[asked] = along(names, places)
+        return known[asked].copy()
+
+    return CurveStretch(*between, at, COARSE)
 
 
 def require_numbers(problem: "Problem") -> None:

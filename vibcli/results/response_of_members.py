@@ -248,7 +248,7 @@ class ResponseOfMembers(SmallResponse):
 
     def _one(self, part, source=()):
         if getattr(part[0], "head", "") == "steady":
-            return self.kept_up.signal(part[0].args[0]).steady
+            return self.kept_up.signal(part[0])
         return super()._one(part, source)
 
     def lasting(self):
@@ -288,10 +288,9 @@ class ResponseOfMembers(SmallResponse):
 
     def _at_rest(self, name):
         """A signal in equilibrium."""
-        from vibcli.mechanics.inputs_outputs.displacements import resting
-        from vibcli.symbolic.evaluation import Floats, evaluate
+        from vibcli.mechanics.rest_curves import value_at_rest
 
-        return evaluate([resting(self.problem.scene.resting, name)], Floats, self.configuration.at_rest)[0]
+        return value_at_rest(self.configuration, name)
 
     def state_signal(self, node: "Node"):
         """Energies of members are spread along them: they are not found."""

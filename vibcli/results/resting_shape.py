@@ -20,13 +20,12 @@ ROUNDING = 1e-12                # of what is subtracted: no difference
 def polynomial_at_rest(configuration: "Configuration", piece: "PlacedPiece", degree: int) -> np.ndarray | None:
     """u of a piece in the equilibrium of a Configuration as coefficients of powers of the place along it; None where it
     is no polynomial of this degree."""
-    from vibcli.mechanics.inputs_outputs.displacements import resting
-    from vibcli.symbolic.evaluation import Floats, evaluate
+    from vibcli.mechanics.rest_curves import value_at_rest
 
     scene, start, length = configuration.scene.resting, float(piece.start), float(piece.piece.length)
     signal, shares = scene.members[piece.owner].signal_stem, np.linspace(0.0, 1.0, degree + 1)
-    nodes = [resting(scene, f"{signal}({start + share * length!r} m)") for share in (*shares.tolist(), CHECKED)]
-    *values, other = evaluate(nodes, Floats, configuration.at_rest)
+    *values, other = (value_at_rest(configuration, f"{signal}({start + share * length!r} m)")
+                      for share in (*shares.tolist(), CHECKED))
     powers = np.linalg.solve(np.vander(shares, increasing=True), values)
     if abs(np.polynomial.polynomial.polyval(CHECKED, powers) - other) > SAME * max(map(abs, values)):
         return None

@@ -15,6 +15,10 @@ from vibcli.results.steady_features import common
 from vibcli.symbolic.syntax import QuantityRef
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    import numpy as np
+
     from vibcli.analyses.continuous.kept_up_motion import Harmonic, KeptUpMotion
     from vibcli.analyses.excitation.forcing import Forcing
     from vibcli.results.problem import Problem
@@ -60,6 +64,8 @@ class SteadyResponse(SmallResponse):
     def lasting(self):
         from vibcli.analyses.transient.duration import duration
 
+        if self.only is None and self.input_forcing.period is not None:
+            return float(self.input_forcing.period)
         speeds = [Omega for waves in self.waves.values() for Omega, _ in waves if Omega]
         if not speeds:
             raise self.reason
@@ -72,6 +78,14 @@ class SteadyResponse(SmallResponse):
     def state_signal(self, node: Any):
         """Energies of members are spread along them: they are not found."""
         raise self.reason
+
+    def _one(self, part, source=()):
+        period = self.input_forcing.period if self.only is None else None
+        if period is not None and getattr(part[0], "head", "") == "steady":
+            from vibcli.results.repeating_signal import repeating
+
+            return repeating(self.problem, part[0].args[0], float(period))
+        return super()._one(part, source)
 
     def _part(self, parts, name, primes, part):
         if name in self.problem.scene.parameters.nodes or isinstance(part, QuantityRef):
@@ -104,17 +118,48 @@ class SteadyResponse(SmallResponse):
                     found.append(Harmonic(channel, Omega, complex(H * A), size))
         return found
 
+    def amplitudes_along(self, text: str, between: tuple[float, float]) -> "Callable[[np.ndarray], np.ndarray] | None":
+        """places → amplitudes of a signal there, from one solution for all; text: itself at a place between the two
+        stations. None where it is found place by place alone."""
+        from vibcli.mechanics.inputs_outputs.place_signals import place_output
+
+        found = place_output(self.configuration, text)
+        if found is None or found.primes or None in self._fields.values():
+            return None
+
+        def amplitudes(places):
+            import numpy as np
+
+            waves = {Omega: field.along(found.owner, between, places, found.order) * float(found.factor)
+                     for Omega, field in self._fields.items() if Omega}
+            if len(waves) < 2:
+                return np.abs(sum(waves.values(), np.zeros(len(places))))
+            return np.array([_amplitude({Omega: X[i] for Omega, X in waves.items()}, self.problem.work)
+                             for i in range(len(places))])
+        return amplitudes
+
+    @cached_property
+    def _fields(self):
+        """{Ω: the DrivenFields of what all inputs have of it, or None where these are not found at once}."""
+        from vibcli.analyses.frequency_response.driven_fields import driven_fields
+
+        together: dict[float, dict[int, complex]] = {}
+        for number, waves in self.waves.items():
+            for Omega, A in waves:
+                together.setdefault(Omega, {})[number] = A
+        damped = self.problem.modal.member_damping is not None
+        return {Omega: None if damped else driven_fields(self.configuration, weights, Omega)
+                for Omega, weights in together.items() if Omega}
+
     def _at_rest(self, text):
         """A signal in equilibrium."""
         from vibcli.analyses.excitation.signal_outputs import linear_output
-        from vibcli.mechanics.inputs_outputs.displacements import resting
         from vibcli.mechanics.inputs_outputs.place_signals import place_output
-        from vibcli.symbolic.evaluation import Floats, evaluate
+        from vibcli.mechanics.rest_curves import value_at_rest
 
         if place_output(self.configuration, text) is None:
             return linear_output(self.configuration, text)[0].constant
-        node = resting(self.problem.scene.resting, text)
-        return evaluate([node], Floats, self.configuration.at_rest)[0]
+        return value_at_rest(self.configuration, text)
 
     @cached_property
     def input_forcing(self) -> "Forcing":
@@ -162,9 +207,10 @@ class SteadyResponse(SmallResponse):
     def _of_harmonic(self, forcing):
         """The waves of one harmonic."""
         if self.only is None:
-            raise PhysicsError("this load has harmonics without end: the steady state of members is found of one at a "
-                               "time", "ask for harmonic[1](…), harmonic[2](…) and so on of single signals, or for "
-                               "abs(frf[…](Ω))")
+            all_of_them = "max(steady(x)), amplitude(x), or for " if self.problem.modal.damped else ""
+            raise PhysicsError("this load has harmonics without end, and of members this is found of one at a time",
+                               f"ask for {all_of_them}harmonic[1](x), harmonic[2](x) and so on of single signals, "
+                               "or for abs(frf[…](Ω))")
         s, forces = harmonic_forces(forcing, self.only)
         return {number: [(s.imag, complex(A) if self.only else float(A))]
                 for number, A in enumerate(forces, self.configuration.with_inputs.n) if A}
@@ -183,6 +229,16 @@ class SteadyResponse(SmallResponse):
         from vibcli.analyses.continuous.kept_up_motion import KeptUpMotion
 
         return KeptUpMotion(len(self._channels), self._harmonics, self.problem.work)
+
+
+def _amplitude(waves, work):
+    """Half the range of Σ Re(X e^{iΩt}), {Ω: X}."""
+    from vibcli.analyses.continuous.kept_up_motion import Harmonic, KeptUpMotion
+    from vibcli.results.signals import LinearSignal
+    from vibcli.results.steady_features import amplitude
+
+    kept = KeptUpMotion(1, [Harmonic(0, Omega, complex(X), 0.0) for Omega, X in waves.items()], work)
+    return amplitude(LinearSignal(kept, LinearOutput(0.0, channels={0: 1.0})))
 
 
 class NotFollowed:

@@ -11,7 +11,7 @@ import pytest
 from support.scenes import problem, problem_of, value
 
 from vibcli.api.values import quantity_value
-from vibcli.base.errors import PhysicsError
+from vibcli.base.errors import NoBound, PhysicsError
 from vibcli.drawing.canvas.primitives import LetterRuns, Polyline
 from vibcli.drawing.layout.compose import Scenery
 from vibcli.drawing.layout.diagram_values import told, zeros
@@ -39,7 +39,20 @@ STRETCHING = """
       post: {from: [0, 0], to: [0, H], EI: EI, EA: EA, mass_per_length: mu, left: clamped, right: {clamped: A}}
       girder: {from: [0, H], to: [L, H], EI: EI, EA: EA, mass_per_length: mu, left: {clamped: A}, right: clamped}
 """
+TURNED = """
+    parameters: {EI: 4e3 N*m^2, mu: 3 kg/m, F: 50 N, q: 20 N/m}
+    gravity: 9.81 m/s^2
+    bodies: {head: {mass: 2 kg, at: [0, 2 m], move: [x, 0, p]}}
+    beams:
+      post: {from: [0, 0], to: [0, 2 m], EI: EI, mass_per_length: mu, left: clamped, right: {clamped: head}}
+      arm: {from: [0, 2 m], to: [1 m, 2 m], EI: EI, mass_per_length: mu, left: {clamped: head}, right: pinned}
+    strings: {chain: {from: [0.5 m, 2 m], to: [0.5 m, 1 m], mass_per_length: mu, left: {pinned: arm, at: 0.5 m}}}
+    forces:
+      F: {at: head, force: [F*cos(300 rad/s*t), 0]}
+      q: {body: arm, per_length: q*x/(1 m)*cos(100 rad/s*t)}
+"""
 CASES = {
+    "two frequencies, a chain and a post that is pressed": (TURNED, WhichForces(amplitudes=True)),
     "stretching": (STRETCHING, WhichForces(mode=2)),
     "loaded": (LOADED, WhichForces()), "a mode": (LOADED, WhichForces(mode=3)), "inclined": (INCLINED, WhichForces()),
     **{f"{name} {which.mode or 'at rest'}": (ROOT / f"vibcli/examples/{name}.yaml", which)
@@ -121,6 +134,16 @@ def test_moments_stand_on_the_side_in_tension_and_the_front_of_a_wave_is_upright
     assert places[i + 1] - places[i] < 1e-3 and np.abs(np.diff(values))[i] > 0.9 * force.largest
 
 
+def test_where_the_motion_has_no_bound_the_scene_stands_at_rest_above_the_diagrams(monkeypatch):
+    def refused(*_):
+        raise NoBound("no bound is known")
+
+    monkeypatch.setattr("vibcli.drawing.animation.at_instant", refused)
+    drawn = force_drawing(*scene_of("struck"))
+    assert "the scene is drawn at rest: no bound is known" in [
+        letters(part.runs) for part in drawn if isinstance(part, LetterRuns)]
+
+
 def test_forces_and_moments_balance_at_a_corner_without_mass():
     """What turns the corner passes on: the tension of the post is less the shear of the girder, its shear the tension
     of the girder, and the moment stands on one side."""
@@ -186,3 +209,10 @@ def test_a_beam_whose_tension_varies_balances_piece_by_piece():
     V = shear.stretches[0].values(np.array([0.0, 1.0, 2.7, 5.0]))
     for x, value_there in zip((1.0, 2.7, 5.0), V[1:], strict=True):
         assert value_there - V[0] == pytest.approx(w * x + N(x) * slope(x), rel=1e-9)
+
+
+def test_an_amplitude_that_vanishes_between_two_places_has_no_value_there():
+    """|M| under one load comes to a corner at 0, which is no least value to be told."""
+    for place in (0.3141592, 0.35, 0.3777, 0.41, 0.4321):
+        corner = CurveStretch(0.0, 1.0, lambda x, place=place: np.abs(np.asarray(x) - place))
+        assert [x for x, _ in told(InternalForce("a", "moment", [corner]))] == [0.0, 1.0]

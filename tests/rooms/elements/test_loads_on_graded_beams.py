@@ -11,6 +11,7 @@ from scipy.integrate import solve_ivp
 
 import vibcli
 from vibcli.mechanics.internal_forces import forces_at_rest
+from vibcli.mechanics.rest_curves import value_at_rest
 from vibcli.numerics.pieces import graded_rest
 
 H, EI, MU, G = 20.0, 2e7, 300.0, 9.81
@@ -50,6 +51,7 @@ def test_a_mast_in_the_wind(load, q):
                           ("moment(0 m)", EI * u[0.0][2]), ("moment(7.3 m)", EI * u[7.3][2]),
                           ("shear(0 m)", EI * u[0.0][3])):
         assert model[f"equilibrium[mast.{signal}]"].value == pytest.approx(value, rel=1e-10)
+        assert value_at_rest(model._problem.configuration, f"mast.{signal}") == pytest.approx(value, rel=1e-10)
 
 
 def test_a_hanging_mast_under_a_load_on_a_part_of_it():

@@ -92,3 +92,14 @@ def test_a_string_that_sags_between_its_ends_is_told(string, turn):
     scene = problem(f"gravity: 9.81 m/s^2\nstrings: {{line: {{{string}, mass_per_length: 1.5 kg/m}}}}\n")
     found = member_warnings(scene.configuration)
     assert [sentence.split(" turns by ")[1].split()[0] for sentence in found] == ([turn] if turn else [])
+
+
+def test_a_bar_that_comes_to_hang_turns_by_a_right_angle():
+    """A mass of 1 kg at the end of a hinged bar that is drawn level: π/2, not the displacement over the length."""
+    text = """
+        gravity: 9.81 m/s^2
+        bars: {b: {from: [0, 0], to: [1 m, 0], EA: 10 kN, left: pinned, right: {pinned: p}}}
+        bodies: {p: {mass: 1 kg, at: [1 m, 0], move: [x, y]}}
+        """
+    assert member_warnings(problem(text).configuration) == [
+        "'b' turns by 1.57 rad in equilibrium, more than 0.1 rad: members are linear about their drawn line"]

@@ -21,6 +21,9 @@ if TYPE_CHECKING:
     from vibcli.mechanics.factored_system import PlacedPiece
 
 
+KEPT = 8                # sets of complex frequencies whose motions are remembered
+
+
 class DrivenEnd(NamedTuple):
     """An end value of a piece that a channel of the loads moves, beside the coordinates."""
 
@@ -37,6 +40,7 @@ class ExactTransfer:
         self.matrix, self.pieces, self.driven = DynamicMatrix(polynomial, pieces), list(pieces), list(driven)
         self._near = DynamicMatrix(polynomial, pieces, kept=())
         self.n, self.spread = polynomial.shape[-1], list(spread)
+        self._known: dict[bytes, tuple] = {}
 
     @property
     def channels(self) -> int:
@@ -45,7 +49,7 @@ class ExactTransfer:
 
     def at(self, output: "LinearOutput", s: np.ndarray) -> np.ndarray:
         """(channels, number of s): the output, its constant and channels left out, for a unit e^{st} on each."""
-        p, bent = self._moved(s)
+        p, bent = self._kept(s)
         x = np.tensordot(self._near.to_scene, p, 1)
         found = np.zeros(x.shape[1:], complex)
         for power, part in enumerate((output.q, output.v, output.a)):
@@ -74,6 +78,15 @@ class ExactTransfer:
         long = told(one, kappa)
         found[:, long] = relative_fields(one, kappa[long], bent[:, long], np.full(kappa[long].shape, place.x))
         return found
+
+    def _kept(self, s):
+        """What moves does not hang on what is read: the last of them."""
+        asked = s.tobytes()
+        if asked not in self._known:
+            while len(self._known) >= KEPT:
+                del self._known[next(iter(self._known))]
+            self._known[asked] = self._moved(s)
+        return self._known[asked]
 
     def _moved(self, s):
         """The coordinates of D, (n, channels, number of s), and u₀, θ₀, F, P of short pieces, {number: (channels,

@@ -101,6 +101,9 @@ def _finite(x):
     return hasattr(x, "numerator") or math.isfinite(x)
 
 
+MECHANISM = "{} has no inertia and no spring ties it: it is a mechanism"
+
+
 class UnheldCoordinate(PhysicsError):
     """The refusal of a coordinate by its number; who knows its name tells it by that."""
 
@@ -108,9 +111,15 @@ class UnheldCoordinate(PhysicsError):
         super().__init__(message.format(name or f"coordinate {number + 1}"), hint, where)
         self.text, self.number = message, number
 
-    def named(self, name: str, where: Where) -> "UnheldCoordinate":
-        """The same with the name of the coordinate, and where it is declared."""
-        return UnheldCoordinate(self.text, self.hint, self.number, f"'{name}'", where)
+    def named(self, name: str, where: Where, turns: bool = False, member: str | None = None) -> "UnheldCoordinate":
+        """The same with the name of the coordinate, and where it is declared; turns: is it an angle? member: on which
+        it is a motion."""
+        hint = self.hint
+        if self.text == MECHANISM and member is not None:
+            hint = f"give '{member}' inertia along its length, attach some, or hold it"
+        elif self.text == MECHANISM and turns:
+            hint = "give it an inertia, tie it with a torsion spring, or take it out"
+        return UnheldCoordinate(self.text, hint, self.number, f"'{name}'", where)
 
 
 def unmoved(i: int) -> UnheldCoordinate:
@@ -120,5 +129,4 @@ def unmoved(i: int) -> UnheldCoordinate:
 
 def mechanism(i: int) -> UnheldCoordinate:
     """The refusal of a massless coordinate which nothing ties."""
-    return UnheldCoordinate("{} has no inertia and no spring ties it: it is a mechanism",
-                            "give it a mass, tie it with a spring, or take it out", i)
+    return UnheldCoordinate(MECHANISM, "give it a mass, tie it with a spring, or take it out", i)

@@ -1,42 +1,26 @@
 """Pieces whose tension varies along them: stiffness, held count and fields by short parts joined two and two."""
 
-from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from vibcli.base.named_tuple import NamedTuple
-from vibcli.base.work import counted
 from vibcli.numerics.pieces.graded_parts import (
-    coefficients,
     depth_of,
     end_derivatives,
     is_slack,
-    part_stiffness,
     parts_of,
     slack_series,
     sums,
 )
-from vibcli.numerics.pieces.parity import separate_roots
-from vibcli.numerics.pieces.scattering import divided, joined, scattered, stiffness_again
+from vibcli.numerics.pieces.graded_tree import graded_tree, ports
+from vibcli.numerics.pieces.scattering import divided, stiffness_again
 
 if TYPE_CHECKING:
     from vibcli.numerics.pieces.arithmetic import Arithmetic
     from vibcli.numerics.pieces.piece import Piece
 
 AT_ONCE, HELD = 4_000, 2**21        # parts times values of κ, and times places
-STEP = 25e-6            # steps of work for each entry of the stiffness of a part at one κ
 LIKE = 2.0              # times as many parts at most as the lowest of them needs, |κ|^(1/order)
-
-
-class _Tree(NamedTuple):
-    """One piece at several κ: cuts, (levels, from parts to the whole), 1/√Z at the nodes (nodes, κ, m/2), and the
-    coefficients of the power series in all parts."""
-
-    cuts: list
-    levels: list
-    scale: np.ndarray
-    series: tuple
 
 
 def mirrored(piece: "Piece") -> "Piece":
@@ -85,8 +69,8 @@ def _of_joined_ends(piece, kappa, numbers):
     found, real = [], numbers.is_real(kappa)
     order, portions = _portions(piece, kappa)
     for some in portions:
-        tree = _tree(piece, some, numbers)
-        whole = [values[0] for values in stiffness_again(tree.levels[-1], _ports(tree, -1), numbers)]
+        tree = graded_tree(piece, some, numbers)
+        whole = [values[0] for values in stiffness_again(tree.levels[-1], ports(tree, -1), numbers)]
         whole = [(values + values.swapaxes(-1, -2)) / 2 for values in whole]
         found.append([numbers.real(values) if real else values for values in whole])
     d, slope = (np.concatenate(values)[order] for values in zip(*found, strict=True))
@@ -104,7 +88,7 @@ def graded_count(piece: "Piece", kappa: np.ndarray, numbers: "Arithmetic") -> np
     piece, found = _settled(piece), []
     order, portions = _portions(piece, kappa)
     for some in portions:
-        tree = _tree(piece, some, numbers)
+        tree = graded_tree(piece, some, numbers)
         found.append(sum(_negative(tree, i, numbers) for i in range(len(tree.levels) - 1)) + np.zeros(len(some), int))
     return np.concatenate(found)[order]
 
@@ -140,7 +124,7 @@ def graded_integrals(piece: "Piece", kappa: np.ndarray, x: np.ndarray, weights: 
 
 
 def _integrals(piece, kappa, x, weights, numbers):
-    tree, order = _tree(piece, kappa, numbers), piece.order
+    tree, order = graded_tree(piece, kappa, numbers), piece.order
     of, unit = np.repeat(np.arange(len(kappa)), order), numbers.array(np.tile(np.eye(order), (len(kappa), 1)))
     ends, places, (c, _, half) = _part_ends(piece, tree, of, unit, numbers), numbers.array(tree.cuts), tree.series
     (index, eta), power, found = _places_in(places, half, x), weights, 0 * kappa[of]
@@ -184,37 +168,6 @@ def _portions(piece, kappa):
     return np.argsort(np.concatenate(runs)), [kappa[run] for run in runs]
 
 
-def _tree(piece, kappa, numbers):
-    cuts = parts_of(piece, max(float(abs(value)) for value in kappa))
-    counted((len(cuts) - 1) * len(kappa) * piece.order**2 * STEP)
-    scale = _scale(piece, cuts, kappa, numbers)
-    ports = np.concatenate([scale[:-1], scale[1:]], axis=-1)
-    series = coefficients(piece, cuts, kappa, numbers)
-    levels = [scattered(*part_stiffness(piece, cuts, kappa, series, numbers), ports, numbers)]
-    while len(levels[-1].s) > 1:
-        levels.append(joined(levels[-1], numbers))
-    return _Tree(cuts, levels, scale, series)
-
-
-def _scale(piece, cuts, kappa, numbers):
-    """1/√Z of the nodes, of the order of what waves meet."""
-    if piece.order == 2:
-        each = [(piece.tension + piece.gradient * (a + b) / 2) / (b - a) for a, b in pairwise(cuts)]
-        z = numbers.array([each[0], *map(max, each, each[1:]), each[-1]])
-        return 1 / numbers.sqrt(z[:, None, None] + abs(kappa[None, :, None]) * 0)
-    nu = 0 * kappa + (piece.tension + piece.gradient * piece.length / 2) / piece.bending
-    one, other = separate_roots(nu, kappa / piece.bending + 2.0**-40 / piece.length**4, numbers)
-    p, q = (np.sqrt(np.abs(root).astype(float)) + 1 / float(piece.length) for root in (one, other))
-    z = float(piece.bending) * np.stack([p * q * (p + q), p + q], axis=-1)
-    return numbers.array(1 / np.sqrt(z))[None] * numbers.array(np.ones((len(cuts), 1, 1)))
-
-
-def _ports(tree, i):
-    """1/√Z at both ends of the parts of a level."""
-    nodes = [*range(0, len(tree.cuts) - 1, 2 ** (i % len(tree.levels))), -1]
-    return np.concatenate([tree.scale[nodes[:-1]], tree.scale[nodes[1:]]], axis=-1)
-
-
 def _negative(tree, i, numbers):
     """How many negative eigenvalues the stiffnesses of joints that a level loses have, (κ)."""
     level = tree.levels[i]
@@ -233,7 +186,7 @@ def _fields(piece, kappa, ends, x, numbers):
     at, own = _distinct(kappa)
     first, field = _distinct(np.stack([own, *(_distinct(column)[1] for column in ends.T)], axis=-1))
     values, of = kappa[at], own[first]
-    tree = _tree(piece, values, numbers)
+    tree = graded_tree(piece, values, numbers)
     parts = _part_ends(piece, tree, of, ends[first], numbers)
     found, index = _within(piece, tree, (of, field), parts, x, numbers)
     if piece.order == 2 and is_slack(piece) and (index == 0).any():
@@ -255,15 +208,15 @@ def _distinct(values):
 def _part_ends(piece, tree, of, ends, numbers):
     """The end values of all parts, (parts, fields, order), of fields with these end values; of: the numbers of their
     κ."""
-    scale = _ports(tree, -1)[0, of]
-    d = stiffness_again(tree.levels[-1], _ports(tree, -1), numbers)[0][0, of]
+    scale = ports(tree, -1)[0, of]
+    d = stiffness_again(tree.levels[-1], ports(tree, -1), numbers)[0][0, of]
     if piece.order == 2 and is_slack(piece):
         ends = ends * numbers.array([0, 1])
     inward = ((ends[:, None, :] @ d)[:, 0] * scale + numbers.i * ends / scale)[None]
     for level in reversed(tree.levels[:-1]):
         inward = divided(level.s[:, of], inward, numbers)
     outward = (tree.levels[0].s[:, of] @ inward[..., None])[..., 0]
-    return (inward - outward) / (2 * numbers.i) * _ports(tree, 0)[:, of]
+    return (inward - outward) / (2 * numbers.i) * ports(tree, 0)[:, of]
 
 
 def _within(piece, tree, which, parts, x, numbers):

@@ -90,7 +90,7 @@ def coefficients(piece: "Piece", cuts: list, kappa: np.ndarray,
     zero = kappa * half * 0
     scale = half**order / (piece.bending if order == 4 else tension)
     nu, gamma = tension * half**2 * scale / half**4, half**3 * piece.gradient * scale / half**4
-    rho, chi = half * piece.gradient / tension, kappa * scale
+    chi, rho = kappa * scale, half * piece.gradient / tension if order == 2 else None
     first = np.stack([zero + numbers.array([int(i == j) for j in range(order)]) for i in range(order)])
     both = np.stack([first, first * 0], axis=1)         # c_k and ∂c_k/∂κ, (terms, 2, parts, κ, m)
     both = np.concatenate([both, np.zeros((numbers.terms(order), *both.shape[1:]), both.dtype)])

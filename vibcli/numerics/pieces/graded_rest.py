@@ -25,15 +25,17 @@ SHARES, IN_FLOATS = np.linspace(-1.0, 1.0, 41), arithmetic_of(0.0)
 
 def bent_at_rest(piece: "Piece", ends: np.ndarray,
                  loads: "Sequence[LoadForm]") -> Callable[[np.ndarray, int], np.ndarray] | None:
-    """(places, order) → u″ (order 2) or u‴ (3) at places from the left end, (n,); ends: (u₀, θ₀, u_l, θ_l); loads: q is
-    their sum. None where no such degree gives it."""
+    """(places, order) → u or its derivative of this order, up to 3, at places from the left end, (n,); ends: (u₀, θ₀,
+    u_l, θ_l); loads: q is their sum. None where no such degree gives u″ and u‴."""
     half, before = piece.length / 2, np.full((2, len(SHARES)), np.inf)
     for degree in DEGREES:
         bend = _bend(piece, ends, loads, degree)
         bends = bend, legendre.legder(bend) / half
         found = np.array([legendre.legval(SHARES, one) for one in bends])
         if (abs(found - before).max(axis=1) <= NEAR * abs(found).max(axis=1)).all():
-            return lambda places, order: legendre.legval(places / half - 1, bends[order - 2])
+            slope = legendre.legint(half * bend, lbnd=-1, k=[ends[1]])
+            series = legendre.legint(half * slope, lbnd=-1, k=[ends[0]]), slope, *bends
+            return lambda places, order: legendre.legval(places / half - 1, series[order])
         before = found
     return None
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from vibcli.base.errors import PhysicsError
+from vibcli.base.errors import NoBound, PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.report.blocks import Section, section
 from vibcli.report.sections.illustrations import drawing
@@ -72,7 +72,10 @@ def force_drawing(problem: "Problem", which: WhichForces) -> list[object]:
     if which.at is not None:
         from vibcli.drawing.animation import at_instant
 
-        return draw(problem.scene, forces, at_instant(problem, which.at), told)
+        try:
+            return draw(problem.scene, forces, at_instant(problem, which.at), told)
+        except NoBound as refusal:
+            told = [*told, f"the scene is drawn at rest: {refusal.message}"]
     from vibcli.drawing.drawing import draw as draw_scene
 
     return draw(problem.scene, forces, draw_scene(problem), told, which.amplitudes)

@@ -8,6 +8,7 @@ from vibcli.notation.numbers import figure
 from vibcli.report.blocks import Factor, Section, Words, equations, line, section
 from vibcli.report.place_letter import lines_by_letter, place_letter
 from vibcli.report.sections.orthogonality import orthogonality
+from vibcli.report.sections.shapes_in_numbers import shapes_in_numbers
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
@@ -22,7 +23,7 @@ SIMPLE, PRINTED, DIGITS = {"sin": "n·π", "cos": "(2n − 1)·π/2"}, 5, 10
 CLOSE = 1e-8        # of ω²: frequencies that are one
 
 
-def frequency_equation(problem: "Problem", _: "Report") -> Iterator[Section]:
+def frequency_equation(problem: "Problem", report: "Report") -> Iterator[Section]:
     """Frequency equations as textbooks write them, and what their roots are."""
     if not problem.scene.pieces:
         return
@@ -31,13 +32,15 @@ def frequency_equation(problem: "Problem", _: "Report") -> Iterator[Section]:
         yield from section("Frequency equation", equations(
             _determinant(problem.configuration.linear_system.n, None))) if known else ()
         return
-    blocks = [equations(lines_by_letter(lines, place_letter(problem.scene))) for lines in _equations(problem)]
+    blocks = [equations(lines_by_letter(lines, place_letter(problem.scene))) for lines in _equations(problem, partial(
+        shapes_in_numbers, problem, report.normalise))]
     undamped = " (of the undamped system)" if _damped(problem) else ""
     yield from section("Frequency equation" + "s" * (len(blocks) > 1) + undamped, *blocks)
 
 
-def _equations(problem):
-    """The lines on each equation: of chains of pieces, of members that meet in one motion, of others."""
+def _equations(problem, shapes):
+    """The lines on each equation, with its shapes(members): of chains of pieces, of members that meet in one motion, of
+    others."""
     from vibcli.analyses.closed_form.member_frequencies import chains, frequency_equations
     from vibcli.analyses.closed_form.textbook_equation import is_short, met
     from vibcli.analyses.closed_form.tied_members import tied_equations
@@ -48,12 +51,19 @@ def _equations(problem):
         if found is None or met(found):
             left += chain
         else:
-            told[found.members] = partial(_solved if is_short(found) else _long, problem, found)
+            told[found.members] = partial(_solved if is_short(found) else _long, problem, shapes, found)
     for pieces, tied, size in tied_equations(problem.symbolic, left):
         owners = tuple(dict.fromkeys(piece.owner for piece in pieces))
-        told[owners] = partial(_determinant, size) if tied is None else partial(_met, problem, tied)
+        told[owners] = partial(_unwritten, shapes, owners, size) if tied is None else partial(
+            _met, problem, shapes, tied)
     for members, lines in sorted(told.items(), key=lambda pair: min(map(names.index, pair[0]))):
         yield list(lines(Words(", ".join(members)) if len(names) > 1 else None))
+
+
+def _unwritten(shapes, members, size, label):
+    """What is solved, and the shapes."""
+    yield from _determinant(size, label)
+    yield from shapes(members)
 
 
 def _determinant(size, label):
@@ -65,14 +75,15 @@ def _determinant(size, label):
                                      "not written out"), label=label)
 
 
-def _long(problem, found, label):
+def _long(problem, shapes, found, label):
     """What is solved, and the orthogonality."""
     moving = {i for placed in found.pieces for row in placed.rows for i in row}
     yield from _determinant(len(moving) + len(found.hung), label)
+    yield from shapes(found.members)
     yield from orthogonality(problem, found)
 
 
-def _met(problem, tied, label):
+def _met(problem, shapes, tied, label):
     """k₁ + k₂ + Z = 0, and what these are."""
     yield line(tied.left, " = ", tied.right, *([] if tied.omega.name == "omega" else [
         Words(",  "), tied.omega, Words(" the circular frequency")]), label=label)
@@ -90,6 +101,7 @@ def _met(problem, tied, label):
     for letter in tied.repeated:
         yield line(Words("and where the denominator of "), letter,
                    Words(" is 0: its members move against each other, the joint rests"), inset=2)
+    yield from shapes(tied.members)
     yield from orthogonality(problem, tied)
 
 
@@ -107,7 +119,7 @@ def _damped(problem):
                 any(not placed.piece.drag.is_zero for placed in problem.symbolic.linearisation.pieces))
 
 
-def _solved(problem, found, label):
+def _solved(problem, shapes, found, label):
     """The equation, its roots, the frequencies, the shape and the orthogonality."""
     from vibcli.analyses.closed_form.member_shapes import shape, unstrained
     from vibcli.analyses.closed_form.textbook_equation import by_letters, sides
@@ -126,7 +138,9 @@ def _solved(problem, found, label):
         yield line(found.wave_number, " = ", ", ".join(f"{value:.{DIGITS}g}" for value in values), ", …", inset=2)
     yield _frequency(found)
     drawn = shape(found)
-    if drawn is not None:
+    if drawn is None:
+        yield from shapes(found.members)
+    else:
         second = [] if drawn.sigma is None else [" − σ·", Factor(drawn.second)]
         yield line("X(x) = ", drawn.first, *second, inset=2)
         if drawn.sigma is not None:

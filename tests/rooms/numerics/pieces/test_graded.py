@@ -129,8 +129,8 @@ def test_no_array_is_written_out(piece, monkeypatch):
 def test_many_places_of_a_few_shapes_need_no_more_trees_than_one(piece, monkeypatch):
     from vibcli.numerics.pieces import graded as module
 
-    trees, tree = [], module._tree
-    monkeypatch.setattr(module, "_tree", lambda *args: trees.append(args) or tree(*args))
+    trees, tree = [], module.graded_tree
+    monkeypatch.setattr(module, "graded_tree", lambda *args: trees.append(args) or tree(*args))
     random = np.random.default_rng(1)
     kappa, ends = -random.uniform(0, 1e4, 30), random.normal(size=(30, piece.order))
     one = fields(piece, kappa, ends, np.array([[1.1]]))

@@ -1,0 +1,77 @@
+"""Steady states of members under square waves, against sums of harmonics and of modes."""
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+import vibcli
+from vibcli.base.errors import PhysicsError
+
+BAR = """
+    parameters: {{L: 1 m, EA: 2e6 N, mu: 2 kg/m, F0: 100 N, Om: 2000 rad/s}}
+    bars: {{rod: {{length: L, EA: EA, mass_per_length: mu, left: clamped{}}}}}
+    points: {{tip: {{body: rod, at: L}}}}
+    forces: {{F: {{at: tip, force: F0*square(Om*t)}}}}
+"""
+BEAM = """
+    parameters: {L: 1 m, EI: 200 N*m^2, mu: 2 kg/m, F0: 100 N, Om: 20 rad/s}
+    beams: {b: {length: L, EI: EI, mass_per_length: mu, left: clamped}}
+    points: {tip: {body: b, at: L}}
+    damping: {modal: 25 %}
+    forces: {F: {at: tip, force: F0*square(Om*t)}}
+"""
+
+
+def test_a_bar_with_an_end_damper():
+    """u = Σ Im H(inΩ) 4F₀/(πn) e^{inΩt}, 1/H = EA k cot kL + iωc."""
+    model = vibcli.loads(BAR.format(", attached: [{at: L, c: 1000 N*s/m}]"))
+    n = np.arange(1, 60_001, 2)
+    w = 2000.0 * n
+    k = w / 1000.0
+    H = 1 / (2e6 * k / np.tan(k) + 1j * w * 1000.0) * 400 / np.pi / n
+
+    def u(t):
+        return float(np.imag(np.sum(H * np.exp(1j * w * t))))
+
+    for t in (0.4e-3, 1e-3, 2.9e-3):
+        known = model[f"steady(rod.u(L))({t!r} s)"]
+        assert known.value == pytest.approx(u(t), rel=1e-6) and known.error < 1e-11 * 5e-5
+    top, when = model["max(steady(rod.u(L)))"].value, model["argmax(steady(rod.u(L)))"].value
+    assert top == pytest.approx(u(when), rel=1e-5) and top >= max(u(t) for t in np.linspace(0, np.pi / 1000, 40)) - 1e-9
+    assert model["amplitude(rod.u(L))"].value == pytest.approx(top, rel=1e-10)
+    assert model["period(steady(rod.u(L)))"].value == pytest.approx(np.pi / 1000, rel=1e-15)
+    assert model["mean(steady(rod.u(L)))"].value == model["mean(rod.u(L))"].value == 0
+    low, high = (model[f"{what}(steady(rod.force(0 m)))"].value for what in ("min", "max"))
+    assert low == pytest.approx(-high, rel=1e-9)
+
+
+def test_a_beam_whose_modes_are_damped():
+    """qᵢ = q₀ + Re A e^{λt} over half a period, qᵢ(t + T/2) = −qᵢ(t); u(L) = Σ φᵢ(L) qᵢ."""
+    model, half = vibcli.loads(BEAM), np.pi / 20
+    roots = [brentq(lambda x: np.cos(x) + 1 / np.cosh(x), (i + 0.5) * np.pi - 0.5, (i + 0.5) * np.pi + 0.5, xtol=1e-15)
+             for i in range(200)]
+
+    def u(t):
+        found = 0.0
+        for x in roots:
+            omega, static = 10 * x**2, 400 / (2 * (10 * x**2) ** 2)
+            rate = omega * complex(-0.25, np.sqrt(1 - 0.25**2))
+            B = 1j / rate
+            found = found + static + np.real(B * (-2 * static / B.real) / (1 + np.exp(rate * half)) * np.exp(rate * t))
+        return found
+
+    known = model["steady(b.u(L))(0.1 s)"]
+    assert known.value == pytest.approx(u(0.1), rel=1e-8) and known.error < 1e-9
+    times = np.linspace(0, half, 4001)
+    assert model["max(steady(b.u(L)))"].value == pytest.approx(u(times).max(), rel=1e-6)
+
+
+def test_what_never_dies_out_is_refused_by_name():
+    model = vibcli.loads(BAR.format(""))
+    with pytest.raises(PhysicsError, match="never die out") as refused:
+        model["max(steady(rod.u(L)))"]
+    assert "harmonic" in refused.value.hint
+    assert model["harmonic[1](rod.u(L))"].value > 0
+    with pytest.raises(PhysicsError, match="one at a time") as refused:
+        model["rms(rod.u(L))"]
+    assert "max(steady" not in refused.value.hint

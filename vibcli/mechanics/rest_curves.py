@@ -1,0 +1,117 @@
+"""What is at rest along members in numbers: piece by piece, since it may jump between.
+
+Within a piece the deflection is that between its ends under its weight and loads.
+"""
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from vibcli.base.errors import PhysicsError
+from vibcli.language.signal_names import signal_name
+from vibcli.mechanics.inputs_outputs.displacements import resting, signal_of_place
+from vibcli.mechanics.smooth_forms import smooth_form
+from vibcli.numerics.pieces.fields import fields
+from vibcli.numerics.pieces.graded_rest import bent_at_rest
+from vibcli.numerics.pieces.loads import LoadForm, LoadStretch, LoadTerm, loaded_fields
+from vibcli.numerics.pieces.piece import Piece
+from vibcli.numerics.stretches import CurveStretch
+from vibcli.symbolic.antiderivatives import antiderivative
+from vibcli.symbolic.derivatives import substitute
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.smooth_panels import NotSmooth
+
+if TYPE_CHECKING:
+    from vibcli.elements.member import Member
+    from vibcli.elements.place_signals import PlaceSignal
+    from vibcli.mechanics.configuration import Configuration
+
+
+def value_at_rest(configuration: "Configuration", text: str) -> float:
+    """A signal in equilibrium; within beams whose tension varies by one deflection of each piece, which is kept."""
+    scene = configuration.scene.resting
+    if signal_name(text).name in scene.members:
+        found = signal_of_place(scene, signal_name(text))
+        graded = found.motion is None and found.member.kind.bends and found.piece(scene).graded
+        if graded and not (found.member.lengthwise or found.factor.is_zero):
+            key = found.member.name, found.number
+            if key not in configuration.bent_pieces:
+                configuration.bent_pieces[key] = _bent(configuration, scene, found)
+            factor, at = evaluate([found.factor, found.at], Floats, configuration.at_rest)
+            return float(factor * configuration.bent_pieces[key](np.array([at]), found.order)[0])
+    return evaluate([resting(scene, text)], Floats, configuration.at_rest)[0]
+
+
+def curves_at_rest(configuration: "Configuration", member: "Member", part: str) -> list[CurveStretch]:
+    """A part of the signals of a member all along it."""
+    scene = configuration.scene.resting
+    xi = scene.table.variable("the place on a piece of a member")
+    found = []
+    for signal in member.signals_along(scene, part, xi):
+        start, end = evaluate([signal.left.place, signal.right.place], Floats, configuration.at_rest)
+        found.append(CurveStretch(start, end, _from(start, _along(configuration, scene, signal, part, xi))))
+    return found
+
+
+def _from(start, along):
+    """What counts places from there, for places that count from the left end of the member."""
+    return lambda places: along(np.asarray(places) - start)
+
+
+def _along(configuration, scene, signal: "PlaceSignal", part: str, xi: Any):
+    """The signal as a function of places on its piece, counted from there."""
+    tension, gradient = signal.tension(scene)
+    if part == "force" and signal.segment.stiffness is None:
+        return _of_node(tension + gradient * xi, xi, configuration.at_rest)
+    graded = signal.member.kind.bends and not gradient.is_zero
+    if graded or (signal.uneven(scene) and not signal.member.lengthwise):
+        bent, factor = _bent(configuration, scene, signal), evaluate([signal.factor], Floats, configuration.at_rest)[0]
+        return lambda places: factor * bent(places, signal.order)
+    if signal.uneven(scene) and not all(_is_closed(signal, load) for load in signal.uneven(scene)):
+        raise PhysicsError(f"the forces within '{signal.member.name}' along it under such a load are not found",
+                           f"ask for them at places, as in equilibrium[{signal.member.name}.{part}(0 m)]")
+    return _of_node(signal.static(scene), xi, configuration.at_rest)
+
+
+def _is_closed(signal, load):
+    """Is a load integrated twice in letters?"""
+    once = None if not signal.segment.foundation.is_zero else antiderivative(load.q, load.x)
+    return once is not None and antiderivative(once, load.x) is not None
+
+
+def _bent(configuration, scene, signal) -> "Callable[[np.ndarray, int], np.ndarray]":
+    """(places, order) → u of a piece, or a derivative, under loads that vary along it, or whose tension does so."""
+    zero, of = scene.table.zero, signal.piece(scene)
+    bending = of.bending if of.bends else zero
+    numbers = evaluate([of.length, bending, of.tension, of.gradient, zero, zero, of.foundation, *signal.ends], Floats,
+                       configuration.at_rest)
+    piece, ends = Piece(*numbers[:7]), np.array(numbers[7:])
+    forms = _loads(configuration, scene, signal)
+    if of.graded and (bent := bent_at_rest(piece, ends, forms)) is not None:
+        return bent
+
+    def at(places, order):
+        found = fields(piece, piece.foundation, ends, places)[..., order]
+        held = [sum(loaded_fields(piece, piece.foundation, form, x)[..., order] for form in forms)
+                for x in places.tolist()]
+        return found + np.array(held)
+    return at
+
+
+def _loads(configuration, scene, signal):
+    """The LoadForms of a piece, that of what is even first."""
+    zero, values, length = scene.table.zero, configuration.at_rest, signal.length
+    end, even = evaluate([length, signal.weight(scene)], Floats, values)
+    forms = [LoadForm((LoadStretch(0.0, end, 0.0, (LoadTerm(even, 0, 0.0),)),))]
+    for load in signal.uneven(scene):
+        q, = substitute([load.q], {load.x: signal.left.place + load.x})
+        try:
+            forms.append(smooth_form(q, load.x, (zero, length), values, Floats))
+        except NotSmooth as error:
+            raise PhysicsError(f"'{load.owner}' {error.message} of a piece", error.hint) from None
+    return forms
+
+
+def _of_node(node, xi, values):
+    return lambda places: np.array([evaluate([node], Floats, {**values, xi.name: x})[0] for x in places.tolist()])

@@ -1,0 +1,102 @@
+"""The steady state of members under loads that repeat themselves with jumps: the motion in time so many periods later
+that what it started with has died out. Nothing is cut off: fronts stand where they are, and what modes leave out keeps
+its bound."""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from vibcli.base.errors import PhysicsError
+from vibcli.results.signal import Signal
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+
+FIRST, MOST = 16, 2048      # periods after which it is looked at first, and at most
+SAMPLES, DEAD = 257, 2.0**-49       # instants of a period; of the largest value: a difference that is rounding
+BEHIND = 1e-12      # relative: how far an instant may be before a front that it stands for
+
+
+class RepeatingSignal(Signal):
+    """A motion in time from `start` on, a multiple of its period; left: how far it may be from what repeats itself."""
+
+    KIND = "a steady state that repeats itself"
+
+    def __init__(self, signal: Signal, period: float, start: float, left: float):
+        self.signal, self.start, self.left = signal, start, left
+        self.period: Any = period
+
+    def _late(self, times):
+        late = np.asarray(times, float) % self.period + self.start
+        fronts = self.signal.fronts(self.start + self.period)
+        if not len(fronts):
+            return late
+        after = fronts[np.minimum(np.searchsorted(fronts, late), len(fronts) - 1)]
+        return np.where((after >= late) & (after - late <= BEHIND * late), after, late)
+
+    def values(self, times: np.ndarray, order: int = 0) -> np.ndarray:
+        return self.signal.values(self._late(times), order) if order else self.signal.values(self._late(times))
+
+    def extreme(self, start: float, end: float, sense: int) -> tuple[float, float]:
+        """(instant, value) of the largest (sense 1) or smallest (−1) value within a period."""
+        end = min(end, start + self.period)
+        t, value = self.signal.extreme(start + self.start, end + self.start, sense)
+        return t - self.start, value
+
+    def error(self, t: float) -> float:
+        return self.signal.error(float(self._late(t))) + self.left
+
+    def error_of_extreme(self, start: float, end: float, top: tuple[float, float], sense: int) -> float:
+        end = min(end, start + self.period)
+        late = top[0] + self.start, top[1]
+        return self.signal.error_of_extreme(start + self.start, end + self.start, late, sense) + self.left
+
+    def error_of_time(self, t: float) -> float:
+        return self.signal.error_of_time(t + self.start)
+
+    def zeros(self, start: float, end: float) -> list[float]:
+        """Instants within a period at which it passes or touches zero."""
+        end = min(end, start + self.period)
+        found = self.signal.zeros(start + self.start, end + self.start)     # type: ignore[attr-defined]
+        return [t - self.start for t in found]
+
+    def error_of_zero(self, t: float) -> float:
+        return self.signal.error_of_zero(t + self.start)
+
+    @property
+    def amplitude(self) -> tuple[float, float]:
+        """(half its range over a period, how far that may be off)."""
+        tops = [(sense, self.extreme(0.0, self.period, sense)) for sense in (1, -1)]
+        error = sum(self.error_of_extreme(0.0, self.period, top, sense) for sense, top in tops)
+        return 0.5 * (tops[0][1][1] - tops[1][1][1]), 0.5 * error
+
+    @property
+    def steady(self) -> "RepeatingSignal":
+        return self
+
+    def along(self, end: float) -> Any:
+        """It has no few parts with known bounds."""
+        raise KeyError(self.KIND)
+
+
+def repeating(problem: "Problem", tree: Any, period: float) -> RepeatingSignal:
+    """The RepeatingSignal of a tree; PhysicsError where free vibrations do not die out within MOST periods."""
+    if not problem.modal.damped:
+        raise PhysicsError("free vibrations of these members never die out, and some harmonic of this load may meet "
+                           "any of them: the sum of all is not found", "damp the scene, or ask for harmonic[1](…), "
+                           "harmonic[2](…) and so on of single signals")
+    signal, times = problem.response.signal(tree), np.linspace(0.0, period, SAMPLES)[:-1] + period / (3 * SAMPLES)
+    count, before = FIRST, 0.0
+    while count <= MOST:
+        values = signal.values(np.concatenate([times + (count - 1) * period, times + count * period]))
+        earlier, later = values[:len(times)], values[len(times):]
+        apart = float(np.abs(later - earlier).max())
+        pace = float(np.abs(np.diff(later)).max()) / float(times[1] - times[0])
+        known = max(DEAD * max(float(np.abs(later).max()), pace * count * period),      # as instants round
+                    signal.error(count * period + float(times[-1])))
+        if apart <= known:      # what is left then falls by a factor from one period to the next, and so does its sum
+            factor = (known / before) ** (2 / count) if before > known else 0.5
+            return RepeatingSignal(signal, period, count * period, min(apart, known) / (1 - min(factor, 0.999)))
+        count, before = 2 * count, apart
+    raise PhysicsError(f"free vibrations of these members have not died out after {MOST} periods of this load",
+                       "damp them more, or ask for harmonic[1](…), harmonic[2](…) and so on of single signals")
