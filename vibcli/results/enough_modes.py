@@ -4,7 +4,7 @@ are worth their time. Modes in closed form cost so little that values at instant
 from math import ceil, log
 from typing import TYPE_CHECKING, Any
 
-from vibcli.analyses.continuous.left_out import TooSlow
+from vibcli.analyses.continuous.far_modes import TooSlow
 from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vibcli.analyses.continuous.left_out import ModesLeftOut
+from vibcli.analyses.continuous.far_modes import FarModes
 from vibcli.analyses.continuous.modal_reads import Read, key_of
 from vibcli.analyses.continuous.modal_states import FreeStretch, Stroke, followed, moved, next_to, parts
 from vibcli.analyses.continuous.remainder import remainder
@@ -44,7 +44,7 @@ class ModalMotion:
         self.modes, self.transfer, self.forcing, self.work = modes, transfer, forcing, work or Work()
         self.reads = forcing if reads is None else reads
         self.states, self.count = modes.states, modes.count
-        self._left_out = ModesLeftOut(modes, transfer)
+        self._far = FarModes(modes, transfer)
         self.fastest = float(np.abs(self.states.rates).max(initial=0.0))
         self.slowest = float(np.abs(self.states.rates).min(initial=self.fastest, where=self.states.rates != 0))
         self._rows: dict[Any, Any] = {}
@@ -132,10 +132,10 @@ class ModalMotion:
     def _driven(self, read, stretch, tau):
         found = np.zeros(len(tau))
         for stroke in stretch.strokes:
-            k, g = stroke.power, self._left_out.of_powers(read, stroke)[0]
+            k, g, near = stroke.power, self._far.of_powers(read, stroke)[0], self._far.near(stroke.exponent)
             found += np.real(np.exp(stroke.exponent * tau) * np.polynomial.polynomial.polyval(tau, g))
             for s, own, at, a in self._parts(stroke):
-                sums = own @ read.states
+                sums = own[:, near] @ read.states[near]
                 found += np.real(np.exp(s * tau) * np.polynomial.polynomial.polyval(tau, sums))
                 for j, x in zip(at, a, strict=True):
                     found += np.real(read.states[j] * x * next_to(self.states.rates[j], s, k, tau))
@@ -236,14 +236,14 @@ class ModalMotion:
         early, late = doubt.of(rates, read.states, stretch.free)
         free, driven = np.array([early + float(read.off @ np.abs(stretch.free)), late]), []
         for stroke in stretch.strokes:
-            own, k = 16 * EPSILON * self._left_out.of_powers(read, stroke)[1], stroke.power
+            own, k, near = self._far.of_powers(read, stroke)[1], stroke.power, self._far.near(stroke.exponent)
             free = np.pad(free, (0, max(0, k + 3 - len(free))))
             for _, part, at, a in self._parts(stroke):
                 for i, g in enumerate(part):
-                    own[i] += float(read.off @ np.abs(g)) + doubt.of(rates, read.states, g)[0] + 16 * EPSILON * abs(
-                        complex(g @ read.states))
-                near = np.abs(read.states[at] * a)
-                free[k + 1:k + 3] += 16 * EPSILON * near.sum(), float((doubt.phase * np.abs(rates))[at] @ near)
+                    own[i] += float(read.off @ np.abs(g)) + doubt.of(rates, read.states, near * g)[0]
+                    own[i] += 16 * EPSILON * abs(complex(g[near] @ read.states[near]))
+                felt = np.abs(read.states[at] * a)
+                free[k + 1:k + 3] += 16 * EPSILON * felt.sum(), float((doubt.phase * np.abs(rates))[at] @ felt)
             driven.append((stroke.exponent.real, own))
         polynomial = np.polynomial.polynomial.polyval
         return lambda tau: polynomial(tau, free) + sum(np.exp(pace * tau) * polynomial(tau, own)
