@@ -1,5 +1,6 @@
 """Where each natural frequency lies, certain by counts: z₁ ≤ z < z₂ with J(z₁) < i ≤ J(z₂)."""
 
+from bisect import bisect_right
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -58,10 +59,15 @@ class KnownCounts:
         self._merge([self.system.number(z)], [J], [J], [J])
 
     def _merge(self, z, below, above, held):
-        z = [*self.z, *z]
         order = sorted(range(len(z)), key=z.__getitem__)
-        self.z = [z[i] for i in order]
-        self.below, self.above, self.held = (np.append(old, new)[order] for old, new in (
+        at = [bisect_right(self.z, z[i]) for i in order]
+        merged, low = [], 0
+        for i, high in zip(order, at, strict=True):
+            merged += self.z[low:high]
+            merged.append(z[i])
+            low = high
+        self.z = merged + self.z[low:]
+        self.below, self.above, self.held = (np.insert(old, at, np.asarray(new)[order]) for old, new in (
             (self.below, below), (self.above, above), (self.held, held)))
         self._least = np.minimum.accumulate(self.above[::-1])[::-1]     # of `above` from each z on
         self._most = np.maximum.accumulate(self.below)                  # of `below` up to each z

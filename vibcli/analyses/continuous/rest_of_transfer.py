@@ -34,7 +34,7 @@ class TooSlow(PhysicsError):
     """More modes are needed."""
 
 
-class FarModes:
+class RestOfTransfer:
     """Of RealModes, ComplexModes or TiedModes and what is beyond them, of what a transfer knows exactly."""
 
     def __init__(self, modes: "RealModes | ComplexModes | TiedModes",
