@@ -70,11 +70,7 @@ class DampedModalResponse(ModalResponse):
 
     @property
     def limit(self) -> int:
-        if self.most < MANY:
-            return 0
-        if self._inputs:        # the more modes, the more digits what moves supports loses
-            return LEAST
-        return max(2 * FINEST // max(2, len(self.placed)), LEAST)
+        return max(2 * FINEST // max(2, len(self.placed)), LEAST) if self.most == MANY else 0
 
     def _found(self, count) -> "ModalMotion":
         import numpy as np

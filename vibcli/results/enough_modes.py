@@ -4,7 +4,7 @@ are worth their time. Modes in closed form cost so little that values at instant
 from math import ceil, log
 from typing import TYPE_CHECKING, Any
 
-from vibcli.analyses.continuous.left_out import TooSlow
+from vibcli.analyses.continuous.rest_of_transfer import TooSlow
 from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
@@ -14,9 +14,9 @@ if TYPE_CHECKING:
     from vibcli.results.modal_response import ModalResponse
 
 CLOSE = 1e-10       # of the largest value: a remainder that is small enough
-FINEST = {True: 65_536, False: 32_768}      # modes in closed form, and of others
+FINEST = {True: 81_920, False: 57_344}      # modes in closed form, and of others
 MARGIN = 1.15       # modes more than a remainder needs
-BLOCK = 2_048       # modes that are found together
+BLOCK = 512         # modes that are found together: a search takes up to ten counts for each
 
 
 def first_modes(modes: "Modes", count: int) -> list[Any]:
@@ -41,18 +41,20 @@ def enough(response: "ModalResponse", motion: "ModalMotion", output: "LinearOutp
     return motion
 
 
-def finest(response: "ModalResponse", motion: "ModalMotion", output: "LinearOutput") -> "ModalMotion":
-    """The motion by as many modes as leave a small remainder, as it falls from one doubling to the next, or by the most
-    that are worth it; the same where more of them leave no less. Beyond closed forms displacements alone are."""
+def finest(response: "ModalResponse", motion: "ModalMotion", output: "LinearOutput",
+           t: float | None = None) -> "ModalMotion":
+    """The motion by as many modes as leave a small remainder, at an instant or ever, as it falls from one doubling to
+    the next, or by the most that are worth it; the same where more of them leave no less. Beyond closed forms
+    displacements alone are."""
     limit, count, share = response.limit, 2 * motion.count, 0.0
     if not (response.closed or _is_displacement(output)):
         return motion
     if count <= limit:
-        share = motion.left_share(output)
+        share = motion.left_share(output, t)
     while share > CLOSE and motion.count < count:
         try:
             further = response.motion(count).under(motion.reads)
-            less = further.left_share(output)
+            less = further.left_share(output, t)
         except PhysicsError:        # frequencies that digits do not tell stand among so many
             break
         if not less < share:

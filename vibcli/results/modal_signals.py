@@ -30,7 +30,7 @@ class ModalSignal(Signal):
         found = by_waves(self, self.asked, t)
         if found is not self or self._finest is None:
             return found
-        return ModalSignal(self._finest(self.modal, self.reads), self.reads)
+        return ModalSignal(self._finest(self.modal, self.reads, t), self.reads)
 
     def values(self, times: "np.ndarray", order: int = 0) -> "np.ndarray":
         self.require_bound(float(max(times, default=0.0)) if hasattr(times, "__len__") else float(times), order)

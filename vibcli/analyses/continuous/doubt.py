@@ -6,6 +6,7 @@ what one shape holds of another, b² being what rounds at each coordinate, as a 
 shapes are orthogonal, two such shares cancel but for what their frequencies differ by: |zⱼ − zₖ| is no more in it.
 """
 
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,7 +14,9 @@ import numpy as np
 from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
-    from vibcli.analyses.continuous.modal_states import States
+    from collections.abc import Sequence
+
+    from vibcli.analyses.continuous.modal_states import FreeStretch, States
     from vibcli.analyses.continuous.mode_basis import ModeBasis
 
 EPSILON = 2.0**-52
@@ -31,13 +34,23 @@ class Doubt(NamedTuple):
     early: np.ndarray = np.zeros(0)
     late: np.ndarray = np.zeros(0)
 
-    def of(self, rates: np.ndarray, reads: np.ndarray, free: np.ndarray) -> tuple[float, float]:
-        """Of states that are read by r and begin with C: at once, and by the time."""
-        r, C = np.abs(reads), np.abs(free)
-        felt, (j, k) = r * C, self.pairs
-        crossed = r[j] * C[k] + r[k] * C[j]
+    def of(self, rates: np.ndarray, reads: np.ndarray, free: np.ndarray, tau: float = 0.0) -> tuple[float, float]:
+        """Of states that are read by r and begin with C, as they have faded after a time: at once, and by the time."""
+        r, C, fade = np.abs(reads), np.abs(free), np.exp(rates.real * tau)
+        felt, (j, k) = r * C * fade, self.pairs
+        crossed = (r[j] * C[k] + r[k] * C[j]) * np.maximum(fade[j], fade[k])
         return (float(self.size @ felt + self.early @ crossed),
                 float((self.phase * np.abs(rates)) @ felt + self.late @ crossed))
+
+
+def aged(doubt: Doubt, rates: np.ndarray, stretches: "Sequence[FreeStretch]") -> list[np.ndarray]:
+    """How far each C is off at the start of each stretch, as phases are by then, (states,)."""
+    found, pace = [np.zeros(len(rates))], (doubt.phase + EPSILON) * np.abs(rates)
+    for one, after in pairwise(stretches):
+        tau = after.start - one.start
+        fade = np.exp(rates.real * tau)
+        found.append(found[-1] * fade + pace * tau * np.maximum(np.abs(one.free) * fade, np.abs(after.free)))
+    return found
 
 
 def doubt_of(basis: "ModeBasis", states: "States") -> Doubt:

@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vibcli.analyses.continuous.left_out import ModesLeftOut
+from vibcli.analyses.continuous.doubt import aged
 from vibcli.analyses.continuous.modal_reads import Read, key_of
 from vibcli.analyses.continuous.modal_states import FreeStretch, Stroke, followed, moved, next_to, parts
 from vibcli.analyses.continuous.remainder import remainder
+from vibcli.analyses.continuous.rest_of_transfer import RestOfTransfer
 from vibcli.base.work import Work
 
 if TYPE_CHECKING:
@@ -44,12 +45,12 @@ class ModalMotion:
         self.modes, self.transfer, self.forcing, self.work = modes, transfer, forcing, work or Work()
         self.reads = forcing if reads is None else reads
         self.states, self.count = modes.states, modes.count
-        self._left_out = ModesLeftOut(modes, transfer)
+        self._rest = RestOfTransfer(modes, transfer)
         self.fastest = float(np.abs(self.states.rates).max(initial=0.0))
         self.slowest = float(np.abs(self.states.rates).min(initial=self.fastest, where=self.states.rates != 0))
         self._rows: dict[Any, Any] = {}
         self._known: dict[int, tuple[Stroke, list]] = {}        # {id: (stroke, its parts)}, the oldest first
-        self._until, self._stretches = -1.0, []
+        self._until, self._stretches, self._aged = -1.0, [], []
         self._disturbances: Disturbances | None = None
 
     def under(self, forcing: "Forcing") -> "ModalMotion":
@@ -67,6 +68,7 @@ class ModalMotion:
                 task.step(steps=len(segments) * self.count / 10_000)
                 self._stretches = followed(self.states, self.modes.rigid_inputs, self.modes.rigid_start, segments,
                                            channels)
+            self._aged = []
             self._disturbances = self.modes.disturbed(segments) if self.modes.disturbed else None
         return self._stretches
 
@@ -89,7 +91,7 @@ class ModalMotion:
         times = np.asarray(times, float)
         t, found = times.ravel(), np.full(times.size, output.constant if not order else 0.0)
         read = Read(self, output, order)
-        for stretch, at in self._placed(t):
+        for stretch, _, at in self._placed(t):
             found[at] += self._on(read, stretch, t[at] - stretch.start, modes)
         return (found + self._direct(output, t, order)).reshape(times.shape)
 
@@ -97,7 +99,7 @@ class ModalMotion:
         stretches = self.stretches(float(t.max(initial=0.0)))
         which = np.searchsorted([stretch.start for stretch in stretches], t, side="right") - 1
         for number in np.unique(which).tolist():
-            yield stretches[max(number, 0)], which == number
+            yield stretches[max(number, 0)], max(number, 0), which == number
 
     def _on(self, read, stretch, tau, modes):
         """Without constants and channels, on one stretch."""
@@ -132,10 +134,10 @@ class ModalMotion:
     def _driven(self, read, stretch, tau):
         found = np.zeros(len(tau))
         for stroke in stretch.strokes:
-            k, g = stroke.power, self._left_out.of_powers(read, stroke)[0]
+            k, g, near = stroke.power, self._rest.of_powers(read, stroke)[0], self._rest.near(stroke.exponent)
             found += np.real(np.exp(stroke.exponent * tau) * np.polynomial.polynomial.polyval(tau, g))
             for s, own, at, a in self._parts(stroke):
-                sums = own @ read.states
+                sums = own[:, near] @ read.states[near]
                 found += np.real(np.exp(s * tau) * np.polynomial.polynomial.polyval(tau, sums))
                 for j, x in zip(at, a, strict=True):
                     found += np.real(read.states[j] * x * next_to(self.states.rates[j], s, k, tau))
@@ -168,7 +170,7 @@ class ModalMotion:
 
     def bound(self, output: "LinearOutput", t: float, order: int = 0, modes: int | None = None) -> float:
         """What modes beyond those counted, or beyond the first `modes`, can add at an instant."""
-        read, (stretch, _) = Read(self, output, order), next(iter(self._placed(np.array([float(t)]))))
+        read, (stretch, *_) = Read(self, output, order), next(iter(self._placed(np.array([float(t)]))))
         rest = self._uncounted(read, stretch, t)
         return rest if modes is None else rest + float(self._amplitudes(read, stretch)[modes:].sum())
 
@@ -193,15 +195,20 @@ class ModalMotion:
         rest = remainder(self._amplitudes(read, stretch))
         return rest * float(np.exp(self.modes.fading * (t - stretch.start))) if 0 < rest < inf else rest
 
-    def left_share(self, output: "LinearOutput") -> float:
-        """The remainder as a share of how large the output becomes on the first stretches, the largest."""
-        read, found = Read(self, output, 0), 0.0
+    def left_share(self, output: "LinearOutput", t: float | None = None) -> float:
+        """The remainder, at an instant or the largest on the first stretches, as a share of how large the output
+        becomes on these."""
+        read, shares, most = Read(self, output, 0), [], 0.0
         for stretch in self.stretches(0.0)[:FIRST]:
             tau = np.linspace(0, 2 * np.pi / (self.slowest or 1.0), 65)
-            most = float(np.abs(self._on(read, stretch, tau, 64)).max())
+            size = float(np.abs(self._on(read, stretch, tau, 64)).max())
             left = self._uncounted(read, stretch, stretch.start)
-            found = max(found, left / most if most else inf if left else 0.0)
-        return found
+            most = max(most, size)
+            shares.append(left / size if size else inf if left else 0.0)
+        if t is None:
+            return max(shares, default=0.0)
+        left = self.bound(output, t)
+        return left / most if most else inf if left else 0.0
 
     def shows_more(self, output: "LinearOutput", share: float) -> bool:
         """Does the last octave of the modes that are counted show so much of an output on its first stretches that the
@@ -223,31 +230,36 @@ class ModalMotion:
         """Bounds of the errors of the same values: the remainder, and rounding."""
         times, read = np.asarray(times, float), Read(self, output, order)
         lost, found = self.modes.lost * np.abs(read.states), np.full(times.shape, EPSILON * abs(output.constant))
-        for stretch, at in self._placed(times):
-            rounded = self._rounded(read, stretch)
+        for stretch, which, at in self._placed(times):
+            self._aged = self._aged or aged(self.modes.doubt, self.states.rates, self._stretches)
+            rounded = self._rounded(read, stretch, self._aged[which])
             for number in np.flatnonzero(at):
                 found[number] += self.bound(output, times[number], order) + rounded(times[number] - stretch.start)
                 found[number] += float(lost @ np.exp(self.states.rates.real * times[number]))
         return found
 
-    def _rounded(self, read, stretch):
-        """What rounding and mixed shapes leave of a stretch, by the time since it began."""
+    def _rounded(self, read, stretch, old):
+        """What rounding and mixed shapes leave of a stretch, by the time since it began; old: how far C was off."""
         doubt, rates = self.modes.doubt, self.states.rates
-        early, late = doubt.of(rates, read.states, stretch.free)
-        free, driven = np.array([early + float(read.off @ np.abs(stretch.free)), late]), []
+        free, driven = np.zeros(2), []
         for stroke in stretch.strokes:
-            own, k = 16 * EPSILON * self._left_out.of_powers(read, stroke)[1], stroke.power
+            own, k, near = self._rest.of_powers(read, stroke)[1], stroke.power, self._rest.near(stroke.exponent)
             free = np.pad(free, (0, max(0, k + 3 - len(free))))
             for _, part, at, a in self._parts(stroke):
                 for i, g in enumerate(part):
-                    own[i] += float(read.off @ np.abs(g)) + doubt.of(rates, read.states, g)[0] + 16 * EPSILON * abs(
-                        complex(g @ read.states))
-                near = np.abs(read.states[at] * a)
-                free[k + 1:k + 3] += 16 * EPSILON * near.sum(), float((doubt.phase * np.abs(rates))[at] @ near)
+                    own[i] += float(read.off @ np.abs(g)) + doubt.of(rates, read.states, near * g)[0]
+                    own[i] += 16 * EPSILON * abs(complex(g[near] @ read.states[near]))
+                felt = np.abs(read.states[at] * a)
+                free[k + 1:k + 3] += 16 * EPSILON * felt.sum(), float((doubt.phase * np.abs(rates))[at] @ felt)
             driven.append((stroke.exponent.real, own))
         polynomial = np.polynomial.polynomial.polyval
-        return lambda tau: polynomial(tau, free) + sum(np.exp(pace * tau) * polynomial(tau, own)
-                                                       for pace, own in driven)
+
+        def rounded(tau):
+            early, late = doubt.of(rates, read.states, stretch.free, tau)
+            early += float((read.off * np.abs(stretch.free) + np.abs(read.states) * old) @ np.exp(rates.real * tau))
+            return early + late * tau + polynomial(tau, free) + sum(
+                np.exp(pace * tau) * polynomial(tau, own) for pace, own in driven)
+        return rounded
 
 
 def _rate(wave, tau, order):

@@ -85,5 +85,6 @@ def loaded(motion):
 
 def rounded(motion, output):
     """What rounding is said to leave, without what modes left out add."""
-    stretch, _ = next(iter(motion._placed(TIMES)))
-    return motion._rounded(Read(motion, output, 0), stretch)(TIMES)
+    stretch, *_ = next(iter(motion._placed(TIMES)))
+    said = motion._rounded(Read(motion, output, 0), stretch, np.zeros(len(motion.states.rates)))
+    return np.array([said(t) for t in TIMES])

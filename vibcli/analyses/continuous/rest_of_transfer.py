@@ -1,5 +1,6 @@
-"""What modes left out bring to a motion by modes under loads F τᵏ e^{sτ}: H(s) without its first modes, R(s), has no
-pole nearby, so that its derivatives are means over a circle (Cauchy).
+"""What modes far from a load F τᵏ e^{sτ} bring to a motion under it: H(s) without its near modes, R(s), has no pole
+nearby, so that its derivatives are means over a circle (Cauchy). What each of the far ones brings is never asked, nor
+therefore how well their shapes are known.
 """
 
 from math import comb, factorial
@@ -23,59 +24,82 @@ if TYPE_CHECKING:
     from vibcli.analyses.continuous.real_modes import RealModes
 
 POINTS, INSIDE = 24, 8.0        # of the circle, and how far inside the poles that are left it lies
+NEAR, LOW = 0.3, 32     # of |λ|: how near to s a mode is near; the slowest are near in any case
+NONE = 8                # of the last powers of the circle, which R has not: they show what rounds
+SURE = 4.0              # times what these show
+EPSILON = 2.0**-52
 
 
 class TooSlow(PhysicsError):
     """More modes are needed."""
 
 
-class ModesLeftOut:
-    """Beyond RealModes, ComplexModes or TiedModes, of what a transfer knows exactly."""
+class RestOfTransfer:
+    """Of RealModes, ComplexModes or TiedModes and what is beyond them, of what a transfer knows exactly."""
 
     def __init__(self, modes: "RealModes | ComplexModes | TiedModes",
                  transfer: "ExactTransfer | DampedTransfer | CoupledTransfer"):
         self.modes, self.transfer, self.states = modes, transfer, modes.states
         self._taylor: dict[Any, np.ndarray] = {}
+        self._near: dict[complex, np.ndarray] = {}
+
+    def near(self, s: complex) -> np.ndarray:
+        """Which states are near e^{st}, (states,)."""
+        if s not in self._near:
+            self._near[s] = (self._apart(s) <= NEAR * np.abs(self.states.rates)) | (self.states.modes < LOW)
+        return self._near[s]
+
+    def _apart(self, s):
+        """How far the λ of each state, or its conjugate, is from s."""
+        rates = self.states.rates
+        return np.minimum(np.abs(s - rates), np.abs(s - rates.conj()))
 
     def of_powers(self, read: "Read", stroke: "Stroke") -> tuple[np.ndarray, np.ndarray]:
-        """What they bring to each power of the time under a stroke, and what it is rounded from, (power + 1,)."""
+        """What they bring to each power of the time under a stroke, and how far rounding puts it off, (power + 1,)."""
         k = stroke.power
-        taylor, sizes = self._remaining(read, stroke.exponent, k)
-        found, size = (np.array([comb(k, i) * factorial(k - i) * part[k - i] for i in range(k + 1)])
-                       for part in (taylor @ stroke.force, sizes @ np.abs(stroke.force)))
-        return found, np.abs(size)
+        taylor, lost = self._remaining(read, stroke.exponent, k)
+        found, off = (np.array([comb(k, i) * factorial(k - i) * part[k - i] for i in range(k + 1)])
+                      for part in (taylor @ stroke.force, lost @ np.abs(stroke.force)))
+        return found, np.abs(off)
 
     def _remaining(self, read, s, power):
-        """(2, power + 1, channels): the coefficients of Taylor's series of R about s, and what these are rounded
-        from."""
+        """(2, power + 1, channels): the coefficients of Taylor's series of R about s, and what rounding leaves of
+        them."""
         key = (key_of(read.output), read.order, s)
         if key not in self._taylor or self._taylor[key].shape[1] <= power:
-            highest, slowest = self.modes.left_out
-            radius = (highest - abs(s)) / INSIDE
-            if not radius > highest / (4 * INSIDE):
-                raise TooSlow(f"a load turns with {abs(s):.4g} rad/s, as fast as the modes that are counted")
-            radius = min(radius, abs(s + slowest if s.real > -slowest else s.imag) / INSIDE)
+            radius = self._radius(s)
             if not radius:
                 return self._among_creeping(read, s, power)
             turn = np.exp(2j * np.pi * (np.arange(POINTS) + 0.5) / POINTS)
-            left = self._left(read, s + radius * turn)
-            size = np.abs(left) + self._inside(read, s + radius * turn)
-            self._taylor[key] = np.array([[(part * wave**-m).mean(axis=1) / radius**m for m in range(power + 5)]
-                                          for part, wave in ((left, turn), (size, 1.0))])
+            left, near = self._left(read, s + radius * turn, self.near(s)), self._inside(read, s + radius * turn)
+            powers = [(left * turn**-m).mean(axis=1) for m in range(power + 5)]
+            none = [(left * turn**m).mean(axis=1) for m in range(1, NONE + 1)]
+            lost = 16 * EPSILON * (np.abs(left) + near).mean(axis=1) + SURE * np.sqrt(np.mean(np.abs(none)**2, axis=0))
+            self._taylor[key] = np.array([[part / radius**m for m, part in enumerate(own)]
+                                          for own in (powers, [lost] * len(powers))])
         return self._taylor[key][:, :power + 1]
+
+    def _radius(self, s):
+        """That of a circle about s well inside all poles of R; 0 where there is none."""
+        highest, slowest = self.modes.left_out
+        if not highest - abs(s) > highest / 4:
+            raise TooSlow(f"a load turns with {abs(s):.4g} rad/s, as fast as the modes that are counted")
+        far = self._apart(s)[~self.near(s)]
+        beyond = abs(s + slowest if s.real > -slowest else s.imag)
+        return min(highest - abs(s), beyond, float(far.min(initial=np.inf))) / INSIDE
 
     def _among_creeping(self, read, s, power):
         """The same where no circle about s is free of eigenvalues: of a steady load alone."""
         if s or power or read.rigid.size or not self.states.rates.all():
             raise left_to_creep()
-        left = self._left(read, np.zeros(1, complex)).T
-        return np.array([left, np.abs(left)])
+        left = self._left(read, np.zeros(1, complex), self.near(s)).T
+        return np.array([left, 16 * EPSILON * np.abs(left)])
 
-    def _left(self, read, s):
+    def _left(self, read, s, near):
         """R at points, (channels, points)."""
         exact = self.transfer.at(read.output, s) * s**read.order
         for sign in (1, -1):
-            weight, rates, inputs = (part if sign > 0 else part.conj()
+            weight, rates, inputs = (part[near] if sign > 0 else part[near].conj()
                                      for part in (read.states, self.states.rates, self.states.inputs))
             exact = exact - ((weight / (s[:, None] - rates)) @ inputs).T / 2
         for order in range(2 if read.rigid.size else 0):
