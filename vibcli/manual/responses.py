@@ -20,8 +20,8 @@ RESPONSE = [
          "followed by travelling waves, exact but for rounding: f(t − x/c) + g(t + x/c) between what stands on them. "
          "Fronts stay sharp: at a front values in time are those after it, `--at` tells both, `max` and `min` look at "
          "both, files and plots hold the instant twice. Members start with fields, `initial: {rod.u: a*x/L, rod.u': "
-         "-v}`. Loads along them that vary in time go by modes, but for those that set in at t = 0 and last. "
-         "Where the fronts multiply, as on pieces of many lengths, values at instants "
+         "-v}`. Loads along them travel with the waves. Where the fronts multiply, as on pieces of many lengths or "
+         "under long records, values at instants "
          "follow them as long as they stay few, and all else goes by modes; `--patience` follows more."),
         ("parts", "Parts of a scene that do not move one another go each their own way: a straight beam that stretches "
          "does so by waves, and bends by modes, as long as fronts are few up to the end that is asked for."),
