@@ -10,10 +10,10 @@ RESPONSE = [
         ("start", "At t = 0, as `initial` says: `{x: 2 cm, x': 0.5 m/s}`, counted as in the drawn position. A "
          "coordinate left out starts where the equilibrium has it, or as drawn where nothing holds the scene; a "
          "velocity left out is 0. `{released: pull}` starts "
-         "at rest in the equilibrium under the force `pull`, which lets go at t = 0. Loads that depend on the time are "
-         "not there before t = 0. A coordinate without inertia takes no velocity, and a place only where a damper "
-         "holds it back: relaxation, or Zener's model with a joint between a spring and a damper. Other ones follow at "
-         "once. `motion: full` needs an inertia for each."),
+         "at rest in the equilibrium under the steady force `pull`, which lets go at t = 0. Loads that depend on the "
+         "time are not there before t = 0. A coordinate without inertia takes no velocity, and a place only where a "
+         "damper holds it back: relaxation, or Zener's model with a joint between a spring and a damper. Other ones "
+         "follow at once. `motion: full` needs an inertia for each."),
         ("small", "`motion: small`, the default where there is an equilibrium: small oscillations about it, exact at "
          "any time."),
         ("waves", "Bars, shafts and strings without drag and foundation, whose tension does not vary along them, are "

@@ -144,6 +144,7 @@ def _read_one(root, file, found, settings, files, remark="", any_dimension=False
             from vibcli.reader.choices import with_choices
 
             spec = with_choices(spec, reader)
+        initial.check_let_go(spec, reader)
         spec = resolve(_with_settings(spec, reader, settings), reader, any_dimension)
         _question(spec, root, reader)
     except TooManyErrors:
