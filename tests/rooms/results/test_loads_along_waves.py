@@ -35,6 +35,13 @@ SCENES = {
         bars: {rod: {length: L, EA: EA, mass_per_length: mu}}
         forces: {w: {body: rod, per_length: q*abs(sin(900 rad/s*t)), to: L/2}}
         """, 0.02, ("rod.u(0.37 m)", "rod.force(0.71 m)")),
+    "what fades to nothing at the end of a string": ("""
+        parameters: {L: 1 m, T: 1e5 N, mu: 2 kg/m, q: 3 N/m}
+        strings: {cord: {length: L, preload: T, mass_per_length: mu, left: clamped}}
+        forces:
+          v: {body: cord, per_length: "q*(1 - x/L)^3*(t/(1 ms))^3*exp(-t/(1 ms))", from: 0.2 m, to: 0.7 m}
+          w: {body: cord, per_length: "q*(1 - x/L)^3*step(t - 1 ms)*(t/(1 ms) - 1)*sin(2000 rad/s*t)"}
+        """, 0.012, ("cord.u(0.514 m)", "cord.slope(0.154 m)")),
     "a ramp and a step along two bars and a body": ("""
         parameters: {L: 1 m, EA: 1e5 N, mu: 2 kg/m, q: 5 N/m}
         bars:

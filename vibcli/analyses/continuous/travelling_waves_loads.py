@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 FINEST = 1e-10      # of the time: the shortest stretch
 PANELS = 16         # of Gauss's rule: as much work as a stretch of a station
 PLAIN = arithmetic_of()
+SHARES = 33         # of a stretch: where the size of a load is looked at
 
 
 class LoadAlong(NamedTuple):
@@ -44,13 +45,14 @@ class LoadAlong(NamedTuple):
 
 class Upstream(NamedTuple):
     """A LoadStretch that lies from `near` to `far` upstream, as times; `channel` its g; pace: how fast f changes for
-    what runs over it."""
+    what runs over it; sizes: of what f and f′ are summed of."""
 
     near: Fraction
     far: Fraction
     stretch: "LoadStretch"
     channel: int
     pace: float
+    sizes: Sequence[float]
 
 
 class LoadInTime:
@@ -66,7 +68,7 @@ class LoadInTime:
                 found.append(Segment(piece.start, waves, impulses))
             held = waves if not any(wave.power or wave.exponent for wave in waves) else None
         self.loads, self.starts = Loads(1, found), np.array([piece.start for piece in found])
-        self._whole: dict[tuple[int, float], np.ndarray] = {}
+        self._whole: dict[tuple[int, float], tuple[np.ndarray, np.ndarray]] = {}
         self._blows: dict[int, tuple[float, float]] = {}
 
     def blow(self, number: int) -> tuple[float, float]:
@@ -88,14 +90,25 @@ class LoadInTime:
         return weights * np.array([self.loads.at(number, start, flat, order)[0] for order in range(2)]).reshape(
             2, *tau.shape)
 
-    def whole(self, number: int, pace: float) -> np.ndarray:
-        """(times since a piece began, g, g′ times weights) of Gauss's rule over all of it, (3, panels · points)."""
+    def whole(self, number: int, pace: float) -> tuple[np.ndarray, np.ndarray]:
+        """(times since a piece began, g, g′ times weights) of Gauss's rule over all of it, (3, panels · points), and
+        the sizes of their sums."""
         if (number, pace) not in self._whole:
             length = float(self.starts[number + 1] - self.starts[number])
             places, weights = _panels(self.pace(number) + pace, length)
-            self._whole[number, pace] = np.array([length * places, *self.weighted(number, length * places,
-                                                                                  length * weights)])
+            nodes = np.array([length * places, *self.weighted(number, length * places, length * weights)])
+            self._whole[number, pace] = nodes, length * self.sizes(number, 0.0, length)
         return self._whole[number, pace]
+
+    def sizes(self, number: int, start: float, end: float) -> np.ndarray:
+        """Of what g and g′ are summed of, between times since a piece began."""
+        found = np.zeros(2)
+        for _, factor, power, rate in self.loads.pieces[number].waves:
+            own = [abs(complex(factor)) * np.exp(complex(rate).real * tau) * np.array([
+                tau**power, abs(rate) * tau**power + (power * tau ** (power - 1) if power else 0.0)])
+                for tau in (start, end)]
+            found += np.maximum(*own)
+        return found
 
     def pace(self, number: int) -> float:
         """The fastest rate of a piece."""
@@ -119,7 +132,8 @@ class GatheredWave:
                 near, far = sorted(delay * abs(Fraction(x) - Fraction(place)) / Fraction(piece.length)
                                    for place in (start, end))
                 if start < end and one.terms:
-                    self._parts.append(Upstream(near, far, one, channel, one.pace * piece.speed))
+                    sizes = tuple(float(f.size(np.linspace(start, end, SHARES)).max()) for f in (one, one.slope))
+                    self._parts.append(Upstream(near, far, one, channel, one.pace * piece.speed, sizes))
 
     def tell(self, times: dict[int, LoadInTime], until: float) -> list[Fraction]:
         """Take over the loads up to an instant; the instants behind those told before at which R bends."""
@@ -186,23 +200,27 @@ class GatheredWave:
             if first < number < last:
                 whole.append(number)
             elif g.loads.pieces[number].waves:
-                places, weights = _panels(g.pace(number) + part.pace, float((high - low).max()))
-                sigma = low[:, None] + (high - low)[:, None] * places
-                rates = g.weighted(number, since[number] + later[:, None] - sigma, (high - low)[:, None] * weights)
-                shares = rates * self._f(part.stretch, sigma)
-                yield shares.sum(axis=2), np.abs(shares).sum(axis=2).max(axis=1), len(places)
+                width = np.maximum(high - low, 0.0)
+                places, weights = _panels(g.pace(number) + part.pace, float(width.max()))
+                sigma = low[:, None] + width[:, None] * places
+                tau = since[number] + later[:, None] - sigma
+                shares = g.weighted(number, tau, width[:, None] * weights) * self._f(part.stretch, sigma)
+                sizes = g.sizes(number, max(float(tau.min()), 0.0), float(tau.max()))
+                yield shares.sum(axis=2), part.sizes[0] * float(width.max()) * sizes, len(places)
         if whole:
-            tau, *rates = np.concatenate([g.whole(number, part.pace) - [[since[number]], [0.0], [0.0]]
-                                          for number in whole], axis=1)
+            nodes, sizes = zip(*(g.whole(number, part.pace) for number in whole), strict=True)
+            tau, *rates = np.concatenate(nodes, axis=1)
+            tau -= np.repeat(since[whole], [one.shape[1] for one in nodes])
             f = self._f(part.stretch, later[:, None] - tau)
-            yield np.array([f @ rate for rate in rates]), [(np.abs(f) @ np.abs(rate)).max() for rate in rates], len(tau)
+            yield np.array([f @ rate for rate in rates]), part.sizes[0] * sum(sizes), len(tau)
 
     def _blow(self, part, sigma, impulse, leap):
         if not impulse and not leap:
             return 0.0, 0.0, 0
-        f, slope = self._f(part.stretch, sigma), self._f(part.stretch.slope, sigma)
-        added = np.array([impulse * f, leap * f - impulse * self._speed * slope])
-        return added, np.abs(added).max(axis=1), 0
+        f, slope = self._f(part.stretch, sigma), self._speed * self._f(part.stretch.slope, sigma)
+        sizes = [abs(impulse) * part.sizes[0],
+                 abs(leap) * part.sizes[0] + abs(impulse * self._speed) * part.sizes[1]]
+        return np.array([impulse * f, leap * f - impulse * slope]), sizes, 0
 
     def _f(self, stretch, sigma):
         return stretch.at(self._x - self._speed * sigma, PLAIN)

@@ -205,7 +205,8 @@ class WaveMarch:
         loads = np.zeros((LEVELS, self.forcing.channels, N))
         if self._loads.used(piece) & self._channels(station):
             loads = np.array([self._loads.at(piece, now, half * (1 + POINTS), level) for level in range(LEVELS)])
-        arriving, driven, scales = *np.zeros((2, count, LEVELS, WIDTH)), np.zeros((count, LEVELS))
+        arriving, driven = np.zeros((2, count, LEVELS, WIDTH))
+        scales, gathered = np.zeros((count, LEVELS)), np.zeros(count)
         for i, end in enumerate(station.ends):
             source = self.leaving[end.number ^ 1]
             scales[i], arriving[i] = source.scale, source.series(now - self.delays[end.number // 2], limit - now)
@@ -213,10 +214,11 @@ class WaveMarch:
             if added is not None:
                 added.reach(limit, task)
                 scales[i] += added.curve.scale
+                gathered[i] = added.curve.scale[1]
                 arriving[i] += added.curve.series(now, limit - now)
             if end.drive is not None:
                 driven[i] = series_of(loads[:, end.drive])
-        return station.along(half, arriving, driven, loads[0][station.indices], scales)
+        return station.along(half, arriving, driven, loads[0][station.indices], scales, gathered)
 
     def _front(self, k):
         """All that reaches a station at this instant."""
