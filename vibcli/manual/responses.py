@@ -10,18 +10,18 @@ RESPONSE = [
         ("start", "At t = 0, as `initial` says: `{x: 2 cm, x': 0.5 m/s}`, counted as in the drawn position. A "
          "coordinate left out starts where the equilibrium has it, or as drawn where nothing holds the scene; a "
          "velocity left out is 0. `{released: pull}` starts "
-         "at rest in the equilibrium under the force `pull`, which lets go at t = 0. Loads that depend on the time are "
-         "not there before t = 0. A coordinate without inertia takes no velocity, and a place only where a damper "
-         "holds it back: relaxation, or Zener's model with a joint between a spring and a damper. Other ones follow at "
-         "once. `motion: full` needs an inertia for each."),
+         "at rest in the equilibrium under the steady force `pull`, which lets go at t = 0. Loads that depend on the "
+         "time are not there before t = 0. A coordinate without inertia takes no velocity, and a place only where a "
+         "damper holds it back: relaxation, or Zener's model with a joint between a spring and a damper. Other ones "
+         "follow at once. `motion: full` needs an inertia for each."),
         ("small", "`motion: small`, the default where there is an equilibrium: small oscillations about it, exact at "
          "any time."),
         ("waves", "Bars, shafts and strings without drag and foundation, whose tension does not vary along them, are "
          "followed by travelling waves, exact but for rounding: f(t − x/c) + g(t + x/c) between what stands on them. "
          "Fronts stay sharp: at a front values in time are those after it, `--at` tells both, `max` and `min` look at "
          "both, files and plots hold the instant twice. Members start with fields, `initial: {rod.u: a*x/L, rod.u': "
-         "-v}`. Loads along them that vary in time go by modes, but for those that set in at t = 0 and last. "
-         "Where the fronts multiply, as on pieces of many lengths, values at instants "
+         "-v}`. Loads along them travel with the waves. Where the fronts multiply, as on pieces of many lengths or "
+         "under long records, values at instants "
          "follow them as long as they stay few, and all else goes by modes; `--patience` follows more."),
         ("parts", "Parts of a scene that do not move one another go each their own way: a straight beam that stretches "
          "does so by waves, and bends by modes, as long as fronts are few up to the end that is asked for."),

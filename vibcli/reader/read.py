@@ -148,6 +148,10 @@ def _read_one(root, file, found, settings, files, remark="", any_dimension=False
             from vibcli.reader.choices import with_choices
 
             spec = with_choices(spec, reader)
+        if spec.let_go is not None:
+            from vibcli.language.sections.initial import check_let_go
+
+            check_let_go(spec, reader)
         spec = resolve(_with_settings(spec, reader, settings), reader, any_dimension)
         _question(spec, root, reader)
     except TooManyErrors:

@@ -180,23 +180,16 @@ class ResponseOfMembers(SmallResponse):
     def _field(self, piece, given):
         """u and u̇ over one piece, channels of the place along it; None of what rests straight between its ends."""
         scene, held, nodes = self.problem.scene, self.configuration.preloaded, self._given_along(piece, given)
-        bent = self._bent(piece)
         if 0 in nodes:
             added = [-self._resting(self.configuration, piece)]
         elif held is not None and (given is not None or scene.gravity or held.scene.spread_loads):
             added = [self._resting(held, piece), -self._resting(self.configuration, piece)]
-        elif given is not None or bent is not None:
+        elif given is not None:
             added = [self._straight(piece)]
         else:
             return None
-        if bent is not None:
-            nodes[0] = nodes.get(0, scene.table.zero) - bent
         field = self.over_place(piece, nodes, [piece.piece.order, 0])
         return with_polynomials(field, 0, added, float(piece.piece.length))
-
-    def _bent(self, piece):
-        """What stands still of a piece between its ends, from which its motion is counted, a node of the place along
-        it; None where nothing does."""
 
     def _given_along(self, piece, given):
         """{0: u, 1: u̇} of those that are given, nodes; the time of the scene stands for the place along a piece."""

@@ -5,7 +5,6 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.results.response_of_members import ResponseOfMembers
-from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -29,6 +28,7 @@ class WaveResponse(ResponseOfMembers):
     def alone(self):
         """The WaveMotion under the excitation."""
         from vibcli.analyses.continuous.travelling_waves import wave_motion
+        from vibcli.analyses.continuous.travelling_waves_loads import LoadAlong
         from vibcli.analyses.continuous.travelling_waves_march import wave_piece
         from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
 
@@ -37,25 +37,11 @@ class WaveResponse(ResponseOfMembers):
         numbered = self._numbered_ends
         pieces = [wave_piece(placed, *(end[:2] for end in numbered[2 * k:2 * k + 2]))
                   for k, placed in enumerate(self.placed)]
+        first = self._numbered_loads
+        loads = [[LoadAlong(form, first + k) for k, drive in enumerate(self.spread_drives[:len(self.spread_forces)])
+                  if (form := drive.on(placed)) is not None] for placed in self.placed]
         return wave_motion(*self.matrices, pieces, self._forces, *self.deviations, self.fields, self.problem.work,
-                           self._bends if self._lasting else None)
-
-    @cached_property
-    def _lasting(self):
-        """The LastingLoads along members."""
-        from vibcli.results.lasting_loads import lasting_load
-
-        return [lasting_load(force, drive, self._forcing_of({0: force.weight}))
-                for force, drive in zip(self.spread_forces, self.spread_drives, strict=False)]
-
-    def _bent(self, piece):
-        fields = [load.field(piece, self.problem.scene.time) for load in self._lasting]
-        return sum((one for one in fields if one is not None), self.problem.scene.table.zero) if any(
-            one is not None for one in fields) else None
-
-    def _bends(self, place):
-        """What stands still at a FieldPoint."""
-        return sum(load.bends(self.placed[place.piece], place.x, place.along) for load in self._lasting)
+                           loads)
 
     @property
     def _numbered_ends(self):
@@ -63,34 +49,26 @@ class WaveResponse(ResponseOfMembers):
         channels = iter(range(len(self.matrices[0]), len(self.matrices[0]) + len(self.ends_of_pieces)))
         return [(row, None if node is None else next(channels), node) for row, node in self.ends_of_pieces]
 
+    @property
+    def _numbered_loads(self):
+        """The channel of the first load along members."""
+        return len(self.matrices[0]) + len(self.ends_of_pieces)
+
     @cached_property
     def _forces(self):
         """The Forcing of all channels."""
-        return self._forcing_of(self._with_lasting(self.loads) | {
-            channel: node for _, channel, node in self._numbered_ends if channel is not None})
+        from vibcli.analyses.excitation.decompose import forcing_of
+        from vibcli.notation.plain import plain
 
-    def _with_lasting(self, loads):
-        """{i: node of the time}, and what LastingLoads put on the ends of pieces."""
-        table, found = self.problem.scene.table, dict(loads)
-        for load in self._lasting:
-            sizes = [size for placed in self.placed for size in load.on_ends(placed)]
-            for (row, _), size in zip(self.ends_of_pieces, sizes, strict=True):
-                for i, x in row.items():
-                    weight = table.number(fraction_of(size * x))
-                    found[i] = found.get(i, table.zero) + load.force.weight * weight
-        return found
+        nodes = self.loads | {channel: node for _, channel, node in self._numbered_ends if channel is not None}
+        first = self._numbered_loads
+        nodes |= {first + k: force.weight for k, force in enumerate(self.spread_forces)}
+        return forcing_of(nodes, self.problem.scene.time, self.problem.numeric.floats, first + len(self.spread_forces),
+                          write=plain, work=self.problem.work)
 
     def reach(self, until: float) -> None:
         """Follow the waves up to an instant; NotByWaves where their fronts are too many."""
         self.alone.march.reach(until)
-
-    def _forcing_of(self, nodes):
-        from vibcli.analyses.excitation.decompose import forcing_of
-        from vibcli.notation.plain import plain
-
-        count = max([len(self.matrices[0]) - 1, *nodes]) + 1
-        return forcing_of(nodes, self.problem.scene.time, self.problem.numeric.floats, count, write=plain,
-                          work=self.problem.work)
 
     def moved(self, direct: Any = ()):
         """The same motion, read with nodes of the time on further channels."""

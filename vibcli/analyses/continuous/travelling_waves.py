@@ -4,13 +4,14 @@ Along a piece u = f(t − x/c) + g(t − (l − x)/c), f leaving its left end an
 follows from what arrives by the motion of the station that the end belongs to.
 """
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.analyses.continuous.travelling_waves_curves import EVEN, LEVELS, SAME, Loads, PiecewiseSeries
 from vibcli.analyses.continuous.travelling_waves_fields import straight
+from vibcli.analyses.continuous.travelling_waves_loads import LoadAlong
 from vibcli.analyses.continuous.travelling_waves_march import WaveMarch, WavePiece
 from vibcli.analyses.continuous.travelling_waves_station import EPSILON, WaveEnd, WaveStation
 from vibcli.base.errors import PhysicsError
@@ -18,26 +19,27 @@ from vibcli.base.work import Work
 
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.forcing import Forcing
-    from vibcli.analyses.excitation.linear_output import FieldPoint, LinearOutput
+    from vibcli.analyses.excitation.linear_output import LinearOutput
 
 LONG = 8            # times the sum of all delays: how long it may take until waves are swallowed
 
 
 def wave_motion(M: np.ndarray, C: np.ndarray, K: np.ndarray, pieces: Sequence[WavePiece], forcing: "Forcing",
                 q0: np.ndarray, v0: np.ndarray, fields: "Sequence[Forcing | None] | None" = None,
-                work: Work | None = None, still: "Callable[[FieldPoint], float] | None" = None) -> "WaveMotion":
+                work: Work | None = None, loads: Sequence[Sequence[LoadAlong]] | None = None) -> "WaveMotion":
     """M q̈ + C q̇ + K q + what waves bring = f(t), from q(0) = q0 and q̇(0) = v0.
 
     forcing: its first n channels are the forces on the coordinates; fields: for each piece u(x) and u̇(x) at the start
-    as a Forcing over x with two channels, None where it is at rest, straight between its ends; still: what stands still
-    at a place within a piece, from which its motion is counted.
+    as a Forcing over x with two channels, None where it is at rest, straight between its ends; loads: those along each
+    piece.
     """
     q0, v0, n, work = np.asarray(q0, float), np.asarray(v0, float), len(q0), work or Work()
     shapes = [_straight(piece, q0) if field is None else field
               for piece, field in zip(pieces, fields or [None] * len(pieces), strict=True)]
     stations = [_station(group, (M, C, K), pieces, q0, v0) for group in _groups(n, (M, C, K), pieces)]
     stations += [_held(number, pieces) for number in range(2 * len(pieces)) if not _end(pieces, number)[0]]
-    return WaveMotion(WaveMarch(pieces, stations, shapes, forcing, n, work), forcing, work, still)
+    march = WaveMarch(pieces, stations, shapes, forcing, n, work, loads or [()] * len(pieces))
+    return WaveMotion(march, forcing, work)
 
 
 def _straight(piece, q0):
@@ -48,28 +50,22 @@ def _straight(piece, q0):
 class WaveMotion:
     """The motion of what waves travel through, read by LinearOutputs; forcing: that whose channels these read."""
 
-    def __init__(self, march: WaveMarch, forcing: "Forcing", work: Work,
-                 still: "Callable[[FieldPoint], float] | None" = None):
-        self.march, self.pieces, self.forcing, self.work, self._still = march, march.pieces, forcing, work, still
+    def __init__(self, march: WaveMarch, forcing: "Forcing", work: Work):
+        self.march, self.pieces, self.forcing, self.work = march, march.pieces, forcing, work
 
     def under(self, forcing: "Forcing") -> "WaveMotion":
         """The same motion, whose outputs read further channels of the loads."""
-        return WaveMotion(self.march, forcing, self.work, self._still)
+        return WaveMotion(self.march, forcing, self.work)
 
     def values(self, output: "LinearOutput", times: np.ndarray, order: int = 0, before: bool = False) -> np.ndarray:
         """The order-th rate of the output at instants; at a front that after it, or before it."""
         times = np.asarray(times, float)
         t = times.ravel()
         self.march.reach(t.max(initial=0.0) * (1 + 2 * SAME) + self._slack)
-        found = np.full(len(t), self._constant(output) if not order else 0.0)
+        found = np.full(len(t), output.constant if not order else 0.0)
         for factor, curve, level, delay in self._terms(output, order):
             found += factor * curve.at(t - delay, level, SAME * np.maximum(t, self._slack), before)
         return (found + self._direct(output, t, order, before)).reshape(times.shape)
-
-    def _constant(self, output):
-        """What does not move of an output."""
-        places = {} if self._still is None else output.places
-        return output.constant + sum(x * self._still(place) for place, x in places.items() if not place.rates)
 
     def _direct(self, output, t, order, before):
         """What loads add of themselves."""
@@ -93,7 +89,7 @@ class WaveMotion:
         """How far the same values may be off by rounding: that of each stretch so far, and of the instant."""
         t = np.asarray(times, float)
         self.march.reach(t.max(initial=0.0))
-        found = np.full(t.shape, EPSILON * (abs(output.constant) + abs(self._constant(output))))
+        found = np.full(t.shape, EPSILON * abs(output.constant))
         for factor, curve, level, delay in self._terms(output, order):
             found += EPSILON * abs(factor) * (curve.rounding(t - delay, level) + 4 * t * curve.scale[min(
                 level + 1, LEVELS - 1)])
@@ -119,10 +115,13 @@ class WaveMotion:
         march, loads = self.march, self.march.forcing
         march.reach(until)
         last = 0.0
-        for delay, pair in zip(march.delays, zip(march.leaving[::2], march.leaving[1::2], strict=True), strict=True):
-            (one, rate), (other, back) = (curve.even_from for curve in pair)
-            opposite = abs(rate + back) <= EVEN * max(curve.scale[1] for curve in pair)
-            last = max(last, max(one, other) + float(delay) if opposite else np.inf)
+        for p, delay in enumerate(march.delays):
+            ways = [*march.leaving[2 * p:2 * p + 2], *(march.arriving[end].curve for end in (2 * p, 2 * p + 1)
+                                                       if end in march.arriving)]
+            since, rates = zip(*(curve.even_from for curve in ways), strict=True)
+            # what loads add from the left and from the right to a place is together what they add at an end
+            opposite = abs(sum(rates[:3])) <= EVEN * max(curve.scale[1] for curve in ways)
+            last = max(last, max(since) + float(delay) if opposite else np.inf)
         for curve in march.coordinates:
             since, rate = curve.even_from
             last = max(last, since if not rate else np.inf)
@@ -150,8 +149,11 @@ class WaveMotion:
         for place, factor in output.places.items():
             piece, speed = self.pieces[place.piece], self.pieces[place.piece].speed
             scale, level = factor / speed**place.along, place.along + place.rates + order
-            yield scale * (-1)**place.along, self.march.leaving[2 * place.piece], level, place.x / speed
-            yield scale, self.march.leaving[2 * place.piece + 1], level, (piece.length - place.x) / speed
+            delays = place.x / speed, (piece.length - place.x) / speed
+            for side, (sign, delay) in enumerate(zip(((-1)**place.along, 1), delays, strict=True)):
+                yield scale * sign, self.march.leaving[2 * place.piece + side], level, delay
+            for sign, curve in zip(((-1)**place.along, 1), self.march.gathered(place.piece, place.x), strict=False):
+                yield scale * sign, curve, level, 0.0
 
 
 def _end(pieces, number):

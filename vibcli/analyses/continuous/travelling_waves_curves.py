@@ -28,8 +28,9 @@ class PiecewiseSeries:
         self.count, self.scale, self.exact, self.leaps = 0, np.zeros(LEVELS), [], []
         self._starts, self._lengths, self._series = np.empty(16), np.empty(16), np.empty((16, LEVELS, WIDTH))
 
-    def append(self, start: Fraction, length: Fraction, series: np.ndarray) -> None:
-        """One stretch more, that begins where the last ended; series: (LEVELS, WIDTH)."""
+    def append(self, start: Fraction, length: Fraction, series: np.ndarray, sizes: Any = 0.0) -> None:
+        """One stretch more, that begins where the last ended; series: (LEVELS, WIDTH); sizes: what each level is
+        rounded from at least."""
         if self.count == len(self._starts):
             room = np.empty_like(self._starts)
             self._starts, self._lengths = np.append(self._starts, room), np.append(self._lengths, room)
@@ -37,12 +38,17 @@ class PiecewiseSeries:
         self.exact.append((start, length))
         self._starts[self.count], self._lengths[self.count], self._series[self.count] = start, length, series
         self.count += 1
-        np.maximum(self.scale, np.abs(series).sum(axis=1), out=self.scale)
+        self.scale = np.maximum(np.maximum(self.scale, sizes), np.abs(series).sum(axis=1))
 
     @property
     def starts(self) -> np.ndarray:
         """The instants at which the stretches begin."""
         return self._starts[:self.count]
+
+    @property
+    def end(self) -> float:
+        """The value with which the last stretch ends; 0 where there is none."""
+        return float(self._series[self.count - 1, 0].sum()) if self.count else 0.0
 
     def at(self, times: np.ndarray, level: int = 0, tolerance: Any = 0.0, before: bool = False) -> np.ndarray:
         """The values at instants; within a tolerance of a jump those after it, or before it. Rates beyond the levels

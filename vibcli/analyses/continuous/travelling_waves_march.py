@@ -14,6 +14,7 @@ import numpy as np
 
 from vibcli.analyses.continuous.travelling_waves_curves import LEVELS, SAME, Loads, PiecewiseSeries, series_of
 from vibcli.analyses.continuous.travelling_waves_fields import starting_waves
+from vibcli.analyses.continuous.travelling_waves_loads import GatheredWave, LoadAlong, LoadInTime
 from vibcli.analyses.continuous.travelling_waves_station import NotByWaves, WaveStation
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.chebyshev import POINTS, WIDTH, N
@@ -60,10 +61,10 @@ def wave_piece(placed: Any, left: tuple[dict, int | None], right: tuple[dict, in
 
 class WaveMarch:
     """leaving: what leaves each end, coordinates: the motion of each coordinate, as PiecewiseSeries up to `known` at
-    least."""
+    least. loads: those along each piece."""
 
     def __init__(self, pieces: Sequence[WavePiece], stations: Sequence[WaveStation], fields: "Sequence[Forcing]",
-                 forcing: "Forcing", n: int, work: "Work"):
+                 forcing: "Forcing", n: int, work: "Work", loads: Sequence[Sequence[LoadAlong]]):
         self.pieces, self.stations, self.forcing, self.work = pieces, stations, forcing, work
         self.delays = [Fraction(piece.length / piece.speed) for piece in pieces]
         self.coordinates, self.leaving = [PiecewiseSeries() for _ in range(n)], []
@@ -72,7 +73,11 @@ class WaveMarch:
         self._events: list[list[tuple]] = [[(Fraction(0), -1, 0.0)] for _ in stations]
         self._pace = [inf] * len(stations)
         self._loads, self._load_until = Loads(forcing.channels, []), -1.0
-        self._told = -1.0
+        self._told, self._spread = -1.0, loads
+        self._gathered: dict[tuple[int, float, int], GatheredWave] = {}
+        self._times: dict[int, LoadInTime] = {}
+        self.arriving = {2 * p + side: self._gathering(p, side * piece.length, 2 * side - 1)
+                         for p, piece in enumerate(pieces) for side in (0, 1) if loads[p]}
         with work.task("the waves at the start", MOST) as task:
             for number, (piece, field, delay) in enumerate(zip(pieces, fields, self.delays, strict=True)):
                 left, right, corners = starting_waves(field, piece.length, delay, task)
@@ -88,7 +93,7 @@ class WaveMarch:
             return
         beyond = float(max(self.delays, default=0)) + until / 64
         end = Fraction(until + beyond)
-        self._tell_loads(until + 2 * beyond)
+        self._tell_loads(until + 3 * beyond)
         self.require_few(float(end))
         heap = [(now, k) for k, now in enumerate(self.now)]
         heap.sort()
@@ -136,6 +141,27 @@ class WaveMarch:
                 if start and acting & self._channels(station):
                     heappush(self._events[k], (Fraction(start), -1, 0.0))
         self._load_until = max(self._load_until, float(self._loads.starts[-1]))
+        self._times = {channel: LoadInTime(self._loads, channel)
+                       for channel in {one.channel for loads in self._spread for one in loads}}
+        for number, wave in self.arriving.items():
+            for instant in wave.tell(self._times, until):
+                heappush(self._events[self.home[number]], (instant, -1, 0.0))
+
+    def gathered(self, piece: int, x: float) -> list[PiecewiseSeries]:
+        """What loads along a piece add to the waves from its left and from its right to a place, as far as waves are
+        followed."""
+        with self.work.task("what loads along a member add to its waves", MOST, self._refusal) as task:
+            found = [self._gathering(piece, x, way) for way in (1, -1)] if self._spread[piece] else []
+            for wave in found:
+                wave.tell(self._times, self._told)
+                wave.reach(Fraction(self.known), task)
+            return [wave.curve for wave in found]
+
+    def _gathering(self, piece, x, way):
+        key = piece, x, way
+        if key not in self._gathered:
+            self._gathered[key] = GatheredWave(self.pieces[piece], self.delays[piece], x, way, self._spread[piece])
+        return self._gathered[key]
 
     def _channels(self, station):
         return {*station.indices, *(end.drive for end in station.ends if end.drive is not None)}
@@ -160,7 +186,7 @@ class WaveMarch:
             limit = now + Fraction(self._pace[k])
         while True:
             task.step()
-            stretch = self._stretch(station, now, limit)
+            stretch = self._stretch(station, now, limit, task)
             if stretch.resolved or limit - now <= FINEST * max(now, min(self.delays, default=limit)):
                 break
             self._pace[k] = float(limit - now) / 2
@@ -173,19 +199,26 @@ class WaveMarch:
             self.leaving[end.number].append(now, limit - now, series)
         self.now[k] = limit
 
-    def _stretch(self, station, now, limit):
+    def _stretch(self, station, now, limit, task):
         half = float(limit - now) / 2
         piece, count = self._loads.piece_at(float(now + limit) / 2), len(station.ends)
         loads = np.zeros((LEVELS, self.forcing.channels, N))
         if self._loads.used(piece) & self._channels(station):
             loads = np.array([self._loads.at(piece, now, half * (1 + POINTS), level) for level in range(LEVELS)])
-        arriving, driven, scales = *np.zeros((2, count, LEVELS, WIDTH)), np.zeros((count, LEVELS))
+        arriving, driven = np.zeros((2, count, LEVELS, WIDTH))
+        scales, gathered = np.zeros((count, LEVELS)), np.zeros(count)
         for i, end in enumerate(station.ends):
             source = self.leaving[end.number ^ 1]
             scales[i], arriving[i] = source.scale, source.series(now - self.delays[end.number // 2], limit - now)
+            added = self.arriving.get(end.number)
+            if added is not None:
+                added.reach(limit, task)
+                scales[i] += added.curve.scale
+                gathered[i] = added.curve.scale[1]
+                arriving[i] += added.curve.series(now, limit - now)
             if end.drive is not None:
                 driven[i] = series_of(loads[:, end.drive])
-        return station.along(half, arriving, driven, loads[0][station.indices], scales)
+        return station.along(half, arriving, driven, loads[0][station.indices], scales, gathered)
 
     def _front(self, k):
         """All that reaches a station at this instant."""

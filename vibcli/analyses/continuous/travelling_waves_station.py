@@ -85,14 +85,15 @@ class WaveStation:
                                 for end, a, s in zip(self.ends, arrived, driven, strict=True)])
 
     def along(self, half: float, arriving: np.ndarray, driven: np.ndarray, forces: np.ndarray,
-              scales: np.ndarray) -> Stretch:
+              scales: np.ndarray, gathered: np.ndarray) -> Stretch:
         """The Stretch of length 2·half from now on. arriving, driven: series (ends, LEVELS, WIDTH); forces:
-        (coordinates, N) at the points; scales: (ends, LEVELS), how large what arrives has ever been."""
+        (coordinates, N) at the points; scales: (ends, LEVELS), how large what arrives has ever been; gathered: (ends,),
+        what the rates are rounded from that loads on the way add to it."""
         load, size = forces.copy(), np.abs(forces).max(axis=1, initial=0.0)
-        for end, a, s in zip(self.ends, arriving, driven, strict=True):
+        for end, a, s, least in zip(self.ends, arriving, driven, gathered, strict=True):
             rate = (2 * a[1] - s[1]) @ AT_POINTS
             load += end.impedance * np.outer(end.row, rate)
-            size += end.impedance * np.abs(end.row) * np.abs(rate).max()
+            size += end.impedance * np.abs(end.row) * (np.abs(rate).max() + least)
         coordinates = self._levels(half, self._highest(half, load))
         sizes = np.maximum(self._sizes(half, size), np.abs(coordinates).sum(axis=2))
         sizes = np.maximum(sizes, self.size)

@@ -1,21 +1,24 @@
 """The start of a motion: values of coordinates and velocities, or the equilibrium under a force that lets go."""
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.language.document.document import Mapping
 from vibcli.language.kinds import Kind, NameOf, Quantity
-from vibcli.language.reader import Record, Reference
+from vibcli.language.reader import Expression, Record, Reference
 from vibcli.language.signal_names import signal_name
 from vibcli.language.spec import RELEASED
 from vibcli.symbolic.parser import plain_name
+
+if TYPE_CHECKING:
+    from vibcli.language.spec import Spec
 
 PLACE = "x"
 FIELDS = "initial_fields"       # the section of the fields that members start with
 ABOUT = ("Where a motion in time starts: `{x: 2 cm, x': 0.5 m/s}`, coordinates counted as in the drawn position. "
          "Those left out start at rest in the equilibrium without the loads that depend on time, or as drawn where "
-         "nothing holds the scene. `{released: pull}` "
-         "starts at rest in the equilibrium under the force `pull`, which then lets go and acts no more. Members start "
-         "with fields of the place x along them: `{rod.u: a*x/L, rod.u': 0 m/s}`; what is attached starts with them, "
+         "nothing holds the scene. `{released: pull}` starts at rest in the equilibrium under the steady force `pull`, "
+         "which then lets go and acts no more. Members start with fields of the place x along them: `{rod.u: a*x/L, "
+         "rod.u': 0 m/s}`; what is attached starts with them, "
          "oscillators with springs as long as at rest. A velocity may contradict a support, a displacement may not.")
 
 
@@ -78,3 +81,17 @@ def with_fields_apart(sections: dict) -> dict:
 
 
 KIND = Initial()
+
+
+def check_let_go(spec: "Spec", reader: Any) -> None:
+    """Report a load in time that lets go: nothing of it holds the scene before t = 0."""
+    name = spec.let_go
+    record = (spec.get("forces") or {}).get(name)
+    if record is None:
+        return
+    given = [part for value in record.values() for part in (value if isinstance(value, list) else [value])]
+    if "unbalance" in record or any("t" in {found for found, *_ in part.parts.names} for part in given
+                                    if isinstance(part, Expression)):
+        reader.report(spec.get("initial")[RELEASED].where, f"'{name}' depends on the time: loads in time do not act "
+                      "before t = 0, so that nothing of them can let go",
+                      "name a steady force; one that acts from 0 to t1 is F*(1 - step(t - t1)) without `released`")

@@ -61,6 +61,12 @@ class LoadStretch(NamedTuple):
             found = found + numbers.real(wave * numbers.exp(numbers.array(rate) * y) if rate else wave)
         return found
 
+    @property
+    def slope(self) -> "LoadStretch":
+        """f′."""
+        terms = [LoadTerm(c * rate, k, rate) for c, k, rate in self.terms if rate]
+        return self._replace(terms=(*terms, *(LoadTerm(c * k, k - 1, rate) for c, k, rate in self.terms if k)))
+
     def size(self, x: np.ndarray) -> np.ndarray:
         """Σ |terms| at places, in floats."""
         y = np.clip(x, float(self.start), float(self.end)) - float(self.origin)

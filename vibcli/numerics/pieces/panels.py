@@ -46,7 +46,7 @@ def _size(value):
 
 def _gauss(numbers):
     if numbers.number is None:
-        return _doubles()
+        return plain_rule()
     import mpmath
 
     rule = mpmath.calculus.quadrature.GaussLegendre(mpmath.mp)
@@ -56,5 +56,6 @@ def _gauss(numbers):
 
 
 @cache
-def _doubles():
+def plain_rule() -> tuple[np.ndarray, np.ndarray]:
+    """(places, weights) of a panel on −1 … 1, in doubles."""
     return np.polynomial.legendre.leggauss(POINTS)
