@@ -203,3 +203,11 @@ def test_letters_need_values(tmp_path, capsys):
     path.write_text(TWO.replace("m: 1 kg", "m: {unit: kg}"), encoding="utf-8")
     assert "these parameters have none: m" in out_of(capsys, str(path), "--over", "k1=1 .. 2", code=2).err
     assert "ω₁" in out_of(capsys, str(path), "--over", "m=1 kg .. 2 kg", "--points", "3").out
+
+
+@pytest.mark.parametrize(("values", "said"), [
+    ([1.0, float("nan")], "are to be an array of finite numbers"), ([1.0, float("inf")], "of finite numbers"),
+    ("1 .. 2", "of finite numbers"), ([2.0, 1.0], "are to ascend"), ([1.0], "two at least")])
+def test_arrays_that_are_none_to_sweep_over(scene, values, said):
+    with pytest.raises(vibcli.SpecError, match=said):
+        vibcli.load(scene).sweep("omega[1]", k1=values)

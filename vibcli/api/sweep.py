@@ -42,8 +42,7 @@ def swept(problem: "Problem", quantities: Sequence[str], parameters: "Mapping[st
     import numpy as np
 
     try:
-        axes = [of_numbers(problem.spec, name, np.asarray(numbers, float).ravel().tolist())
-                for name, numbers in parameters.items()]
+        axes = [of_numbers(problem.spec, name, numbers) for name, numbers in parameters.items()]
         found = sweep(problem, axes, [given_expression(text, "the quantity") for text in quantities])
         quantities = [one.text for one in found.asked]
     except ValueError as error:
