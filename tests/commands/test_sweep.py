@@ -103,6 +103,16 @@ def test_an_interrupt_keeps_the_values_that_were_found(scene, capsys, tmp_path, 
     assert "nterrupted" in told.out and told.err.endswith("interrupted\n")
     assert len([line for line in told.out.splitlines() if len(line.split()) == 2 and line.split()[1] != "–"
                 and line.split()[0].replace(".", "").isdigit()]) >= 4
+    assert len(target.read_text().splitlines()) == 1 + 4
+    asked.clear()
+    assert run(["sweep", scene, "--set", "kc=0", "--over", "k1=90 .. 180", "--of", "omega[1]", "--of", "omega[2]",
+                "--points", "9", "--json", "--save", str(tmp_path / "crossing.svg")]) == 130
+    found = json.loads(capsys.readouterr().out)["sweep"]
+    assert found["reached"] == 2 and found["quantities"][0]["values"][2:] == [None, None, *[None] * 5]
+    assert found["quantities"][0]["branch"] == [1, 2, *[None] * 7] and (tmp_path / "crossing.svg").exists()
+    asked.clear()
+    swept = vibcli.load(scene).sweep("omega[1]", k1=[100.0, 110.0, 120.0, 130.0, 140.0, 150.0])
+    assert swept.gaps == [(("omega[1]",), [(4,), (5,)], "it was interrupted before")]
 
 
 def test_it_is_told_how_far_it_has_come(scene):
@@ -155,6 +165,7 @@ def test_what_cannot_be_swept_over(scene, capsys, over, said):
     (["--over", "k1=1 .. 2", "--of", "motion[x1]"], "is a function of the state, no number"),
     (["--over", "k1=1 .. 2", "--over", "k1=1 .. 2"], "'k1' is swept over twice"),
     (["--over", "k1=-1 .. 2", "--log"], "begin above zero"),
+    (["--set", "k1=2", "--over", "k1=1 .. 2"], "--set k1=2: 'k1' is swept over"),
     (["--over", "k1=1 .. 2", "--over", "k2=1 .. 2", "--over", "m=1 .. 2"], "more than twice"),
     (["--over", "k1=1 .. 2", "--over", "k2=1 .. 2", "--points", "5000"], "the limit is 1000000")])
 def test_what_cannot_be_asked(scene, capsys, options, said):
@@ -192,3 +203,11 @@ def test_letters_need_values(tmp_path, capsys):
     path.write_text(TWO.replace("m: 1 kg", "m: {unit: kg}"), encoding="utf-8")
     assert "these parameters have none: m" in out_of(capsys, str(path), "--over", "k1=1 .. 2", code=2).err
     assert "ω₁" in out_of(capsys, str(path), "--over", "m=1 kg .. 2 kg", "--points", "3").out
+
+
+@pytest.mark.parametrize(("values", "said"), [
+    ([1.0, float("nan")], "are to be an array of finite numbers"), ([1.0, float("inf")], "of finite numbers"),
+    ("1 .. 2", "of finite numbers"), ([2.0, 1.0], "are to ascend"), ([1.0], "two at least")])
+def test_arrays_that_are_none_to_sweep_over(scene, values, said):
+    with pytest.raises(vibcli.SpecError, match=said):
+        vibcli.load(scene).sweep("omega[1]", k1=values)

@@ -1,7 +1,6 @@
 """A range of values of a parameter, as text: `k=400 N/m .. 1.2 kN/m`. ValueError: what is wrong with it."""
 
 import re
-from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise
 from math import exp, log
@@ -16,6 +15,8 @@ from vibcli.quantities.sweep import SweptAxis
 from vibcli.symbolic.parser import plain_name
 
 if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
     from vibcli.language.spec import Spec
 
 BETWEEN = re.compile(r"\s*\.\.\s*")
@@ -40,11 +41,19 @@ def axis(spec: "Spec", text: str, points: int, spaced_by_ratio: bool = False) ->
     return SweptAxis(name, unit, tuple(map(given, shown)), tuple(map(float, shown)), given)
 
 
-def of_numbers(spec: "Spec", name: str, numbers: Sequence[float]) -> SweptAxis:
+def of_numbers(spec: "Spec", name: str, numbers: "ArrayLike") -> SweptAxis:
     """The SweptAxis of numbers in the unit of the file, ascending."""
+    import numpy as np
+
     name = plain_name(name.strip())
     _require_free(spec, name)
-    shown = [Fraction(repr(float(x))) for x in numbers]
+    try:
+        values = np.asarray(numbers, float).ravel()
+    except (TypeError, ValueError):
+        values = np.array([np.nan])
+    if not np.isfinite(values).all():
+        raise ValueError(f"the values of '{name}' are to be an array of finite numbers, in the unit of the file")
+    shown = [Fraction(repr(x)) for x in values.tolist()]
     if len(shown) < 2 or any(not a < b for a, b in pairwise(shown)):
         raise ValueError(f"the values of '{name}' are to ascend, two at least")
     unit = unit_text(spec.parameters[name])

@@ -1,6 +1,7 @@
 """Quantities of a scene over arrays of values of its parameters, for Python."""
 
 from collections.abc import Mapping, Sequence
+from itertools import product
 from typing import TYPE_CHECKING
 
 from vibcli.api.axis import of_numbers
@@ -41,8 +42,7 @@ def swept(problem: "Problem", quantities: Sequence[str], parameters: "Mapping[st
     import numpy as np
 
     try:
-        axes = [of_numbers(problem.spec, name, np.asarray(numbers, float).ravel().tolist())
-                for name, numbers in parameters.items()]
+        axes = [of_numbers(problem.spec, name, numbers) for name, numbers in parameters.items()]
         found = sweep(problem, axes, [given_expression(text, "the quantity") for text in quantities])
         quantities = [one.text for one in found.asked]
     except ValueError as error:
@@ -53,7 +53,13 @@ def swept(problem: "Problem", quantities: Sequence[str], parameters: "Mapping[st
     return SweptValues(
         {axis.name: np.array(axis.in_si) for axis in axes}, values,
         dict(zip(quantities, found.units, strict=True)), branches,
-        [] if found.branches is None else found.branches.meetings, [tuple(gap) for gap in found.gaps])
+        [] if found.branches is None else found.branches.meetings, [*map(tuple, found.gaps), *_not_reached(found)])
+
+
+def _not_reached(found):
+    """The gap of what an interrupt left out."""
+    left = list(product(*map(range, found.shape)))[found.done:]
+    return [(tuple(one.text for one in found.asked), left, "it was interrupted before")] if left else []
 
 
 def sweep(problem: "Problem", axes: Sequence[SweptAxis], asked: "Sequence[Expression]") -> Sweep:

@@ -14,7 +14,7 @@ from vibcli.bench.rows import Timing
 from vibcli.bench.trajectories import DOUBLE, PENDULUM
 
 END, POINTS = 100.0, 100_001
-CASES = {"a double pendulum": (DOUBLE, {"p": 2.0, "r": 2.5}, 0.15), "a pendulum": (PENDULUM, {"p": 1.0}, 0.3)}
+CASES = {"a double pendulum": (DOUBLE, {"p": 2.0, "r": 2.5}, 0.15), "a pendulum": (PENDULUM, {"p": 1.0}, 0.2)}
 ERROR = 1e-5
 
 

@@ -49,7 +49,7 @@ def _lowest(count):
 
 
 def _shown(problem, wanted, backbone, plot, saves, force):
-    if not (plot or saves):
+    if not (plot or saves) or problem.work.interrupted:
         return
     from vibcli.cli.sampled import show_curves
 

@@ -51,10 +51,10 @@ def print_scenes(problems: "Sequence[tuple[str | None, Problem]]", sections: Cal
                 _print_at_once(found, case, output)
                 if report.refusal and not isinstance(report.refusal, Unknown):
                     raise report.refusal
-            if problem.work.interrupted:
-                break
             if curves:
                 curves(problem)
+            if problem.work.interrupted:
+                break
             if output.kind != "json" and report.refusal:
                 raise report.refusal
         except PhysicsError as error:

@@ -41,13 +41,15 @@ def command(file: str, settings: Sequence[str], case: Any, as_json: bool, patien
         raise click.UsageError("--over is given more than twice: sweep over one or two parameters, and --set others")
     output = output_of(file, as_json, **report)
     (name, problem), *_ = integrated(chosen(load(file, settings, patience), case), accuracy)
-    found = _found(problem, ranges, quantities, points or (POINTS if len(ranges) < 2 else ALONG_TWO), by_ratio)
+    points = points or (POINTS if len(ranges) < 2 else ALONG_TWO)
+    found = _found(problem, ranges, quantities, points, by_ratio, settings)
     return print_scenes([(name, problem)], lambda problem: ("sweep",), output, timings, data=("sweep",),
                         wanted=Wanted(sweep=found), curves=lambda problem: _shown(found, plot, saves, report["force"]))
 
 
-def _found(problem, ranges, quantities, points, by_ratio):
+def _found(problem, ranges, quantities, points, by_ratio, settings):
     from vibcli.api.axis import axis
+    from vibcli.api.given import plain_name
     from vibcli.api.sweep import sweep
 
     axes = []
@@ -56,6 +58,9 @@ def _found(problem, ranges, quantities, points, by_ratio):
             axes.append(axis(problem.spec, text, points, by_ratio))
         except ValueError as error:
             raise click.UsageError(f"--over {text}: {error}") from None
+    for option in settings:
+        if (name := plain_name(option.partition("=")[0].strip())) in {axis.name for axis in axes}:
+            raise click.UsageError(f"--set {option}: '{name}' is swept over and takes the values of its range")
     try:
         return sweep(problem, axes, [asked(text, "--of") for text in quantities])
     except ValueError as error:
@@ -63,7 +68,7 @@ def _found(problem, ranges, quantities, points, by_ratio):
 
 
 def _shown(found, plot, saves, force):
-    if not (plot or saves):
+    if not (plot or saves) or not found.done:
         return
     from vibcli.report.sections.sweep import sweep_columns, sweep_figure
 

@@ -21,10 +21,10 @@ LONG = np.longdouble
 class Rule:
     """Points c and weights w on [0, 1]; V1, V2: integrals at the points, transposed; b2: weights w (1 − c) of the
     double integral to the end; to_series: values at the points to Legendre coefficients (transposed); once, twice:
-    coefficients of the integrals of Pₖ. Found in extended precision: their rounding errors would be the same in each
-    window, and add up."""
+    coefficients of the integrals of Pₖ; at_points: P₀ … P_{s+1} and their slopes at the points x = 2c − 1. Found in
+    extended precision: their rounding errors would be the same in each window, and add up."""
 
-    __slots__ = ("V1", "V2", "_known", "b2", "c", "once", "points", "to_series", "twice", "w")
+    __slots__ = ("V1", "V2", "_known", "at_points", "b2", "c", "once", "points", "to_series", "twice", "w", "x")
 
     def __init__(self, points: int, radau: bool = False):
         x, w = (_radau if radau else _gauss)(points)
@@ -38,11 +38,12 @@ class Rule:
         else:
             twice = once @ _integrated(points + 1)
         self.points, self._known = points, {}
-        self.c, self.w = _rounded((x + 1) / 2), _rounded(w / 2)
+        self.c, self.w, self.x = _rounded((x + 1) / 2), _rounded(w / 2), _rounded(x)
         self.b2 = _rounded(to_series @ twice.sum(axis=1) if radau else w * (1 - x) / 4)
         self.to_series, self.once, self.twice = _rounded(to_series), _rounded(once), _rounded(twice)
         self.V1 = _rounded(to_series @ once @ P[:-1])
         self.V2 = _rounded(to_series @ twice @ P)
+        self.at_points = _rounded(P), _rounded(_slopes(points + 1) @ P)
 
     def basis(self, x: np.ndarray) -> np.ndarray:
         """P₀ … P_{s+1} at places x in [−1, 1], of shape (s + 2, places)."""
@@ -100,10 +101,10 @@ def _legendre(x, degree):
         return np.array(values)[:, None]
     P = np.empty((degree + 1, len(x)), dtype=x.dtype)
     P[0], P[1] = 1, x
-    for k in range(1, degree):
-        row = np.multiply(2 * k + 1, x, out=P[k + 1])
-        row *= P[k]
-        row -= k * P[k - 1]
+    for k, (two_before, before, row) in enumerate(zip(P, P[1:], P[2:], strict=False), 1):
+        np.multiply(2 * k + 1, x, out=row)
+        row *= before
+        row -= k * two_before
         row /= k + 1
     return P
 
@@ -115,6 +116,15 @@ def _integrated(count):
     for k in range(1, count):
         rows[k, k + 1] = LONG(0.5) / (2 * k + 1)
         rows[k, k - 1] = -rows[k, k + 1]
+    return rows
+
+
+def _slopes(degree):
+    """Rows of Legendre coefficients of the slopes of P₀ … P_degree: Pₖ₊₁′ = Pₖ₋₁′ + (2k + 1) Pₖ."""
+    rows = np.zeros((degree + 1, degree + 1), dtype=LONG)
+    for k in range(degree):
+        rows[k + 1] = rows[k - 1] if k else 0
+        rows[k + 1, k] = 2 * k + 1
     return rows
 
 

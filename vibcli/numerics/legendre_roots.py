@@ -14,6 +14,7 @@ from numpy.polynomial import legendre
 NODES = 400
 NOTHING = 1e-15         # of the largest coefficient
 EDGE = 1e-6             # how far beyond the ends a root may be, by rounding
+TINY = 1e-150           # in place of nothing
 ROUNDS, NEAR = 4, 1e-10     # of Newton's method; a step whose square is nothing, wherever signs tell of the root
 
 
@@ -36,8 +37,12 @@ def slopes(series: np.ndarray) -> np.ndarray:
 def coming_to(level: float, series: np.ndarray, values: np.ndarray) -> np.ndarray:
     """In which cells may a series, of these values at their ends, have a maximum that comes to a level? Of shape (rows,
     cells). About a maximum s is within max |s″| δ²/2 of it, δ being no more than half a cell to the nearer end."""
-    bends = _most(sampled(slopes(slopes(series))), series.shape[1])
-    return np.maximum(values[:, 1:], values[:, :-1]) >= level - bends[:, None] * (_gaps() ** 2 / 8)
+    bends, gaps = _most(slopes(slopes(series))), _gaps()
+    found = np.zeros((len(values), len(gaps)), dtype=bool)
+    row, end = _true(values >= (level - bends * (gaps.max() ** 2 / 8))[:, None])
+    for cell in (np.maximum(end - 1, 0), np.minimum(end, len(gaps) - 1)):
+        found[row, cell] |= values[row, end] >= level - bends[row] * gaps[cell] ** 2 / 8
+    return found
 
 
 def roots(series: np.ndarray) -> list[np.ndarray]:
@@ -49,32 +54,43 @@ def roots(series: np.ndarray) -> list[np.ndarray]:
 def numbered_roots(series: np.ndarray, cells: np.ndarray | None = None) -> tuple[np.ndarray, np.ndarray]:
     """(the row of each root, these roots), ascending; cells: where roots are sought, of shape (rows, cells); elsewhere
     some may be found."""
-    sizes = np.abs(series)
-    series = np.where(sizes > NOTHING * sizes.max(axis=1, keepdims=True, initial=0.0), series, 0.0)
-    sizes = np.abs(series)
-    rows = np.flatnonzero(sizes[:, 1:].any(axis=1) & (sizes[:, 1:].sum(axis=1) >= sizes[:, 0]))
-    if not len(rows):
-        return rows, np.zeros(0)
-    row, places = _found(series[rows], None if cells is None else cells[rows])
+    if cells is not None:
+        return _found(series, cells)
+    rows = np.flatnonzero(_may_vanish(series))
+    row, places = _found(series[rows])
     return rows[row], places
 
 
-def _found(series, sought):
+def _may_vanish(series):
+    """Whether each is no constant that outweighs the rest."""
+    sizes = np.abs(series)
+    return (sizes[:, 1:].sum(axis=1) >= sizes[:, 0]) & sizes.any(axis=1)
+
+
+def _found(series, sought=None):
     """The same of rows that may have roots."""
-    count, of_slopes = series.shape[1], slopes(series)
-    values, rates, bends = map(sampled, (series, of_slopes, slopes(of_slopes)))
-    near = _most(rates, count)[:, None] * _gaps()
-    row, cell = np.nonzero(_least(values[:, 1:], values[:, :-1]) <= near if sought is None else sought)
-    ends = [(both[row, cell], both[row, cell + 1]) for both in (values, rates, bends)]
-    unclear, bent = np.zeros(len(series), dtype=bool), _most(bends, count)[row] * _gaps()[cell]
-    unclear[row[(_least(*ends[0]) <= near[row, cell]) & (_least(*ends[1]) <= bent)]] = True
+    of_slopes = slopes(series)
+    of_bends = slopes(of_slopes)
+    most = _most(of_slopes)
+    if sought is None:
+        values = sampled(series)
+        sought = _least(values[:, 1:], values[:, :-1]) <= most[:, None] * _gaps()
+    row, cell = _true(sought & (most > 0)[:, None])
+    near, bent = most[row] * _gaps()[cell], _most(of_bends)[row] * _gaps()[cell]
+    ends = np.einsum("ijk,ljk->ilj", np.array([series, of_slopes, of_bends])[:, row],
+                     _rows_of_basis(series.shape[1])[np.array([cell, cell + 1])])
+    unclear = np.zeros(len(series), dtype=bool)
+    unclear[row[(_least(*ends[0]) <= near) & (_least(*ends[1]) <= bent)]] = True
     passed = ((ends[0][0] < 0) != (ends[0][1] < 0)) & ~unclear[row]
-    row, cell, ends = row[passed], cell[passed], [(one[passed], other[passed]) for one, other in ends]
+    row, cell, ends = row[passed], cell[passed], ends[:, :, passed]
     places = _polished(series[row], of_slopes[row], _places()[cell] + _about(*ends, _gaps()[cell]))
     for k in np.flatnonzero(unclear):
         more = _of_companion(series[k])
         row, places = np.concatenate([row, np.full(len(more), k)]), np.concatenate([places, more])
-    touched = np.abs(values[:, [0, -1]]) <= EDGE * np.abs(rates[:, [0, -1]])
+    at_edges, rates = (np.abs(one @ _edges(series.shape[1])) for one in (series, of_slopes))
+    touched = at_edges <= EDGE * rates
+    if touched.any():
+        touched &= _may_vanish(series)[:, None]
     touched[row[places < EDGE - 1], 0] = touched[row[places > 1 - EDGE], 1] = False
     more, end = np.nonzero(touched)
     row, places = np.concatenate([row, more]), np.concatenate([places, 2.0 * end - 1.0])
@@ -85,12 +101,17 @@ def _found(series, sought):
 def _about(values, rates, bends, gap):
     """How far after the start of a cell a root is in it: by the polynomial of degree 5 of the inverse, whose slope is
     1/s′ and whose bend −s″/s′³ at both ends; by a line where that leaves the cell."""
-    s, change = values[0] / (values[0] - values[1]), values[1] - values[0]
-    slope, bend = [change / rate for rate in rates], [-change**2 * b / r**3 for b, r in zip(bends, rates, strict=True)]
-    left = 1 - s
+    change = values[1] - values[0]
+    s, slope = -values[0] / change, change / rates
+    left, bend = 1 - s, -bends * slope**3 / change
     found = s**3 * (gap * (10 - 15 * s + 6 * s * s) - left * (slope[1] * (4 - 3 * s) - bend[1] * left / 2)) + (
         s * left**3 * (slope[0] * (1 + 3 * s) + bend[0] * s / 2))
     return np.where((found >= 0) & (found <= gap), found, s * gap)
+
+
+def _true(table):
+    """(rows, columns) of what is true in a table."""
+    return np.divmod(np.flatnonzero(table), table.shape[1])
 
 
 def _least(one, other):
@@ -98,15 +119,16 @@ def _least(one, other):
     return np.minimum(np.abs(one), np.abs(other))
 
 
-def _most(values, count):
-    """The largest |value| that series of so many terms have between their samples at most."""
-    return overshoot(count) * np.abs(values).max(axis=1)
+def _most(series):
+    """The largest |value| that each has on [−1, 1] at most."""
+    at_few, beyond = _few(series.shape[1])
+    return beyond * np.abs(series @ at_few).max(axis=1)
 
 
 def _polished(series, of_slopes, x):
     """Roots by Newton's method, each of its own row, until steps are so small that the next would be none."""
     for _ in range(ROUNDS):
-        P = legendre.legvander(x, series.shape[1] - 1)
+        P = _polynomials(x, series.shape[1])
         bottom = np.einsum("ij,ij->i", P, of_slopes)
         step = np.einsum("ij,ij->i", P, series) / np.where(bottom == 0, np.inf, bottom)
         x = np.clip(x - np.clip(step, -1.0 / NODES, 1.0 / NODES), -1.0, 1.0)
@@ -115,9 +137,19 @@ def _polished(series, of_slopes, x):
     return x
 
 
+def _polynomials(x, count):
+    """The values of so many Legendre polynomials at places, of shape (places, polynomials): by the barycentric formula
+    from those at Chebyshev's (Berrut & Trefethen 2004)."""
+    nodes, weights, values = _chebyshev(count)
+    away = x[:, None] - nodes
+    parts = weights / np.where(away == 0, TINY, away)
+    return (parts / parts.sum(axis=1, keepdims=True)) @ values
+
+
 def _of_companion(series):
     """The roots of one series."""
-    kept = series[:np.flatnonzero(series)[-1] + 1]
+    sizes = np.abs(series)
+    kept = series[:np.flatnonzero(sizes > NOTHING * sizes.max())[-1] + 1]
     found = legendre.legroots(kept)
     real = found[np.abs(found.imag) <= 1e-7].real
     real = np.clip(real[np.abs(real) <= 1 + EDGE], -1.0, 1.0)
@@ -145,6 +177,34 @@ def _gaps():
 def _basis(count):
     """The values of so many Legendre polynomials at these places, of shape (polynomials, places)."""
     return np.ascontiguousarray(legendre.legvander(_places(), count - 1).T)
+
+
+@cache
+def _rows_of_basis(count):
+    """The same, of shape (places, polynomials)."""
+    return np.ascontiguousarray(_basis(count).T)
+
+
+@cache
+def _edges(count):
+    """The same at both ends."""
+    return np.ascontiguousarray(_basis(count)[:, [0, -1]])
+
+
+@cache
+def _few(count):
+    """(the values of so many Legendre polynomials at the roots of a Chebyshev polynomial of three times the degree, by
+    what the largest size there of a sum of them grows at most)."""
+    nodes = 3 * count
+    x = np.cos(np.pi * (np.arange(nodes) + 0.5) / nodes)
+    return np.ascontiguousarray(legendre.legvander(x, count - 1).T), 1.0 / np.cos(0.5 * np.pi * (count - 1) / nodes)
+
+
+@cache
+def _chebyshev(count):
+    """(Chebyshev's points, their barycentric weights, the values of so many Legendre polynomials there)."""
+    angles = np.pi * (np.arange(count) + 0.5) / count
+    return np.cos(angles), np.sin(angles) * (-1.0) ** np.arange(count), legendre.legvander(np.cos(angles), count - 1)
 
 
 @cache

@@ -109,14 +109,17 @@ class Sweep:
         return int(tree.indices[0]) if tree.head in OF_NATURAL_MODES else None
 
     def branch(self, expression: "Expression") -> "np.ndarray | None":
-        """The branch to which the natural mode of a quantity belongs at each value, 0 where it has none; None of
-        others."""
+        """The branch to which the natural mode of a quantity belongs at each value, 0 where it has none, or was
+        not reached; None of others."""
         import numpy as np
 
         number, found = self.numbered(expression), self.branches
         if number is None or found is None:
             return None
-        return np.array([0 if label is None or number > len(label) else label[number - 1] for label in found.branches])
+        belongs = np.zeros(self.shape[0], dtype=int)
+        for k, label in enumerate(found.branches):
+            belongs[k] = 0 if label is None or number > len(label) else label[number - 1]
+        return belongs
 
     @cached_property
     def _found(self):

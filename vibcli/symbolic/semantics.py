@@ -190,11 +190,10 @@ def lower(tree: Any, table: "Table", symbol: Callable) -> "Node":
 
 
 def _literal(tree, table):
-    value = table.number(tree.value)
     if not tree.units:
-        return value
+        return table.number(tree.value)
     unit = literal_unit(tree.units)
-    node = table.number(tree.value * unit.value)
+    node = table.number(tree.value if unit.value == 1 else tree.value * unit.value)
     if not (unit.pi or unit.roots):
         return node
     roots = [(table.number(base), exponent) for base, exponent in unit.roots]

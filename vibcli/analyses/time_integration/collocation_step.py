@@ -75,19 +75,20 @@ def along(windows: Sequence[Window], c: np.ndarray) -> np.ndarray:
     return found.reshape(3, n, -1)
 
 
-def moves(windows: Sequence[Window]) -> list[np.ndarray]:
-    """Legendre coefficients of q − q₀ − τ q̇₀, of q̇ − q̇₀ and of q̈ of some windows, each of shape (3n, points + 2)."""
-    groups, found = {}, {}
-    for k, window in enumerate(windows):
-        groups.setdefault(window.rule, []).append(k)
-    for rule, members in groups.items():
-        series, H = np.array([windows[k].series for k in members]), np.array([windows[k].length for k in members])
-        rows, (count, n, points) = np.zeros((len(members), 3, *series.shape[1:-1], rule.points + 2)), series.shape
-        rows[:, 0] = (H * H)[:, None, None] * (series @ rule.twice)
-        rows[:, 1, :, :-1] = H[:, None, None] * (series @ rule.once)
-        rows[:, 2, :, :-2] = series
-        found.update(zip(members, rows.reshape(count, 3 * n, points + 2), strict=True))
-    return [found[k] for k in range(len(windows))]
+def moves(windows: Sequence[Window], count: int) -> np.ndarray:
+    """So many Legendre coefficients of q − q₀ − τ q̇₀, of q̇ − q̇₀ and of q̈ of some windows, of shape (windows, 3n,
+    count)."""
+    n, rules = len(windows[0].q), [window.rule for window in windows]
+    found = np.zeros((len(windows), 3, n, count))
+    for rule in set(rules):
+        of_rule = slice(None) if rules.count(rule) == len(rules) else [one is rule for one in rules]
+        members = [window for window in windows if window.rule is rule]
+        rows = np.concatenate([one.series for one in members])
+        H = np.array([one.length for one in members])[:, None, None]
+        found[of_rule, 0, :, :rule.points + 2] = H * H * (rows @ rule.twice).reshape(len(members), n, -1)
+        found[of_rule, 1, :, :rule.points + 1] = H * (rows @ rule.once).reshape(len(members), n, -1)
+        found[of_rule, 2, :, :rule.points] = rows.reshape(len(members), n, -1)
+    return found.reshape(len(windows), 3 * n, count)
 
 
 def ended(window: Window, q: np.ndarray, v: np.ndarray) -> Window:

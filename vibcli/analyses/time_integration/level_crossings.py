@@ -92,7 +92,7 @@ def extreme(trajectory: Any, signal: Callable, start: float, end: float, sense: 
     begins, lasts, (rows, places), spread = _places(parts, start, end, sense, alike)
     turns, lengths, limits = parts.times(rows, places), parts.lengths[rows], parts.series[lasts].sum(axis=1)
     ends = np.minimum(parts.starts[lasts] + parts.lengths[lasts], trajectory.end)
-    times = np.unique(np.concatenate([[start, end], parts.starts[begins], ends, turns]))
+    times = np.sort(np.concatenate([[start, end], parts.starts[begins], ends, turns]))
     times = times[(start <= times) & (times <= end)]
     values, jumps = np.array(signal(times), dtype=float), set()
     at, sizes = np.searchsorted(times[:-1], ends), np.abs(parts.series[lasts]).sum(axis=1)

@@ -29,6 +29,7 @@ SHORTEST = 1e-13            # of the time gone
 SOON, TINY = 1e-10, 1e-300
 MOST_UNKNOWNS = 1200        # of Newton's method
 STRAINED = 20               # Picard iterations: those of longer windows amplify rounding errors
+ALIKE = 1e-10               # of a window: lengths with which Newton's method goes alike
 SHORTER = 0.7               # a window that does not resolve the motion
 UNUSED = 0.2                # of the coefficients used: only the iteration keeps the windows short
 PATIENCE = 3                # such windows before the scene counts as stiff
@@ -38,7 +39,8 @@ CALM = 6                    # windows without a failure before they grow by much
 
 
 class March:
-    """The state of an integration: time, position, velocity, senses of switches, and what steers the next window."""
+    """The state of an integration: time, of which `late` is rounded away, position, velocity, senses of switches, and
+    what steers the next window."""
 
     guess: Any
     begun: Any
@@ -51,12 +53,12 @@ class March:
     def __init__(self, system: "NumericEquations", switching: "Switching", q: np.ndarray, v: np.ndarray, rtol: float,
                  until: float, task: Task, points: tuple[int, int] = FIRST):
         self.system, self.switching, self.rtol, self.until = system, switching, rtol, until
-        self.t, self.q, self.v, self.g, self.slides = 0.0, q, v, None, ()
+        self.t, self.late, self.q, self.v, self.g, self.slides = 0.0, 0.0, q, v, None, ()
         self.points, self.more = points, MORE * (points is SECOND)
         self.rule, self.windows, self.ends, self.struck = rule(points[0]), [], [], []
         self.stiff, self.held, self.calm, self.unseen, self.pace = False, 0, CALM, 0, Pace(until, task)
         self.sizes, self.guess, self.H = Sizes(q), None, None
-        self.fast, self.factored, self.settling, self.coarse = None, (None, None), 0, False
+        self.fast, self.factored, self.settling, self.coarse = None, ((0.0,), None), 0, False
         self.rooted, self.driven, self.begun = rooted(system.parts.nodes()), Driven(system), None
 
     def begin(self, limit: float, zero: Any = ()) -> None:
@@ -87,14 +89,11 @@ class March:
             raise undefined(self.system, self.t)
         left = limit - self.t
         wanted = min(self.H, left if left <= self.H or left >= 2 * self.H else 0.5 * left)
-        H = self.driven.resolved(self.t, wanted, self.rule)
-        begins = self.guess is None
+        H = self._whole(self.driven.resolved(self.t, wanted, self.rule))
+        begins, guess, tails = self.guess is None, self.guess, []
         if begins:
             guess = np.repeat(a, self.rule.points, 1)
             self.unseen = max(expected(H / self.sizes.radian, LEFT * self.rtol, STRAINED) - LOOKS, 0)
-        else:
-            guess = self.guess
-        tails = []
         while True:
             self.pace.step(self.t, self.stiff)
             done, tail, used = self._attempt(H, guess, self._ahead(H, a[:, 0]) if begins else a[:, 0])
@@ -110,16 +109,20 @@ class March:
                 tails.append(tail)
             shorter = 0.5 if done is None else SHORTER
             guess = np.repeat(a, self.rule.points, 1) if done is None else self.rule.within(done.A, SHORTER)
-            H *= shorter
+            H = self._whole(shorter * H)
             self.unseen = self.unseen if done is None else 0        # this guess is near
             if max(SHORTEST * self.t, 1e-300) > H:
                 raise singular(self.system, self.t)
         window = Window(self.rule, self.t, H, self.q, self.v, done.A, self.g, self.slides)
         self.settling -= 1
-        self._steer(H, done.iterations, used, wanted > H, bool(tails))
+        self._steer(H, done.iterations, used, wanted > 1.1 * H, bool(tails))
         if self.pace.slow and not self.stiff:
             self._step_over(window, a[:, 0])
         return window
+
+    def _whole(self, H):
+        """About a length, that which leads to an instant without rounding."""
+        return (self.t + H) - self.t - self.late
 
     def _at_a_root(self, H, done):
         """Does the argument of a switch vanish within a window, or where it begins, in a scene whose forces are roots
@@ -173,8 +176,8 @@ class March:
 
     def _factored(self, H):
         """The inverse that Newton's method used last, where it was for a window like this one."""
-        like, inverse = self.factored
-        return inverse if like == (H, self.g, self.slides) else None
+        (length, *like), inverse = self.factored
+        return inverse if abs(H - length) <= ALIKE * H and like == [self.g, self.slides] else None
 
     def _step_over(self, window, a):
         """Leave a fast oscillation alone that is too small to be worth the work."""
@@ -245,11 +248,11 @@ class March:
         nothing = np.zeros((len(self.q), self.rule.points))
         window = Window(self.rule, self.t, limit - self.t, self.q, self.v, nothing, self.g, self.slides)
         self._keep(window)
-        self.t = limit
+        self.reach(limit)
 
     def reach(self, instant: float) -> None:
         """Be at an instant at which something begins."""
-        self.t = instant
+        self.t, self.late = instant, 0.0
 
     def strike(self, change: np.ndarray) -> None:
         """Let impulses change the velocities at once."""
@@ -269,10 +272,12 @@ class March:
             self.q = self.q + (H * self.v + H * H * (A @ window.rule.b2))
             self.v = self.v + H * (A @ window.rule.w)
             self.guess = np.repeat(window.series.sum(axis=1)[:, None], self.rule.points, 1)
-            self.t = window.start + H
         else:
             self.q, self.v, _ = window.state(end)
-            self.t, self.guess, window = window.start + end, None, window.until(end)
+            self.guess, window = None, window.until(end)
+        end = window.end + self.late
+        self.t = window.start + end
+        self.late = end - (self.t - window.start)
         self.close(np.nextafter(self.t, window.start))      # with the speed that it was driven at
         self.sizes.move(self.q)
         if window.end:

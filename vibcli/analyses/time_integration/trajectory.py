@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from vibcli.analyses.time_integration.time_stepping import March
 
 POINTS = 40             # at most in a window
+FEW, SMALL = 4, 20_000  # instants in a window; numbers that are summed each by itself
+BESIDE = 1e-9           # of half a window
 LATE, CLOSE = 1e-12, 1e-9       # after its end; of a window: from its start
 
 
@@ -69,7 +71,8 @@ class Trajectory:
         self.until, self.end, self.events, self.rests = until, until, tuple(events), rests
         self.balance, self.drift, self.reason, self.advice, self.shared = balance, drift, None, None, None
         self.lengths = np.array([window.length for window in self.windows])
-        self.starts, self._known = np.array([window.start for window in self.windows]), {}
+        self.starts = np.array([window.start for window in self.windows])
+        self._known = np.zeros(len(self.windows), dtype=bool)
 
     def at(self, times: Sequence[float] | np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """(q, q̇, q̈), each of shape (coordinates, times), at times within 0 and `until` [s]."""
@@ -83,14 +86,25 @@ class Trajectory:
             found = np.empty((3, len(self.names), len(times)))
             found[:, :, order] = self.at(times[order])
             return found[0], found[1], found[2]
-        tau, found = times - self.starts[number], np.empty((3 * len(self.names), len(times)))
-        P = rule(POINTS).basis(2 * tau / self.lengths[number] - 1)
-        cuts = [0, *(np.flatnonzero(np.diff(number)) + 1).tolist(), len(times)]
-        parts = self._moves(number[cuts[:-1]].tolist()) if len(times) else []
-        for (first, last), rows in zip(pairwise(cuts), parts, strict=False):
-            np.matmul(rows, P[:rows.shape[1], first:last], out=found[:, first:last])
-        q, v, a = found.reshape(3, len(self.names), -1)
-        return q + (self._places[number].T + tau * self._speeds[number].T), v + self._speeds[number].T, a
+        tau, speeds = times - self.starts[number], self._speeds[number].T
+        q, v, a = self._summed(number, 2 * tau / self.lengths[number] - 1).reshape(3, len(self.names), -1)
+        return q + (self._places[number].T + tau * speeds), v + speeds, a
+
+    def _summed(self, number, x):
+        """q − q₀ − τ q̇₀, q̇ − q̇₀ and q̈, as rows, at places x in windows of ascending numbers."""
+        every, found = rule(POINTS), np.empty((3 * len(self.names), len(x)))
+        cuts = np.flatnonzero(np.concatenate([[True], number[1:] != number[:-1], [True]]))
+        if len(x) == POINTS * (len(cuts) - 1):
+            beside = x.reshape(-1, POINTS) - every.x
+            if np.abs(beside).max(initial=0.0) <= BESIDE:       # at the points, but for the rounding of the times
+                rows = self._moves(number[cuts[:-1]]).swapaxes(0, 1)
+                return (rows @ every.at_points[0] + (rows @ every.at_points[1]) * beside).reshape(len(found), -1)
+        P = every.basis(x)
+        if len(x) <= FEW * len(cuts) and found.size <= SMALL:
+            return np.einsum("kij,kj->ki", self._moves(number), np.ascontiguousarray(P.T)).T
+        for (first, last), rows in zip(pairwise(cuts.tolist()), self._moves(number[cuts[:-1]]), strict=True):
+            np.matmul(rows, P[:, first:last], out=found[:, first:last])
+        return found
 
     @cached_property
     def _places(self):
@@ -102,10 +116,16 @@ class Trajectory:
 
     def _moves(self, numbers):
         """Legendre coefficients of q − q₀ − τ q̇₀, q̇ − q̇₀ and q̈ of windows, as rows of each."""
-        missing = [k for k in numbers if k not in self._known]
-        if missing:
-            self._known.update(zip(missing, moves([self.windows[k] for k in missing]), strict=True))
-        return [self._known[k] for k in numbers]
+        missing = np.unique(numbers[~self._known[numbers]])
+        if len(missing):
+            self._rows[missing] = moves([self.windows[k] for k in missing.tolist()], POINTS + 2)
+            self._known[missing] = True
+        return self._rows[numbers]
+
+    @cached_property
+    def _rows(self):
+        """Those that are known, of all windows."""
+        return np.empty((len(self.windows), 3 * len(self.names), POINTS + 2))
 
     def number(self, t: float) -> int:
         """Of the window in which an instant lies."""
@@ -118,7 +138,7 @@ class Trajectory:
 
     def _numbers(self, times):
         """Of the windows in which the times lie."""
-        return np.clip(np.searchsorted(self.starts, times, side="right") - 1, 0, len(self.windows) - 1)
+        return np.maximum(np.searchsorted(self.starts, times, side="right") - 1, 0)
 
     def held(self, times: np.ndarray):
         """{number of a switch: σ by which it is held at the times, NaN where it is not}."""

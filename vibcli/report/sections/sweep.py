@@ -269,7 +269,7 @@ def sweep_data(found: "Sweep") -> dict:
     meetings = [] if found.branches is None else [
         {"branches": list(one.branches), "value": one.value, "crosses": one.crosses, "gap": one.gap}
         for one in found.branches.meetings]
-    return KEY.row(over, quantities, meetings, gaps)
+    return KEY.row(over, quantities, meetings, gaps, found.done)
 
 
 KEY = Key("sweep", "quantities over one or two parameters", of=(
@@ -287,4 +287,6 @@ KEY = Key("sweep", "quantities over one or two parameters", of=(
         Key("gap", "the least relative distance of frequencies that veer"))),
     Key("gaps", "why there are no values, a list", each=(
         Key("quantities", "which have none"), Key("places", "at which places of the lists of values, from 0"),
-        Key("reason", "why")))))
+        Key("reason", "why"))),
+    Key("reached", "how many values, or places of two parameters, were come to, from the first: all unless it was "
+                   "interrupted")))
