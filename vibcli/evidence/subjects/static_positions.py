@@ -7,7 +7,6 @@ import mpmath
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.reference.static_positions import equations, true_position
 from vibcli.evidence.subject import MethodAnswer, Subject
-from vibcli.language.signals import coordinate_name
 from vibcli.mechanics.configuration import Configuration
 from vibcli.quantities import equilibrium
 from vibcli.quantities.expression import measure
@@ -29,7 +28,7 @@ def at_rest(problem: "Problem", tree: QuantityRef) -> Subject:
     one = problem if number is None else equilibrium.about(problem, int(number))
     static = equations(one)
     scene = static.scene
-    node = equilibrium.at_rest(one, scene, coordinate_name(problem.spec, asked.indices[0]) or asked.indices[0])
+    node = equilibrium.at_rest(one, scene, problem.spec.coordinate_name(asked.indices[0]) or asked.indices[0])
     if node is None:
         raise PhysicsError("of what rests a reference is found of places, stretches and forces of springs alone")
     node, = substitute([node], dict.fromkeys((*scene.v, scene.time), scene.table.zero))
