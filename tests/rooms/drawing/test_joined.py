@@ -140,6 +140,18 @@ def test_a_pulley_hangs_in_a_rope_where_its_rim_stands_still(y, x, turn, side):
         assert [stop.at.carrier for stop in found[1:]] == ["pulley", "strand"][:1 + (side < 0)]
 
 
+def test_a_pulley_in_a_rope_that_the_scene_names_hangs_in_no_other():
+    found = problem("""
+        parameters: {m: 12 kg, r: 0.2 m, g: 9.81 m/s^2}
+        gravity: g
+        bodies:
+          pulley: {shape: disc, mass: m, radius: r, at: [0, 0], move: [0, y, y/r]}
+          load: {mass: m, at: [r, 0.6 m], slide: {along: [0, 1], by: z}}
+        constraints: {rope: {rope: [[-r, 1 m], {under: pulley}, load]}}
+    """)
+    assert list(compose.Scenery(found.scene).ropes) == ["rope"]
+
+
 def test_single_lengths_are_drawn_otherwise_until_pulleys_stand_apart():
     for name in ("1_statics_and_energy/differential_hoist", "6_two_degrees/three_weights_two_pulleys"):
         found = problem_of(PROBLEMS / f"{name}.yaml")
