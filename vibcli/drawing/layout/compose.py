@@ -17,7 +17,7 @@ from vibcli.drawing.symbols.appearance import looks
 if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
 
-BELOW, MOST = 40.0, 80      # points to the first row of lumped bodies; bodies
+BELOW, CLEAR, MOST = 40.0, 60.0, 80     # points to the first row of lumped bodies, below a member; bodies
 FINE = 1e9                  # points per metre at which what has a size on paper alone has none
 
 
@@ -53,7 +53,7 @@ class Scenery:
         self.sketch.numbers["standing"] = {name for layout in self.rows for name in layout.places}
         if self.rows:
             top = min(layout.y - max(place.height for place in layout.places.values()) for layout in self.rows) - BELOW
-        self.strips = strips(self.sketch, left, top)
+        self.strips = _apart(strips(self.sketch, left, top), self.sketch)
 
     def at(self, position: Mapping[str, float] | None = None, time: float = 0.0) -> Sketch:
         """The Sketch in another position; None where its loops cannot follow."""
@@ -122,6 +122,20 @@ def along(strip: Any, sketch: Any, unit: Any = 1.0, bend: Any = None) -> list[An
     if bend is None:
         bend = _still(strip, sketch, unit)
     return member.bed(strip) + member.draw(strip, bend) + member_ends.draw(strip, bend, sketch)[0]
+
+
+def _apart(found, sketch):
+    """The same members, those without a place as far below one another as what hangs on them asks for."""
+    made, low, sunk = [], None, 0.0
+    for strip in sorted(found, key=lambda strip: not strip.placed):
+        if not strip.placed:
+            x, y = strip.start
+            sunk = max(sunk, 0.0 if low is None else y - low + CLEAR)
+            strip = strip._replace(start=(x, y - sunk))
+        box = extent(along(strip, sketch))
+        low = box[1] if low is None or not strip.placed else min(low, box[1])
+        made.append(strip)
+    return made
 
 
 def _held_alone(scene):
