@@ -16,7 +16,7 @@ FARNESS, STRUCK = 0.25, 4.0        # the cost of a point away; by which a line t
 KEPT_CLEAR = "spring", "damper", "oil", "rope"  # roles of what no arrow may cross, beside bodies and other arrows
 CROSSED = 30.0                              # the cost of a cell of theirs
 COILS, COILED = 8, 0.5                      # points of a zigzag, the cost of a cell between its coils
-SIDE = 1.2                                  # points from a word to what is beside it, at least
+SIDE, MARGIN = 1.2, 0.8                     # points from a word to what is beside it, the part of its cost there
 APART, NEAR = 6.0, 0.9                      # points between words that are not to be read as one, the cost of a cell
 
 
@@ -68,10 +68,18 @@ class Space:
     def cost(self, box: Sequence[float], least: float = 0.0, own: "set[Any] | None" = None) -> float:
         """The cost of writing in a box; on the body that is named strokes alone count, which cost at `least` 1; beside
         it, `own` are the cells inside it and inside what it lies on."""
-        get, beside = self.cells.get, self.beside
-        keys = list(self._cells((box[0] - SIDE, box[1], box[2] + SIDE, box[3])))
-        other = 0.0 if own is None else FOREIGN * sum(get(key) == FILLED and key not in own for key in keys)
-        return other + sum(cost for key in keys if (cost := max(get(key, 0.0), NEAR * (key in beside))) >= least)
+        get, beside, left, right = self.cells.get, self.beside, box[0] / CELL, box[2] / CELL
+        total = 0.0
+        for key in self._cells((box[0] - SIDE, box[1], box[2] + SIDE, box[3])):
+            cost = get(key, 0.0)
+            if not floor(left) <= key[0] <= floor(right):
+                cost *= MARGIN
+            elif key in beside:
+                cost = max(cost, NEAR)
+            total += cost if cost >= least * MARGIN else 0.0
+            if own is not None and cost == FILLED and key not in own:
+                total += FOREIGN
+        return total
 
     def path(self, points: Sequence[tuple[float, float]]) -> float:
         """The cost of a line along a path."""
@@ -104,7 +112,9 @@ class Space:
         best, own = None, None if of is None else {key for part in of for key in _cells_within(part.points)}
         for x, y in inside:
             box = x - width / 2, y - height / 2, x + width / 2, y + height / 2
-            best = min(best or (1e9, None), (STRUCK * self.cost(box, 1.0), box))
+            cost = STRUCK * self.cost(box, 1.0)
+            if best is None or cost < best[0]:
+                best = cost, box
         for reach in REACHES:
             if best is not None and best[0] <= FARNESS * reach:
                 break

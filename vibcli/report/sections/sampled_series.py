@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 
-BEND, PASSES = 0.07, 4      # radians from one piece of a curve in the complex plane to the next; how often it is divided
+BEND, PASSES = 0.07, 4      # radians from one piece of a curve to the next; how often it is divided
 
 
 class SampledSignal(NamedTuple):
