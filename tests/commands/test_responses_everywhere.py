@@ -69,6 +69,18 @@ def over_frequency(problem):
         assert not NO_NUMBER.findall(braille(frequency_figure(problem, curves, nyquist)).partition("\n")[2])
 
 
+def test_curves_in_the_complex_plane_are_smooth_and_their_points_lie_on_them():
+    problem = kept_problem_of(ROOT / "problems/6_two_degrees/quarter_car_damped.yaml")
+    panel, = frequency_figure(problem, sampled_curves(problem, WANTED), nyquist=True).panels
+    lines = [np.array(curve.x) + 1j * np.array(curve.y) for curve in panel.curves if curve.kind == "line"]
+    points, = [np.array(curve.x) + 1j * np.array(curve.y) for curve in panel.curves if curve.kind == "markers"]
+    assert len(lines) == 2 and len(points) == 4
+    for H in lines:
+        steps = np.diff(H)
+        assert np.abs(np.angle(steps[1:] / steps[:-1])).max() < 0.1         # were 0.4: seen as a polygon
+    assert all(min(np.abs(H - point).min() for H in lines) == 0 for point in points)
+
+
 @pytest.mark.sweep
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_numbers_or_a_refusal(path):

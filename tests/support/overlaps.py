@@ -2,14 +2,26 @@
 
 from itertools import pairwise
 
-from vibcli.drawing.canvas.primitives import ARROW, BODY, Circle, LetterRuns, Polygon, Polyline
+from vibcli.drawing.canvas.primitives import (
+    ARROW,
+    BEHIND,
+    BODY,
+    SURFACE,
+    Circle,
+    Hatch,
+    LetterRuns,
+    Polygon,
+    Polyline,
+)
 from vibcli.drawing.layout import plane
+from vibcli.drawing.symbols.support import ROLLER
 
 ARROWS = "coordinate", "load", "driven"
 PARTS = "spring", "damper", "oil"
 TAIL, ROUND_TAIL = 7.0, 0.4     # of an arrow, which begins at what it moves: points; the part of an arc
 BESIDE = 0.5        # points by which boxes of words may overlap
-WITHIN = 1.5        # points inside a box: letters do not fill it
+WITHIN = 1.5        # points inside a box by which lines may come from above and below: letters do not fill it
+CLOSE = 1.0         # points beside a box in which there are none
 
 
 def touching(drawn):
@@ -34,7 +46,7 @@ def _overlap(one, two):
 
 def _struck(box, stroke):
     """Does a polyline pass through a box? Each stretch is cut to it (Liang & Barsky, 1984)."""
-    left, bottom, right, top = box[0] + WITHIN, box[1] + WITHIN, box[2] - WITHIN, box[3] - WITHIN
+    left, bottom, right, top = box[0] - CLOSE, box[1] + WITHIN, box[2] + CLOSE, box[3] - WITHIN
     for (ax, ay), (bx, by) in pairwise(stroke):
         first, last = 0.0, 1.0
         for rate, room in ((ax - bx, ax - left), (bx - ax, right - ax), (ay - by, ay - bottom), (by - ay, top - ay)):
@@ -55,6 +67,22 @@ def crossed(drawn):
     others = [part for part in drawn if part.role in PARTS or _is_mass(part)]
     return [(arrow.role, other.role) for arrow in arrows for path in [_without_tail(arrow.points)] for other in others
             if any(cross(path, stroke) for stroke in other.strokes())]
+
+
+def grounded(drawn):
+    """[(role of a spring or damper, what its middle leads through)] of a figure: floors and rollers."""
+    paths = [(part.role, part.points[1:-1]) for part in drawn if isinstance(part, Polyline) and part.role in PARTS]
+    under = [part for part in drawn if (isinstance(part, Hatch) and part.layer == SURFACE) or (
+        isinstance(part, Circle) and part.layer == BEHIND and part.radius == ROLLER)]
+    return [(role, type(other).__name__) for role, path in paths for other in under
+            if any(cross(path, stroke) for stroke in other.strokes())]
+
+
+def measured(drawn):
+    """[role of an arrow that crosses the line of a dimension] of a figure."""
+    lines = [part.points for part in drawn if isinstance(part, Polyline) and part.role == "measure"]
+    return [arrow.role for arrow in drawn if isinstance(arrow, Polyline) and arrow.layer == ARROW
+            and arrow.role in ARROWS and any(cross(_without_tail(arrow.points), line) for line in lines)]
 
 
 def cross(path, stroke):

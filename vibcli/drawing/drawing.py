@@ -7,6 +7,7 @@ from vibcli.drawing.canvas.primitives import extent
 from vibcli.drawing.layout import captions, compose, lettering, notes, plane
 from vibcli.drawing.layout.space import Space
 from vibcli.drawing.symbols import arrow, connection, coordinate, dimension
+from vibcli.drawing.symbols.bodies import carried
 
 GRAVITY = 30.0
 SHOWN = "bodies bars shafts beams strings springs dampers inerters forces constraints".split()
@@ -51,11 +52,11 @@ def annotations(stage: Any, found: Any,
     for parts, runs, places, role in _loads(stage, space):      # where they act is given: names make room for them
         put(parts)
         words.append((runs, places, role))
-    for runs, places, outside in _bodies(stage):
+    for runs, places, outside, own in _bodies(stage):
         if outside:
-            thin.append((runs, places, "ink"))
+            thin.append((runs, places, own))
         else:
-            made.append(space.put(runs, places, inside=places))
+            made.append(space.put(runs, places, inside=places, of=own))
     for item in coordinate.wanted(sketch):
         parts, places = coordinate.draw(item, sketch, stage.looks, space)
         put(parts)
@@ -64,8 +65,10 @@ def annotations(stage: Any, found: Any,
         put(parts)
         if runs:
             words.append((runs, places, role))
-    for runs, places, role in words + thin:
+    for runs, places, role in words:
         made.append(space.put(runs, places, role))
+    for runs, places, own in thin:
+        made.append(space.put(runs, places, of=own))
     for parts, runs, places in _shaken(stage):
         put(parts)
         if runs:
@@ -154,21 +157,24 @@ def _element(name, sketch):
 
 
 def _bodies(stage):
-    """[(runs, places, is there no room within)] of the masses."""
+    """[(runs, places, is there no room within, outlines)] of the masses."""
     found = []
+    outlines = [carried(part, stage.sketch.frames[name])
+                for name, look in stage.looks.items() for part in look.outlines]
     for name, look in stage.looks.items():
-        parts = _parts(name, stage.sketch)
-        found += parts
+        named = _parts(name, stage.sketch)
         runs = captions.mass(stage.scene.bodies[name].record, stage.sketch)
-        if runs is not None and not parts:
-            found.append((runs, _spots(name, look, stage.sketch), look.kind in SLENDER))
+        if runs is not None and not named:
+            named = [(runs, _spots(name, look, stage.sketch), look.kind in SLENDER)]
+        found += [(*one, [part for part in outlines if any(plane.inside(place, list(part.points)) for place in one[1])])
+                  for one in named]
     for layout in stage.rows:
         from vibcli.drawing.layout.lumped import label_places
 
         for name, place in layout.places.items():
             runs = captions.mass(stage.scene.bodies[name].record, stage.sketch)
             if runs is not None:
-                found.append((runs, label_places(place), False))
+                found.append((runs, label_places(place), False, None))
     return found
 
 
@@ -207,7 +213,15 @@ def _spots(name, look, sketch):
         return [plane.middle(points[half * i // 8], points[half + half * i // 8]) for i in (6, 2, 7, 5, 1, 3)]
     part = max((part for part in look.outlines if part.fill != "paper"), default=look.pieces[-1],
                key=lambda part: plane.distance(*plane.corners(part.points)))
-    return [plane.middle(*plane.corners(part.points))]
+    return _within(part.points)
+
+
+def _within(points):
+    """The middle of an outline, or of what is left of it where that is hollow."""
+    low, high = plane.corners(points)
+    spots = [plane.middle(low, high), *(plane.plus(low, ((high[0] - low[0]) * x, (high[1] - low[1]) * y))
+                                        for y in (0.2, 0.8) for x in (0.5, 0.15, 0.85))]
+    return [spot for spot in spots if plane.inside(spot, list(points))][:3] or spots[:1]
 
 
 def _gravity(sketch, drawn):

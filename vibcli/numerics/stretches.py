@@ -7,7 +7,7 @@ import numpy as np
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.bracketing import maxima_between, zeros_between
 
-PARTS, SECTIONS = 48, 34        # by which a stretch is shown; of a search for an extreme
+PARTS, SECTIONS = 48, 34        # by which a stretch is shown; of a search for an extreme, which may be a corner
 STEEP, ROUNDS = 0.12, 9         # of the range: more from one place to the next is a front, which is closed in upon
 NOTHING, FLAT = 1e-11, 1e-9     # of the largest value, what is zero; of it and of the range, what is even
 

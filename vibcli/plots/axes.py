@@ -83,6 +83,7 @@ def _curves(axes, sheet):
     for curve, runs in zip(sheet.panel.curves, sheet.strokes, strict=True):
         if curve.kind == "markers":
             colour, marker = style.POINTS[points % len(style.POINTS)]
+            colour = colour if curve.label or not lines else style.BLACK        # of points on lines: that of none
             points += 1
             artist = _points(axes, sheet, runs, colour, marker)
         elif curve.kind == "arrow":

@@ -86,10 +86,9 @@ def nyquist(Omega: Any, H: "Mapping[str, list[float] | np.ndarray]", unit: str, 
               for label, values in H.items()]
     points = [(min(range(len(Omega)), key=lambda i, to=to: abs(Omega[i] - to)), to)  # type: ignore[misc]
               for to in _distinct(at)]
-    for values in H.values():
-        curves.append(Curve("", tuple(values[i].real * factor for i, _ in points),
-                            tuple(values[i].imag * factor for i, _ in points), "markers",
-                            tuple(f"{to:.4g} rad/s" for _, to in points)))
+    marked = [(values[i] * factor, to) for values in H.values() for i, to in points]
+    curves.append(Curve("", tuple(h.real for h, _ in marked), tuple(h.imag for h, _ in marked), "markers",
+                        tuple(f"{to:.4g} rad/s" for _, to in marked)))
     panel = Panel(labelled("Re H", unit), labelled("Im H", unit), curves=tuple(curves), equal=True,
                   x_range=_with_zero(x for curve in curves for x in curve.x),
                   y_range=_with_zero(y for curve in curves for y in curve.y))

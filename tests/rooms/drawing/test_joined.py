@@ -1,11 +1,12 @@
 """What moves together is joined in the figure: rods to bodies that expressions place, ropes that motions imply."""
 
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
 from support.scenes import problem, problem_of
 
-from vibcli.drawing.canvas.primitives import extent
+from vibcli.drawing.canvas.primitives import Polyline, extent
 from vibcli.drawing.drawing import draw
 from vibcli.drawing.layout import compose, letters, plane
 
@@ -138,6 +139,41 @@ def test_a_pulley_hangs_in_a_rope_where_its_rim_stands_still(y, x, turn, side):
         assert found[0].at.carrier is None and found[0].at.drawn[1] > stage.sketch.centre("pulley")[1]
         assert found[0].at.drawn[0] == pytest.approx(side * found[1].radius)
         assert [stop.at.carrier for stop in found[1:]] == ["pulley", "strand"][:1 + (side < 0)]
+
+
+def test_no_bearing_stands_in_the_way_of_a_spring_where_other_letters_avoid_it():
+    found = problem_of(PROBLEMS / "3_free_undamped/governor_linkage_at_rest.yaml")
+    stage = letters.pleasing(found, compose.Scenery)
+    assert letters.crowding(compose.Scenery(found.scene)) >= letters.crowding(stage) + 1
+    (_, top), (_, sleeve), (_, foot) = (stage.sketch.pivot("right_arm").drawn, stage.sketch.centre("sleeve"),
+                                        stage.bunches[0].one.drawn)
+    assert top > sleeve > foot
+
+
+def test_a_post_grows_from_the_nearest_one_of_its_body():
+    stage = compose.Scenery(problem_of(PROBLEMS / "1_statics_and_energy/jib_crane_with_winch.yaml").scene)
+    posts = [part.points for part in stage.looks["mast"].pieces if isinstance(part, Polyline)]
+    winch = next(points for points in posts if points[-1][0] > 1.0)
+    assert plane.distance(winch[0], winch[-1]) == pytest.approx(0.2 * stage.sketch.scale)
+
+
+def test_members_stand_clear_of_what_hangs_on_those_above():
+    for name in ("bars", "beams"):
+        stage = compose.Scenery(problem_of(PROBLEMS.parent / f"vibcli/examples/{name}.yaml").scene)
+        boxes = [extent(compose.along(strip, stage.sketch)) for strip in stage.strips]
+        assert len(boxes) > 2 and all(above[1] - below[3] > 20.0 for above, below in pairwise(boxes))
+
+
+def test_a_pulley_in_a_rope_that_the_scene_names_hangs_in_no_other():
+    found = problem("""
+        parameters: {m: 12 kg, r: 0.2 m, g: 9.81 m/s^2}
+        gravity: g
+        bodies:
+          pulley: {shape: disc, mass: m, radius: r, at: [0, 0], move: [0, y, y/r]}
+          load: {mass: m, at: [r, 0.6 m], slide: {along: [0, 1], by: z}}
+        constraints: {rope: {rope: [[-r, 1 m], {under: pulley}, load]}}
+    """)
+    assert list(compose.Scenery(found.scene).ropes) == ["rope"]
 
 
 def test_single_lengths_are_drawn_otherwise_until_pulleys_stand_apart():

@@ -18,11 +18,11 @@ def draw(stage: "Scenery", sketch: "Sketch", unit: float, bends: "Mapping[str, m
     elements join to them; those in motion as their Bends say."""
     found: list[Any] = []
     for strip in stage.strips:
-        found += _along(strip, sketch, unit, bends.get(strip.name))
+        found += along(strip, sketch, unit, bends.get(strip.name))
     return found + member_ends.branches(stage.strips, sketch) + _tied(stage, sketch, unit, bends)
 
 
-def _along(strip, sketch, unit, bend):
+def along(strip: "Strip", sketch: "Sketch", unit: float = 1.0, bend: "member.Bend | None" = None) -> list[Any]:
     """A member with its ends and what is attached; without a Bend as its stations are."""
     if bend is None:
         bend = _still(strip, sketch, unit)

@@ -15,6 +15,8 @@ from vibcli.notation.names import GREEK, factors_of, split_name
 SIZE, SMALL, LOWER, RAISE = 11.5, 0.72, -0.22, 0.38
 ASCENT, DESCENT = 0.70, 0.22
 FONTS = {True: ("STIXGeneralItalic.ttf", "DejaVuSerif-Italic.ttf"), False: ("STIXGeneral.ttf", "DejaVuSans.ttf")}
+LOW, DEEP = set("acemnorsuvwxz"), set("gjpqyfQJ(),;/|")     # letters without a head, and with a foot
+SLACK, CLEAR = 0.6, 0.7
 MISSING, LONGEST, GAP = "□", 90, 0.13
 BESIDE = 0.05       # of the size: behind each run
 _OPEN, _INDEX, _CLOSE = "\ue000", "\ue001", "\ue002"
@@ -84,6 +86,14 @@ def size(runs: Sequence[Run]) -> tuple[float, float]:
     """(width, height) of the box of runs."""
     box = text(runs, 0.0, 0.0).box
     return box[2], box[3]
+
+
+def slack(runs: Sequence[Run]) -> tuple[float, float]:
+    """Points by which lines may come into the box of runs from below and from above, where its letters are small; those
+    that they are to stay away, negative, where letters fill it."""
+    small = all(run.rise <= 0 and set(run.text) <= LOW for run in runs)
+    flat = len(runs) == 1 and runs[0].text.isascii() and not set(runs[0].text) & DEEP
+    return SLACK if flat else -CLEAR, SLACK if small else -CLEAR
 
 
 @lru_cache(4096)

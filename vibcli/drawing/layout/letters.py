@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import SpecError
 from vibcli.base.units import LENGTH
 from vibcli.drawing.layout import plane
+from vibcli.drawing.symbols.bodies import fixed_pivots
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
 
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
 
 TRIES, ENOUGH, SAME, OUTSIDE = 8, 0.05, 1e-9, 0.4
 FACTORS = Fraction(2), Fraction(1, 2), Fraction(3)      # by which single lengths are drawn otherwise
+NEAR = 8.0          # points from a bearing that are on it
 
 
 def pleasing(problem: Any, stage_of: type[Any]) -> "Scenery":
@@ -77,7 +79,7 @@ def _rates(scene, sample):
 
 def crowding(stage: "Scenery") -> float:
     """How much bodies overlap that are not joined, how many fixed places lie within bodies, and how many mass centres
-    lie beyond all places of their bodies."""
+    lie beyond all places of their bodies; how many bearings stand in the way of springs."""
     sketch, looks = stage.sketch, stage.looks
     total = OUTSIDE * sum(_is_outside(name, stage) for name in looks)
     names = list(looks)
@@ -86,7 +88,9 @@ def crowding(stage: "Scenery") -> float:
             if not _joined(one, two, sketch):
                 total += _overlap(looks[one], looks[two])
     total += sum(_shared(one, two) for one, two in combinations(_pulleys(stage), 2))
+    bearings = fixed_pivots(sketch)
     for pair in stage.ties.ends:
+        total += sum(_runs_through(place, pair) for place in bearings)
         for end in pair:
             for name, look in looks.items():
                 if look.kind == "frame":    # which is about what is in it
@@ -94,6 +98,13 @@ def crowding(stage: "Scenery") -> float:
                 if end.carrier != name and any(plane.inside(end.drawn, list(part.points)) for part in look.outlines):
                     total += not _joined(name, end.carrier, sketch) or end.carrier is None
     return total
+
+
+def _runs_through(place, pair):
+    """Does a bearing stand in the way of what is joined between two ends?"""
+    one, two = (end.drawn for end in pair)
+    return min(plane.distance(place, one), plane.distance(place, two)) > NEAR and plane.distance(
+        place, plane.nearest_on(place, one, two)) < NEAR
 
 
 def _pulleys(stage):

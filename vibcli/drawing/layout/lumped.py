@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
 
 BOX, LONG, DISC, GAP, LANE, STACK, NAME = 40.0, 68.0, 13.0, 64.0, 22.0, 18.0, 10.0
-HALF, RIM, ROOM, SUPPORT, MARGIN = 18.0, 30.0, 46.0, 2.5, 8.0
+HALF, RIM, ROOM, SUPPORT, MARGIN, FOOT = 18.0, 30.0, 46.0, 2.5, 8.0, 8.5
 
 
 def layouts(found: Sequence[LumpedRow], sketch: "Sketch", left: float, top: float) -> list[Layout]:
@@ -217,7 +217,7 @@ def label_places(place: LumpedPlace) -> list[tuple[float, float]]:
     if place.gear in (-1, 1, 4):
         x, y = place.middle[0], place.middle[1] + 0.6 * place.height * (place.gear if place.gear != 4 else 0)
         return [(x + side * (place.half + 8), y) for side in (1, -1)]
-    return [place.middle if not place.turns else plane.plus(place.middle, (0, -place.height))]
+    return [place.middle if not place.turns else plane.plus(place.middle, (0, -place.height - FOOT))]
 
 
 def arrows(layout: Layout, scene: "Scene",

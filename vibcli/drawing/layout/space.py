@@ -10,12 +10,14 @@ from vibcli.drawing.canvas.primitives import ARROW, BODY, Circle, LetterRuns, Po
 from vibcli.drawing.layout import lettering
 
 CELL, TAKEN, FILLED, CLEAR = 2.5, 1000.0, 0.02, 1.6
+FOREIGN = 0.3                               # the cost of a cell inside a body for the name of another
 REACHES = (2.0, 4.0, 7.0, 11.0, 16.0, 22.0, 30.0, 40.0, 55.0, 75.0, 100.0, 140.0, 200.0, 280.0)
 DIRECTIONS = [(cos(pi * i / 8), sin(pi * i / 8)) for i in (4, 0, 12, 8, 2, 6, 14, 10, 1, 3, 5, 7, 9, 11, 13, 15)]
 FARNESS, STRUCK = 0.25, 4.0        # the cost of a point away; by which a line through a word in its body counts more
 KEPT_CLEAR = "spring", "damper", "oil", "rope"  # roles of what no arrow may cross, beside bodies and other arrows
 CROSSED = 30.0                              # the cost of a cell of theirs
 COILS, COILED = 8, 0.5                      # points of a zigzag, the cost of a cell between its coils
+SIDE, MARGIN = 1.2, 0.8                     # points from a word to what is beside it, the part of its cost there
 APART, NEAR = 6.0, 0.9                      # points between words that are not to be read as one, the cost of a cell
 ROUNDED = 1e-9                              # by which costs may differ that are added in another order
 
@@ -71,18 +73,23 @@ class Space:
         return product(range(floor((left - margin) / CELL), floor((right + margin) / CELL) + 1),
                        range(floor((bottom - margin) / CELL), floor((top + margin) / CELL) + 1))
 
-    def cost(self, box: Sequence[float], least: float = 0.0, most: float = inf) -> float:
+    def cost(self, box: Sequence[float], least: float = 0.0, most: float = inf, own: "set[Any] | None" = None) -> float:
         """The cost of writing in a box, as far as it is at `most` that; on the body that is named strokes alone count,
-        which cost at `least` 1."""
+        which cost at `least` 1; beside it, `own` are the cells inside it and inside what it lies on."""
         get, beside, total = self.cells.get, self.beside, 0.0
-        for key in self._cells(box):
+        left, right = floor(box[0] / CELL), floor(box[2] / CELL)
+        for key in self._cells((box[0] - SIDE, box[1], box[2] + SIDE, box[3])):
             cost = get(key, 0.0)
-            if cost < NEAR and key in beside:
+            if not left <= key[0] <= right:
+                cost *= MARGIN
+            elif cost < NEAR and key in beside:
                 cost = NEAR
-            if cost >= least:
+            if cost >= least * MARGIN:
                 total += cost
-                if total > most:
-                    break
+            if own is not None and cost == FILLED and key not in own:
+                total += FOREIGN
+            if total > most:
+                break
         return total
 
     def path(self, points: Sequence[tuple[float, float]]) -> float:
@@ -106,14 +113,19 @@ class Space:
         return CROSSED * sum(map(self.kept.__contains__, _cells_of(tuple(points))))
 
     def put(self, runs: Sequence[Run], anchors: Sequence[tuple[float, float]], role: str = "ink",
-            inside: Sequence[tuple[float, float]] = (), most: float | None = None) -> LetterRuns:
+            inside: Sequence[tuple[float, float]] = (), most: float | None = None,
+            of: "Sequence[Any] | None" = None) -> LetterRuns:
         """The Text of runs where it fits best near one of the anchors, which then is taken; centred in a place of
-        `inside` where it is free. None where it costs more than `most`."""
+        `inside` where it is free. None where it costs more than `most`; `of`: the outlines of the body that it
+        names, and of what that lies on."""
         width, height = lettering.size(runs)
-        best = None
+        below, above = lettering.slack(runs)
+        best, own = None, None if of is None else {key for part in of for key in _cells_within(part.points)}
         for x, y in inside:
             box = x - width / 2, y - height / 2, x + width / 2, y + height / 2
-            best = min(best or (1e9, None), (STRUCK * self.cost(box, 1.0), box))
+            cost = STRUCK * self.cost(box, 1.0)
+            if best is None or cost < best[0]:
+                best = cost, box
         for reach in REACHES:
             if best is not None and best[0] <= FARNESS * reach:
                 break
@@ -124,7 +136,8 @@ class Space:
                     x, y = ax + dx * (reach + width / 2), ay + dy * (reach + height / 2)
                     box = x - width / 2, y - height / 2, x + width / 2, y + height / 2
                     far = FARNESS * reach + 0.01 * rank
-                    cost = self.cost(box, most=inf if best is None else best[0] - far + ROUNDED) + far
+                    inked = box[0], box[1] + below, box[2], box[3] - above
+                    cost = self.cost(inked, most=inf if best is None else best[0] - far + ROUNDED, own=own) + far
                     if best is None or cost < best[0]:
                         best = cost, box
         if best is None or (most is not None and best[0] > most):

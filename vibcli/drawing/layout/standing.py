@@ -31,12 +31,20 @@ def ropes(sketch: "Sketch", known: "list[Implied]", ends: "list[tuple[Attachment
     if not down or not hypot(*down):
         return []
     up, found = plane.times(plane.unit(down), -1), []
+    roped = _roped(sketch)
     for name, body in sketch.scene.bodies.items():
-        radius = sketch.rolling_radius(name) if name in sketch.frames and "move" in body.record else 0.0
+        free = name in sketch.frames and name not in roped and "move" in body.record
+        radius = sketch.rolling_radius(name) if free else 0.0
         side = _still_side(implied.rates_of(sketch, name), up, radius / sketch.scale) if radius else 0
         if side:
             found.append(_rope(name, radius, plane.times(plane.left(up), side), up, sketch, known, ends))
     return found
+
+
+def _roped(sketch):
+    """Bodies about which ropes run that the scene names."""
+    stops = [stop for record in (sketch.spec.get("constraints") or {}).values() for stop in record.get("rope", ())]
+    return {getattr(end, "text", None) for stop in stops if hasattr(stop, "values") for end in stop.values()}
 
 
 def _still_side(rates, up, radius):

@@ -4,14 +4,14 @@ ties these to each other."""
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from vibcli.drawing.canvas.primitives import SURFACE, Polyline
+from vibcli.drawing.canvas.primitives import SURFACE, Polyline, extent
 from vibcli.drawing.layout import plane
 
 if TYPE_CHECKING:
     from vibcli.drawing.layout.compose import Scenery
     from vibcli.drawing.layout.sketch import Sketch
 
-BELOW = 40.0        # points to the first row
+BELOW, CLEAR = 40.0, 60.0       # points to the first row, below a member
 
 
 def laid_out(sketch: "Sketch", left: float, top: float) -> tuple[list[Any], list[Any], list[Any], list[Any]]:
@@ -25,8 +25,24 @@ def laid_out(sketch: "Sketch", left: float, top: float) -> tuple[list[Any], list
     if sketch.scene.members:
         from vibcli.drawing.layout import strips as members
 
-        strips = members.strips(sketch, left, top)
+        strips = _apart(members.strips(sketch, left, top), sketch)
     return hung, rows, wound, strips
+
+
+def _apart(strips, sketch):
+    """The same members, those without a place as far below one another as what hangs on them asks for."""
+    from vibcli.drawing.layout.drawn_members import along
+
+    made, low, sunk = [], None, 0.0
+    for strip in sorted(strips, key=lambda strip: not strip.placed):
+        if not strip.placed:
+            x, y = strip.start
+            sunk = max(sunk, 0.0 if low is None else y - low + CLEAR)
+            strip = strip._replace(start=(x, y - sunk))
+        box = extent(along(strip, sketch))
+        low = box[1] if low is None or not strip.placed else min(low, box[1])
+        made.append(strip)
+    return made
 
 
 def _rows(sketch, left, top):

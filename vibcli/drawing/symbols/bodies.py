@@ -6,14 +6,14 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.drawing.canvas.primitives import BODY, Circle, Hatch, Polygon, Polyline
 from vibcli.drawing.layout import plane
-from vibcli.drawing.symbols import hulls, joint, support
+from vibcli.drawing.symbols import footing, hulls, joint, support
 from vibcli.drawing.symbols.connection import snapped
 
 if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import DrawnFrame, Sketch
     from vibcli.drawing.symbols.look import Look
 
-RAIL, WOUND = 17.0, 18.0
+RAIL, WOUND, OPEN, NARROW = 17.0, 18.0, 8.5, 4.5
 
 
 def draw(sketch: "Sketch", looks: "Mapping[str, Look]", room: Mapping[str, tuple[float, float]]) -> list[Any]:
@@ -107,24 +107,28 @@ def _floor(name, look, sketch, room):
     if abs(e[1]) > 0.95:
         return _guides(name, (left, bottom, right, top), sketch) if look.kind == "block" else []
     e, level = e if e[0] > 0 else plane.times(e, -1), abs(e[0]) == 1
-    if level and look.kind == "platform" and abs(look.angle) > 3:     # what is on it is below
+    turned = level and look.kind == "platform" and abs(look.angle) > 3
+    if turned:      # what is on it is below
         e, bottom, room = plane.times(e, -1), top, room[::-1]
     down = plane.times(plane.left(e), -1)
     if level:
         under = ((left + right) / 2, bottom)
         half, wheels = (right - left) / 2, 2 * support.ROLLER
-        spots = [plane.plus(under, e, side * (half - 6)) for side in (-1, 1)] if half > 8 else [under]
+        among = [] if turned else footing.gaps(name, bottom, sketch)
+        beside = footing.stance(under[0], half, among)
+        spots = [plane.plus(under, e, side * beside) for side in (-1, 1)] if beside > 2.0 else [under]
         found = [part for spot in spots for part in support.roller(frame.point(plane.plus(spot, down, support.ROLLER)))]
     else:
         middle = sketch.centre(name)
-        under, half, wheels, found = plane.plus(middle, down, look.height / 2), look.width / 2, 0.0, []
+        under, half, wheels, found, among = plane.plus(middle, down, look.height / 2), look.width / 2, 0.0, [], []
     back, on = half + RAIL - room[0], half + RAIL + room[1]
     floor = plane.plus(under, down, wheels)
-    open_below = _hangs(name, sketch) or (level and _is_tied_below(name, floor[1], sketch))
-    if open_below and room == (0.0, 0.0):
-        for side in (-1, 1):
-            found += support.floor(plane.plus(floor, e, side * (half + 2)), e, RAIL / 2 + 2)
-        return found
+    if _hangs(name, sketch):
+        among.append((under[0] - half + OPEN, under[0] + half - OPEN))
+    if among and room == (0.0, 0.0):
+        pieces = footing.floors(under[0] - back + NARROW, under[0] + on - NARROW, among)
+        return [*found, *(part for low, high in pieces
+                          for part in support.floor(((low + high) / 2, floor[1]), e, (high - low) / 2))]
     return [*found, *support.floor(plane.plus(floor, e, (on - back) / 2), e, (on + back) / 2)]
 
 
@@ -133,16 +137,6 @@ def _hangs(name, sketch):
     _, y0 = sketch.centre(name)
     return any(pivot.carrier == name and sketch.centre(other)[1] < y0 - 1e-6
                for other, pivot in sketch.pivots().items())
-
-
-def _is_tied_below(name, height, sketch):
-    """Does a spring or damper lead from this body through ground at this height?"""
-    for record in sketch.spec.connections:
-        ends = [sketch.attachment(end) for end in record.get("between", ())]
-        if None not in ends and any(one.carrier == name and other.drawn[1] < height - 1e-6
-                                    for one, other in zip(ends, ends[::-1], strict=True)):
-            return True
-    return False
 
 
 def _guides(name, box, sketch):

@@ -1,4 +1,4 @@
-"""Dampers: a dashpot between two ends, or bent about a joint."""
+"""Dampers: a dashpot between two ends, or a pad on a plate where its friction is dry; both also bent about a joint."""
 
 from collections.abc import Callable, Mapping
 from math import pi, tau
@@ -12,23 +12,26 @@ if TYPE_CHECKING:
     from vibcli.drawing.symbols.joint import Turn
     from vibcli.language.reader import Record
 
-NAMED_BY = "c", "torsion"
+NAMED_BY = "c", "torsion", "friction"
 CUP, HALF = 13.0, 5.5
+PAD, PLATE = 11.0, 26.0         # lengths of what rubs
 ARC, SPAN = 24.0, 0.62 * pi     # the radius of an arc about a joint, its angle
 
 
 def between(record: "Mapping[Any, Any] | Record", start: tuple[float, float], end: tuple[float, float],
             drawn: float) -> list[Polygon | Polyline]:
     """A damper from one place to another, or its parts."""
+    shape = _pad if "friction" in record else _dashpot
+
     def single(start, end, _drawn, scale):
-        return _dashpot(plane.along(start, end), plane.distance(start, end), scale)
+        return shape(plane.along(start, end), plane.distance(start, end), scale)
 
     return parts.between(record, start, end, drawn, "damper", single)
 
 
-def about(_record: "Record", turn: "Turn") -> tuple[list[Any], tuple[tuple[float, float], tuple[float, float]]]:
+def about(record: "Record", turn: "Turn") -> tuple[list[Any], tuple[tuple[float, float], tuple[float, float]]]:
     """The same along an arc about a joint; also where it is: (middle, normal)."""
-    return along_an_arc(turn, _bent)
+    return along_an_arc(turn, _pad if "friction" in record else _bent)
 
 
 def along_an_arc(turn: "Turn", drawn: Callable) -> tuple[list[Any], tuple[tuple[float, float], tuple[float, float]]]:
@@ -63,3 +66,20 @@ def _dashpot(at, length, scale=1.0):
             Polyline((at(far, half), at(near, half), at(near, -half), at(far, -half)), "damper"),
             Polyline((at(piston, half - 1.2), at(piston, 1.2 - half)), "damper", 1.8),
             Polyline((at(piston), at(length)), "damper")]
+
+
+def _pad(at, length, scale=1.0):
+    """A pad at the far end that is pressed on a plate at the near one."""
+    pad, plate, low = min(PAD, 0.3 * length), min(PLATE, 0.7 * length), -scale * HALF
+    middle, foot = 0.5 * length, 0.4 * low
+    left, right = middle - 0.5 * plate, middle + 0.5 * plate
+    near, far = middle - 0.5 * pad, middle + 0.5 * pad
+    return [Polyline(tuple(at(s) for s in _steps(0.0, left)) + tuple(at(s, foot) for s in _steps(left, right)),
+                     "damper"),
+            Polygon((at(near, -low), at(far, -low), at(far, foot), at(near, foot)), "oil", "damper", layer=ELEMENT),
+            Polyline(tuple(at(s) for s in _steps(far, length)), "damper")]
+
+
+def _steps(start, end):
+    """Places along it: as many as a line needs that may be bent."""
+    return [start + (end - start) * i / 6 for i in range(7)]

@@ -14,8 +14,10 @@ if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
     from vibcli.drawing.layout.space import Space
 
-OFFSETS = (15.0, 23.0, 32.0, 42.0, 54.0, 68.0)
-SHORTEST, ROOM, BEYOND, CROWDED, LEG = 24.0, 5.0, 3.0, 4.0, 0.2
+OFFSETS = (15.0, 23.0, 32.0, 42.0, 54.0, 68.0, 84.0)
+SHORTEST, ROOM, BEYOND, CROWDED, LEG, STRUCK = 24.0, 5.0, 3.0, 4.0, 0.2, 0.4
+OWN = 8.0           # points from a place that are still on the body
+STUB, STEP = 2 * BEYOND, 2.0        # of what leads to a dimension line: its least length, by which it is shorter
 
 
 class Length(NamedTuple):
@@ -110,12 +112,14 @@ def draw(length: Length,
         for side in (-1, 1):
             a, b = plane.plus(length.one, n, side * offset), plane.plus(length.two, n, side * offset)
             label = plane.plus(plane.middle(a, b), n, side * 7.0)
-            legs = [(plane.plus(p, n, side * (ROD + 2)), plane.plus(q, n, side * BEYOND))
+            legs = [_leg(plane.plus(p, n, side * (ROD + 2)), plane.plus(q, n, side * BEYOND), space)
                     for p, q in ((length.one, a), (length.two, b))]
+            struck = sum(space.path([plane.plus(p, n, side * OWN), q]) for p, q in legs)
             over = sum(cost for cost in map(space.path, legs) if cost >= TAKEN)       # they strike no word
             line = [plane.plus(a, e, 2), plane.plus(b, e, -2)]
             cost = space.path(line) + space.path([label, label]) + over
-            rank = cost > CROWDED, cost + 0.1 * offset + space.crossings(line) + LEG * sum(map(space.meets, legs))
+            rank = cost > CROWDED, (cost + 0.1 * offset + space.crossings(line) + STRUCK * struck
+                                    + LEG * sum(map(space.meets, legs)))
             if best is None or rank < best[0]:
                 best = rank, cost, a, b, side, legs
     _, cost, a, b, side, legs = best
@@ -124,3 +128,12 @@ def draw(length: Length,
     legs = [Polyline(leg, "measure", 0.6, layer=ARROW) for leg in legs]
     parts = [part._replace(width=min(part.width, 0.7)) for part in arrow.straight(a, b, "measure", 0.7, both=True)]
     return [*legs, *parts], length.runs, [plane.plus(plane.middle(a, b), n, sign * 1.5) for sign in (side, -side)]
+
+
+def _leg(start, end, space):
+    """What leads from a place to the line of a dimension; only behind a word that is between them."""
+    length, at = plane.distance(start, end), plane.along(start, end)
+    while length > STUB and space.path([start, end]) >= TAKEN:
+        length -= STEP
+        start = at(plane.distance(at(0.0), end) - length)
+    return start, end

@@ -16,14 +16,15 @@ SLACK = 2.5     # points
 
 def with_posts(look: "Look", body: "Body", sketch: "Sketch", ties: "Ties") -> "Look":
     """The Look with a thin post to each carried place that is not on the body."""
-    posts = []
-    for place in ties.carried.get(body.name, ()):
-        if look.kind == "joint" or _touches(place, look):
+    centre, whole = sketch.centre(body.name), look
+    for place in sorted(ties.carried.get(body.name, ()), key=lambda place: -plane.distance(place, centre)):
+        if look.kind == "joint" or _touches(place, whole):
             continue
-        root = _root(place, look, sketch.centre(body.name))
+        root = _root(place, whole, centre)
         if not _along_element(root, place, ties, body.name):
-            posts.append(Polyline(_bent(root, place, look, sketch.centre(body.name)), width=2.4, layer=BEHIND))
-    return look._replace(pieces=[*posts, *look.pieces])
+            post = Polyline(_bent(root, place, look, centre), width=2.4, layer=BEHIND)
+            whole = whole._replace(pieces=[post, *whole.pieces])
+    return whole
 
 
 def _touches(place, look):

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.drawing.canvas.primitives import JOINT, Polygon, Polyline
 from vibcli.drawing.layout import plane
+from vibcli.drawing.symbols import footing
 from vibcli.drawing.symbols.look import Look, ball
 
 if TYPE_CHECKING:
@@ -38,6 +39,9 @@ def block(body: "Body", centre: tuple[float, float], sketch: "Sketch", ties: "Ti
     if not angle and not upright and beside:
         low, high = min(centre[0] - width / 2, min(beside) - 6), max(centre[0] + width / 2, max(beside) + 6)
         middle, width = ((low + high) / 2, middle[1]), high - low
+    if not angle and not upright:
+        among = footing.gaps(body.name, middle[1] - height / 2, sketch)
+        width = max(width, 2 * (footing.stance(middle[0], width / 2, among) + footing.EDGE))
         corners = plane.box(middle, width, height)
     hanger = [Polyline((centre, plane.plus(centre, (0.0, -1.0), hook)), width=1.4, layer=JOINT)] if hook else []
     return Look([*hanger, Polygon(tuple(corners))], "block", corners, angle, width, height)

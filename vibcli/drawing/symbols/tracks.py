@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.drawing.canvas.primitives import SURFACE, Circle, Hatch
 from vibcli.drawing.layout import plane
+from vibcli.drawing.symbols import support
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
@@ -38,7 +39,8 @@ def ground(record: "Record", used: Sequence[tuple[tuple[float, float], float | N
            sketch: "Sketch") -> list[Circle | Hatch]:
     """A fixed surface under what is on it (`contacts`)."""
     if "line" in record:
-        return _line(*straight(record, used, sketch), used)
+        a, b = straight(record, used, sketch)
+        return [*_line(a, b, used), *_rollers(record, a, b, used, sketch)]
     places = [place for place, room in used if room is not None]
     if "circle" in record:
         return _circle(record, places, sketch)
@@ -48,18 +50,45 @@ def ground(record: "Record", used: Sequence[tuple[tuple[float, float], float | N
 
 def straight(record: "Record", used: Sequence[tuple[tuple[float, float], float | None]],
              sketch: "Sketch") -> list[tuple[float, float]]:
-    """The ends of a straight surface: under the blocks whose mass centres slide along the line, where no others are."""
+    """The ends of a straight surface as drawn: `sunk` below its line."""
     a, b = (sketch.pair(place) for place in record["line"])
     down = plane.times(plane.left(plane.unit(plane.minus(b, a))), -free_side(a, b, used))
     return [plane.plus(place, down, sunk(record.name, sketch)) for place in (a, b)]
 
 
 def sunk(name: str, sketch: "Sketch") -> float:
-    """How far below its line a straight surface is drawn."""
+    """How far below its line a straight surface is drawn: under the blocks whose mass centres slide along it, where no
+    others are; under rollers of what is held to it where a spring lies along it."""
     on = [body for body in sketch.scene.bodies.values() if name in body.touched]
-    points = [record for record in (sketch.spec.get("constraints") or {}).values()
-              if "surface" in record and record["surface"].text == name]
-    return SUNK if on and not points and all("slide" in body.record for body in on) else 0.0
+    points = _held(name, sketch)
+    if on or not points:
+        return SUNK if on and not points and all("slide" in body.record for body in on) else 0.0
+    record = sketch.scene.surfaces[name]
+    return 2 * support.ROLLER if "body" not in record and "line" in record and _is_lain_on(record, sketch) else 0.0
+
+
+def _held(name, sketch):
+    """The points that constraints hold to a surface."""
+    return [record["point"] for record in (sketch.spec.get("constraints") or {}).values()
+            if "surface" in record and record["surface"].text == name]
+
+
+def _is_lain_on(record, sketch):
+    """Does a spring or damper lie along a straight surface?"""
+    a, b = (sketch.pair(place) for place in record["line"])
+    e = plane.unit(plane.minus(b, a))
+    ends = [[sketch.attachment(end) for end in one.get("between", ())] for one in sketch.spec.connections]
+    return any(pair and None not in pair and all(abs(plane.across(e, plane.minus(end.drawn, a))) < ON for end in pair)
+               for pair in ends)
+
+
+def _rollers(record, a, b, used, sketch):
+    """Those between a straight surface that is drawn lower and what is held to it."""
+    up = plane.times(plane.left(plane.unit(plane.minus(b, a))), free_side(a, b, used))
+    if not _held(record.name, sketch) or not sunk(record.name, sketch):
+        return []
+    places = [sketch.now(sketch.attachment(point)) for point in _held(record.name, sketch)]
+    return [part for place in places for part in support.roller(plane.plus(place, up, -support.ROLLER))]
 
 
 def free_side(a: tuple[float, float], b: tuple[float, float],

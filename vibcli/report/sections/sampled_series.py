@@ -15,6 +15,9 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 
+BEND, PASSES = 0.07, 4      # radians from one piece of a curve to the next; how often it is divided
+
+
 class SampledSignal(NamedTuple):
     """A signal at all instants: `parts` {steady, transient: values} where they were asked for; `bounds`: (upper, lower)
     of a free vibration that dies out, or None."""
@@ -129,7 +132,10 @@ def frequency_figure(problem: "Problem", curves: Sequence[SampledCurve], nyquist
     """The frequency responses as a Figure: magnitude and phase, or in the complex plane."""
     from vibcli.plots import frequency
 
-    Omega, values = curves[0].Omega, {symbol(curve.name): curve.values for curve in curves}
+    Omega, found = curves[0].Omega, [curve.values for curve in curves]
+    if nyquist:
+        Omega, found = _smooth(Omega, [problem.frequency_response(curve.name, curve.driver) for curve in curves], found)
+    values = {symbol(curve.name): points for curve, points in zip(curves, found, strict=True)}
     if len(curves) == 1:
         peaks, dips = curves[0].peaks, curves[0].antiresonances
     else:
@@ -138,8 +144,26 @@ def frequency_figure(problem: "Problem", curves: Sequence[SampledCurve], nyquist
     title = problem.spec.get("title") or ""
     if nyquist:
         return frequency.nyquist(Omega, values, _unit(curves), at=peaks, title=title)
-    kind = f"H to {curves[0].driver}"
+    kind = f"|H| to {symbol(curves[0].driver)}"
     return frequency.of_frequency_response(Omega, values, kind, _unit(curves), peaks, dips, title=title)
+
+
+def _smooth(Omega, responses, found):
+    """Frequencies and values at which curves in the complex plane turn by little from one to the next."""
+    import numpy as np
+
+    for _ in range(PASSES):
+        bends = np.zeros(len(Omega))
+        for H in found:
+            steps = np.diff(H)
+            with np.errstate(invalid="ignore", divide="ignore"):
+                bends[1:-1] = np.fmax(bends[1:-1], np.abs(np.angle(steps[1:] / steps[:-1])))
+        wide = np.flatnonzero((bends[1:] > BEND) | (bends[:-1] > BEND))
+        if not wide.size:
+            break
+        Omega = np.sort(np.concatenate([Omega, (Omega[wide] + Omega[wide + 1]) / 2]))
+        found = [response.values(Omega) for response in responses]
+    return Omega, found
 
 
 def _unit(curves):
