@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.modal.mode_sequence import Modes
     from vibcli.results.modal_response import ModalResponse
 
-CLOSE = 1e-10       # of the largest value: a remainder that is small enough
+CLOSE = 8e-11       # of the largest value: a remainder that is small enough beside what else is in a bound of 1e-10
 FINEST = {True: 81_920, False: 57_344}      # modes in closed form, and of others
 MARGIN = 1.15       # modes more than a remainder needs
 BLOCK = 512         # modes that are found together: a search takes up to ten counts for each

@@ -10,6 +10,8 @@ import numpy as np
 import pytest
 
 import vibcli
+from vibcli.analyses.continuous.remainder import remainder
+from vibcli.results.enough_modes import first_modes
 
 PROBLEMS = Path(__file__).parents[3] / "problems"
 SCENE = """\
@@ -104,3 +106,21 @@ def test_of_largest_values_that_are_equal_the_first_is_told():
     """A rod that begins to hang by its weight, whose end moves furthest at 2L/c, 6L/c …"""
     scene = vibcli.load(PROBLEMS / "8_continuous/rod_that_feels_its_weight_at_once.yaml")
     assert scene["argmax(rod.u(L))"].value == pytest.approx(6 / np.sqrt(206e9 / 7850), rel=1e-6)
+
+
+def test_modes_next_to_those_of_held_pieces_are_found_in_blocks():
+    """Of a beam that a heavy body ends each is next to one of the beam clamped there, which takes ten counts."""
+    body = SCENE % ", attached: [{at: L, mass: 1 kg, inertia: 0.05 kg*m^2}]"
+    modes = first_modes(vibcli.loads(body)._problem.modal.modes, 2049)
+    omega = np.array([float(mode.omega) for mode in modes])
+    near = (np.arange(1, 2050) - 0.5) * np.pi       # βL of high modes: those of the clamped beam before
+    assert len(modes) == 2049 and np.abs(np.sqrt(omega[-500:]) - near[-500:]).max() < np.pi
+
+
+@pytest.mark.parametrize("power", [3.0, 4.0])
+def test_what_modes_left_out_add_is_told_by_octaves_that_fall_alike(power):
+    n = np.arange(1, 200_000)
+    sizes = np.abs(np.cos(0.6 * np.pi * n + 0.3)) / n**power
+    rest = sizes[8192:].sum()
+    assert rest <= remainder(sizes[:8192]) <= 1.4 * rest
+    assert 2 * rest < remainder(np.where(n > 5000, 1.1, 1.0)[:8192] * sizes[:8192]) / 1.1      # they do not
