@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 EQUAL = 1e-14       # of the largest value: what is as large
 MOST, HALVED = 20_000, 40       # stretches, how often each is halved
+LATE = 8            # part of t·ẏ: a value off by the rounding of its instant is as resolved as one so large
 
 
 class Stretches(NamedTuple):
@@ -35,9 +36,11 @@ def stretches(values: Callable, breaks: np.ndarray, start: float, end: float, wo
         for _ in range(HALVED):
             task.step(steps=len(starts))
             times = starts[:, None] + lengths[:, None] / 2 * (1 + POINTS)
-            series = series_of(values(times.ravel()).reshape(-1, N))
-            scale = np.abs(series).max(initial=0.0)
-            held = np.array([is_resolved(row[:N], scale) for row in series])
+            reached = values(times.ravel()).reshape(-1, N)
+            series = series_of(reached)
+            rounded = (starts + lengths) * np.ptp(reached, axis=1) / (LATE * lengths)
+            scales = np.maximum(np.abs(series).max(initial=0.0), rounded)
+            held = np.array([is_resolved(row[:N], scale) for row, scale in zip(series, scales, strict=True)])
             held |= lengths <= SAME * end
             parts.append(Stretches(starts[held], lengths[held], series[held]))
             starts, lengths = np.repeat(starts[~held], 2), np.repeat(lengths[~held] / 2, 2)

@@ -282,3 +282,10 @@ def test_a_blow_on_what_nothing_holds_back_is_refused():
 def test_velocity_of_a_matched_end_is_that_of_the_pull():
     assert one_bar(damper=1.0).values(u(0, 1), np.array([0.0, 1.9, 2.0])) == pytest.approx([-0.5, -0.5, 0.0])
     assert exp(0.0) == one_bar(damper=1.0).values(u(0), np.array([0.0]))[0]
+
+
+def test_late_values_are_as_resolved_as_their_instants_tell():
+    """At t = 30 s an instant is rounded by 4e-15 s, so that no part of a stretch resolves it any better."""
+    parts = stretches(lambda times: np.sin(2000 * times), np.arange(30.0, 30.02, 1e-3), 30.0, 30.02, Work())
+    assert len(parts.starts) <= 40
+    assert extreme(parts, 1)[1] == pytest.approx(1.0, abs=1e-10)
