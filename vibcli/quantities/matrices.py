@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base import units
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.quantities.quantity import ROUNDING, Declaration
-from vibcli.symbolic.running_errors import error_in
 
 if TYPE_CHECKING:
     from vibcli.language.spec import Spec
@@ -36,6 +35,8 @@ def _matrix(problem, which):
 
 
 def _entry(problem, tree, args):
+    from vibcli.symbolic.running_errors import error_in
+
     pair = tuple(coordinate_number(problem, index) for index in tree.indices)
     if problem.digits is not None:
         precise = problem.configuration.precise_system(problem.digits).matrices()["MCGK".index(tree.head)]

@@ -35,8 +35,7 @@ class Space:
                 self.reserve(part.box)
                 continue
             if isinstance(part, (Polygon, Circle)) and part.fill not in (None, "paper"):
-                for key in _cells_within(part.points):
-                    self.cells.setdefault(key, FILLED)
+                self._taken(_cells_within(part.points), FILLED)
             for stroke in part.strokes():
                 keys = set(_cells_of(tuple(stroke)))
                 self._taken(keys, 1.0)
@@ -166,8 +165,9 @@ def _cells_within(points):
             y = (j + 0.5) * CELL
             if (ay > y) != (by > y) and j in crossed:
                 crossed[j].append(ax + (y - ay) * (bx - ax) / (by - ay))
+    found = []
     for j, xs in crossed.items():
         xs.sort()
         for left, right in zip(xs[::2], xs[1::2], strict=False):
-            for i in range(ceil(left / CELL), floor(right / CELL)):
-                yield i, j
+            found += [(i, j) for i in range(ceil(left / CELL), floor(right / CELL))]
+    return found
