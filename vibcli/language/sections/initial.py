@@ -38,8 +38,11 @@ class Initial(Kind):
                 if name is not None:
                     values[RELEASED] = name
                 continue
-            if signal_name(plain_name(key_node.text)).name in reader.members:
-                values |= _field(key_node, value, reader)
+            member = signal_name(plain_name(key_node.text)).name
+            if member in reader.members or (reader.members and "." in key_node.text):
+                reader.references.append((Reference(member, key_node.where), ("members",), "the name of a member"))
+                field = _field(key_node, value, reader)
+                values |= field if member in reader.members else {}
                 continue
             name = key_node.text.rstrip("'")
             primes = key_node.text[len(name):]
@@ -50,7 +53,7 @@ class Initial(Kind):
             reader.references.append((Reference(plain_name(name), key_node.where), ("coordinates",),
                                       "the name of a coordinate"))
             expression = Quantity().read(value, reader)
-            if expression is not None:
+            if expression is not None and "." not in name:
                 values[plain_name(name) + primes] = expression
         return Record(None, "initial", node.where, values, keys)
 
