@@ -6,7 +6,8 @@ from vibcli.report.formats.html_page import STYLE, words
 MORE = """
 #errors { white-space: pre-wrap; overflow-x: auto; border-left: 4px solid #b00020; padding: 0.5em 0.8em;
   font: 0.9rem/1.4 monospace; position: sticky; top: 0; z-index: 1; background: Canvas; max-height: 40vh; }
-#work { position: fixed; right: 1rem; bottom: 0.5rem; opacity: 0.8; font-size: 0.9rem; }
+#work { position: fixed; left: 7rem; right: 1rem; bottom: 0.5rem; text-align: right;
+  background: Canvas; opacity: 0.8; font-size: 0.9rem; }
 #pause { position: fixed; left: 1rem; bottom: 0.5rem; font: inherit; }
 #errors:empty, #work:empty { display: none; }
 @media print { #pause { display: none; } }

@@ -45,7 +45,7 @@ def _arrows(stage, rest, moved, unit):
     found = []
     for layout in stage.rows:
         for name, place in layout.places.items():
-            if not place.turns:
+            if not place.turns and moved.lumped[name] != rest.lumped[name]:    # a driven one stands still
                 x, y = place.middle[0] + rest.lumped[name] * unit, place.middle[1] + place.height + 9
                 tip = place.middle[0] + moved.lumped[name] * unit
                 found.append(Polyline(((x, y - 5), (x, y + 5)), "coordinate", 0.9, layer=BODY))
