@@ -184,14 +184,15 @@ class House:
                 and isinstance(node.slice.value, int) and _last_name(node.value) in TREES]
 
     def set_from_outside(self):
-        """Attributes of other objects that are assigned, but for the nodes of the table that shares them."""
+        """Attributes of other objects that are assigned, but for the nodes of the table that shares them and for what
+        `sys` lets a program set."""
         found = []
         for module, nodes in self.nodes.items():
             if module == NODES:
                 continue
             for node in nodes:
                 if isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store) and not (
-                        isinstance(node.value, ast.Name) and node.value.id in ("self", "cls")):
+                        isinstance(node.value, ast.Name) and node.value.id in ("self", "cls", "sys")):
                     found.append(f"{module}:{node.lineno}")
         return found
 

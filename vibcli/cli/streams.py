@@ -45,8 +45,7 @@ class Stream(io.RawIOBase):
 
 def provide():
     """Let stdout and stderr be such streams."""
-    for name in ("stdout", "stderr"):
-        setattr(sys, name, _stream(getattr(sys, name), refuses=name == "stdout"))
+    sys.stdout, sys.stderr = _stream(sys.stdout, True), _stream(sys.stderr, False)
 
 
 def _stream(given, refuses):
