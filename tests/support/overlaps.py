@@ -86,6 +86,9 @@ def measured(drawn):
 
 
 def cross(path, stroke):
+    if not path or any(max(p[k] for p in one) < min(p[k] for p in other)
+                       for one, other in ((path, stroke), (stroke, path)) for k in (0, 1)):
+        return False
     return any(_meet(*one, *two) for two in pairwise(stroke) for one in pairwise(path))
 
 

@@ -61,7 +61,7 @@ def test_a_spring_through_the_floor_and_an_arrow_over_a_dimension_are_seen():
     assert measured([*shaft, line._replace(points=((0.0, -9.0), (0.0, 9.0)))]) == []
 
 
-@pytest.mark.parametrize("angle", [20, 35, 50, 65, 90])
+@pytest.mark.parametrize("angle", [20, 50, 90])
 def test_rollers_and_floor_of_a_slider_stand_beside_the_springs_that_lead_down(angle):
     drawn = draw(problem(f"""
         parameters: {{m: 2 kg, k: 900 N/m, l: 1 m, a: {angle} deg}}
