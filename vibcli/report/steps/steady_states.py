@@ -18,6 +18,7 @@ from vibcli.report.steps.held import HINT, UNTOLD, SmallEquations, Untold
 from vibcli.report.steps.phasors import Phasors
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number
+from vibcli.symbolic.common_denominator import shorter
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.nested_form import letters
@@ -110,7 +111,8 @@ class SteadyState:
             turned = ["(", *argument, ")"] if len(argument) > 3 or argument[0].op == "sum" else argument
             form = [Words(f"the {part} part of  "), X, "·exp(i·", *turned, ")"]
         head = [Words("steady state"), *(under if self.several else []), Words(": each coordinate is  "), *form]
-        equations = [Words("  with  "), "(", K, " − ", Factor(Omega ** 2), "·", M, *rates, ")·", X, " = ", F]
+        stiff = [K, " − "] if self.found.K else ["−"]
+        equations = [Words("  with  "), "(", *stiff, Factor(Omega ** 2), "·", M, *rates, ")·", X, " = ", F]
         return sheet.write(*head, *([] if self.several else what), *equations, settles="steady state",
                            uses=self.found.lines)
 
@@ -283,7 +285,7 @@ class SteadyState:
         if not self._agrees(node, self.names.index(name)):
             raise Untold(UNTOLD, HINT)
         if letters(node) <= READABLE and self.Omega is self.given and (self.undamped or not self.numeric):
-            told_of += [*([Words(",  "), "|", letter, "|"] if not formula.undamped else []), " = ", node]
+            told_of += [*([Words(",  "), "|", letter, "|"] if not formula.undamped else []), " = ", shorter(node)]
         return {"node": node}
 
     def _agrees(self, node, k):
