@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.notation_text import read
 from vibcli.notation.numbers import decimal, shown_as_decimal
-from vibcli.notation.plain import Notation, factors_of, split_marks, split_name
+from vibcli.notation.plain import Notation, factors_of, plain, split_marks, split_name
 from vibcli.notation.radicals import place
 from vibcli.symbolic.rationals import ONE
 
@@ -33,6 +33,7 @@ class Stacked(Notation):
     fraction: Callable[[str, str], str]
     sqrt: Callable[[str], str]
     magnitude: Callable[[str], str]
+    words: Callable[[str], str]
 
     def notation(self, text: str) -> str:
         return read(text, self)
@@ -46,6 +47,8 @@ class Stacked(Notation):
     def symbol(self, name: str) -> str:
         if factors := factors_of(name):
             return self.times(list(map(self.symbol, factors)))
+        if "(" in name:
+            return self.words(plain.symbol(name))
         name, marks = split_marks(name)
         letter, rest, primes = split_name(name)
         found = self.lettered(letter, rest.removeprefix("_"), primes)
