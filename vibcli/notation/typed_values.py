@@ -50,4 +50,9 @@ def _named(part, symbol, known):
 def placed(name: str, symbol: Callable[[str], str]) -> str:
     """blade.φ̇(2·L/3) of blade.phi(2*L/3)', the name of a motion of a member at a place; others as they are."""
     found = PLACED.fullmatch(name)
-    return f"{found[1]}{symbol(found[2] + found[4])}({set_in_print(found[3], symbol)})" if found else name
+    if found is None:
+        return name
+    owner, part, place, primes = found.groups()
+    motion = symbol(part + primes)
+    after = primes if motion.endswith(primes) else ""       # words have no dots
+    return f"{owner}{motion.removesuffix(after)}({set_in_print(place, symbol)}){after}"

@@ -22,9 +22,13 @@ def single(node: "Node") -> "Node":
 @remembered
 def shorter(node: "Node") -> "Node":
     """The node, as one fraction where it divides by a sum and that is shorter."""
-    divides = any(base.op == "sum" and e < 0 for part in reachable([node]) if part.op == "product"
-                  for base, e in part.args)
-    return min((node, single(node)), key=letters) if divides else node
+    return min((node, single(node)), key=letters) if divides(node) else node
+
+
+def divides(node: "Node") -> bool:
+    """Does a part of the node divide by a sum?"""
+    return any(base.op == "sum" and e < 0 for part in reachable([node]) if part.op == "product"
+               for base, e in part.args)
 
 
 @remembered

@@ -22,5 +22,5 @@ def test_signs_are_those_of_print(typed, printed):
 
 def test_places_on_members_are_set_in_print():
     assert plain.symbol("blade.phi(2*L1/3)'") == "blade.φ̇(2·L₁/3)"
-    assert plain.symbol("blade.slope(0 m)") == "blade.slope(0 m)"
+    assert plain.symbol("blade.slope(0 m)''") == "blade.slope(0 m)''"
     assert latex.symbol("blade.phi(L1)") == r"\text{blade.\ensuremath{\varphi}(L\ensuremath{{}_{1}})}"

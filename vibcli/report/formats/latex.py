@@ -23,6 +23,7 @@ from vibcli.report.formats.text import running
 
 COLUMNS = 95        # of plain text, in a row of a formula
 FITTING, ROWS = 60, 30      # columns of a row, or of a table of so many rows, that surely fits a page
+LABEL, BOX = 20, 30         # of a label beside its formula; of a definition that is not broken
 _SIGNED = re.compile(r"(?=.*[-−e])[-−]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 HEAD = r"""\documentclass[11pt,a4paper,fleqn]{article}
 \usepackage[T1]{fontenc}
@@ -36,7 +37,7 @@ HEAD = r"""\documentclass[11pt,a4paper,fleqn]{article}
 \setlength{\parskip}{4pt}
 \setlength{\emergencystretch}{3em}
 \allowdisplaybreaks
-\newcommand{\wide}[1]{\resizebox{\ifdim\width>0.94\linewidth 0.94\linewidth\else\width\fi}{!}{#1}}
+\newcommand{\wide}[1]{\resizebox{\ifdim\width>0.84\linewidth 0.84\linewidth\else\width\fi}{!}{#1}}
 \begin{document}
 """
 
@@ -85,6 +86,9 @@ def aligned(block: Equations, write: Latex, broken: Callable = rows) -> list[str
     for line in block.lines:
         first, *others = broken(line.parts, write, COLUMNS)
         label = formula(line.label, write) + r":\quad" if line.label else ""
+        if width(formula(line.label, plain)) > LABEL:
+            found.append(rf"& {{}} {label}")
+            label = ""
         head = f"{label} & {{}}".lstrip()
         found += [f"{head} {first}", *(rf"& {{}}\qquad {other}" for other in others)]
     return found
@@ -131,7 +135,7 @@ def is_signed(cell: str | Maths) -> bool:
 def _definitions(block):
     items = [_running(item.term) + (rf" \quad {escaped(item.about)}" if item.about else "") for item in block.items]
     sizes = [width(running(item.term) + item.about) for item in block.items]
-    return (" \\quad\n".join(item if size > FITTING else f"\\mbox{{{item}}}"
+    return (" \\quad\n".join(item if size > BOX else f"\\mbox{{{item}}}"
                               for item, size in zip(items, sizes, strict=True)) if block.flowing else
             "\n\n".join(items)) + "\n"
 

@@ -18,7 +18,6 @@ from vibcli.report.steps.held import HINT, UNTOLD, SmallEquations, Untold
 from vibcli.report.steps.phasors import Phasors
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number
-from vibcli.symbolic.common_denominator import shorter
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.nested_form import letters
@@ -285,7 +284,7 @@ class SteadyState:
         if not self._agrees(node, self.names.index(name)):
             raise Untold(UNTOLD, HINT)
         if letters(node) <= READABLE and self.Omega is self.given and (self.undamped or not self.numeric):
-            told_of += [*([Words(",  "), "|", letter, "|"] if not formula.undamped else []), " = ", shorter(node)]
+            told_of += [*([Words(",  "), "|", letter, "|"] if not formula.undamped else []), " = ", node]
         return {"node": node}
 
     def _agrees(self, node, k):
