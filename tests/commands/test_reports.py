@@ -19,7 +19,19 @@ from vibcli.notation.mathml import mathml
 from vibcli.notation.plain import plain
 from vibcli.notation.typst import typst
 from vibcli.reader.sections.find import INSIGHT, ON_REQUEST
-from vibcli.report.blocks import Document, Equations, Name, Picture, Section, Words, line, maths
+from vibcli.report.blocks import (
+    Definition,
+    Definitions,
+    Document,
+    Equations,
+    Name,
+    Picture,
+    Section,
+    Words,
+    line,
+    maths,
+    paragraph,
+)
 from vibcli.report.blocks import TableBlock as Cells
 from vibcli.report.document import EVERYTHING, Report
 from vibcli.report.formats import asciidoc, html, markdown
@@ -109,7 +121,7 @@ def assert_latex(text):
         elif word == "$":
             dollars += 1
         elif word == "&":
-            assert opened[-1] in ("align*", "longtable")
+            assert opened[-1] in ("align*", "longtable", "tabular")
         elif word == "^":
             assert dollars % 2 or opened[-1] == "align*" or body[:token.start()].endswith(("{", "{}", "}", ")"))
         else:
@@ -260,6 +272,22 @@ def test_no_formula_leaves_the_pages_of_typst(tmp_path):
     pages = pypdf.PdfReader(BytesIO(compiled(text, tmp_path))).pages
     assert len(pages) >= 4 and "line199:" in pages[-1].extract_text()
     assert all(page.extract_text().count("line") <= 60 for page in pages)
+
+
+def test_no_formula_leaves_the_pages_of_latex(tmp_path):
+    """Nor a table, nor a formula in running text, be they without a place to break them."""
+    if not which("pdflatex"):
+        pytest.skip("no pdflatex")
+    table = Table()
+    node = table.sqrt(table.total([table.parameter(f"wide{i}") for i in range(30)]))
+    wide = "a long cell without an end " * 5
+    text = render_latex.render([Document("T", None, (), (Section("S", (
+        Equations((line("x = ", node),)), paragraph("with ", maths("x = ", node)), Cells(("a", "b"), ((wide, wide),)),
+        Definitions((Definition(("a",), wide * 2),), flowing=True))),))], None)
+    (tmp_path / "t.tex").write_text(text)
+    done = subprocess.run(["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "t.tex"], cwd=tmp_path,
+                          capture_output=True, check=False)
+    assert done.returncode == 0 and b"Overfull" not in done.stdout
 
 
 @pytest.mark.parametrize("cells, expected", [
@@ -455,6 +483,13 @@ def test_pieces_make_the_whole(nodes, write):
 
 def test_texts_are_broken_outside_of_brackets():
     assert pieces((" = e^(a − b)·c + d − (e = f)",), plain) == ["", " = e^(a − b)·c", " + d", " − (e = f)"]
+
+
+@pytest.mark.parametrize("kind", [latex, mathml, typst])
+def test_words_have_powers_of_ten_as_in_print(kind):
+    assert list(without_words(("left is 3.3e-17, 2e+05 of d1e5",))) == ["left is 3.3·10⁻¹⁷, 2·10⁵ of d1e5"]
+    assert formula((Words("left is 1e-6"),), kind) == kind.words("left is 1·10⁻⁶")
+    assert formula((Words("left is 1e-6"),), plain) == "left is 1e-6"
 
 
 def test_words_stand_outside_of_formulas_in_running_text():

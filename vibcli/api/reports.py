@@ -35,8 +35,9 @@ def solution(problem: "Problem", insight: bool = False) -> Sequence[str]:
     asked |= {s for word in wanted for s in FOUND_BY[word]}
     if wanted.about(MODES) is not None:
         asked |= {"frequencies", "damping", "modes"}
-    if problem.scene.held and "equations" in asked:
-        asked = asked - set(FOUND_BY["equations"]) | set(STATICS)
+    of_motion = {*FOUND_BY["equations"], *FOUND_BY["equilibrium"]}
+    if problem.scene.held and asked & of_motion:
+        asked = asked - of_motion | set(STATICS)
     return [s for s in EVERYTHING + ON_REQUEST if s in asked]
 
 

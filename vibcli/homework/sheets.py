@@ -43,7 +43,7 @@ def student_sheet(course: "Course", student: "Student", problems: "Sequence[tupl
 
 def _question(number, handout, variant):
     problem = handout.problem(variant)
-    asked = question_in_words(problem.spec, Report(problem).document().question)
+    asked = question_in_words(Report(problem).document().question)
     return Document(f"{number}. {handout.title}", None, asked, (
         *handout.figure, *_values(problem, handout), *_asked(handout, handout.variants[variant])))
 
@@ -79,7 +79,7 @@ def key_sheet(handout: "Handout", number: int) -> Document:
              figure(points, digits=3))
             for letter, key, points, one in zip(LETTERS, handout.keys, handout.points, variant.keys, strict=False)]
     return Document(f"{handout.title} — variant {number + 1}", problem.spec.get("source"),
-                    question_in_words(problem.spec, Report(problem).document().question), (
+                    question_in_words(Report(problem).document().question), (
         *section("Key", TableBlock(("", "quantity", "answer", "unit", "band", "points"), tuple(rows))),
         *handout.solution(number), *section("Mistakes", _mistakes(handout, variant, problem))))
 

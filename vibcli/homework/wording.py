@@ -5,7 +5,6 @@ import re
 from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.as_printed import as_printed
-from vibcli.notation.names import GREEK
 from vibcli.notation.plain import plain
 from vibcli.quantities.quantity import quantity_of
 from vibcli.symbolic.syntax import NameRef
@@ -17,24 +16,16 @@ if TYPE_CHECKING:
 
 TOGETHER = "\N{NO-BREAK SPACE}"
 QUANTITY = re.compile(r"[−-]?\d[\d.,]*(?:e[+-]?\d+)? \S+")
-WORD = re.compile(r"[^\W\d_]+\d*")
 PARTS = "stretch", "force", "power"
 NAMED_BY = "k", "c", "b", "torsion"
 STANDING = {"mode": ("mode i",), "number": ("family i",), "signal": ("a coordinate or signal", "a signal"),
             "time": ("an instant",), "amplitude": ("this amplitude",)}     # in what a quantity is, for what it is of
 
 
-def question_in_words(spec: "Spec", parts: "Sequence[Any]") -> "tuple[Any, ...]":
-    """The parts of a question, in which Greek names of the scene are letters, and no quoted value is broken."""
-    greek = {name: plain.symbol(name) for name in (*spec.parameters, *spec.coordinates)
-             if re.sub(r"\d+$", "", name) in GREEK}
-    return tuple(_set(part, greek) if isinstance(part, str) else part for part in parts)
-
-
-def _set(text, greek):
-    if QUANTITY.fullmatch(text):
-        return text.replace(" ", TOGETHER)
-    return WORD.sub(lambda word: greek.get(word[0], word[0]), text)
+def question_in_words(parts: "Sequence[Any]") -> "tuple[Any, ...]":
+    """The parts of a question, in which no quoted value is broken."""
+    return tuple(part.replace(" ", TOGETHER) if isinstance(part, str) and QUANTITY.fullmatch(part) else part
+                 for part in parts)
 
 
 def quantity_in_words(spec: "Spec", tree: Any, text: str) -> tuple[str, bool]:

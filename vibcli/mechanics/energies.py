@@ -75,11 +75,13 @@ def relative_potential(scene: "Scene") -> "Node | None":
 
 def textbook_kinetic(scene: "Scene") -> "Node":
     """T simplified: one fraction where it divides by a sum, as the mass of a body with holes, and that is shorter."""
-    from vibcli.symbolic.common_denominator import shorter
+    from vibcli.symbolic.common_denominator import divides, single
+    from vibcli.symbolic.nested_form import letters
 
-    found = textbook(kinetic(scene))
+    whole = kinetic(scene)
+    found = textbook(whole)
     try:
-        return shorter(found)
+        return min((found, single(found)), key=letters) if divides(whole) else found
     except TooLong:
         return found
 

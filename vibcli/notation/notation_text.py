@@ -3,7 +3,7 @@
 import re
 from typing import Any
 
-from vibcli.notation.plain import closing
+from vibcli.notation.radicals import closing
 
 _TOKEN = re.compile(
     r"(?P<number>\d+(?:\.\d+)?(?:e[+-]?\d+)?)|(?P<letter>[α-ωΑ-ΡΤ-Ω∂ℓ]|[A-Za-z]+)"

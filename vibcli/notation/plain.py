@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.notation.names import GREEK, SUBSCRIPT, factors_of, split_marks, split_name
 from vibcli.notation.numbers import NEGATIVE, added_as_decimal, common_denominator, decimal, shown_as_decimal
 from vibcli.notation.ordering import factor_rank, is_rooted, positive_first, term_rank, upright
-from vibcli.notation.radicals import is_constant, place, split
+from vibcli.notation.radicals import enclosed, is_constant, place, split
 from vibcli.symbolic.discontinuous_functions import PULSES
 from vibcli.symbolic.rationals import ONE
 
@@ -163,10 +163,9 @@ class Notation:
 
 
 class Plain(Notation):
-    """Unicode text; a no-break space holds a function and its argument together. `rounds`: are rationals with a large
-    denominator written as decimals?"""
+    """Unicode text; a no-break space holds a function and its argument together."""
 
-    dot, rounds = "·", True
+    dot, rounds = "·", True     # rationals with a large denominator are written as decimals
 
     def notation(self, text: str) -> str:
         return NEGATIVE.sub("−", text)
@@ -183,6 +182,10 @@ class Plain(Notation):
     def symbol(self, name: str) -> str:
         if factors := factors_of(name):
             return "".join(map(self.symbol, factors))
+        if "(" in name:
+            from vibcli.notation.typed_values import placed
+
+            return placed(name, self.symbol)
         name, marks = split_marks(name)
         letter, rest, primes = split_name(name)
         letter = GREEK.get(letter, letter)
@@ -239,21 +242,6 @@ class Plain(Notation):
         inner = self.product(ONE, (*above, *((base, -e) for base, e in below)))
         simple = re.fullmatch(r"[\w₀-₉]+", inner)
         return "√" + (inner if simple or enclosed(inner) else f"({inner})")
-
-
-def enclosed(text: str) -> bool:
-    """Is the text one pair of brackets around everything?"""
-    return closing(text, 0) == len(text) - 1
-
-
-def closing(text: str, at: int):
-    """The place of the bracket that closes the one at a place; None where there is none."""
-    depth = 0
-    for i in range(at, len(text)):
-        depth += (text[i] == "(") - (text[i] == ")")
-        if depth == 0:
-            return i if text[at] == "(" else None
-    return None
 
 
 plain = Plain()

@@ -1,4 +1,5 @@
-"""Roots in a product: √(2·X)/2 is √(X/2), √X/L is √(X/L²) where X is a quotient, √3/√X has two roots."""
+"""Roots in a product: √(2·X)/2 is √(X/2), √X/L is √(X/L²) where X is a quotient, √3/√X has two roots; and the
+brackets under them."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -103,3 +104,18 @@ def _with_number(inside, factors, above, below, root_above, root_below):
 def is_constant(node: "Node") -> bool:
     """Does a node hold no letter?"""
     return not any(part.op == "symbol" for part in reachable([node]))
+
+
+def enclosed(text: str) -> bool:
+    """Is the text one pair of brackets around everything?"""
+    return closing(text, 0) == len(text) - 1
+
+
+def closing(text: str, at: int):
+    """The place of the bracket that closes the one at a place; None where there is none."""
+    depth = 0
+    for i in range(at, len(text)):
+        depth += (text[i] == "(") - (text[i] == ")")
+        if depth == 0:
+            return i if text[at] == "(" else None
+    return None

@@ -4,7 +4,8 @@ import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from vibcli.notation.plain import Plain, enclosed
+from vibcli.notation.plain import Plain
+from vibcli.notation.radicals import enclosed
 from vibcli.symbolic.rationals import ONE
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.notation.names import factors_of, split_marks, split_name
 from vibcli.notation.notation_text import read
 from vibcli.notation.numbers import decimal, shown_as_decimal
-from vibcli.notation.plain import Notation
+from vibcli.notation.plain import Notation, plain
 from vibcli.notation.radicals import place
 from vibcli.symbolic.rationals import ONE
 
@@ -34,6 +34,7 @@ class Stacked(Notation):
     fraction: Callable[[str, str], str]
     sqrt: Callable[[str], str]
     magnitude: Callable[[str], str]
+    words: Callable[[str], str]
 
     def notation(self, text: str) -> str:
         return read(text, self)
@@ -47,6 +48,8 @@ class Stacked(Notation):
     def symbol(self, name: str) -> str:
         if factors := factors_of(name):
             return self.times(list(map(self.symbol, factors)))
+        if "(" in name:
+            return self.words(plain.symbol(name))
         name, marks = split_marks(name)
         letter, rest, primes = split_name(name)
         found = self.lettered(letter, rest.removeprefix("_"), primes)

@@ -81,8 +81,29 @@ def _quoting(spec, text):
             part = re.sub(r"\s+", " ", part)
             part = part.lstrip() if i == 0 else part
             part = part.rstrip() if i == len(words) - 1 else part
-            yield from [part] if part else []
+            yield from _with_symbols(part, (*spec.parameters, *spec.coordinates))
             continue
         record = spec.parameters[plain_name(part)]
         known = "value" in record and plain_name(part) not in spec.choices
         yield as_printed(record["value"].text, set(spec.parameters)) if known else maths(Name(plain_name(part)))
+
+
+def _with_symbols(text, names):
+    """Words with the names of the scene that have symbols, as phi1 and k2, by these; powers and products in print."""
+    from vibcli.notation.plain import plain
+
+    words = ""
+    for i, word in enumerate(re.split(r"(?<![\w.\[])([^\W\d]\w*'*)(?![\w\[(]|\.\w)", text)):
+        if i % 2 and word.rstrip("'") in names and plain.symbol(word) != word:
+            yield from filter(None, (_in_print(words), maths(Name(word))))
+            words = ""
+        else:
+            words += word
+    yield from filter(None, (_in_print(words),))
+
+
+def _in_print(words):
+    from vibcli.notation.typed_values import SUPERSCRIPT
+
+    words = re.sub(r"\^(-?\d+)(?!\d|\.\d|/)", lambda found: found[1].translate(SUPERSCRIPT), words)
+    return re.sub(r"(?<=\w)\*(?=\w)", "·", words).replace("sqrt(", "√(")

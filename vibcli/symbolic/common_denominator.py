@@ -1,14 +1,13 @@
 """One fraction bar: a sum of quotients over a common denominator, all coefficients whole, common factors cancelled."""
 
-from collections.abc import Mapping
 from fractions import Fraction
 from math import gcd, lcm
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters, nested
-from vibcli.symbolic.node import remembered, times
-from vibcli.symbolic.normal_form import TooLong, add, cleared, expanded, factors_of, reduced
+from vibcli.symbolic.node import remembered
+from vibcli.symbolic.normal_form import TooLong, cleared, expanded, factors_of, reduced
 from vibcli.symbolic.rationals import ONE, ZERO
 
 if TYPE_CHECKING:
@@ -23,9 +22,13 @@ def single(node: "Node") -> "Node":
 @remembered
 def shorter(node: "Node") -> "Node":
     """The node, as one fraction where it divides by a sum and that is shorter."""
-    divides = any(base.op == "sum" and e < 0 for part in reachable([node]) if part.op == "product"
-                  for base, e in part.args)
-    return min((node, single(node)), key=letters) if divides else node
+    return min((node, single(node)), key=letters) if divides(node) else node
+
+
+def divides(node: "Node") -> bool:
+    """Does a part of the node divide by a sum?"""
+    return any(base.op == "sum" and e < 0 for part in reachable([node]) if part.op == "product"
+               for base, e in part.args)
 
 
 @remembered
@@ -72,31 +75,14 @@ def _written(table, terms):
 
 def _cancelled(above, base, e):
     """(polynomial, exponent left) after dividing by a sum of the denominator as often as it goes."""
-    divisor = expanded(base, ()) if base.op == "sum" else None
-    while divisor and e <= -1:
+    if base.op != "sum":
+        return above, e
+    from vibcli.symbolic.exact_division import divided
+
+    divisor = expanded(base, ())
+    while e <= -1:
         found = divided(above, divisor)
         if found is None:
             break
         above, e = found, e + 1
     return above, e
-
-
-def divided(terms: "Mapping[tuple[tuple[Node, int], ...], Fraction | int]", divisor: Any):
-    """The polynomial terms/divisor where the division leaves no rest, else None."""
-    lead = max(divisor, key=_rank)
-    rest, found = dict(terms), {}
-    while rest:
-        top = max(rest, key=_rank)
-        power = times(top, lead, -1)
-        if any(e < 0 for _, e in power) or len(found) > len(terms):
-            return None
-        value = Fraction(rest[top]) / divisor[lead]
-        found[power] = value
-        for monomial, c in divisor.items():
-            add(rest, times(power, monomial), -value * c)
-    return found
-
-
-def _rank(monomial):
-    """Lexicographic order by the indices of the atoms, the degree first."""
-    return sum(e for _, e in monomial), [(-atom.index, e) for atom, e in monomial]

@@ -7,6 +7,7 @@ factors taken out. Work is bounded; what grows beyond MOST terms is left as it i
 from collections.abc import Collection, Mapping
 from fractions import Fraction
 from functools import reduce
+from itertools import combinations
 from math import gcd
 from typing import TYPE_CHECKING, Any
 
@@ -24,7 +25,6 @@ MOST = 300
 
 class TooLong(ArithmeticError):
     """More than MOST terms."""
-
 
 def expanded(node: "Node", kept: "Collection[Node] | None" = None):
     """{monomial: coefficient}, a monomial being a tuple of (atom, exponent) in the order of the atoms' indices. Sums
@@ -103,14 +103,9 @@ def reduced(terms: Any) -> "dict[tuple[tuple[Node, Fraction | int], ...], Fracti
 def _shorten(terms, monomial):
     """Apply one identity that starts from `monomial`; True if one was found."""
     sines = [(atom, e) for atom, e in monomial if atom.name in ("sin", "cos") and e >= 1 and e.denominator == 1]
-    for atom, e in sines:
-        if (e >= 2 and _square(terms, monomial, atom)) or (e >= 4 and _fourth_power(terms, monomial, atom)):
-            return True
-    for i, (a, _) in enumerate(sines):
-        for b, _ in sines[i + 1:]:
-            if a.args != b.args and _addition(terms, monomial, a, b):
-                return True
-    return False
+    return any((e >= 2 and _square(terms, monomial, atom)) or (e >= 4 and _fourth_power(terms, monomial, atom))
+               for atom, e in sines) or any(
+        a.args != b.args and _addition(terms, monomial, a, b) for (a, _), (b, _) in combinations(sines, 2))
 
 
 def _square(terms, monomial, atom):
@@ -119,12 +114,10 @@ def _square(terms, monomial, atom):
     rest = times(monomial, ((atom, Fraction(2)),), -1)
     other = atom.table.call("cos" if atom.name == "sin" else "sin", *atom.args)
     partner = times(rest, ((other, Fraction(2)),))
-    if terms.get(partner) == value:
-        _move(terms, (monomial, partner), rest, value)
-        return True
-    if terms.get(rest) == -value:
-        _move(terms, (monomial, rest), partner, -value)
-        return True
+    for other, left, c in ((partner, rest, value), (rest, partner, -value)):
+        if terms.get(other) == c:
+            _move(terms, (monomial, other), left, c)
+            return True
     return False
 
 
@@ -209,10 +202,9 @@ def cleared(terms: "Mapping[tuple[tuple[Node, Fraction | int], ...], Fraction | 
 def textbook(node: "Node"):
     """The expression expanded, collected by its variable parts, each coefficient with common factors taken out."""
     try:
-        terms = reduced(expanded(_unnested(node)))
+        return collected(node.table, reduced(expanded(_unnested(node))))
     except (TooLong, ZeroDivisionError):
         return node
-    return collected(node.table, terms)
 
 
 def _unnested(node):
@@ -232,8 +224,18 @@ def collected(table: "Table", terms: "Mapping[tuple[tuple[Node, Fraction | int],
         variable = tuple(pair for pair in monomial if pair[0].mask)
         fixed = tuple(pair for pair in monomial if not pair[0].mask)
         groups.setdefault(variable, {})[fixed] = value
-    parts = [table.product(*factors_of(table, fixed), *variable) for variable, fixed in groups.items()]
+    parts = [table.product(*factors_of(table, _whole(fixed)), *variable) for variable, fixed in groups.items()]
     return table.sum(*((part, ONE) for part in parts))
+
+
+def _whole(terms):
+    """A polynomial of parameters without the sums that it is divided by, where they go into it."""
+    for total in dict.fromkeys(atom for monomial in terms for atom, e in monomial
+                               if atom.op == "sum" and e.denominator == 1 and not atom.mask):
+        from vibcli.symbolic.exact_division import without
+
+        terms = without(total, terms, cleared, expanded)
+    return terms
 
 
 def factors_of(table: "Table", terms: Any) -> "tuple[tuple[Node, Fraction | int], ...]":
@@ -243,12 +245,9 @@ def factors_of(table: "Table", terms: Any) -> "tuple[tuple[Node, Fraction | int]
         return ((table.zero, ONE),)
     if len(monomials) == 1:
         return ((table.number(terms[monomials[0]]), ONE), *monomials[0])
-    common = {}
-    for atom in {atom for monomial in monomials for atom, _ in monomial}:
-        least = min(dict(monomial).get(atom, ZERO) for monomial in monomials)
-        if least:
-            common[atom] = least
-    content = tuple(sorted(common.items(), key=lambda pair: pair[0].index))
+    common = {atom: min(dict(monomial).get(atom, ZERO) for monomial in monomials)
+              for atom in {atom for monomial in monomials for atom, _ in monomial}}
+    content = tuple(sorted((pair for pair in common.items() if pair[1]), key=lambda pair: pair[0].index))
     scale = _scale(list(terms.values()))
     inner = {times(monomial, content, -1): value / scale for monomial, value in terms.items()}
     root = square_root(inner)

@@ -648,7 +648,7 @@ def printed(capsys, *args):
 @pytest.mark.parametrize("command", ["solve", "frequencies", "equations"])
 def test_commands_say_what_was_chosen(command, file, capsys):
     out = printed(capsys, command, file)
-    assert "Chosen\n  c so that zeta[1] = 1\n  c = 2·√(m·k) = 80 N·s/m\n  checked by substitution" in out
+    assert "Chosen\n  c so that ζ₁ = 1\n  c = 2·√(m·k) = 80 N·s/m\n  checked by substitution" in out
     assert out.count("Chosen") == 3
     if command == "solve":
         assert "critically damped" in out and "Given\n  m = 2 kg   k = 800 N/m\n" in out

@@ -3,6 +3,8 @@
 import pytest
 
 from vibcli.notation.as_printed import as_printed
+from vibcli.notation.latex import latex
+from vibcli.notation.plain import plain
 
 
 @pytest.mark.parametrize(("typed", "printed"), [
@@ -10,6 +12,15 @@ from vibcli.notation.as_printed import as_printed
     ("2*pi*f1", "2·π·f₁"), ("m1 * g / (2*k)", "m₁·g / (2·k)"), ("4 N/m^1.5", "4 N/m^1.5"),
     ("3 N/m^(3/2)", "3 N/m^(3/2)"),
     ("1.2 kN/m", "1.2 kN/m"), ("45  deg", "45°"), ("10 1/s", "10 1/s"), ("5 s^-1", "5 s⁻¹"), ("omega/2", "ω/2"),
-    ("phi deg", "φ deg"), ("sqrt(2)*k", "√(2)·k")])
+    ("phi deg", "φ deg"), ("sqrt(2)*k", "√(2)·k"),
+    ("omega[2] = 3*omega[1]", "ω₂ = 3·ω₁"), ("omega_d[12]", "ω_d₁₂"), ("phi'(2 s)", "φ̇(2 s)"),
+    ("abs(frf[y, drive](omega)) = 1/(m1*omega^2)", "|frf[y, drive](ω)| = 1/(m₁·ω²)"),
+    ("2*(abs(k - 1) + 1)", "2·(|k − 1| + 1)")])
 def test_signs_are_those_of_print(typed, printed):
     assert as_printed(typed, {"f1", "m1", "g", "k", "omega", "phi"}) == printed
+
+
+def test_places_on_members_are_set_in_print():
+    assert plain.symbol("blade.phi(2*L1/3)'") == "blade.φ̇(2·L₁/3)"
+    assert plain.symbol("blade.slope(0 m)''") == "blade.slope(0 m)''"
+    assert latex.symbol("blade.phi(L1)") == r"\text{blade.\ensuremath{\varphi}(L\ensuremath{{}_{1}})}"

@@ -185,7 +185,7 @@ springs: {s: {k: k, between: [ground, b]}}
 choose: {k: "omega[1] = w"}
 """
     lines = worked(settled(problem(text)))
-    assert "ω² = k/m" in told(lines)[-2] and told(lines)[-1] == "so that omega[1] = w:  k = m·w²"
+    assert "ω² = k/m" in told(lines)[-2] and told(lines)[-1] == "so that ω₁ = w:  k = m·w²"
     lines = worked(settled(problem(text.replace("{m: , k: , w: }", "{m: 2 kg, k: , w: 3 rad/s}"))))
     assert lines[-1].value == pytest.approx(18.0) and "= 18 N/m" in told(lines)[-1]
 

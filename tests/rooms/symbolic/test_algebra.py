@@ -9,6 +9,7 @@ import sympy
 from support.scenes import number
 from support.trees import NAMES, SYMBOLS, new_table, real, symbol, trees, values
 
+from vibcli.notation.plain import plain
 from vibcli.notation.scene_language import language
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate, from_sympy, multiprecision, sympy_arithmetic
@@ -358,3 +359,20 @@ def test_bars_of_what_has_one_sign_are_left_out():
     assert without_bars(node, [values]) is b / u + u
     values["L"] = 0.1
     assert without_bars(node, [values]) is -b / u - u
+
+
+@pytest.mark.parametrize(("text", "short"), [
+    ("(x*R*m*g*(R + r)/2 + r^2*m*g/2*x - R^2*m*g/2*x)/(R + r)", "x*m*g*r/2"),
+    ("k*x - g*(r^2*m + r^2*k - R^2*m - R^2*k)*x/(2*(R + r))", "k*x - g*(r*m + r*k - R*m - R*k)*x/2"),
+    ("x*(R*(R + r)/2 + r*(R + r) - 3*R^2/8 - 5*R*r/4 - r^2)*m + x'/(R + r)", "x*m*R*(R/8 + r/4) + x'/(R + r)"),
+    ("x*m/(R + r) + x'*k/(R + r)", "x*m/(R + r) + x'*k/(R + r)")])
+def test_sums_of_parameters_below_a_line_cancel(text, short):
+    """Where they go into what stands above, and leave no brackets in other terms."""
+    table = Table()
+    names = {name: table.parameter(name) for name in "mgkRr"} | {"x": table.variable("x"), "x'": table.variable("x'")}
+
+    def node(typed):
+        return lower(parse(typed), table, lambda name, primes, _: names[name + "'" * primes])
+
+    assert plain(textbook(node(text))) == plain(textbook(node(short)))
+    assert plain(textbook(node(text))).count("(") <= short.count("(")

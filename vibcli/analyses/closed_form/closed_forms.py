@@ -5,7 +5,7 @@ from typing import Any
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.nested_form import letters
 
-READABLE = 50       # letters in all amplitudes of a mode
+READABLE, LONGEST = 50, 100     # letters in all amplitudes of a mode, and of an expression, above which it is not read
 
 
 class ClosedMode(NamedTuple):
@@ -32,6 +32,10 @@ class ClosedMode(NamedTuple):
     @property
     def readable(self) -> bool:
         return self.shape is not None and sum(map(letters, self.shape)) <= READABLE
+
+    @property
+    def short(self) -> bool:
+        return letters(self.omega) <= LONGEST
 
 
 class ClosedForms(NamedTuple):

@@ -11,6 +11,7 @@ from vibcli.report.blocks import Either, Factor, Maths, Name, SumOfTerms, WithNu
 
 FEW, STUB = 40, 12  # characters of words that stay in a row; columns that no row ends with
 WORD = re.compile(r"^\s+|\S+\s*")
+TENS = re.compile(r"(?<![\w.])(\d+(?:\.\d+)?)e([+-]?)0*(\d+)\b")
 BREAK = re.compile(r"(?= [+−=<>] )")
 
 
@@ -34,13 +35,20 @@ def without_words(parts: Sequence[str | Maths]) -> Iterator[str | Maths]:
     """Running text in which the words within formulas stand outside of them, and the space that ends one too."""
     for part in parts:
         if not isinstance(part, Maths):
-            yield part
+            yield with_tens(part)
             continue
         for are_words, group in groupby(part.parts, lambda one: isinstance(one, Words)):
             found = tuple(group)
-            yield "".join(one.text for one in found) if are_words else Maths(found)
+            yield with_tens("".join(one.text for one in found)) if are_words else Maths(found)
             if isinstance(found[-1], str) and found[-1].endswith(" "):
                 yield " "
+
+
+def with_tens(text: str) -> str:
+    """Words with the powers of ten of their numbers as they are printed: 3.3·10⁻¹⁷."""
+    from vibcli.notation.typed_values import SUPERSCRIPT
+
+    return TENS.sub(lambda found: f"{found[1]}·10{(found[2].strip('+') + found[3]).translate(SUPERSCRIPT)}", text)
 
 
 def rows(parts: Any, write: Any, columns: int) -> list[str]:
@@ -89,7 +97,7 @@ def _pieces(part, write):
     if isinstance(part, str):
         return [write.notation(text) for text in _split(part)]
     if isinstance(part, Words):
-        return [write.words(part.text)]
+        return [write.words(part.text if write is plain else with_tens(part.text))]
     if isinstance(part, Name):
         return [write.symbol(part.text)]
     if isinstance(part, Factor):

@@ -5,6 +5,8 @@ from collections.abc import Callable, Sequence
 
 from vibcli.notation.latex import Latex, latex
 from vibcli.notation.latex_text import escaped
+from vibcli.notation.numbers import width
+from vibcli.notation.plain import plain
 from vibcli.report.blocks import (
     Definitions,
     Document,
@@ -17,8 +19,11 @@ from vibcli.report.blocks import (
     TableBlock,
 )
 from vibcli.report.formats.formula import formula, rows, without_words
+from vibcli.report.formats.text import running
 
 COLUMNS = 95        # of plain text, in a row of a formula
+FITTING, ROWS = 60, 30      # columns of a row, or of a table of so many rows, that surely fits a page
+LABEL, BOX = 20, 30         # of a label beside its formula; of a definition that is not broken
 _SIGNED = re.compile(r"(?=.*[-−e])[-−]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 HEAD = r"""\documentclass[11pt,a4paper,fleqn]{article}
 \usepackage[T1]{fontenc}
@@ -32,6 +37,7 @@ HEAD = r"""\documentclass[11pt,a4paper,fleqn]{article}
 \setlength{\parskip}{4pt}
 \setlength{\emergencystretch}{3em}
 \allowdisplaybreaks
+\newcommand{\wide}[1]{\resizebox{\ifdim\width>0.84\linewidth 0.84\linewidth\else\width\fi}{!}{#1}}
 \begin{document}
 """
 
@@ -64,23 +70,40 @@ def _running(parts):
 
 
 def _equations(block):
-    lines = " \\\\\n".join(aligned(block, latex))
+    lines = " \\\\\n".join(aligned(block, latex, _fitted_rows))
     return f"\\begin{{align*}}\n{lines}\n\\end{{align*}}"
 
 
-def aligned(block: Equations, write: Latex) -> list[str]:
+def _fitted_rows(parts, write, columns):
+    """Rows of a formula, made smaller where they may be too wide for a page."""
+    return [rf"\wide{{$\displaystyle {row}$}}" if width(text) > FITTING else row for row, text in zip(
+        rows(parts, write, columns), rows(parts, plain, columns), strict=True)]
+
+
+def aligned(block: Equations, write: Latex, broken: Callable = rows) -> list[str]:
     """Rows of an alignment: labels, then formulas, broken where they are long."""
     found = []
     for line in block.lines:
-        first, *others = rows(line.parts, write, COLUMNS)
+        first, *others = broken(line.parts, write, COLUMNS)
         label = formula(line.label, write) + r":\quad" if line.label else ""
+        if width(formula(line.label, plain)) > LABEL:
+            found.append(rf"& {{}} {label}")
+            label = ""
         head = f"{label} & {{}}".lstrip()
         found += [f"{head} {first}", *(rf"& {{}}\qquad {other}" for other in others)]
     return found
 
 
 def _paragraph(block):
-    return _running(block.parts) + "\n"
+    """Running text; a formula that is wider than a line stands apart."""
+    told = ""
+    for part in without_words(block.parts):
+        if isinstance(part, Maths) and width(formula(part.parts, plain)) > COLUMNS:
+            apart = " \\\\\n".join(f"& {row}" for row in _fitted_rows(part.parts, latex, COLUMNS))
+            told = told.rstrip() + f"\n\\begin{{align*}}\n{apart}\n\\end{{align*}}\n"
+        else:
+            told += _running((part,))
+    return told + "\n"
 
 
 def _heading(block):
@@ -88,9 +111,14 @@ def _heading(block):
 
 
 def _table(block):
+    """A table; where it may be too wide, it is made smaller."""
     head, *body = (" & ".join(map(_cell, row)) + r" \\" for row in (block.head, *block.rows))
-    return (f"\\begin{{longtable}}[l]{{{'l' * len(block.head)}}}\n{head} \\hline\n\\endhead\n"
-            + "".join(f"{{}}{row}\n" for row in body) + "\\end{longtable}")
+    layout, lines = "l" * len(block.head), "".join(f"{{}}{row}\n" for row in body)
+    columns = zip(block.head, *block.rows, strict=True)
+    size = sum(max(width(running((cell,))) + 2 for cell in column) for column in columns)
+    if size > FITTING and len(body) <= ROWS:
+        return f"\\wide{{\\begin{{tabular}}{{{layout}}}\n{head} \\hline\n{lines}\\end{{tabular}}}}\n"
+    return f"\\begin{{longtable}}[l]{{{layout}}}\n{head} \\hline\n\\endhead\n{lines}\\end{{longtable}}"
 
 
 def _cell(cell):
@@ -106,7 +134,9 @@ def is_signed(cell: str | Maths) -> bool:
 
 def _definitions(block):
     items = [_running(item.term) + (rf" \quad {escaped(item.about)}" if item.about else "") for item in block.items]
-    return (" \\quad\n".join(f"\\mbox{{{item}}}" for item in items) if block.flowing else
+    sizes = [width(running(item.term) + item.about) for item in block.items]
+    return (" \\quad\n".join(item if size > BOX else f"\\mbox{{{item}}}"
+                              for item, size in zip(items, sizes, strict=True)) if block.flowing else
             "\n\n".join(items)) + "\n"
 
 

@@ -1,7 +1,7 @@
 """The parameters that a scene chose: as a section of a report, and as data."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.numbers import figure, quantity
@@ -20,7 +20,7 @@ WORDS = {BALANCE: "the drawn position is an equilibrium", LIMIT: "the equilibriu
 def chosen(problem: "Problem", _: "Report") -> Iterator[Section]:
     """Conditions, solutions with closed form and number, and how well they hold."""
     found = problem.choice
-    texts = dict.fromkeys(map(condition_told, found.conditions.values()))
+    texts = dict.fromkeys(condition_told(text, names_of(problem)) for text in found.conditions.values())
     told = paragraph(*separated(maths(Name(name)) for name in found.conditions), f" so that {', '.join(texts)}")
     several = len(found.solutions) > 1
     residual = figure(max(solution.residual for solution in found.solutions), digits=2)
@@ -33,12 +33,17 @@ def chosen(problem: "Problem", _: "Report") -> Iterator[Section]:
                        paragraph("what follows is with the first solution", hang=None) if several else None)
 
 
-def condition_told(text: str) -> str:
-    """A condition in words, or as it was typed, a quantity on its right as it is printed: c = 0.2 N·s/m."""
+def condition_told(text: str, names: Collection[str] = ()) -> str:
+    """A condition in words, or what was typed as it is printed: c = 0.2 N·s/m, ω₂ = 3·ω₁; `names`: those of the
+    scene."""
     from vibcli.notation.as_printed import as_printed
 
-    head, sign, value = text.rpartition(" = ")
-    return WORDS.get(text) or (f"{head}{sign}{as_printed(value)}" if QUANTITY.match(value) else text)
+    return WORDS.get(text) or as_printed(text, names)
+
+
+def names_of(problem: "Problem") -> list[str]:
+    """The names that a condition may hold."""
+    return [*problem.spec.parameters, *problem.scene.coordinates]
 
 
 def _lines(problem, several):

@@ -78,11 +78,12 @@ def equations(problem: "Problem", report: "Report") -> Iterator[Section]:
         yield from _unbent(problem, report)
         return
     linear, drives = None, _drives(problem, found)
-    if found.linear:
-        linear = blocks.equations(
-            line(node, " = ", drives[i], label=Name(name))
-            for i, (name, node) in enumerate(zip(coordinates, found.linear, strict=True)))
     numbers = not problem.numeric.has_free_symbols and len(coordinates) <= WRITTEN_OUT
+    if found.linear:
+        whole = "; in numbers below" if numbers else "; see --json"
+        linear = blocks.equations(
+            line(brief(node, whole), " = ", brief(drives[i], whole), label=Name(name))
+            for i, (name, node) in enumerate(zip(coordinates, found.linear, strict=True)))
     drawn = problem.symbolic.balanced_as_drawn
     yield from section(
         "Small oscillations about the equilibrium" + ("" if drawn else ", the coordinates counted from it"), linear,

@@ -77,9 +77,13 @@ def words_of(problem: "Problem", name: str) -> str:
 
 def _on_member(name):
     """A coordinate that a member brings, in words."""
+    from vibcli.notation.plain import plain
+    from vibcli.notation.typed_values import set_in_print
+
     signal, bracket, place = name.partition("(")
     member, _, part = signal.partition(".")
-    return f"{OF_MEMBERS[part.partition('.')[0]]} of {member} at {place.removesuffix(')')}" if bracket else ""
+    place = set_in_print(place.removesuffix(")"), plain.symbol)
+    return f"{OF_MEMBERS[part.partition('.')[0]]} of {member} at {place}" if bracket else ""
 
 
 def _no_freedom(problem):

@@ -76,10 +76,10 @@ def _of_members(problem, found, head, rows, doubts):
 
 
 def _form(problem):
-    """The closed form of the frequency of one degree of freedom."""
+    """The closed form of the frequency of one degree of freedom, if it is readable."""
     if len(problem.scene.coordinates) == 1 and problem.symbolic.linearisable and problem.modal.modes[0].omega:
         form = problem.closed_forms
-        if form is not None:
+        if form is not None and form.modes[0].short:
             return equations([line("ω = ", form.modes[0].omega, hang=None)])
     return None
 

@@ -45,7 +45,8 @@ def virtual_work(problem: "Problem", report: "Report") -> Iterator[Section]:
     for name, node in zip(names, shown, strict=True):
         vanishes = balanced and not (jumps or scene.constraints or node.is_zero or problem.system.sticking is not None)
         lines.append(line(f"Q_{name} = ", brief(node), " = 0" if vanishes else ""))
-    driven = ", and of the inertia of driven motion" if scene.timed and scene.inertias else ""
+    moved = any(term.s.mask & scene.time.mask for term in scene.inertias) if scene.timed else False
+    driven = ", and of the inertia of driven motion" if moved else ""
     yield from section(f"Virtual work at rest{' in equilibrium' * balanced}", blocks.equations(lines),
                        *with_lengths(lengths), *with_numbers(problem, shown),
                        note(f"of weights, springs and steady loads{driven}"))

@@ -30,7 +30,6 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
-LONGEST = 100           # letters of an expression, above which it is not read
 OMEGA = "ω"
 MARK = "𝔇"              # stands under the root while the rest is written
 LONG = "(an expression too long to read; see --json)"
@@ -99,12 +98,14 @@ def _modes(modes):
 def _of_one(mode, same):
     if mode.unstable:
         return line(Words(f"mode {mode.index} is unstable: it grows as "), "exp(s·t), s = ", mode.omega)
-    shown = mode.omega if letters(mode.omega) <= LONGEST else Words(LONG)
+    shown = mode.omega if mode.short else Words(LONG)
     return line("".join(f"ω{lowered(other.index)} = " for other in same), shown)
 
 
 def _of_two(twin):
     """ω₁,₂² = (B ∓ √D)/A, or the quadratic equation where that is long; None where D is a number or a root unstable."""
+    from vibcli.analyses.closed_form.closed_forms import LONGEST
+
     pair, names = twin[0].pair, [lowered(mode.index) for mode in twin]
     if not pair.in_letters or twin[0].unstable:
         return None
@@ -112,7 +113,7 @@ def _of_two(twin):
     node = pair.both(mark)
     if letters(node) + letters(pair.root) <= LONGEST and plain(node).count(f" + √{MARK}") == 1:
         return line(f"ω{','.join(names)}² = ", Either(node, mark, pair.root))
-    if all(letters(mode.omega) <= LONGEST for mode in twin):
+    if all(mode.short for mode in twin):
         return None
     return line(f"ω{names[0]}²", Words(" and "), f"ω{names[1]}²", Words(" are the roots "), "λ", Words(" of "),
                 _polynomial(pair.equation()), " = 0")
@@ -120,6 +121,8 @@ def _of_two(twin):
 
 def _equation(coefficients):
     """A polynomial = 0, or its degree where it is too long to read."""
+    from vibcli.analyses.closed_form.closed_forms import LONGEST
+
     if sum(map(letters, coefficients)) > 3 * LONGEST:
         return line(Words(f"a polynomial of degree {len(coefficients) - 1}, too long to read; see --json"))
     return line(_polynomial(coefficients), " = 0")

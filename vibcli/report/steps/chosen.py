@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.numbers import figure, quantity
 from vibcli.report.blocks import Name, Words
-from vibcli.report.sections.design_parameters import condition_parts, condition_told
+from vibcli.report.sections.design_parameters import condition_parts, condition_told, names_of
 from vibcli.report.steps.step import WorkedSolution
 
 if TYPE_CHECKING:
@@ -40,6 +40,6 @@ def tell_chosen(problem: "Problem", sheet: WorkedSolution) -> None:
         more = [figure(float(one.values[name])) for one in others if one.values[name] is not None]
         left += f"   (the first of the solutions; others: {', '.join(more)})" if more else ""
         uses = [line.number for line in sheet.steps if line.settles and line.settles in condition]
-        told = f"so that {condition_told(condition)}:  "
+        told = f"so that {condition_told(condition, names_of(problem))}:  "
         sheet.write(Words(told), *parts, Words(left), settles=name, node=form, uses=uses or [sheet.last],
                     value=None if value is None else float(value), unit=unit.strip())

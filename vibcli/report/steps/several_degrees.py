@@ -27,7 +27,9 @@ class SeveralDegrees:
 
     def __init__(self, about: AboutRest, sheet: WorkedSolution, found: SmallEquations):
         self.about, self.sheet, self.found, self.problem = about, sheet, found, about.problem
-        two = len(about.scene.q) == 2 and not (found.G and found.C) and not about.problem.symbolic.configuration.falls
+        self._free = not (found.K or found.G)
+        two = len(about.scene.q) == 2 and not (self._free or (found.G and found.C)
+                                               or about.problem.symbolic.configuration.falls)
         self.two = TwoDegrees(about, sheet, found) if two else None
 
     def write(self) -> None:
@@ -39,6 +41,10 @@ class SeveralDegrees:
         if self.two is not None:
             lines += self.two.determinant(lines)
             self._letters = self.two.letters
+        elif self._free:
+            of_M = Name(self.sheet.matrix("M"))
+            lines.append(self.sheet.write(Words("nothing is stiff:  "), "det(ω²·", of_M, ") = 0", Words("  for  "),
+                                          "ω = 0", Words(" alone"), settles="det(omega^2*M)", uses=lines))
         elif len(self.about.scene.q) == 3 and not self.found.G:
             self._letters, _, told_in = tell_polynomial(self.about, self.sheet, self.found, lines)
             lines += told_in

@@ -110,7 +110,8 @@ class SteadyState:
             turned = ["(", *argument, ")"] if len(argument) > 3 or argument[0].op == "sum" else argument
             form = [Words(f"the {part} part of  "), X, "·exp(i·", *turned, ")"]
         head = [Words("steady state"), *(under if self.several else []), Words(": each coordinate is  "), *form]
-        equations = [Words("  with  "), "(", K, " − ", Factor(Omega ** 2), "·", M, *rates, ")·", X, " = ", F]
+        stiff = [K, " − "] if self.found.K else ["−"]
+        equations = [Words("  with  "), "(", *stiff, Factor(Omega ** 2), "·", M, *rates, ")·", X, " = ", F]
         return sheet.write(*head, *([] if self.several else what), *equations, settles="steady state",
                            uses=self.found.lines)
 

@@ -1,0 +1,67 @@
+"""What stands in reports as it is set in print: symbols within questions, words that hold, formulas that are read."""
+
+import pytest
+from support.scenes import problem
+
+from vibcli.api.reports import STEPS, report, solution
+from vibcli.report.blocks import Name, maths
+from vibcli.report.formats import html, text
+
+ASKED = """
+question: "Of k2 x^2 and 2*a sin(Omega1 t) let phi1' be {a}, k2.force or k3 (R/n^2)."
+parameters: {a: 3 N*s/m, k2: 4 N/m, Omega1: 5 rad/s, m: 2 kg}
+bodies: {b: {mass: m, slide: x}, d: {inertia: 1 kg*m^2, turn: phi1}}
+springs: {s: {k: k2, between: [ground, b]}, t: {torsion: 1 N*m, between: [ground, d]}}
+forces: {f: {at: b, force: a*(1 m)*Omega1*sin(Omega1*t)}}
+"""
+HELD = """
+parameters: {F: 8 N}
+bodies: {b: {mass: 1 kg, at: [0, 0], slide: x}}
+constraints: {wall: {equation: x = 0}}
+forces: {f: {at: b, force: [F, 0]}}
+find: [equilibrium, reactions]
+"""
+FREE = "bodies: {a: {mass: 2 kg, slide: x}, b: {mass: 3 kg, slide: y}, c: {mass: 1 kg, slide: z}}\n"
+NESTED = """
+parameters: {m: 2 kg, %s}
+bodies: {b: {mass: m, slide: x}}
+springs: {%s}
+"""
+
+
+def told(scene, sections=None):
+    found = problem(scene)
+    return report(found, sections or solution(found)).document()
+
+
+def test_questions_have_symbols():
+    """Of names that the scene has, not within names of others; powers and products, roots too."""
+    found = told(ASKED)
+    assert found.question[:2] == ("Of ", maths(Name("k2")))
+    assert text.render([found]).split("\n")[3] == \
+        "Of k₂ x² and 2·a sin(Ω₁ t) let φ̇₁ be 3 N·s/m, k2.force or k3 (R/n²)."
+    assert "3 N·s/m, k2.force" in html.render([found])
+
+
+def test_loads_alone_drive_nothing():
+    assert "(of weights, springs and steady loads)" in text.render([told(ASKED)])
+
+
+def test_where_all_is_held_the_forces_are_its_equilibrium():
+    found = problem(HELD)
+    made = report(found, solution(found))
+    assert made.refusal is None and "b.reaction.x  -8 N" in text.render([made.document()])
+
+
+def test_nothing_is_called_back_without_stiffness():
+    shown = text.render([told(FREE, STEPS)])
+    assert "nothing is stiff:  det(ω²·M) = 0  for  ω = 0 alone" in shown and "K" not in shown
+
+
+@pytest.mark.parametrize("count", [3, 40])
+def test_a_frequency_that_is_too_long_to_read_is_told_by_its_number(count):
+    names = [f"kay{i}" for i in range(count)]
+    scene = NESTED % (", ".join(f"{name}: {i + 3} N/m, arm{i}: {i + 2}" for i, name in enumerate(names)), ", ".join(
+        f"s{i}: {{k: {name}*arm{i}^2/(1 + arm{i}), between: [ground, b]}}"
+        for i, name in enumerate(names)))
+    assert ("\n  ω = √" in text.render([told(scene)])) is (count == 3)
