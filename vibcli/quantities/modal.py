@@ -73,8 +73,7 @@ def _growth_rate(problem, tree, args):
 
 def largest(problem: "Problem", tree: "QuantityRef") -> float:
     """The largest angular frequency or growth rate."""
-    return max((float(mode.omega or mode.growth_rate or 0.0) for mode in problem.modal.modes.shown()),
-               default=0.0)
+    return max((float(mode.omega or mode.growth_rate or 0.0) for mode in problem.modal.modes.shown()), default=0.0)
 
 
 def ten(problem: "Problem", tree: "QuantityRef") -> float:
@@ -91,8 +90,7 @@ def _shape(problem, tree, args):
     shape, placed = problem.modal.shape(mode), signal_name(signal)
     if placed.name in problem.spec.members and placed.kind not in OF_COORDINATES:
         return amplitude_as_asked(problem, *_along_member(problem, mode, placed))
-    amplitude = along(problem, shape, signal)
-    return amplitude_as_asked(problem, amplitude, shape)
+    return amplitude_as_asked(problem, along(problem, shape, signal), shape)
 
 
 def _along_member(problem, mode, signal):

@@ -27,6 +27,7 @@ POINTS, INSIDE = 24, 8.0        # of the circle, and how far inside the poles th
 NEAR, LOW = 0.3, 32     # of |λ|: how near to s a mode is near; the slowest are near in any case
 NONE = 8                # of the last powers of the circle, which R has not: they show what rounds
 SURE = 4.0              # times what these show
+POLES = 1e3             # times what rounds, of poles
 EPSILON = 2.0**-52
 
 
@@ -42,11 +43,12 @@ class RestOfTransfer:
         self.modes, self.transfer, self.states = modes, transfer, modes.states
         self._taylor: dict[Any, np.ndarray] = {}
         self._near: dict[complex, np.ndarray] = {}
+        self._reach = NEAR * np.abs(self.states.rates)
 
     def near(self, s: complex) -> np.ndarray:
         """Which states are near e^{st}, (states,)."""
         if s not in self._near:
-            self._near[s] = (self._apart(s) <= NEAR * np.abs(self.states.rates)) | (self.states.modes < LOW)
+            self._near[s] = (self._apart(s) <= self._reach) | (self.states.modes < LOW)
         return self._near[s]
 
     def _apart(self, s):
@@ -67,24 +69,35 @@ class RestOfTransfer:
         them."""
         key = (key_of(read.output), read.order, s)
         if key not in self._taylor or self._taylor[key].shape[1] <= power:
-            radius = self._radius(s)
-            if not radius:
+            wide, close = self._radius(s, self.near(s)), self._radius(s, self._apart(s) <= self._reach)
+            if not wide:
                 return self._among_creeping(read, s, power)
-            turn = np.exp(2j * np.pi * (np.arange(POINTS) + 0.5) / POINTS)
-            left, near = self._left(read, s + radius * turn, self.near(s)), self._inside(read, s + radius * turn)
-            powers = [(left * turn**-m).mean(axis=1) for m in range(power + 5)]
-            none = [(left * turn**m).mean(axis=1) for m in range(1, NONE + 1)]
-            lost = 16 * EPSILON * (np.abs(left) + near).mean(axis=1) + SURE * np.sqrt(np.mean(np.abs(none)**2, axis=0))
-            self._taylor[key] = np.array([[part / radius**m for m, part in enumerate(own)]
-                                          for own in (powers, [lost] * len(powers))])
+            found, told = self._on_circle(read, s, power, wide)
+            if told and 0 < close < wide:
+                other, told = self._on_circle(read, s, power, close)
+                found = other if other[1, 0].max() < found[1, 0].max() else found
+            self._taylor[key] = found
         return self._taylor[key][:, :power + 1]
 
-    def _radius(self, s):
-        """That of a circle about s well inside all poles of R; 0 where there is none."""
+    def _on_circle(self, read, s, power, radius):
+        """(the coefficients, does R show poles within? as where near modes that are critically damped stand for double
+        poles)."""
+        turn = np.exp(2j * np.pi * (np.arange(POINTS) + 0.5) / POINTS)
+        left, near = self._left(read, s + radius * turn, self.near(s)), self._inside(read, s + radius * turn)
+        powers = [(left * turn**-m).mean(axis=1) for m in range(power + 5)]
+        none = [(left * turn**m).mean(axis=1) for m in range(1, NONE + 1)]
+        rounds = 16 * EPSILON * (np.abs(left) + near).mean(axis=1)
+        shown = SURE * np.sqrt(np.mean(np.abs(none)**2, axis=0))
+        found = np.array([[part / radius**m for m, part in enumerate(own)]
+                          for own in (powers, [rounds + shown] * len(powers))])
+        return found, bool((shown > POLES * rounds).any())
+
+    def _radius(self, s, near):
+        """That of a circle about s well inside all poles but the near ones; 0 where there is none."""
         highest, slowest = self.modes.left_out
         if not highest - abs(s) > highest / 4:
             raise TooSlow(f"a load turns with {abs(s):.4g} rad/s, as fast as the modes that are counted")
-        far = self._apart(s)[~self.near(s)]
+        far = self._apart(s)[~near]
         beyond = abs(s + slowest if s.real > -slowest else s.imag)
         return min(highest - abs(s), beyond, float(far.min(initial=np.inf))) / INSIDE
 

@@ -205,16 +205,14 @@ class ModalAnalysis:
                **options: "Sequence[Mode] | int | Work | Callable") -> "list[DampedMode | Mode] | LinearMotion | None":
         """What solves for modes, as a task; its refusals have the names of coordinates."""
         from vibcli.analyses.modal.scaling import UnheldCoordinate
-        from vibcli.language.signal_names import signal_name
 
         try:
             with self.work.task("the search for the modes", MOST):
                 return solve(*args, **options)
         except UnheldCoordinate as error:
             name = self.scene.coordinates[error.number]
-            owner, turns = signal_name(name).name, not self.spec.dimensions.of(name)
-            raise error.named(name, self.spec.origin(name).where, turns,
-                              owner if owner in self.scene.members else None) from None
+            owner = next((member for member in self.scene.members if name.startswith(f"{member}.")), None)
+            raise error.named(name, self.spec.origin(name).where, not self.spec.dimensions.of(name), owner) from None
 
     def steps_to_digits(self, digits: int) -> float:
         """About how many steps of a million products so many digits take, before anything is computed."""
