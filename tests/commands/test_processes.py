@@ -20,6 +20,7 @@ from multiprocessing import active_children
 from vibcli.cli.jobs import in_processes
 
 OURS = os.getpid()
+sys.unraisablehook = lambda lost: None       # an interrupt in a callback: main() lets it come again
 
 
 def opcodes(packages, interrupted=0):

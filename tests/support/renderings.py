@@ -14,7 +14,7 @@ from vibcli.report.formats import asciidoc, html, latex, markdown, text, typst
 WIDEST = 102
 FORMATS = (text, markdown, latex, html, asciidoc, typst)
 TYPED = re.compile(r"\bN\*|\*s/m\b|\bkg\*m|\bm/s\^2|\d deg\b")
-TOO_LONG = re.compile(r"an expression of \d+ characters")
+TOO_LONG = re.compile(r"an expression of \d+ characters(?!;\W+in\b)")
 NOTHING = re.compile(r"\b(None|nan|NaN)\b(?! [a-z])")
 ROUNDING = re.compile(r"(?<![\d.])\d(?:\.\d+)?e-1[3-9]")
 BOUNDS = re.compile("error|what is left|residual|left of")    # heads of numbers that tell how small something is

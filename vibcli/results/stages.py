@@ -1,4 +1,4 @@
-"""The stages of a Problem, whose costs `--timings` tells."""
+"""The stages of a Problem, whose costs are told where that is asked."""
 
 from vibcli.analyses import OF_MODES
 

@@ -113,6 +113,8 @@ def test_values_are_those_that_check_finds(path):
         compared += 1
         if model._as_read.spec.in_full and not isinstance(verdict.found, bool):     # windows may begin elsewhere
             assert abs(answer.value - verdict.found) <= answer.error
+        elif verdict.answer.asked.text.startswith("law["):      # a law made beside more has its sums in another order
+            assert abs(answer.value - verdict.found) <= min(answer.error, 1e-15 * abs(answer.value))
         else:
             assert answer.value == verdict.found
         assert 0 <= answer.error <= 1e-5 * abs(answer.value) + 1e-9      # the root of rounding, of an argmax

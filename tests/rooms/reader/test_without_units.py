@@ -1,6 +1,7 @@
 """Scenes without any unit: every scene reads the same with its values in SI and no units, and answers as before."""
 
 import json
+import re
 from pathlib import Path
 
 import mpmath
@@ -24,6 +25,8 @@ WORDS = ("title", "source", "question", "about", "sign", "unused", "unit", "shap
 
 def bare(text):
     """A text with each value in SI and without unit; other texts as they are."""
+    if order := re.search(r" [<>]=? ", text):
+        return bare(text[:order.start()]) + order.group() + bare(text[order.end():])
     try:
         tree = parse(text, "x = y" if "=" in text else None)
     except ExpressionError:
