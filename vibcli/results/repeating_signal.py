@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 FIRST, MOST = 16, 2048      # periods after which it is looked at first, and at most
+MODES = 12          # free vibrations that are looked at one by one
 SAMPLES, DEAD = 257, 2.0**-49       # instants of a period; of the largest value: a difference that is rounding
 BEHIND = 1e-12      # relative: how far an instant may be before a front that it stands for
 
@@ -81,12 +82,12 @@ class RepeatingSignal(Signal):
 
 def repeating(problem: "Problem", tree: Any, period: float) -> RepeatingSignal:
     """The RepeatingSignal of a tree; PhysicsError where free vibrations do not die out within MOST periods."""
-    if not problem.modal.damped:
+    if problem.modal.damped is None:
         raise PhysicsError("free vibrations of these members never die out, and some harmonic of this load may meet "
                            "any of them: the sum of all is not found", "damp the scene, or ask for harmonic[1](…), "
                            "harmonic[2](…) and so on of single signals")
     signal, times = problem.response.signal(tree), np.linspace(0.0, period, SAMPLES)[:-1] + period / (3 * SAMPLES)
-    count, before = FIRST, 0.0
+    count, ahead = FIRST, _ahead(problem, period)
     while count <= MOST:
         values = signal.values(np.concatenate([times + (count - 1) * period, times + count * period]))
         earlier, later = values[:len(times)], values[len(times):]
@@ -94,9 +95,23 @@ def repeating(problem: "Problem", tree: Any, period: float) -> RepeatingSignal:
         pace = float(np.abs(np.diff(later)).max()) / float(times[1] - times[0])
         known = max(DEAD * max(float(np.abs(later).max()), pace * count * period),      # as instants round
                     signal.error(count * period + float(times[-1])))
-        if apart <= known:      # what is left then falls by a factor from one period to the next, and so does its sum
-            factor = (known / before) ** (2 / count) if before > known else 0.5
-            return RepeatingSignal(signal, period, count * period, min(apart, known) / (1 - min(factor, 0.999)))
-        count, before = 2 * count, apart
+        if apart <= known:
+            return RepeatingSignal(signal, period, count * period, apart / ahead)
+        count *= 2
     raise PhysicsError(f"free vibrations of these members have not died out after {MOST} periods of this load",
                        "damp them more, or ask for harmonic[1](…), harmonic[2](…) and so on of single signals")
+
+
+def _ahead(problem, period):
+    """How far any free vibration is from itself a period later, as a part of itself; PhysicsError where that is 0:
+    what is not damped and fits into the period is not told from what loads keep up."""
+    found = 2.0
+    for mode in problem.modal.damped.first(MODES):
+        turned = complex(mode.eigenvalue) * period
+        apart = abs(np.expm1(turned))
+        if turned and apart <= 2 * abs(turned) * float(mode.error + DEAD):
+            raise PhysicsError(f"mode {mode.index} is not seen to be damped, and its period fits into that of this "
+                               "load: what it starts with repeats itself, too", "damp it, or ask for harmonic[1](…), "
+                               "harmonic[2](…) and so on of single signals")
+        found = min(found, apart) if turned else found
+    return found

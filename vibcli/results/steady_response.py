@@ -207,7 +207,7 @@ class SteadyResponse(SmallResponse):
     def _of_harmonic(self, forcing):
         """The waves of one harmonic."""
         if self.only is None:
-            all_of_them = "max(steady(x)), amplitude(x), or for " if self.problem.modal.damped else ""
+            all_of_them = "max(steady(x)), amplitude(x), or for " if self.problem.modal.damped is not None else ""
             raise PhysicsError("this load has harmonics without end, and of members this is found of one at a time",
                                f"ask for {all_of_them}harmonic[1](x), harmonic[2](x) and so on of single signals, "
                                "or for abs(frf[…](Ω))")

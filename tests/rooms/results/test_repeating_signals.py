@@ -75,3 +75,23 @@ def test_what_never_dies_out_is_refused_by_name():
     with pytest.raises(PhysicsError, match="one at a time") as refused:
         model["rms(rod.u(L))"]
     assert "max(steady" not in refused.value.hint
+
+
+def test_what_is_not_damped_and_fits_into_the_period_is_refused():
+    """Damped at the node of mode 2, which swings for ever with half the period of the load."""
+    bar = BAR.format(", right: clamped, attached: [{at: L/2, c: 1000 N*s/m}]").replace("at: L}", "at: L/4}")
+    model = vibcli.loads(bar.replace("Om: 2000", "Om: pi*1000").replace("Om*t", "Om*t + pi/2"))
+    with pytest.raises(PhysicsError, match="mode 2 is not seen to be damped"):
+        model["max(steady(rod.u(L/4)))"]
+    assert model["harmonic[1](rod.u(L/4))"].value > 0
+
+
+def test_what_a_damper_swallows_is_damped():
+    """c = √(EA μ): u̇(L) = F₀/(2c) (s(t) − s(t − 2L/c₀)), no free vibration at all."""
+    model = vibcli.loads(BAR.format(", attached: [{at: L, c: 2000 N*s/m}]"))
+    assert model["max(steady(rod.u'(L)))"].value == pytest.approx(0.05, rel=1e-12)
+    assert model["steady(rod.u'(L))(0.5 ms)"].value == pytest.approx(0.05, rel=1e-12)
+    assert model["steady(rod.u'(L))(0.4 ms)"].value == pytest.approx(0.0, abs=1e-12)
+    with pytest.raises(PhysicsError, match="one at a time") as refused:
+        model["rms(steady(rod.u(L)))"]
+    assert "max(steady(rod.u(L)))" in refused.value.hint and "amplitude(rod.u(L))" in refused.value.hint
