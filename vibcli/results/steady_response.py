@@ -80,11 +80,10 @@ class SteadyResponse(SmallResponse):
         raise self.reason
 
     def _one(self, part, source=()):
-        period = self.input_forcing.period if self.only is None else None
-        if period is not None and getattr(part[0], "head", "") == "steady":
+        if self.only is None and self.input_forcing.period is not None and getattr(part[0], "head", "") == "steady":
             from vibcli.results.repeating_signal import repeating
 
-            return repeating(self.problem, part[0].args[0], float(period))
+            return repeating(self.problem, part[0].args[0], self.input_forcing)
         return super()._one(part, source)
 
     def _part(self, parts, name, primes, part):
