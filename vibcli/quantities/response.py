@@ -64,9 +64,11 @@ def _doubt(problem, tree, value, off):
 
 
 def _found(problem, tree):
-    """The text of the signal that a quantity is asked of, or of that within it which is found: hints speak of x."""
+    """The text of the signal that a quantity is asked of, steady or not, or of that within it which is found: hints
+    speak of x."""
     arg = tree.args[0]
-    while isinstance(arg, QuantityRef) and declared(arg).kind == OF_SIGNAL and not _is_found(problem, arg):
+    while isinstance(arg, QuantityRef) and declared(arg).kind == OF_SIGNAL and (
+            arg.head == "steady" or not _is_found(problem, arg)):
         arg = arg.args[0]
     return tree.text[arg.start - tree.start:arg.end - tree.start]
 

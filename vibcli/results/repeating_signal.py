@@ -2,18 +2,24 @@
 that what it started with has died out. Nothing is cut off: fronts stand where they are, and what modes leave out keeps
 its bound."""
 
+from math import ceil
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
 from vibcli.base.errors import PhysicsError
 from vibcli.results.signal import Signal
 
 if TYPE_CHECKING:
+    from vibcli.analyses.excitation.forcing import Forcing
     from vibcli.results.problem import Problem
 
 FIRST, MOST = 16, 2048      # periods after which it is looked at first, and at most
+JUMPS = 16_384      # pieces of a load that are followed
+MODES = 12          # free vibrations that are looked at one by one
 SAMPLES, DEAD = 257, 2.0**-49       # instants of a period; of the largest value: a difference that is rounding
+HARMONICS = "ask for harmonic[1](…), harmonic[2](…) and so on of single signals"
 BEHIND = 1e-12      # relative: how far an instant may be before a front that it stands for
 
 
@@ -79,24 +85,48 @@ class RepeatingSignal(Signal):
         raise KeyError(self.KIND)
 
 
-def repeating(problem: "Problem", tree: Any, period: float) -> RepeatingSignal:
-    """The RepeatingSignal of a tree; PhysicsError where free vibrations do not die out within MOST periods."""
-    if not problem.modal.damped:
+def repeating(problem: "Problem", tree: Any, forcing: "Forcing") -> RepeatingSignal:
+    """The RepeatingSignal of a tree under a periodic forcing; PhysicsError where free vibrations do not die out within
+    MOST periods from its `since` on."""
+    if problem.modal.damped is None:
         raise PhysicsError("free vibrations of these members never die out, and some harmonic of this load may meet "
-                           "any of them: the sum of all is not found", "damp the scene, or ask for harmonic[1](…), "
-                           "harmonic[2](…) and so on of single signals")
-    signal, times = problem.response.signal(tree), np.linspace(0.0, period, SAMPLES)[:-1] + period / (3 * SAMPLES)
-    count, before = FIRST, 0.0
-    while count <= MOST:
-        values = signal.values(np.concatenate([times + (count - 1) * period, times + count * period]))
+                           "any of them: the sum of all is not found", f"damp the scene, or {HARMONICS}")
+    period = float(forcing.period)
+    count, before = FIRST, ceil(forcing.since / period)
+    most = min(MOST, JUMPS // len(forcing.pieces) - before)
+    if most < FIRST:
+        raise PhysicsError("what drives this scene jumps or bends too often to be followed until free vibrations have "
+                           "died out", f"let it begin earlier or repeat itself sooner, or {HARMONICS}")
+    ahead, times = _ahead(problem, period), np.linspace(0.0, period, SAMPLES)[:-1] + period / (3 * SAMPLES)
+    signal = problem.response.signal(tree)
+    while count <= most:
+        late = before + count
+        try:
+            values = signal.values(np.concatenate([times + (late - 1) * period, times + late * period]))
+        except NotByWaves as error:
+            more = str(error.hint).removeprefix("ask for an earlier end, ")
+            raise error.told(hint=f"damp them more, {HARMONICS}, {more}") from None
         earlier, later = values[:len(times)], values[len(times):]
         apart = float(np.abs(later - earlier).max())
         pace = float(np.abs(np.diff(later)).max()) / float(times[1] - times[0])
-        known = max(DEAD * max(float(np.abs(later).max()), pace * count * period),      # as instants round
-                    signal.error(count * period + float(times[-1])))
-        if apart <= known:      # what is left then falls by a factor from one period to the next, and so does its sum
-            factor = (known / before) ** (2 / count) if before > known else 0.5
-            return RepeatingSignal(signal, period, count * period, min(apart, known) / (1 - min(factor, 0.999)))
-        count, before = 2 * count, apart
-    raise PhysicsError(f"free vibrations of these members have not died out after {MOST} periods of this load",
-                       "damp them more, or ask for harmonic[1](…), harmonic[2](…) and so on of single signals")
+        known = max(DEAD * max(float(np.abs(later).max()), pace * late * period),      # as instants round
+                    signal.error(late * period + float(times[-1])))
+        if apart <= known:
+            return RepeatingSignal(signal, period, late * period, apart / ahead)
+        count *= 2
+    raise PhysicsError(f"free vibrations of these members have not died out after {count // 2} periods of this load",
+                       f"damp them more, or {HARMONICS}")
+
+
+def _ahead(problem, period):
+    """How far any free vibration is from itself a period later, as a part of itself; PhysicsError where that is 0:
+    what is not damped and fits into the period is not told from what loads keep up."""
+    found = 2.0
+    for mode in problem.modal.damped.first(MODES):
+        turned = complex(mode.eigenvalue) * period
+        apart = abs(np.expm1(turned))
+        if turned and apart <= 2 * abs(turned) * float(mode.error + DEAD):
+            raise PhysicsError(f"mode {mode.index} is not seen to be damped, and its period fits into that of this "
+                               "load: what it starts with repeats itself, too", f"damp it, or {HARMONICS}")
+        found = min(found, apart) if turned else found
+    return found

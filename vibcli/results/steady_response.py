@@ -80,11 +80,10 @@ class SteadyResponse(SmallResponse):
         raise self.reason
 
     def _one(self, part, source=()):
-        period = self.input_forcing.period if self.only is None else None
-        if period is not None and getattr(part[0], "head", "") == "steady":
+        if self.only is None and self.input_forcing.period is not None and getattr(part[0], "head", "") == "steady":
             from vibcli.results.repeating_signal import repeating
 
-            return repeating(self.problem, part[0].args[0], float(period))
+            return repeating(self.problem, part[0].args[0], self.input_forcing)
         return super()._one(part, source)
 
     def _part(self, parts, name, primes, part):
@@ -207,7 +206,7 @@ class SteadyResponse(SmallResponse):
     def _of_harmonic(self, forcing):
         """The waves of one harmonic."""
         if self.only is None:
-            all_of_them = "max(steady(x)), amplitude(x), or for " if self.problem.modal.damped else ""
+            all_of_them = "max(steady(x)), amplitude(x), or for " if self.problem.modal.damped is not None else ""
             raise PhysicsError("this load has harmonics without end, and of members this is found of one at a time",
                                f"ask for {all_of_them}harmonic[1](x), harmonic[2](x) and so on of single signals, "
                                "or for abs(frf[…](Ω))")

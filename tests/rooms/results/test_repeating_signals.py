@@ -36,6 +36,8 @@ def test_a_bar_with_an_end_damper():
     for t in (0.4e-3, 1e-3, 2.9e-3):
         known = model[f"steady(rod.u(L))({t!r} s)"]
         assert known.value == pytest.approx(u(t), rel=1e-6) and known.error < 1e-11 * 5e-5
+    late = vibcli.loads(BAR.format(", attached: [{at: L, c: 1000 N*s/m}]").replace("(Om*t)", "(Om*t)*step(t - 60 ms)"))
+    assert late["steady(rod.u(L))(1 ms)"].value == pytest.approx(u(1e-3), rel=1e-6)     # behind 19 periods without it
     top, when = model["max(steady(rod.u(L)))"].value, model["argmax(steady(rod.u(L)))"].value
     assert top == pytest.approx(u(when), rel=1e-5) and top >= max(u(t) for t in np.linspace(0, np.pi / 1000, 40)) - 1e-9
     assert model["amplitude(rod.u(L))"].value == pytest.approx(top, rel=1e-10)
@@ -75,3 +77,29 @@ def test_what_never_dies_out_is_refused_by_name():
     with pytest.raises(PhysicsError, match="one at a time") as refused:
         model["rms(rod.u(L))"]
     assert "max(steady" not in refused.value.hint
+
+
+def test_what_is_not_damped_and_fits_into_the_period_is_refused():
+    """Damped at the node of mode 2, which swings for ever with half the period of the load."""
+    bar = BAR.format(", right: clamped, attached: [{at: L/2, c: 1000 N*s/m}]").replace("at: L}", "at: L/4}")
+    model = vibcli.loads(bar.replace("Om: 2000", "Om: pi*1000").replace("Om*t", "Om*t + pi/2"))
+    with pytest.raises(PhysicsError, match="mode 2 is not seen to be damped"):
+        model["max(steady(rod.u(L/4)))"]
+    assert model["harmonic[1](rod.u(L/4))"].value > 0
+
+
+def test_what_a_damper_swallows_is_damped():
+    """c = √(EA μ): u̇(L) = F₀/(2c) (s(t) − s(t − 2L/c₀)), no free vibration at all."""
+    model = vibcli.loads(BAR.format(", attached: [{at: L, c: 2000 N*s/m}]"))
+    assert model["max(steady(rod.u'(L)))"].value == pytest.approx(0.05, rel=1e-12)
+    assert model["steady(rod.u'(L))(0.5 ms)"].value == pytest.approx(0.05, rel=1e-12)
+    assert model["steady(rod.u'(L))(0.4 ms)"].value == pytest.approx(0.0, abs=1e-12)
+    with pytest.raises(PhysicsError, match="one at a time") as refused:
+        model["rms(steady(rod.u(L)))"]
+    assert "max(steady(rod.u(L)))" in refused.value.hint and "amplitude(rod.u(L))" in refused.value.hint
+
+
+def test_a_load_that_jumps_very_often_is_refused_before_it_is_followed():
+    bar = BAR.format(", attached: [{at: L, c: 1000 N*s/m}]")
+    with pytest.raises(PhysicsError, match="too often"):
+        vibcli.loads(bar.replace("square(Om*t)", "square(Om*t) + F0*sin(1234 rad/s*t)"))["max(steady(rod.u(L)))"]
