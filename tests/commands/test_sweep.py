@@ -113,6 +113,10 @@ def test_an_interrupt_keeps_the_values_that_were_found(scene, capsys, tmp_path, 
     asked.clear()
     swept = vibcli.load(scene).sweep("omega[1]", k1=[100.0, 110.0, 120.0, 130.0, 140.0, 150.0])
     assert swept.gaps == [(("omega[1]",), [(4,), (5,)], "it was interrupted before")]
+    asked.clear()
+    swept = vibcli.load(scene).sweep("omega[1]", "omega[2]", "period[1]", k1=[100.0, 110.0, 120.0])
+    assert [value == value for value in swept.values["omega[1]"]] == [True, False, False]
+    assert [places for _, places, _ in swept.gaps] == [[(1,), (2,)]]
 
 
 def test_it_is_told_how_far_it_has_come(scene):

@@ -132,10 +132,12 @@ class Sweep:
         with self.problem.work.task("the sweep") as task:
             try:
                 for place, problem in self._variants:
-                    for array, expression in zip(arrays, self.asked, strict=True):
-                        array[place], reason = _value(problem, expression)
+                    row = [_value(problem, expression) for expression in self.asked]
+                    spectrum = _spectrum(problem, self.axes[0].shown[place[0]]) if follow else None
+                    for array, expression, (value, reason) in zip(arrays, self.asked, row, strict=True):
+                        array[place] = value
                         gaps += [(expression.text, reason, place)] if reason else []
-                    spectra.append(_spectrum(problem, self.axes[0].shown[place[0]]) if follow else None)
+                    spectra.append(spectrum)
                     done += 1
                     task.step(done / total)
             except KeyboardInterrupt:

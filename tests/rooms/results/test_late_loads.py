@@ -79,3 +79,36 @@ def test_a_load_that_begins_late_leaves_phases_as_old_as_they_are():
             found = scene[f"b.u(0.31*L)({t!r} s)"]
             true = mp.sin(7 * mp.pi * mp.mpf(0.31)) * mp.cos((7 * mp.pi) ** 2 * mp.mpf(t))
             assert abs(found.value - true) <= found.error + 1e-11 <= 5e-9
+
+
+FALLING = """\
+parameters: {L: 1 m, EI: 1 N*m^2, mu: 1 kg/m}
+beams: {b: {length: L, EI: EI, mass_per_length: mu%s}}
+points: {p: {body: b, at: 0.3*L}}
+forces: {f: {at: p, force: 1 N*(%s)}}
+damping: {modal: 2 %%}
+"""
+
+
+@pytest.mark.parametrize("h", ["1e-6", "1e-10"])
+def test_a_short_push_leaves_little_of_two_steps(h):
+    """η̈ + 2ζω η̇ + ω² η = φ (F(t) − F(t − h)) to 40 digits."""
+    scene = vibcli.loads(FALLING % (", left: pinned, right: pinned", f"step(t) - step(t - {h} s)"))
+    found, zeta = scene["b.u(0.41*L)(0.37 s)"], 0.02
+    with mp.workdps(40):
+        def after(omega, tau):
+            turn = omega * mp.sqrt(1 - mp.mpf(zeta)**2)
+            return (1 - mp.exp(-zeta * omega * tau) * (mp.cos(turn * tau) + zeta * omega / turn * mp.sin(turn * tau))
+                    ) / omega**2
+
+        zeta, t = mp.mpf(2) / 100, mp.mpf(37) / 100
+        true = sum(2 * mp.sin(n * mp.pi * mp.mpf(3) / 10) * mp.sin(n * mp.pi * mp.mpf(41) / 100) * (
+            after((n * mp.pi)**2, t) - after((n * mp.pi)**2, t - mp.mpf(h))) for n in range(1, 40))
+        assert abs(found.value - true) <= found.error <= 1e-16
+
+
+def test_a_beam_that_is_pushed_away_and_back_lies_where_it_lay():
+    """Pushes 1, −1, −1, 1 of 100.1 s bring 10,020 m back to nothing."""
+    pushes = "step(t) - 2*step(t - 100.1 s) + 2*step(t - 300.3 s) - step(t - 400.4 s)"
+    found = vibcli.loads(FALLING % ("", pushes))["b.u(0.5*L)(6006 s)"]
+    assert abs(found.value) <= found.error <= 1e-8

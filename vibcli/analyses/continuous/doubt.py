@@ -44,12 +44,14 @@ class Doubt(NamedTuple):
 
 
 def aged(doubt: Doubt, rates: np.ndarray, stretches: "Sequence[FreeStretch]") -> list[np.ndarray]:
-    """How far each C is off at the start of each stretch, as phases are by then, (states,)."""
-    found, pace = [np.zeros(len(rates))], (doubt.phase + EPSILON) * np.abs(rates)
-    for one, after in pairwise(stretches):
+    """How far each C is off at the start of each stretch, as phases are by then, and for what cancels in it,
+    (states,)."""
+    cancelled = [4 * EPSILON * (one.sizes - np.abs(one.free)) for one in stretches]
+    found, pace = cancelled[:1], (doubt.phase + EPSILON) * np.abs(rates)
+    for (one, after), own in zip(pairwise(stretches), cancelled[1:], strict=True):
         tau = after.start - one.start
         fade = np.exp(rates.real * tau)
-        found.append(found[-1] * fade + pace * tau * np.maximum(np.abs(one.free) * fade, np.abs(after.free)))
+        found.append(found[-1] * fade + pace * tau * np.maximum(np.abs(one.free) * fade, np.abs(after.free)) + own)
     return found
 
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from vibcli.analyses.continuous.doubt import aged
 from vibcli.analyses.continuous.modal_reads import Read, key_of
-from vibcli.analyses.continuous.modal_states import FreeStretch, Stroke, followed, moved, next_to, parts
+from vibcli.analyses.continuous.modal_states import FreeStretch, Stroke, followed, lost_by, moved, next_to, parts
 from vibcli.analyses.continuous.remainder import remainder
 from vibcli.analyses.continuous.rest_of_transfer import RestOfTransfer
 from vibcli.base.work import Work
@@ -257,6 +257,8 @@ class ModalMotion:
         def rounded(tau):
             early, late = doubt.of(rates, read.states, stretch.free, tau)
             early += float((read.off * np.abs(stretch.free) + np.abs(read.states) * old) @ np.exp(rates.real * tau))
+            early += sum(float(lost_by(self.modes.rigid_inputs, stretch, np.array([tau]), order)[0] @ np.abs(row))
+                         for order, row in enumerate(read.rigid) if row.any())
             return early + late * tau + polynomial(tau, free) + sum(
                 np.exp(pace * tau) * polynomial(tau, own) for pace, own in driven)
         return rounded

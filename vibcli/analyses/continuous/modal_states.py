@@ -20,6 +20,7 @@ from vibcli.base.named_tuple import NamedTuple
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.forcing import Segment
 
+EPSILON = 2.0**-52
 NEAR = 1e-3         # relative: an exponent next to an eigenvalue
 ALIKE, AROUND = 3e-5, 3e-4      # |1 − ζ| below which two λ of a mode are not told apart, and how far about ζ they are
 
@@ -42,12 +43,15 @@ class Stroke(NamedTuple):
 
 
 class FreeStretch(NamedTuple):
-    """A segment of the loads: what drives, and C of each state; rigid: (η, η̇) of the modes that nothing holds."""
+    """A segment of the loads: what drives, and C of each state; rigid: (η, η̇) of the modes that nothing holds; sizes:
+    of all that each C is summed of; lost: what rounding leaves of `rigid`."""
 
     start: float
     strokes: list[Stroke]
     free: np.ndarray
     rigid: np.ndarray
+    sizes: np.ndarray
+    lost: np.ndarray
 
 
 def states_of(squares: np.ndarray, damping: np.ndarray, inputs: np.ndarray, eta: np.ndarray,
@@ -119,30 +123,39 @@ def followed(states: States, rigid: np.ndarray, begin: np.ndarray, segments: "Se
              channels: int) -> list[FreeStretch]:
     """The FreeStretches of segments. rigid: b of the modes that nothing holds, begin: their (η, η̇), (2, modes)."""
     found: list[FreeStretch] = []
-    c, at_rest = states.begin.copy(), begin.copy()
+    c, at_rest, sizes, lost = states.begin.copy(), begin.copy(), np.abs(states.begin), 0 * begin
     for segment, after in zip(segments, [*segments[1:], None], strict=True):
         for channel, size in segment.impulses:
             if channel < channels:
-                c = c + states.inputs[:, channel] * size
-                at_rest = at_rest + np.array([0 * rigid[:, channel], rigid[:, channel] * size])
+                struck, moving = states.inputs[:, channel] * size, rigid[:, channel] * size
+                c, sizes = c + struck, sizes + np.abs(struck)
+                at_rest, lost = at_rest + np.array([0 * moving, moving]), lost + EPSILON * np.abs(moving)
         given = strokes(segment, channels)
-        free = c - sum((g[0] for stroke in given for _, g, _, _ in parts(states, stroke)), 0 * c)
-        found.append(FreeStretch(segment.start, given, free, at_rest))
+        driven = [g[0] for stroke in given for _, g, _, _ in parts(states, stroke)]
+        free = c - sum(driven, 0 * c)
+        found.append(FreeStretch(segment.start, given, free, at_rest, sum(map(np.abs, driven), sizes), lost))
         if after is not None:
             tau = after.start - segment.start
-            c = _later(states, given, free, tau)
-            at_rest = np.array([moved(rigid, found[-1], np.array([tau]), order)[0] for order in range(2)])
+            c, sizes = _later(states, given, free, tau)
+            end = found[-1], np.array([tau])
+            at_rest, lost = (np.array([of(rigid, *end, order)[0] for order in range(2)]) for of in (moved, lost_by))
     return found
 
 
 def _later(states, given, free, tau):
+    """c after a time, and the size of all that it is summed of."""
     c = free * np.exp(states.rates * tau)
+    sizes = np.abs(c)
     for stroke in given:
         for s, g, at, a in parts(states, stroke):
-            c = c + np.exp(s * tau) * np.polynomial.polynomial.polyval(tau, g)
+            for i, part in enumerate(g):
+                driven = np.exp(s * tau) * tau**i * part
+                c, sizes = c + driven, sizes + np.abs(driven)
             for j, x in zip(at, a, strict=True):
-                c[j] += x * next_to(states.rates[j], s, stroke.power, tau)[0]
-    return c
+                driven = x * next_to(states.rates[j], s, stroke.power, tau)[0]
+                c[j] += driven
+                sizes[j] += abs(driven)
+    return c, sizes
 
 
 def moved(rigid: np.ndarray, stretch: FreeStretch, tau: np.ndarray, order: int) -> np.ndarray:
@@ -154,3 +167,16 @@ def moved(rigid: np.ndarray, stretch: FreeStretch, tau: np.ndarray, order: int) 
         curve = factorial(stroke.power) * differences(nodes, tau)
         found = found + np.real(np.outer(curve, rigid @ stroke.force))
     return found
+
+
+def lost_by(rigid: np.ndarray, stretch: FreeStretch, tau: np.ndarray, order: int) -> np.ndarray:
+    """What rounding leaves of the same: of each term, and of the phases of what drives."""
+    (eta, rate), (eta_off, rate_off) = np.abs(stretch.rigid), stretch.lost
+    sizes, off = (first + np.outer(tau, then) if order == 0 else np.outer(np.ones(len(tau)), then)
+                  for first, then in ((eta, rate), (eta_off, rate_off)))
+    for stroke in stretch.strokes:
+        k, s = stroke.power, stroke.exponent
+        curve, turned = np.abs(differences((0j,) * (2 - order) + (s,) * (k + 1), tau)), np.abs(s) * tau
+        phase = np.minimum(turned, np.maximum(turned, 1.0) ** (order - 1)) * np.maximum(1.0, np.exp(s.real * tau))
+        sizes = sizes + np.outer(factorial(k) * curve + tau ** (k + 2 - order) * phase, np.abs(rigid @ stroke.force))
+    return off + 4 * EPSILON * sizes
