@@ -16,8 +16,8 @@ def test_roots_of_a_sum_that_stands_in_a_denominator_remain(names):
     table = new_table()
     a, b = (symbol(table, name) for name in names)
     root = (a + b) ** HALF
-    for node in (b / (a + b) + root, (a * a - b * b) / (a + b) + root - a + b + 1, 1 / (a + b) ** 2 + b * root / (a + b),
-                 b / (a + b) + root ** -3):
+    for node in (b / (a + b) + root, (a * a - b * b) / (a + b) + root - a + b + 1, b / (a + b) + root ** -3,
+                 1 / (a + b) ** 2 + b * root / (a + b)):
         for write in (single, textbook):
             found = evaluate([write(node), node], Floats, dict(zip(names, (3.0, 1.5), strict=True)))
             assert abs(found[0] - found[1]) < 1e-14

@@ -83,6 +83,20 @@ def test_a_scene_without_coordinates_has_modes():
     assert value(scene, "stable") is True
 
 
+def test_a_member_that_rests_in_a_mode_is_told_with_all_its_digits():
+    """Two bars with a mass amid, tied there: in mode 3 one moves and the other rests."""
+    halves = ("length: L, EA: 4 MN, mass_per_length: 2 kg/m, left: clamped, right: clamped, "
+              "attached: [{at: L/2, mass: m}]")
+    scene = problem(f"""
+        parameters: {{L: 2 m, m: 3 kg, k: 500 N/m}}
+        bars: {{a: {{{halves}}}, b: {{{halves}}}}}
+        points: {{p: {{body: a, at: L/2}}, q: {{body: b, at: L/2}}}}
+        springs: {{s: {{k: k, between: [p, q]}}}}
+    """)
+    assert "Modes along b" in told(scene)
+    assert [value(scene, f"omega[{i}]") for i in (3, 4)] == pytest.approx([pi * sqrt(2e6)] * 2, rel=1e-14)
+
+
 @pytest.mark.parametrize("further", [", right: {c: 3 N*s/m}", ", drag: 3 Pa*s"])
 def test_the_frequency_equation_leaves_dampers_out_and_says_so(further):
     assert "Frequency equation (of the undamped system)" in told(problem(BAR % further), "frequency_equation")
