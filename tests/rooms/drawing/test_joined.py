@@ -8,7 +8,7 @@ from support.scenes import problem, problem_of
 
 from vibcli.drawing.canvas.primitives import Polyline, extent
 from vibcli.drawing.drawing import draw
-from vibcli.drawing.layout import compose, letters, plane
+from vibcli.drawing.layout import compose, drawn_members, letters, plane
 
 PROBLEMS = Path(__file__).parents[3] / "problems"
 PLATFORM = """
@@ -160,7 +160,7 @@ def test_a_post_grows_from_the_nearest_one_of_its_body():
 def test_members_stand_clear_of_what_hangs_on_those_above():
     for name in ("bars", "beams"):
         stage = compose.Scenery(problem_of(PROBLEMS.parent / f"vibcli/examples/{name}.yaml").scene)
-        boxes = [extent(compose.along(strip, stage.sketch)) for strip in stage.strips]
+        boxes = [extent(drawn_members.along(strip, stage.sketch)) for strip in stage.strips]
         assert len(boxes) > 2 and all(above[1] - below[3] > 20.0 for above, below in pairwise(boxes))
 
 
