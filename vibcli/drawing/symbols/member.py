@@ -109,9 +109,10 @@ def bed(strip: Strip, attached: Sequence[Any]) -> list[Any]:
 
 
 def _through(strip, half, attached):
-    """[(from, to)] in metres, ascending: where strokes of what is attached lie in the bed below a segment."""
+    """[(from, to)] in metres, ascending: where strokes of what is attached lie in the bed below a segment, but those of
+    blocks, which come there in motion alone."""
     found = []
-    for stroke in (stroke for part in attached for stroke in part.strokes()):
+    for stroke in (stroke for part in attached if part.layer != BODY for stroke in part.strokes()):
         offsets = [plane.minus(point, strip.start) for point in stroke]
         depths = [-plane.across(strip.e, offset) - half for offset in offsets]
         if max(depths) > CLEAR and min(depths) < BED + CLEAR:
