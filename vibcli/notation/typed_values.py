@@ -3,8 +3,8 @@
 import re
 from collections.abc import Callable, Collection
 
-TOKENS = re.compile(r"(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<mode>(?:omega_d|omega|zeta|delta)\[\d+\])|"
-                    r"(?P<name>[^\W\d]\w*'*)|(?P<power>\^\s*-?\d+(?!\.))|(?P<times>\s*\*\s*)|(?P<minus>-)|"
+TOKENS = re.compile(r"(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<mode>(?:omega_d|omega|zeta)\[\d+\])|"
+                    r"(?P<name>[^\W\d]\w*'*)|(?P<power>\^\s*-?\d+(?![\d.]))|(?P<times>\s*\*\s*)|(?P<minus>-)|"
                     r"(?P<other>.)", re.DOTALL)
 PLACED = re.compile(r"(\w+\.)(\w+)\((.*)\)('*)")
 DEGREES = re.compile(r"(?<=\d) deg\b")
@@ -27,7 +27,8 @@ def set_in_print(text: str, symbol: Callable[[str], str], known: Collection[str]
             part = "−"
         elif kind == "mode":
             name, number = part[:-1].split("[")
-            part = symbol(name) + number.translate(SUBSCRIPT)
+            if f"{name}{number}" not in (known or ()):      # else that name of the scene looks so
+                part = symbol(name) + number.translate(SUBSCRIPT)
         elif kind == "name":
             part = _named(part, symbol, known)
         elif part == "(":

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 EVERYTHING = ("given", "chosen", "coordinates", "equilibrium", "virtual_work", "energies", "equations", "matrices",
               "accelerations", "frequency_equation", "frequencies", "damping", "modes", "free_motion", "kept_up")
 
+NAMED = re.compile(r"(?<![\w.\[])((?<!')[^\W\d]\w*'*|(?<=')[^\W\d]\w*)(?![\w\[(]|\.\w)")  # in quotes it has no primes
+
 
 class Report:
     """Sections about one problem, `pictures` with pictures. `roots`: {sum: symbol} of the lengths that have a symbol
@@ -93,7 +95,7 @@ def _with_symbols(text, names):
     from vibcli.notation.plain import plain
 
     words = ""
-    for i, word in enumerate(re.split(r"(?<![\w.\[])([^\W\d]\w*'*)(?![\w\[(]|\.\w)", text)):
+    for i, word in enumerate(NAMED.split(text)):
         if i % 2 and word.rstrip("'") in names and plain.symbol(word) != word:
             yield from filter(None, (_in_print(words), maths(Name(word))))
             words = ""
@@ -105,5 +107,5 @@ def _with_symbols(text, names):
 def _in_print(words):
     from vibcli.notation.typed_values import SUPERSCRIPT
 
-    words = re.sub(r"\^(-?\d+)(?!\d|\.\d|/)", lambda found: found[1].translate(SUPERSCRIPT), words)
+    words = re.sub(r"\^(-?\d+)(?!\d|\.\d|/\d)", lambda found: found[1].translate(SUPERSCRIPT), words)
     return re.sub(r"(?<=\w)\*(?=\w)", "·", words).replace("sqrt(", "√(")

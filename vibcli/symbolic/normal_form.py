@@ -26,6 +26,7 @@ MOST = 300
 class TooLong(ArithmeticError):
     """More than MOST terms."""
 
+
 def expanded(node: "Node", kept: "Collection[Node] | None" = None):
     """{monomial: coefficient}, a monomial being a tuple of (atom, exponent) in the order of the atoms' indices. Sums
     that stand in a denominator are atoms, above as well as below the line, so that they cancel."""
@@ -184,15 +185,16 @@ def _numerator(terms):
 
 
 def cleared(terms: "Mapping[tuple[tuple[Node, Fraction | int], ...], Fraction | int]", below: Any):
-    """The polynomial times a denominator ((atom, exponent), …); sums of it expanded where their exponent is whole."""
+    """The polynomial times a denominator ((atom, exponent), …); sums of it expanded where their exponent is whole, as
+    far as they stand above by whole powers."""
     found = {}
     whole = {atom for atom, e in below if atom.op == "sum" and e.denominator == 1}
     for monomial, value in terms.items():
         above = times(monomial, below)
-        product = {tuple(pair for pair in above if pair[0] not in whole): value}
-        for atom, e in above:
-            if atom in whole:
-                product = reduce(multiplied, [expanded(atom, ())] * int(e), product)
+        often = {atom: max(int(e), 0) for atom, e in above if atom in whole}
+        product = {times(above, often.items(), -1): value}
+        for atom, count in often.items():
+            product = reduce(multiplied, [expanded(atom, ())] * count, product)
         for part, c in product.items():
             add(found, part, c)
     return reduced(found)

@@ -15,9 +15,9 @@ from vibcli.notation.plain import plain
     ("phi deg", "φ deg"), ("sqrt(2)*k", "√(2)·k"),
     ("omega[2] = 3*omega[1]", "ω₂ = 3·ω₁"), ("omega_d[12]", "ω_d₁₂"), ("phi'(2 s)", "φ̇(2 s)"),
     ("abs(frf[y, drive](omega)) = 1/(m1*omega^2)", "|frf[y, drive](ω)| = 1/(m₁·ω²)"),
-    ("2*(abs(k - 1) + 1)", "2·(|k − 1| + 1)")])
+    ("2*(abs(k - 1) + 1)", "2·(|k − 1| + 1)"), ("4 N/m^12.5", "4 N/m^12.5"), ("zeta[1] = zeta1", "zeta[1] = ζ₁")])
 def test_signs_are_those_of_print(typed, printed):
-    assert as_printed(typed, {"f1", "m1", "g", "k", "omega", "phi"}) == printed
+    assert as_printed(typed, {"f1", "m1", "g", "k", "omega", "phi", "zeta1"}) == printed
 
 
 def test_places_on_members_are_set_in_print():

@@ -43,6 +43,11 @@ def test_questions_have_symbols():
     assert "3 N·s/m, k2.force" in html.render([found])
 
 
+def test_a_name_in_quotation_marks_is_no_rate():
+    scene = ASKED.replace("Of k2 x^2", "Of 'phi1' and phi1's k2 x^2/(3 k2)")
+    assert text.render([told(scene)]).split("\n")[3].startswith("Of 'φ₁' and φ₁'s k₂ x²/(3 k₂) and 2·a")
+
+
 def test_loads_alone_drive_nothing():
     assert "(of weights, springs and steady loads)" in text.render([told(ASKED)])
 

@@ -169,12 +169,14 @@ class ModeFields:
                 for moved in self.pieces(member)]
 
     def _polished(self, member, x, order):
-        """The zero of u or u′ next to one in floats, by Newton's method in more digits."""
+        """The zero of u or u′ next to one in floats, by Newton's method in more digits; x where the member rests."""
         if self.number is float:
             return x
         x = self.number(x)
         for _ in range(STEPS):
             found = self.at(member, x)
+            if not found[order + 1]:
+                break
             x = x - found[order] / found[order + 1]
         return x
 

@@ -13,7 +13,8 @@ if TYPE_CHECKING:
 
 NEGLIGIBLE, ROUNDING = 1e-9, 4e-16
 WORDS = {"first": "the first coordinate that moves is 1", "largest": "the largest amplitude is 1", "mass": "φᵀMφ = 1"}
-ALONG = {"first": "the first coordinate that moves is 1, where none does the largest displacement of the first member",
+ALONG = {"first": "the first coordinate that moves is 1, those of members aside, where none does the largest "
+                  "displacement of the first member that moves",
          "largest": "the largest displacement is 1", "mass": "φᵀMφ = 1"}
 
 OF_ROWS = {"first": "the first of these that moves is 1", "largest": "the largest of these amplitudes is 1",

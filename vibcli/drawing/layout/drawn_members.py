@@ -26,7 +26,8 @@ def along(strip: "Strip", sketch: "Sketch", unit: float = 1.0, bend: "member.Ben
     """A member with its ends and what is attached; without a Bend as its stations are."""
     if bend is None:
         bend = _still(strip, sketch, unit)
-    return member.bed(strip) + member.draw(strip, bend) + member_ends.draw(strip, bend, sketch)[0]
+    attached = member_ends.draw(strip, bend, sketch)[0]
+    return member.bed(strip, attached) + member.draw(strip, bend) + attached
 
 
 def _still(strip: "Strip", sketch, unit):

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 BED, BED_SPRING, PULL, ASIDE = 17.0, 22.0, 22.0, 20.0
 NODE = 2.4
 LEAST = 1.0         # points: ordinates that can be seen
+CLEAR = 4.0         # points between a bed and what leads through it
 
 
 class Bend(NamedTuple):
@@ -86,19 +87,38 @@ def _ordinates(strip, bend, xs, rows, axis):
     return [*legs, Polyline(tuple(tips), "coordinate", 1.3, layer=ELEMENT)]
 
 
-def bed(strip: Strip) -> list[Any]:
-    """A row of springs below the segments that rest on a foundation, with the ground under them."""
-    found = []
+def bed(strip: Strip, attached: Sequence[Any]) -> list[Any]:
+    """A row of springs below the segments that rest on a foundation, with the ground under them: open where what is
+    `attached` leads through it."""
+    found: list[Any] = []
     for part, (low, high, half) in zip(strip.member.segments, strip.segments, strict=True):
         if part.foundation.is_zero:
             continue
         count = max(2, round((high - low) * strip.scale / BED_SPRING))
-        for i in range(count):
-            x = low + (high - low) * (i + 0.5) / count
-            found.append(_small_spring(strip, x, half))
-        ground = tuple(strip.at(x, -half - BED) for x in (low, high))
-        found.append(Hatch(ground, -1, layer=SURFACE))
+        every = [low + (high - low) * (i + 0.5) / count for i in range(count)]
+        through = _through(strip, half, attached)
+        clear = [x for x in every if not any(a < x < b for a, b in through)]
+        found += [_small_spring(strip, x, half) for x in clear or every]
+        last = low
+        for a, b in [*(through if clear else ()), (high, high)]:
+            if min(a, high) > last:
+                ground = strip.at(last, -half - BED), strip.at(min(a, high), -half - BED)
+                found.append(Hatch(ground, -1, layer=SURFACE))
+            last = max(last, b)
     return found
+
+
+def _through(strip, half, attached):
+    """[(from, to)] in metres, ascending: where strokes of what is attached lie in the bed below a segment, but those of
+    blocks, which come there in motion alone."""
+    found = []
+    for stroke in (stroke for part in attached if part.layer != BODY for stroke in part.strokes()):
+        offsets = [plane.minus(point, strip.start) for point in stroke]
+        depths = [-plane.across(strip.e, offset) - half for offset in offsets]
+        if max(depths) > CLEAR and min(depths) < BED + CLEAR:
+            along = [plane.dot(strip.e, offset) for offset in offsets]
+            found.append(((min(along) - CLEAR) / strip.scale, (max(along) + CLEAR) / strip.scale))
+    return sorted(found)
 
 
 def _small_spring(strip, x, half):

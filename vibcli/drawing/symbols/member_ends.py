@@ -134,7 +134,8 @@ def _attached(record, strip, bend, x, sense, found, named):
             named.append((record, key, [plane.plus(here, n, 10.0), plane.plus(here, outward, 10.0)]))
     lanes = [key for key in ("k", "c") if key in record]
     for i, key in enumerate(lanes):
-        start = plane.plus(here, strip.e if across else n, (i - 0.5 * (len(lanes) - 1)) * 15.0)
+        lane = (i - 0.5 * (len(lanes) - 1)) * 15.0
+        start = plane.plus(here, strip.e if across else n, lane)
         way = plane.times(n, -1.0) if across else outward
         start = plane.plus(start, way, strip.half(x) if across else 0.0)
         if strip.member.kind.torsional:
@@ -143,7 +144,8 @@ def _attached(record, strip, bend, x, sense, found, named):
         end = plane.minus(plane.plus(start, way, REACH), moved)
         symbol = spring if key == "k" else damper
         found += [*symbol.between({}, start, end, REACH), *support.wall(end, way, 9.0)]
-        named.append((record, key, [plane.plus(plane.middle(start, end), strip.e if across else n, 10.0)]))
+        beside = plane.times(strip.e if across else n, 10.0 if lane >= 0 else -10.0)
+        named.append((record, key, [plane.plus(plane.middle(start, end), beside)]))
         if len(lanes) > 1:
             found.append(Polyline((here, start)))
     if "torsion" in record:

@@ -76,11 +76,25 @@ def test_a_scene_without_coordinates_has_modes():
     text = told(scene)
     assert "J = 5 just above ω₅: none is missing" in text and "(the drawn position)" in text
     assert "Modes along rod" in text
-    assert "(the first coordinate that moves is 1, where none does the largest displacement" in text
+    assert "(the first coordinate that moves is 1, those of members aside, where none does the largest" in text
     assert "  3     1          0.333333  0.666667, 1.33333" in text
     for i in (1, 2, 40):
         assert value(scene, f"omega[{i}]") == pytest.approx(500 * i * pi, rel=2e-15)
     assert value(scene, "stable") is True
+
+
+def test_a_member_that_rests_in_a_mode_is_told_with_all_its_digits():
+    """Two bars with a mass amid, tied there: in mode 3 one moves and the other rests."""
+    halves = ("length: L, EA: 4 MN, mass_per_length: 2 kg/m, left: clamped, right: clamped, "
+              "attached: [{at: L/2, mass: m}]")
+    scene = problem(f"""
+        parameters: {{L: 2 m, m: 3 kg, k: 500 N/m}}
+        bars: {{a: {{{halves}}}, b: {{{halves}}}}}
+        points: {{p: {{body: a, at: L/2}}, q: {{body: b, at: L/2}}}}
+        springs: {{s: {{k: k, between: [p, q]}}}}
+    """)
+    assert "Modes along b" in told(scene)
+    assert [value(scene, f"omega[{i}]") for i in (3, 4)] == pytest.approx([pi * sqrt(2e6)] * 2, rel=1e-14)
 
 
 @pytest.mark.parametrize("further", [", right: {c: 3 N*s/m}", ", drag: 3 Pa*s"])

@@ -1,0 +1,32 @@
+"""Polynomials over sums of which some stand in denominators and others under roots."""
+
+import pytest
+from support.trees import new_table, symbol
+
+from vibcli.symbolic.common_denominator import single
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.normal_form import is_zero, textbook
+from vibcli.symbolic.rationals import HALF
+
+PARAMETERS, VARIABLES = ("m", "k"), ("x", "y")
+
+
+@pytest.mark.parametrize("names", [PARAMETERS, VARIABLES])
+def test_roots_of_a_sum_that_stands_in_a_denominator_remain(names):
+    table = new_table()
+    a, b = (symbol(table, name) for name in names)
+    root = (a + b) ** HALF
+    for node in (b / (a + b) + root, (a * a - b * b) / (a + b) + root - a + b + 1, b / (a + b) + root ** -3,
+                 1 / (a + b) ** 2 + b * root / (a + b)):
+        for write in (single, textbook):
+            found = evaluate([write(node), node], Floats, dict(zip(names, (3.0, 1.5), strict=True)))
+            assert abs(found[0] - found[1]) < 1e-14
+
+
+@pytest.mark.parametrize("names", [PARAMETERS, VARIABLES])
+def test_what_is_zero_without_its_root_is_not_zero(names):
+    """(a² − b²)/(a + b) − a + b is 0: √(a + b) − 1 is what is left, which would vanish if the root were one."""
+    table = new_table()
+    a, b = (symbol(table, name) for name in names)
+    assert is_zero((a * a - b * b) / (a + b) - a + b)
+    assert not is_zero((a * a - b * b) / (a + b) - a + b + (a + b) ** HALF - 1)
