@@ -18,8 +18,10 @@ import sys
 from contextlib import suppress
 from multiprocessing import active_children
 
+from vibcli.__main__ import _raised_anew
 from vibcli.cli.jobs import in_processes
 
+sys.unraisablehook = _raised_anew       # as in the program: one that falls into the end of an object comes behind it
 OURS = os.getpid()
 
 
