@@ -16,14 +16,15 @@ def main():
     gc.set_threshold(YOUNG)
     sys.unraisablehook = _raised_anew
     try:
-        from signal import SIG_DFL, SIGINT, signal
+        from signal import SIG_DFL, SIG_IGN, SIGINT, getsignal, signal
 
         from vibcli.cli.program import run
         from vibcli.cli.streams import provide
 
         provide()
         code = run()
-        signal(SIGINT, SIG_DFL)
+        if getsignal(SIGINT) is not SIG_IGN:
+            signal(SIGINT, SIG_DFL)
     except KeyboardInterrupt:
         from signal import SIG_DFL, SIGINT, signal
 
@@ -36,13 +37,21 @@ def main():
 def _leave(code):
     """End the process: what waits for its end is done and what was written goes out; modules and objects, which go with
     the process, are not taken apart one by one."""
-    if sys.gettrace() or sys.getprofile():      # whoever watches wants to see the end
+    if sys.gettrace() or sys.getprofile() or not _alone():      # whoever watches wants to see the end
         sys.exit(code)
     atexit._run_exitfuncs()
     for stream in (sys.stdout, sys.stderr):
         with suppress(Exception):
             stream.flush()
     os._exit(code)
+
+
+def _alone():
+    """Has Python itself begun the module that calls `main`, and no program, as a profiler, that goes on behind it?"""
+    frame = sys._getframe(3)
+    while frame.f_back is not None and frame.f_back.f_globals.get("__name__") == "runpy":
+        frame = frame.f_back
+    return frame.f_back is None
 
 
 class _Interrupt(int):

@@ -1,5 +1,6 @@
 """The processes of `--jobs`: an interrupt ends them wherever it falls, what cannot be pickled or read is told."""
 
+import os
 import signal
 import subprocess
 import sys
@@ -17,8 +18,10 @@ import sys
 from contextlib import suppress
 from multiprocessing import active_children
 
+from vibcli.__main__ import _raised_anew
 from vibcli.cli.jobs import in_processes
 
+sys.unraisablehook = _raised_anew       # as in the program: one that falls into the end of an object comes behind it
 OURS = os.getpid()
 sys.unraisablehook = lambda lost: None       # an interrupt in a callback: main() lets it come again
 
@@ -83,19 +86,33 @@ def gives_what_cannot_be_pickled():
 
 
 def test_what_a_task_raises_is_raised_here_and_the_others_are_done():
-    pool = Processes(2, None)
-    try:
+    with Processes(2, "fork") as pool:
         tasks = [pool.submit(raises, KeyError, "x"), pool.submit(raises, Unreadable, 1, 2),
-                 pool.submit(gives_what_cannot_be_pickled), pool.submit(abs, -3)]
-        assert tasks[3].result() == 3
-        for task, error in zip(tasks, (KeyError, TypeError, TypeError), strict=False):
+                 pool.submit(gives_what_cannot_be_pickled), pool.submit(str, Unreadable(1, 2)),
+                 pool.submit(lambda: 0), pool.submit(abs, -3)]
+        assert tasks[5].result() == 3
+        for task, error in zip(tasks, (KeyError, TypeError, TypeError, TypeError, Exception), strict=False):
             with pytest.raises(error):
                 task.result()
-        with pytest.raises(Exception, match="pickle"):
-            pool.submit(lambda: 0)
         assert pool.submit(abs, -4).result() == 4
-    finally:
-        pool.end()
+
+
+@pytest.mark.parametrize("start", ["fork", "spawn"])
+def test_they_end_with_the_process_that_began_them(start):
+    """Though that is killed: those at work and those that have nothing to do; they have its stdout, which ends so."""
+    text = ("import signal\nfrom vibcli.cli.processes import Processes\n"
+            f"pool = Processes(3, {start!r})\n"
+            "first, *others = [pool.submit(abs, -1), pool.submit(signal.pause), pool.submit(signal.pause)]\n"
+            "print(first.result(), flush=True)\nsignal.pause()\n")
+    process = subprocess.Popen([sys.executable, "-c", text], cwd=ROOT, text=True, start_new_session=True,
+                               stdout=subprocess.PIPE)
+    try:
+        assert process.stdout.readline() == "1\n"
+        process.kill()
+        assert process.communicate(timeout=120) == ("", None)
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGKILL)
+        raise
 
 
 def test_an_interrupt_that_is_held_comes_afterwards():

@@ -153,3 +153,16 @@ def test_a_process_leaves_without_a_trace(redirection, code, words):
     done = subprocess.run(["bash", "-c", f"{sys.executable} -m vibcli explain {redirection}; exit ${{PIPESTATUS[0]}}"],
                           capture_output=True, text=True)
     assert done.returncode == code and done.stderr.count("\n") == bool(words) and words in done.stderr
+
+
+def test_a_pipe_that_does_not_block_is_waited_for():
+    """As one is that is shared with a program that made it so: all arrives, however slowly it is read."""
+    reader, writer = os.pipe()
+    os.set_blocking(writer, False)
+    process = subprocess.Popen([sys.executable, "-m", "vibcli", "schema"], stdout=writer, stderr=subprocess.PIPE)
+    os.close(writer)
+    found = b""
+    while part := os.read(reader, 512):
+        found += part
+    assert process.communicate() == (None, b"") and process.returncode == 0
+    assert len(found) > 1 << 16 and json.loads(found)

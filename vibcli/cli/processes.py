@@ -1,13 +1,16 @@
 """Processes of this machine that do what they are given, each at its end of a pipe."""
 
 import gc
+import os
 import signal
 from collections import deque
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor
 from contextlib import contextmanager, suppress
-from multiprocessing import get_context, resource_tracker
+from multiprocessing import get_context, parent_process, resource_tracker
 from multiprocessing.connection import Connection, wait
+from multiprocessing.reduction import ForkingPickler
+from threading import Thread
 from typing import Any, cast
 
 import click
@@ -19,8 +22,9 @@ class Processes(Executor):
     """So many processes of this machine, begun as there is work, and what is given to them in its order.
 
     Between one of them and this process there is a pipe, no thread and no lock: an interrupt, wherever it falls, leaves
-    nothing that waits for another. What is found is taken in while a result is waited for. Where a process dies, which
-    is said, its task is done again once. `start`: fork, spawn or forkserver, None for what is usual here."""
+    nothing that waits for another. However this process ends, they end with it, whatever they do. What is found is
+    taken in while a result is waited for. Where a process dies, which is said, its task is done again once. `start`:
+    fork, spawn or forkserver, None for what is usual here."""
 
     def __init__(self, jobs: int, start: str | None = "spawn"):
         self._jobs, self._context = jobs, cast(Any, get_context(start))
@@ -44,14 +48,21 @@ class Processes(Executor):
                 with interrupts_held():
                     ours = self._begun()
             task = self._waiting.popleft()
+            try:
+                data = ForkingPickler.dumps(task.work)
+            except Exception as error:      # it cannot be pickled
+                task.finish(None, error)
+                continue
             with suppress(OSError):     # where it died while it had nothing to do: as if it had died of this
-                ours.send(task.work)
+                ours.send_bytes(data)
             self._tasks[ours] = task
 
     def _begun(self):
         ours, theirs = self._context.Pipe()
-        self._processes[ours] = self._context.Process(target=_work, args=(theirs, gc.get_threshold()), daemon=True)
-        self._processes[ours].start()
+        copied = (*self._processes, ours) if self._context.get_start_method() == "fork" else ()
+        process = self._context.Process(target=_work, args=(theirs, copied, gc.get_threshold()), daemon=True)
+        process.start()
+        self._processes[ours] = process
         theirs.close()
         return ours
 
@@ -77,8 +88,8 @@ class Processes(Executor):
     def end(self) -> None:
         """End the processes at once."""
         with interrupts_held():
-            for process in self._processes.values():
-                process.kill()
+            for ours in self._processes:        # none is held by a name here: they go while interrupts are held
+                self._processes[ours].kill()
             self.shutdown()
 
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
@@ -122,16 +133,30 @@ class _Pending:
         return self._value
 
 
-def _work(theirs, threshold):
-    """Do task by task until the other end is closed, searching for garbage as seldom as who began this."""
+def end_with_parent() -> None:
+    """Let this process end when the one that began it does, though by a signal and in the midst of a task."""
+    def end():
+        wait([parent_process().sentinel])
+        os._exit(1)
+
+    Thread(target=end, daemon=True).start()
+
+
+def _work(theirs, copied, threshold):
+    """Do task by task until the other end is closed, of which none of the `copied` may stay open here; searching for
+    garbage as seldom as who began this."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)        # one from the terminal reaches all: who began this ends it
+    for end in copied:
+        end.close()
+    end_with_parent()
     gc.set_threshold(*threshold)
     while True:
         try:
-            work, args, named = theirs.recv()
+            task = theirs.recv_bytes()
         except (EOFError, OSError):
             return
         try:
+            work, args, named = ForkingPickler.loads(task)
             found = work(*args, **named), None
         except Exception as error:
             found = None, error

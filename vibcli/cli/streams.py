@@ -31,11 +31,13 @@ class Stream(io.RawIOBase):
         return self.descriptor
 
     def write(self, data: Any):
-        if not self.lost:
+        while not self.lost:
             try:
                 return os.write(self.fileno(), data)
-            except BlockingIOError:
-                return None
+            except BlockingIOError:     # whoever shares it made it so: a slow reader is waited for all the same
+                from select import select
+
+                select([], [self.descriptor], [])
             except OSError as error:
                 self.lost = True
                 if self.refuses and not isinstance(error, BrokenPipeError):

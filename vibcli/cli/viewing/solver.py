@@ -10,7 +10,7 @@ from vibcli.base.diagnostics import render
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.cli.common import chosen, problem_in
-from vibcli.cli.processes import interrupts_held
+from vibcli.cli.processes import end_with_parent, interrupts_held
 
 
 class Job(NamedTuple):
@@ -66,6 +66,7 @@ class Solver:
 def _serve(connection):
     """Solve job by job until the other end is closed."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)       # one from the terminal reaches all; the first process ends us
+    end_with_parent()
     while True:
         try:
             connection.send(solved(connection.recv()))
