@@ -23,7 +23,6 @@ from vibcli.cli.jobs import in_processes
 
 sys.unraisablehook = _raised_anew       # as in the program: one that falls into the end of an object comes behind it
 OURS = os.getpid()
-sys.unraisablehook = lambda lost: None       # an interrupt in a callback: main() lets it come again
 
 
 def opcodes(packages, interrupted=0):
