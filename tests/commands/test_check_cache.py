@@ -95,6 +95,7 @@ def test_versions_are_those_that_python_knows():
     assert caching._version("no-such-package", {}) == "–"
 
 
+@pytest.mark.sweep
 def test_reading_it_imports_little(folder):
     code = ("import sys; from vibcli.cli.program import run; run(['check', 'sets']); "
             "print(sorted({'importlib.metadata', 'tempfile', 'email', 'socket', 'numpy', 'yaml'} & set(sys.modules)))")
@@ -194,6 +195,7 @@ def test_two_at_once_leave_whole_entries(folder):
     assert not list((folder / ".vibcli_cache").glob(".*.json.*"))
 
 
+@pytest.mark.sweep
 def test_nothing_is_computed_with_from_the_cache(folder):
     code = ("import sys; from vibcli.cli.program import run; run(['check', 'sets', '-q']); "
             "print([name for name in ('numpy', 'scipy', 'sympy', 'yaml', 'vibcli.results', 'vibcli.reader')"

@@ -63,6 +63,7 @@ def test_the_line_that_tells_how_far_it_is_leaves_room_for_what_is_printed(folde
         assert "done," not in last, line
 
 
+@pytest.mark.sweep
 def test_an_interrupt_tells_what_was_found(tmp_path):
     (tmp_path / "0.yaml").write_text(SCENE.replace("MASS", "1"))
     long = (ROOT / "problems/7_forced_two_degrees/pendulum_as_absorber_of_a_platform.yaml").read_text()

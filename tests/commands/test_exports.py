@@ -105,6 +105,7 @@ def test_what_no_system_compares_is_marked_by_hand(course, capsys):
                for name in FORMATS)
 
 
+@pytest.mark.sweep
 def test_a_problem_called_as_what_is_marked_by_hand_of_another(course):
     """Each has a folder of its own."""
     (course / "letters.yaml").write_text(LETTERS, encoding="utf-8")
@@ -129,6 +130,7 @@ def test_refusals_leave_nothing_behind(course, capsys, options, code, said):
     assert not (course / "out").exists() and not list(course.glob(".out*"))
 
 
+@pytest.mark.sweep
 def test_a_key_that_canvas_loses_is_refused_by_it_alone(course, capsys):
     small = SCENE.replace('"zeta[1]": ', '"zeta[1]^3": ').replace("  ask:", "  without: [readable]\n  ask:")
     (course / "small.yaml").write_text(small, encoding="utf-8")

@@ -137,6 +137,7 @@ def test_a_number_of_one_problem_that_is_a_key_of_another(course):
         assert homework("--attempt", str(number), file="set.yaml", out=f"out{number}") == 0
 
 
+@pytest.mark.sweep
 def test_a_case_with_variants_of_its_own(course, capsys):
     """What another case alone uses is no fault of it."""
     scene, _, variants = SCENE.partition("variants:")

@@ -40,6 +40,7 @@ def files(folder):
     return {str(path.relative_to(folder)): path.read_bytes() for path in Path(folder).rglob("*") if path.is_file()}
 
 
+@pytest.mark.sweep
 def test_a_record_goes_out_with_the_sheet(course):
     assert homework() == 0
     found = files("out")

@@ -66,6 +66,7 @@ class Elsewhere(Executor):
         return found
 
 
+@pytest.mark.sweep
 def test_sheets_are_made_elsewhere_and_leaks_seen_there(course, monkeypatch, capsys):
     """A task has no more students than it may, an even number of them, and no key twice."""
     monkeypatch.setattr("vibcli.homework.making.SIZE", 3)

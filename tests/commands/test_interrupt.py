@@ -75,6 +75,7 @@ def starts():
             "script": f"from {module} import {function}; sys.exit({function}())"}
 
 
+@pytest.mark.sweep
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="a process is copied at each step")
 @pytest.mark.parametrize(("how", "args"), [("module", ["equations", "no.yaml"]), ("script", ["--help"])])
 def test_an_interrupt_at_any_import_and_at_each_step_of_the_first_and_last_moments(how, args, tmp_path):

@@ -63,6 +63,7 @@ for child in active_children():
 """
 
 
+@pytest.mark.sweep
 def test_an_interrupt_ends_the_processes_wherever_it_falls():
     """Between taking a lock and the block that gives it back, too: nothing waits for ever, nothing is printed."""
     done = subprocess.run([sys.executable, "-c", DRIVEN], capture_output=True, text=True, cwd=ROOT, timeout=300)

@@ -248,6 +248,7 @@ def test_hostile_words_in_asciidoc(hostile):
     assert "&#60;script&#62;" in text and "http:&#47;" not in text and "http&#58;//" in text
 
 
+@pytest.mark.sweep
 def test_hostile_words_in_typst(hostile, tmp_path):
     text = render_typst.render([hostile], None)
     assert_typst(text)
@@ -607,6 +608,7 @@ def test_names_within_pictures_do_not_mix():
     assert re.findall(r'(?:id="|href="#|url\(#)(?!scene)(\w+-p)', text) == ["one-p"] * 3 + ["two-p"] * 3
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("kind", FORMATS)
 def test_formats_import_nothing_heavy(scene, kind):
     code, names = modules("solve", scene, "--format", kind)

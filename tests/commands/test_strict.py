@@ -43,6 +43,7 @@ def test_fewer_than_are_asked_are_those_that_count():
     assert figure(1.2345678, 1e-8, 12) == "1.2345678" and figure(1.23456789e-9, 1e-3) == "1.23e-9?"
 
 
+@pytest.mark.sweep
 def test_they_are_explained_where_they_stand_and_refused_where_all_is_strict(ask):
     code, out, _ = ask(CHAOTIC, "response", "--at", "15")
     assert code == 0 and "1.797?" in out and EXPLAINED in out

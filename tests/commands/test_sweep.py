@@ -185,6 +185,7 @@ def test_a_scene_that_is_wrong_as_written_is_told_with_its_place(tmp_path, capsy
     assert "wrong.yaml:3:31: error: 's' joins a place and bare ground" in told
 
 
+@pytest.mark.sweep
 def test_frequencies_that_end_before_the_middle_of_the_range_have_a_gap(tmp_path, capsys):
     """A bead on a rod that turns faster than its spring can hold it, ω² = k/m − Ω²: it is driven away from its one
     equilibrium, which is said once, as it is of a single value."""

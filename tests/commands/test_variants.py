@@ -64,6 +64,7 @@ def test_set_replaces_what_is_not_varied(call):
     assert first["keys"][0]["value"] == pytest.approx((400 - (4 / 3)**2)**0.5, rel=1e-14)
 
 
+@pytest.mark.sweep
 def test_reports_of_other_formats(call):
     for kind in ("markdown", "latex", "html", "asciidoc"):
         code, out, _ = call(SCENE + GRID, "--format", kind, "--table")

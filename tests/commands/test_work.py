@@ -227,6 +227,7 @@ springs: {s: {k: k, between: [ground, b]}, s2: {k: K, between: [b, c]}}
 """
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("command", ["solve", "frequencies"])
 def test_closed_forms_that_are_given_up_are_said_to_be(scene, capsys, monkeypatch, command):
     file = scene(LETTERS)

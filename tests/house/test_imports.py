@@ -40,12 +40,14 @@ def test_a_wrong_file_imports_nothing_heavy(tmp_path, text):
     assert modules("check", path) == (3, set())
 
 
+@pytest.mark.sweep
 def test_frequencies_in_numbers(two_degrees):
     code, names = modules("frequencies", two_degrees)
     assert code == 0
     assert names <= {"numpy", "mpmath"}
 
 
+@pytest.mark.sweep
 def test_springs_in_series_need_no_heavy_package_but_numpy(tmp_path):
     path = tmp_path / "series.yaml"
     path.write_text("parameters: {m: 2 kg, k: 800 N/m, g: 3 N/m^3}\nbodies: {a: {mass: m, slide: x}}\n"
@@ -63,6 +65,7 @@ def test_frequencies_of_members_need_no_part_of_numpy_that_is_not_there_at_once(
     assert not {"numpy.ma", "scipy", "sympy", "matplotlib", "mpmath", "vibcli.numerics.pieces.graded"} & names
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("args", [("frf",), ("frf", "--of", "x", "--save", "x.csv"), ("response",)])
 def test_responses_in_numbers_need_no_part_of_numpy_that_is_not_there_at_once(two_degrees, tmp_path, args):
     path = tmp_path / "driven.yaml"
@@ -75,6 +78,7 @@ def test_responses_in_numbers_need_no_part_of_numpy_that_is_not_there_at_once(tw
     assert "vibcli.analyses.frequency_response.large_systems" not in names
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("command", ["solve", "equations", "check"])
 def test_other_questions_in_numbers(two_degrees, command):
     code, names = modules(command, two_degrees)
@@ -82,6 +86,7 @@ def test_other_questions_in_numbers(two_degrees, command):
     assert not names & {"scipy", "sympy", "matplotlib"}
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("stem", ["2_lagrange/bead_on_swinging_rod", "4_free_damped/sagging_boom",
                                   "6_two_degrees/double_pendulum_rods", "1_statics_and_energy/ladder_held_by_spring"])
 def test_check_in_numbers(stem):
@@ -118,6 +123,7 @@ INSIGHT = {f"vibcli.{name}" for name in (
     "report.sections.shares", "report.sections.sensitivities", "report.sections.estimates")}
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("args", "expected"), [
     (["solve"], set()), (["solve", "--json"], set()), (["frequencies"], set()), (["check"], set()),
     (["solve", "--insight"], INSIGHT)], ids=["solve", "json", "frequencies", "check", "insight"])
@@ -137,6 +143,7 @@ def test_one_degree_in_letters_needs_no_sympy(tmp_path):
     assert names <= {"numpy"}
 
 
+@pytest.mark.sweep
 def test_solve_in_letters_needs_neither_scipy_nor_matplotlib():
     code, names = modules("solve", PROBLEMS / "3_free_undamped" / "taut_bead.yaml")
     assert code == 0
@@ -163,6 +170,7 @@ BESIDE_FREQUENCIES = {"shutil", *(f"vibcli.{name}" for name in (
 MODULES_OF_FREQUENCIES = 158        # to be lowered whenever they are fewer
 
 
+@pytest.mark.sweep
 def test_frequencies_of_a_mass_on_a_spring_import_what_they_use(tmp_path):
     path = tmp_path / "one.yaml"
     path.write_text("parameters: {m: 2 kg, k: 800 N/m}\nbodies: {b: {mass: m, slide: x}}\n"
@@ -184,6 +192,7 @@ BESIDE_RESPONSE = {f"vibcli.{name}" for name in (
 MODULES_OF_MOTIONS = {"response": 216, "frf": 172}      # to be lowered whenever they are fewer
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("command", MODULES_OF_MOTIONS)
 def test_forced_motions_of_two_masses_import_what_they_use(tmp_path, command):
     path = tmp_path / "driven.yaml"

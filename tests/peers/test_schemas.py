@@ -55,6 +55,7 @@ def packages(tmp_path, monkeypatch):
     return written
 
 
+@pytest.mark.sweep
 def test_items_and_test_are_valid(packages):
     known = schema("imsqti_v2p1.xsd")
     found = {name: data for name, data in packages("qti21").items() if name != "imsmanifest.xml"}
@@ -65,6 +66,7 @@ def test_items_and_test_are_valid(packages):
     assert len(found) == 7
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", ["qti21", "canvas"])
 def test_the_manifest_is_valid(packages, name):
     """That of Canvas but for its namespace, which is that of Common Cartridge."""
@@ -74,6 +76,7 @@ def test_the_manifest_is_valid(packages, name):
     assert not known.validate(etree.fromstring(data.replace(b"href", b"to")))
 
 
+@pytest.mark.sweep
 def test_quizzes_for_canvas_are_valid_but_for_its_own_extension(packages):
     """In the definition of QTI 1.2 `selection_extension` may hold anything that is declared: `points_per_item` is
     Canvas's own, and all that is not."""
@@ -100,6 +103,7 @@ def bare(data):
     return root
 
 
+@pytest.mark.sweep
 def test_the_settings_of_a_quiz_are_valid(packages):
     """By what Canvas's own schema says of `quiz`; as a whole that schema is not valid itself."""
     path = SCHEMAS / "canvas.instructure.com" / "xsd" / "cccv1p0.xsd"

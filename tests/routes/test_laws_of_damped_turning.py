@@ -61,6 +61,7 @@ def test_sums_and_products_of_eigenvalues(row, spins):
                                                                    rel=sum(error for _, error in found) + 1e-14)
 
 
+@pytest.mark.sweep
 @LAW
 @given(DAMPED, SPINS, POWERS, POWERS, st.randoms(use_true_random=False))
 def test_scales_another_order_a_mirror_and_the_other_sense_of_turning(row, spins, heavier, faster, dice):

@@ -98,6 +98,7 @@ def test_pieces_of_a_beam_and_halves_of_a_mass(left, right, one, two, grams):
                 lowest(beam(left, right, segments=pieces, attached=halves)))
 
 
+@pytest.mark.sweep
 @FEW
 @given(ENDS, ENDS, st.integers(1, 31), st.booleans())
 def test_one_more_support_interlaces(left, right, place, spring):

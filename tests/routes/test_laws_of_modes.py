@@ -25,6 +25,7 @@ def test_powers_of_two_change_no_bit_of_rows(row, heavier, faster):
     assert np.array_equal(one.zeta, two.zeta, equal_nan=True)      # of one that does not vibrate it is NaN
 
 
+@pytest.mark.sweep
 @FEW
 @given(plates(), POWERS)
 def test_powers_of_two_change_no_bit_in_the_plane(plate, larger):

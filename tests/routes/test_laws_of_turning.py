@@ -43,6 +43,7 @@ def scaled(factor, matrix):
     return [[factor * x for x in row] for row in matrix]
 
 
+@pytest.mark.sweep
 @LAW
 @given(rows(most=4), SPINS)
 def test_sums_and_products_of_frequencies(row, spins):
@@ -58,6 +59,7 @@ def test_sums_and_products_of_frequencies(row, spins):
     assert prod(squares) == pytest.approx(float(prod(pivots(stiffness)) / prod(row.masses)), rel=1e-12)
 
 
+@pytest.mark.sweep
 @LAW
 @given(rows(most=4), SPINS, POWERS, POWERS)
 def test_powers_of_two_change_no_bit(row, spins, heavier, faster):

@@ -115,6 +115,7 @@ def test_bounds_of_random_chains_after_long_times(seed):
             assert abs(mpmath.mpf(value) - exact) <= bound <= 1e-8 * max(abs(force), abs(exact)), text
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("seed", range(8, 11))
 def test_extremes_of_random_chains(seed):
     """At the largest value the slope vanishes, or it lies at an end; no sample between is above it."""

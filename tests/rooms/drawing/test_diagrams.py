@@ -70,6 +70,7 @@ def scene_of(name):
     return (problem_of(found) if isinstance(found, Path) else problem(found)), which
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", CASES)
 def test_values_drawn_are_those_of_signals(name):
     scene, which = scene_of(name)
@@ -110,6 +111,7 @@ def test_a_mode_of_a_beam_on_two_supports():
     assert zeros(shear) == pytest.approx([1 / 3, 1, 5 / 3])
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", CASES)
 def test_no_word_lies_over_another(name):
     drawn = force_drawing(*scene_of(name))

@@ -44,6 +44,7 @@ def exact(q, tension, stops=(0.0, H), k=0.0):
     return dict(zip(stops, own + shares[0] * first + shares[1] * second, strict=True))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("load", "q"), [("q0", lambda x, _: 500.0), ("q0*x/H", lambda x, _: 500 * x / H)])
 def test_a_mast_in_the_wind(load, q):
     model, u = mast(load, "H"), exact(q, -MU * G * H, (0.0, 7.3, H))
@@ -54,6 +55,7 @@ def test_a_mast_in_the_wind(load, q):
         assert value_at_rest(model._problem.configuration, f"mast.{signal}") == pytest.approx(value, rel=1e-10)
 
 
+@pytest.mark.sweep
 def test_a_hanging_mast_under_a_load_on_a_part_of_it():
     model = mast("q0*sin(pi*x/H)^2", "-H", ", from: 5 m, to: 12 m")
     u = exact(lambda x, middle: 500 * np.sin(np.pi * x / H) ** 2 * (5 < middle < 12), MU * G * H, (0.0, 5.0, 12.0, H))

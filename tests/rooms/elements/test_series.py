@@ -68,6 +68,7 @@ def test_letters_at_rest():
     assert str(scene(HARDENING, LETTERS).omega[0]) == "sqrt(k1*k2/(m*(k1 + k2)))"
 
 
+@pytest.mark.sweep
 def test_motion_with_an_inner_equilibrium():
     model = scene(HARDENING, initial={"x": "0.2 m"}, motion="full", answers={"x(0.4 s)": "0.1 m"})
     exact = solve_ivp(lambda t, y: [y[1], -150 * (y[0] - _inner(y[0]))], (0, 0.4), [0.2, 0.0], rtol=1e-12, atol=1e-14,
@@ -246,6 +247,7 @@ def test_a_bend_of_a_part():
     assert model["x(0.3 s)"].value == pytest.approx(-size * np.sin(slow * (0.3 - t1) - phase), rel=1e-11)
 
 
+@pytest.mark.sweep
 def test_a_part_with_play():
     model = _let_go([{"k": "k1"}, {"law": "k2*(max(d - e, 0) - max(-d - e, 0))"}], "5 cm", e="1 cm")
     w = np.sqrt(60.0)

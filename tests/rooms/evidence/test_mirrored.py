@@ -31,6 +31,7 @@ def seen(scene):
     return {change: one for change, one in shaken(scene).items() if change.startswith("mirrored")}
 
 
+@pytest.mark.sweep
 def test_it_rests_and_swings_as_before():
     found = seen(SCENE)
     assert {change: one.verdict for change, one in found.items() if one.verdict not in (EQUAL, WITHIN)} == {}

@@ -53,6 +53,7 @@ def test_the_force_of_a_spring_is_its_weight_and_what_swings():
     assert measure(one, tree)[0] == pytest.approx(float(true.values[0]), rel=1e-13)
 
 
+@pytest.mark.sweep
 def test_an_acceleration_and_a_sum_of_forces():
     one, trees = asked(ONE % ("(3 N)*sin((17 rad/s)*t)", "\"x''(1 s)\": 1 m/s^2, \"max(s.force - 2*d.force)\": 1 N"))
     for tree in trees:

@@ -325,6 +325,7 @@ def test_marks_of_equations_with_numbers(handed):
         assert verdicts(out, equation=text)["equation[x]"].points == 0, text
 
 
+@pytest.mark.sweep
 def test_sheets_tables_and_the_manifest_again(handed, tmp_path):
     _, _, out = handed(ONE)
     rows = (out / "instructor" / "keys.csv").read_text(encoding="utf-8").splitlines()

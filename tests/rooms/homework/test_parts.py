@@ -86,6 +86,7 @@ def test_parts_are_even_in_number_and_of_one_size(size, count):
     assert [task.start for task in tasks] == list(range(0, 54, tasks[0].size))
 
 
+@pytest.mark.sweep
 def test_what_parts_tell_of_keys_is_what_all_variants_do():
     found = solve_in_parts(*read(), size=7)
     for told_by_parts, of_all in zip(found.summaries, summaries(list(found.accepted)), strict=True):

@@ -107,6 +107,7 @@ def test_another_regime():
     assert len(solved(text.replace("]}}", "]}, without: [regime]}")).accepted) == 3
 
 
+@pytest.mark.sweep
 def test_what_is_told_nowhere():
     text = BLOCK.replace("question: A block {m} on a spring {k} and a damper {c}.", "question: A block.")
     assert len(solved(text + GRID).accepted) == 15          # k, c and m are lettered in the figure
@@ -218,6 +219,7 @@ def test_chosen_parameters_are_printed_and_the_scene_solved_with_them():
             assert one.keys[0].value == pytest.approx(sqrt(k / m - (c / (2 * m))**2), rel=1e-13)
 
 
+@pytest.mark.sweep
 def test_a_chosen_parameter_that_is_asked_is_not_rounded():
     text = BLOCK.replace(", c: 8 N*s/m", "").replace("answers", "choose: {c: \"zeta[1] = 0.1\"}\nanswers")
     found = solved(text.replace('{"omega_d[1]": 19.90 rad/s}', "{c: 8 N*s/m}").replace(" and a damper {c}", "") + GRID)

@@ -26,6 +26,7 @@ def block(values, choose=""):
     return problem(BLOCK.format(given=given, choose=choose))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("zeta", [0.05, 0.9999])
 @pytest.mark.parametrize("quantity", ASKED)
 def test_what_was_planted_is_found(quantity, zeta):

@@ -17,6 +17,7 @@ def beam(given, upwards=True):
     return [mode.omega for mode in scene.modal.modes.first(5)]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("given", [UNIFORM, MASS % 1, STEPPED])
 def test_one_that_keeps_its_length_is_the_limit_of_one_that_stretches(given):
     assert beam(given) == pytest.approx(beam(given + ", EA: 2e13 N"), rel=1e-12)

@@ -121,6 +121,7 @@ def test_all_alike_are_refused():
         found(springs(3000, [(i, GROUND) for i in range(3000)]), masses(np.ones(3000)), 5)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("stiff", [3, 6, 9])
 def test_stiff_and_soft_springs(stiff):
     n, random = 60, np.random.default_rng(stiff)

@@ -76,6 +76,7 @@ def agrees(text, what, exact, bound=1e-15):
     assert error <= bound
 
 
+@pytest.mark.sweep
 def test_a_truss_that_snaps_through():
     """P = 2 k (l₀ − l) √(l² − b²)/l is extreme where l³ = b² l₀."""
     with mpmath.workdps(40):
@@ -140,6 +141,7 @@ def test_loops_are_closed_on_the_way():
         agrees(TOGGLE, "fold[1, P](x)", mpmath.cbrt(c) - c, 1e-13)
 
 
+@pytest.mark.sweep
 def test_signs_and_images():
     """M = m g L sin φ: after a quarter of a turn; a turn on it is the same."""
     agrees(PENDULUM, "fold[1, M]", 10)
@@ -152,6 +154,7 @@ def test_signs_and_images():
     agrees(PENDULUM.replace("M: 1 N*m", "M: {value: 1 N*m, sign: any}"), "fold[2, M]", -10)
 
 
+@pytest.mark.sweep
 def test_pull_in_and_a_force_that_softens():
     """k x = a F²/(2 (1 − x)²) at x = 1/3; F = k x exp(−x/a) at x = a."""
     pull = BLOCK.replace("a: 0.1 m", "a: 2 N*m^2/N^2, g0: 1 m").replace(

@@ -309,6 +309,7 @@ def test_drifts_that_places_share_cancel_in_their_differences():
                 measure(scene, parse(f"final(b{i}.x)"))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("part", ["steady", "transient"])
 def test_parts_of_integrated_motions_are_refused_before_they_are_integrated(part, tmp_path, capsys):
     target = tmp_path / "motion.csv"

@@ -80,6 +80,7 @@ def test_every_scene_may_be_without_units(path):
     assert scene(path).spec.free_numbers
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("path", [path for path in UNITS[::20] if path not in CYCLIC], ids=lambda path: path.stem)
 def test_answers_are_those_in_units(path):
     assert [verdict.answer.asked.text for verdict in check(scene(path, True)) if not verdict.agrees] == []

@@ -46,12 +46,14 @@ BARS = {"damped at its end": """\
     """}
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("kind", BARS)
 def test_damped_modes_agree_with_waves(kind, monkeypatch):
     monkeypatch.setattr(damped_modal_response, "MANY", 300)
     compared(BARS[kind], "rod.u(0.2*L)", WaveResponse, 3e-5)
 
 
+@pytest.mark.sweep
 def test_a_string_on_a_shaken_hand_agrees_with_waves(monkeypatch):
     monkeypatch.setattr(damped_modal_response, "MANY", 300)
     compared("""\

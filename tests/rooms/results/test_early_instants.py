@@ -33,6 +33,7 @@ def measured(scene, text):
     return measure(scene, with_places(parse(text), scene.spec.members))
 
 
+@pytest.mark.sweep
 def test_a_value_before_anything_comes_back(long_one):
     """u = t/√(EA μ) at a free end that is pushed, until the front returns from where the section changes."""
     assert long_one.response.KIND == "modes"

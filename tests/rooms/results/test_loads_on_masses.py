@@ -48,6 +48,7 @@ def weights_of_shear(count):
     return b**2, shape(1.0) * -2 * ratio * b**3 / size
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("load", ["force: 1 N}}\n    initial: {released: push}", "force: 1 N*step(t)}}"])
 def test_shears_far_from_a_mass_that_is_pushed_or_let_go(load):
     scene = problem(f"""\

@@ -108,6 +108,7 @@ def test_of_largest_values_that_are_equal_the_first_is_told():
     assert scene["argmax(rod.u(L))"].value == pytest.approx(6 / np.sqrt(206e9 / 7850), rel=1e-6)
 
 
+@pytest.mark.sweep
 def test_modes_next_to_those_of_held_pieces_are_found_in_blocks():
     """Of a beam that a heavy body ends each is next to one of the beam clamped there, which takes ten counts."""
     body = SCENE % ", attached: [{at: L, mass: 1 kg, inertia: 0.05 kg*m^2}]"

@@ -83,6 +83,7 @@ def test_a_load_that_begins_and_one_that_oscillates():
     assert np.abs(shaken.values(TIMES) - expected).max() <= 1e-13
 
 
+@pytest.mark.sweep
 def test_fields_at_the_start():
     """∫ φ u dx by Gauss's rule, of displacements whose moment does not fit the free end and of velocities."""
     b, (at, weights) = roots(400), np.polynomial.legendre.leggauss(20)
@@ -122,6 +123,7 @@ def test_shears_of_a_beam_whose_modes_are_damped_evenly():
         found.values(np.array([0.0]))
 
 
+@pytest.mark.sweep
 def test_zeros_and_products():
     scene = problem(CANTILEVER + PULLED)
     end = signal(scene, "arm.u(L)")
@@ -171,6 +173,7 @@ def test_modes_agree_with_waves_within_their_bounds(kind):
         assert (off <= [found.error(t) + 1e-13 for t in times]).all()
 
 
+@pytest.mark.sweep
 def test_drag_along_a_pinned_beam_on_a_foundation():
     """η̈ + c/μ η̇ + (π⁴ + k) η = 0 of a half sine, which is a mode; it decays with e^{−ct/2μ}."""
     scene = problem("""\
@@ -205,6 +208,7 @@ def test_a_beam_on_a_shaken_base_moves_with_it():
     assert np.abs(found.values(TIMES) - 1e-3 * expected).max() <= 1e-10
 
 
+@pytest.mark.sweep
 def test_a_field_on_a_shaken_base_adds_the_motion_that_it_starts_on_one_at_rest():
     scene = CANTILEVER.replace("mu: 1 kg/m}", "mu: 1 kg/m, a: 1 mm}").replace("clamped,", "HELD,")
     driven = scene.replace("HELD", "{clamped: base}") + "bodies: {base: {slide: a*sin(2 rad/s*t)}}\n"

@@ -160,6 +160,7 @@ def test_manifolds_of_a_linear_saddle_are_straight():
     assert abs(lines(plane, "into")[0].q[-1]) < 1e-6 < abs(lines(plane, "into")[0].q[0])
 
 
+@pytest.mark.sweep
 def test_separatrices_of_a_damped_pendulum_part_what_ends_in_different_places():
     plane = pendulum(c="0.15")
     assert kinds(plane) == ["saddle", "stable focus", "saddle"]

@@ -289,6 +289,7 @@ def test_numbers_of_a_free_vibration():
             assert near(two, value, 22) and error <= 1e-20, text
 
 
+@pytest.mark.sweep
 def test_digits_that_would_take_long_are_refused_with_the_estimate(tmp_path, capsys):
     """Loads that jump a thousand times within what is asked; what the hint says works."""
     path = tmp_path / "scene.yaml"

@@ -22,6 +22,7 @@ BEAM = """
 """
 
 
+@pytest.mark.sweep
 def test_a_bar_with_an_end_damper():
     """u = Σ Im H(inΩ) 4F₀/(πn) e^{inΩt}, 1/H = EA k cot kL + iωc."""
     model = vibcli.loads(BAR.format(", attached: [{at: L, c: 1000 N*s/m}]"))

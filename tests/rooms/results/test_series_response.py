@@ -106,6 +106,7 @@ def double(t, y):
     return [u, w, a, -G * sin(r) + u**2 * s - cos(d) * a]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("text", "name", "t", "slope", "start", "number"), [
     (DUFFING, "x", "0.8", duffing, ("0.03", "0.2"), 0),
     (CART, "phi", "0.9", cart, ("0.1", "1.5", 0, 0), 1),
@@ -132,6 +133,7 @@ def test_a_closed_loop_keeps_its_energy_and_its_lengths():
         assert agrees(abs(end - 1), mpf(8) / 10)
 
 
+@pytest.mark.sweep
 def test_no_horizon_from_an_unstable_place():
     """Let go 1e-25 rad below the top: floats see it rest there for ever."""
     found = problem(PENDULUM + "initial: {phi: pi - 1e-25}\nmotion: full\n")
@@ -158,6 +160,7 @@ def test_extremes_and_zeros_to_many_digits():
     assert value(found.until(5.0), "zero[2](phi)") == pytest.approx(float(3 * quarter), rel=1e-15)
 
 
+@pytest.mark.sweep
 def test_extremes_and_values_go_together():
     found = problem(DOUBLE + "initial: {p: 3 rad, r: 3 rad}\nmotion: full\n").with_digits(12).until(2.0)
     at = value(found, "argmax(p')")
@@ -165,6 +168,7 @@ def test_extremes_and_values_go_together():
     assert value(found, f"p''({at!r} s)") == pytest.approx(0, abs=1e-10)
 
 
+@pytest.mark.sweep
 def test_what_is_largest_where_it_touches_zero():
     """x = −y: x y is largest, 0, where both vanish; the period is that of each, x(t + T) = x(t)."""
     text = "parameters: {m: 1 kg, k: 200 N/m, k3: 5 kN/m^3}\nbodies: {a: {mass: m, slide: x}, b: {mass: m, slide: y}}\n"

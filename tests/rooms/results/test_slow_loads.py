@@ -54,6 +54,7 @@ def test_the_largest_of_a_slow_swing(scene, modes, count):
     assert -1e-12 * found < found - seen < 1e-6 * found
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("scene", "at_rest"), [(BAR, 5e-6), (DRAGGED, 5e-6), (BEAM, 1 / 150), (DAMPED, 1 / 150),
                                                 (PLANE, 1 / 150), (STRING, 10 / 1050)])
 @pytest.mark.parametrize(("load", "most"), [("sin(0.01 rad/s*t)", 1), ("(1-cos(0.02 rad/s*t))", 2),

@@ -41,6 +41,7 @@ def _at(node, **changed):
     return evaluate([node], multiprecision(), values)[0]
 
 
+@pytest.mark.sweep
 def test_force_and_slopes_of_all_orders(scene):
     _, x, V, node = scene
     with mpmath.workdps(40):

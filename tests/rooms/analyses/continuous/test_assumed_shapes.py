@@ -82,6 +82,7 @@ def test_a_cantilever_by_two_powers():
     assert found == pytest.approx([3.5327, 34.807], rel=2e-5)
 
 
+@pytest.mark.sweep
 def test_what_is_named_and_what_goes_along():
     """A cart under the clamped end follows, or is named; powers enough come to the exact frequencies."""
     text = BEAM.format(", left: {clamped: cart}", "bodies: {cart: {mass: 2 kg, slide: z}}\n"

@@ -14,6 +14,7 @@ from vibcli.mechanics.factored_system import FactoredSystem
 from vibcli.numerics.pieces.piece import Piece
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("r", [0.01, 0.5, 0.99, 1.001, 1.5, 4.0])
 def test_a_bar_with_an_end_damper(r):
     modes, near = source(bar(r)), max(1e-13, 2e-15 / abs(1 - r))
@@ -88,6 +89,7 @@ def test_eigenvalues_that_decay_without_swinging_are_numbered():
         assert sizes[start + mode.index - 3] == pytest.approx(mode.omega, rel=1e-9)
 
 
+@pytest.mark.sweep
 def test_a_mode_beside_one_in_which_all_ends_rest_is_found():
     scene = """
 strings:

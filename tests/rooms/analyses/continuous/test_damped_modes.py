@@ -194,6 +194,7 @@ def test_light_damping_is_that_of_perturbation():
         assert other.eigenvalue == pytest.approx(complex(-c * one.shape[0] ** 2 / 2, one.omega), abs=1e-10 * one.omega)
 
 
+@pytest.mark.sweep
 def test_a_damper_that_drives_makes_modes_grow_without_end_and_some_are_shown():
     """Of a cantilever with −c at its end: EI β³ (1 + cos βL cosh βL) = c s (sin βL cosh βL − cos βL sinh βL)."""
     scene = problem("beams: {a: {length: 1 m, EI: 900 N*m^2, mass_per_length: 2 kg/m, left: clamped, attached: "

@@ -100,6 +100,7 @@ def test_high_modes_of_a_chain_with_a_small_mass_keep_their_bounds_wherever_it_i
             assert abs(one.omega / two.omega - 1) <= one.error + two.error < 4e-14
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("size", "inertia", "part"), [(4.268775, 3.83788, 0.4375), (4.793647, 4.75004, 0.390625),
                                                        (4.793647, 4.75004, 0.234375), (4.793647, 4.75004, 0.5)])
 def test_high_modes_of_a_chain_keep_their_bounds_wherever_it_is_divided(size, inertia, part):

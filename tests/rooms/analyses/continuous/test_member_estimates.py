@@ -102,6 +102,7 @@ def test_both_bounds_are_exact_to_rounding(scene, rayleigh, dunkerley):
         assert abs(found / sqrt(square) - 1) <= 1e-14 and error <= 1e-13
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("short", [1e-2, 1e-4, 1e-6, 1e-8])
 def test_places_close_to_one_another_leave_their_bound_or_nothing(short):
     """A node near the end changes neither bound; where pieces are too short beside others neither is told."""
@@ -115,6 +116,7 @@ def test_places_close_to_one_another_leave_their_bound_or_nothing(short):
             assert abs(found / sqrt(square) - 1) <= error < 1e-3
 
 
+@pytest.mark.sweep
 def test_bounds_beside_a_tension_and_a_foundation():
     """Dunkerley's as Σ 1/ω² of 150 modes and of what follows them as (n − a)⁴."""
     scene = EVEN_BEAM % (", right: {k: 900 N/m}, preload: 300 N, foundation: 500 N/m^2, "

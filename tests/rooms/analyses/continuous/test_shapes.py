@@ -95,6 +95,7 @@ def test_shapes_are_orthogonal_with_what_is_attached(seed):
     assert inertia == pytest.approx(np.eye(5), abs=1e-9)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("B", [1e-3, 1e-5, 1e-60])
 def test_a_string_is_looked_at_by_its_own_half_waves(B):
     """However little it resists bending: pinned its nodes are those of a string; clamped it stays within 1/γ."""

@@ -127,6 +127,7 @@ def test_shaken_clamp():
     assert frf(found.transfer, Omega).real == pytest.approx(wanted, rel=1e-12)
 
 
+@pytest.mark.sweep
 def test_peaks_and_zeros_of_a_cantilever():
     """Driven at its tip it has the zeros of a beam that is pinned there, tan z = tanh z, and
     of both as many as are asked for."""

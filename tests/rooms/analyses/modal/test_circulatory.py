@@ -50,6 +50,7 @@ def test_every_mode_without_dampers_to_the_last_digit(family):
     assert kinds == {"oscillation", "flutter", "divergence"} and swept >= 100
 
 
+@pytest.mark.sweep
 def test_up_to_twelve_coordinates():
     for seed in range(3):
         elements = families.follower(random.Random(seed), 12, 1e6, 100.0 ** (seed - 1))

@@ -67,6 +67,7 @@ def test_every_frequency_to_the_last_digit_within_its_bound(family):
     assert statistics.median(ratios) <= 5e4
 
 
+@pytest.mark.sweep
 def test_anything_at_all():
     """Indefinite and free systems with every strength from 1e-20 to 1e20."""
     for seed in range(120):
@@ -78,6 +79,7 @@ def test_anything_at_all():
                 assert sign == 0 or abs(rate(mode) - exact) <= mode.error * exact <= 1e-15 * exact
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("family", families.ONE_AXIS)
 def test_thirty_coordinates_of_any_stiffness(family):
     rng = random.Random(family.__name__)

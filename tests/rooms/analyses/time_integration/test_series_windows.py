@@ -96,6 +96,7 @@ def test_where_forces_have_no_value_it_is_refused_as_ever(followed):
     assert followed
 
 
+@pytest.mark.sweep
 @NEEDED
 def test_what_is_stiff_goes_on_by_collocation(followed):
     found, _ = ends(STIFF, 20.0, {"x": 0.0, "y": 0.5})

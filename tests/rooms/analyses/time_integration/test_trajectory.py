@@ -214,6 +214,7 @@ def test_a_pendulum_held_by_a_link_is_a_pendulum():
     assert found.balance.error < 1e-12
 
 
+@pytest.mark.sweep
 def test_a_four_bar_linkage_that_goes_round_and_round():
     found = simulate(problem(FOUR_BAR).configuration, 10.0, initial={"alpha": 0.0, "alpha'": 6.0})
     assert found.at([10.0])[0][found.names.index("alpha"), 0] > 50      # through all dead centres

@@ -280,6 +280,7 @@ print(sorted(name for name in set(sys.modules) - before if name.split(".")[0] in
 """
 
 
+@pytest.mark.sweep
 def test_no_scipy_is_needed():
     done = subprocess.run([sys.executable, "-c", CHILD], capture_output=True, text=True, timeout=120, check=False,
                           cwd="tests")

@@ -88,6 +88,7 @@ def test_a_post_below_buckling_has_one_position(kt):
     found_as(upright(kt), [({"f": 0.0}, HELD if kt == 9.81 else STABLE)], proved=kt != 9.81)
 
 
+@pytest.mark.sweep
 def test_turns_of_a_torsion_spring_are_not_the_same_place():
     """kt f = m g L sin f with a soft spring: several windings, all different; counted by a fine table."""
     load = 9.81 / 0.5

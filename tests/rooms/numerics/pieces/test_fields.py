@@ -18,6 +18,7 @@ def far(found, expected):
     return np.array(abs(found - expected).max(axis=0) / abs(expected).max(axis=0), float)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("seed", range(3))
 @mpmath.workdps(60)
 def test_fields_to_the_last_digits(seed):
