@@ -50,6 +50,16 @@ def test_a_fault_of_one_file_leaves_the_others(folder, capfd, monkeypatch):
     assert "1.yaml" in err and "RuntimeError: broken" in err
 
 
+def test_a_file_that_ends_its_processes_leaves_the_others(folder, capfd, monkeypatch):
+    whole = work._checked
+    monkeypatch.setattr(work, "_checked", lambda file, *rest: os._exit(9) if file.endswith("1.yaml") else
+                        whole(file, *rest))
+    assert run(["check", str(folder), "--json", "--jobs", "2"]) == 3
+    out, err = capfd.readouterr()
+    assert [one["exit_code"] for one in json.loads(out)] == [0, 4, 3, 4, 0, 0]
+    assert "1.yaml: error: workers ended twice before their work did\nhint: ask for fewer --jobs" in err
+
+
 def test_the_line_that_tells_how_far_it_is_leaves_room_for_what_is_printed(folder, capfd, monkeypatch):
     clock = iter(range(0, 1000, 10))
     monkeypatch.setattr(progress, "monotonic", lambda: float(next(clock)))

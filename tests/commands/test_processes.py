@@ -45,7 +45,7 @@ def opcodes(packages, interrupted=0):
 
     sys.settrace(entered)
     try:
-        list(in_processes(abs, range(4), 2, lambda found: False))
+        list(in_processes(abs, range(4), 2, lambda found: False, None))
     finally:
         sys.settrace(None)
     return seen

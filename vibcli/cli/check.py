@@ -140,9 +140,11 @@ def _each(files: Sequence[str], jobs: int, cache: "Cache | None", settings: Sequ
         work = partial(_from_stdin, _stdin(), stdin_name or "stdin", settings, patience, work)
     checked: Iterator[CheckedFile] = map(work, rest)
     if jobs > 1 and len(rest) > 1:
+        from vibcli.cli.checking.work import not_checked
         from vibcli.cli.jobs import in_processes
 
-        checked = in_processes(work, rest, min(jobs, len(rest)), said, None if cache is None else cache.seconds)
+        checked = in_processes(work, rest, min(jobs, len(rest)), said, not_checked,
+                               None if cache is None else cache.seconds)
     for file in files:
         yield known[file] if file in known else next(checked)
 

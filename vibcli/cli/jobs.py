@@ -3,11 +3,15 @@
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
+from vibcli.base.errors import PhysicsError
+
 
 def in_processes(work: Callable, files: Sequence[str], jobs: int, said: Callable[[Any], bool],
-                 longest: Callable[[str], float] | None = None) -> Iterator[Any]:
+                 lost: Callable[[str, PhysicsError], Any], longest: Callable[[str], float] | None = None
+                 ) -> Iterator[Any]:
     """work(file) of each file, in their order, so many at a time; those first that are `longest`. said(found): is
-    anything printed of it? An interrupt, or leaving before the end, ends the processes."""
+    anything printed of it? lost(file, why): what stands for one whose process ended twice. An interrupt, or leaving
+    before the end, ends the processes."""
     from vibcli.cli.processes import Processes
     from vibcli.cli.progress import teller
 
@@ -17,7 +21,10 @@ def in_processes(work: Callable, files: Sequence[str], jobs: int, said: Callable
         order = range(len(files)) if longest is None else sorted(range(len(files)), key=lambda i: -longest(files[i]))
         waiting = {i: pool.submit(work, files[i]) for i in order}
         for number in range(len(files)):
-            found = waiting[number].result()
+            try:
+                found = waiting[number].result()
+            except PhysicsError as error:
+                found = lost(files[number], error)
             if tell is not None and said(found):
                 tell.hide()
             yield found

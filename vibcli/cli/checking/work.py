@@ -29,6 +29,11 @@ def checked_file(file: str, settings: Sequence[str] = (), patience: int = 1, dat
     return found._replace(seconds=process_time() - start)
 
 
+def not_checked(file: str, error: PhysicsError) -> CheckedFile:
+    """What stands for a file of which nothing is found."""
+    return CheckedFile(file, 4, True, (), [_trouble(UNSOLVED, error, file)])
+
+
 def _checked(file, settings, patience, data):
     verdicts, troubles, doubts, code = [], [], [], 0
     try:
