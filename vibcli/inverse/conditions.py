@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.inverse.admissible_ranges import admissible
+from vibcli.inverse.alike_drawings import AlikeDrawings
 from vibcli.inverse.stability_margin import ZERO, free_roots, margin
 from vibcli.quantities.expression import value_of
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -40,7 +41,8 @@ class ConditionSystem:
         self.conditions = [record["so"] for record in problem.spec.choices.values()]
         self.ranges = [admissible(problem, name) for name in self.names]
         self.shares = not in_geometry(problem, self.names)
-        self.refusal, self._measured, self.rigid, self.free = None, {}, None, None
+        self._drawings = AlikeDrawings(problem)
+        self.refusal, self._measured, self._substituted, self.rigid, self.free = None, {}, {}, None, None
         self.scales = [0.0] * len(self.conditions)
         self.rest, self.ends = {}, []                               # Configurations; where following them ends
         self.limits = {} if limits is None else limits              # {value: Limit} that was followed to (folds.py)
@@ -49,21 +51,31 @@ class ConditionSystem:
         """[[(L, R), …] of each condition] at numbers for the parameters, None where the scene has no such answer."""
         key = tuple(values)
         if key not in self._measured:
-            instance = self.instance(values, self.shares)
-            self._measured[key] = self._measure(instance)
+            instance = self.instance(values, True)
+            found = self._measure(instance)
+            if self._drawings.misled(self._given(values), instance):
+                instance = self.instance(values)
+                found = self._measure(instance)
+            self._measured[key] = found
             if "equilibrium" in vars(instance.configuration):
                 self.rest[key] = instance.configuration
         return self._measured[key]
 
     def instance(self, values: Any, shared: "bool | SharedFriction | None" = False):
-        given = {name: Fraction(value) for name, value in zip(self.names, values, strict=True)}
-        found = self.problem.sharing(given) if shared else self.problem.with_values(given)
+        given = self._given(values)
+        if not shared:
+            found = self.problem.with_values(given)
+        else:
+            found = self.problem.sharing(given) if self.shares else self._drawings.at(given)
         limit = self.limit(values)
         if limit is None:
             return found
         from vibcli.mechanics.equilibrium.degenerate import at_limit
 
         return found.about(at_limit(found.configuration, limit.position, limit.felt))
+
+    def _given(self, values):
+        return {name: Fraction(value) for name, value in zip(self.names, values, strict=True)}
 
     def know(self, limits: Any, ends: Any):
         """Keep the Limits to which equilibria were followed, and the ends of those ways."""
@@ -156,12 +168,20 @@ class ConditionSystem:
         return not any(one.word for one in self.conditions) and (
             self.problem.system.is_linear or self.problem.symbolic.balanced_as_drawn)
 
+    def substituted(self, values: Sequence[Fraction]) -> "tuple[Problem, list[list[tuple[float, float]]]]":
+        """(the scene built anew with these values, its [(L, R), …] of each condition)."""
+        key = tuple(values)
+        if key not in self._substituted:
+            anew = self.instance(values)
+            self._substituted[key] = anew, [self._pairs(anew, condition) for condition in self.conditions]
+        return self._substituted[key]
+
     def residual(self, values: Sequence[Fraction]) -> float:
         """The largest misfit in a scene built anew with these values; PhysicsError where it has no such answer."""
         limit = self.limit(values)
         if limit is not None and self.conditions[0].word:
             return limit.residual
-        found = [self._pairs(self.instance(values), condition) for condition in self.conditions]
+        found = self.substituted(values)[1]
         return max(abs(misfit(pair, scale)) for pairs, scale in zip(found, self.scales, strict=True) for pair in pairs)
 
     def holds(self, values: Sequence[Fraction]) -> tuple[bool, float]:
