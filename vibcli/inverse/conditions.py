@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 HOLDS = 1e-8
+NEAR = 1e-6         # a misfit from which on a look is enough, at numbers whose bounds are not found
 
 
 class ConditionSystem:
@@ -94,13 +95,18 @@ class ConditionSystem:
             with np.errstate(all="ignore"):
                 if not all(condition.is_balance for condition in self.conditions):
                     instance = _roughly(instance)
-                signed = instance.with_signs()
-                found = [self._pairs(signed if _vanishing(condition) else instance, condition)
-                         for condition in self.conditions]
+                found = self._seen(instance.roughly())
+                if any(abs(one) < NEAR for one in self._misfits_of(found)):
+                    found = self._seen(instance)
         except (SpecError, PhysicsError, ArithmeticError, np.linalg.LinAlgError) as error:
             self.refusal = self.refusal or error
             return None
         return found if all(isfinite(x) for pairs in found for pair in pairs for x in pair) else None
+
+    def _seen(self, instance):
+        """The same in a Problem of numbers."""
+        signed = instance.with_signs()
+        return [self._pairs(signed if _vanishing(condition) else instance, condition) for condition in self.conditions]
 
     def _pairs(self, instance, condition):
         if condition.is_balance:
@@ -144,6 +150,9 @@ class ConditionSystem:
         found = self.measured(values)
         if found is None:
             return None
+        return self._misfits_of(found)
+
+    def _misfits_of(self, found):
         return [misfit(pair, scale) for pairs, scale in zip(found, self.scales, strict=True) for pair in pairs]
 
     def settle_scales(self, places: Sequence[list[float]]) -> None:
@@ -181,8 +190,7 @@ class ConditionSystem:
         limit = self.limit(values)
         if limit is not None and self.conditions[0].word:
             return limit.residual
-        found = self.substituted(values)[1]
-        return max(abs(misfit(pair, scale)) for pairs, scale in zip(found, self.scales, strict=True) for pair in pairs)
+        return max(map(abs, self._misfits_of(self.substituted(values)[1])))
 
     def holds(self, values: Sequence[Fraction]) -> tuple[bool, float]:
         """(whether all conditions hold, residual) by substitution; a limit of stability has to be passed."""
