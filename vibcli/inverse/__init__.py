@@ -53,8 +53,9 @@ def _balanced_first(problem):
 
 def _in_numbers(problem, rest, thorough):
     system, solutions, refusal = ConditionSystem(problem), [], None
+    searched = system if rest is problem else ConditionSystem(rest, system.limits)
     with problem.work.task(f"the search for {listed(problem.spec.choices)}", MOST):
-        found = solve(rest, thorough, system.limits) if rest.spec.choices else [((), ())]
+        found = solve(searched, thorough) if rest.spec.choices else [((), ())]
     for values, nodes in found:
         everything = _all_values(problem, rest, values)
         try:
@@ -70,7 +71,7 @@ def _in_numbers(problem, rest, thorough):
         if not system.limits and stable_in_floats(rest, nodes, [first.values[name] for name in first.forms]):
             found = defined(problem, first.forms)
     if found is None:
-        found = system.instance(list(first.values.values()))
+        found = system.substituted(list(first.values.values()))[0]
     return found.with_choice(Chosen(problem.spec.choices, solutions), problem)
 
 

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.inverse.admissible_ranges import admissible
+from vibcli.inverse.alike_drawings import AlikeDrawings
 from vibcli.inverse.stability_margin import ZERO, free_roots, margin
 from vibcli.quantities.expression import value_of
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 HOLDS = 1e-8
+NEAR = 1e-6         # a misfit from which on a look is enough, at numbers whose bounds are not found
 
 
 class ConditionSystem:
@@ -40,7 +42,8 @@ class ConditionSystem:
         self.conditions = [record["so"] for record in problem.spec.choices.values()]
         self.ranges = [admissible(problem, name) for name in self.names]
         self.shares = not in_geometry(problem, self.names)
-        self.refusal, self._measured, self.rigid, self.free = None, {}, None, None
+        self._drawings = AlikeDrawings(problem)
+        self.refusal, self._measured, self._substituted, self.rigid, self.free = None, {}, {}, None, None
         self.scales = [0.0] * len(self.conditions)
         self.rest, self.ends = {}, []                               # Configurations; where following them ends
         self.limits = {} if limits is None else limits              # {value: Limit} that was followed to (folds.py)
@@ -49,21 +52,31 @@ class ConditionSystem:
         """[[(L, R), …] of each condition] at numbers for the parameters, None where the scene has no such answer."""
         key = tuple(values)
         if key not in self._measured:
-            instance = self.instance(values, self.shares)
-            self._measured[key] = self._measure(instance)
+            instance = self.instance(values, True)
+            found = self._measure(instance)
+            if self._drawings.misled(self._given(values), instance):
+                instance = self.instance(values)
+                found = self._measure(instance)
+            self._measured[key] = found
             if "equilibrium" in vars(instance.configuration):
                 self.rest[key] = instance.configuration
         return self._measured[key]
 
     def instance(self, values: Any, shared: "bool | SharedFriction | None" = False):
-        given = {name: Fraction(value) for name, value in zip(self.names, values, strict=True)}
-        found = self.problem.sharing(given) if shared else self.problem.with_values(given)
+        given = self._given(values)
+        if not shared:
+            found = self.problem.with_values(given)
+        else:
+            found = self.problem.sharing(given) if self.shares else self._drawings.at(given)
         limit = self.limit(values)
         if limit is None:
             return found
         from vibcli.mechanics.equilibrium.degenerate import at_limit
 
         return found.about(at_limit(found.configuration, limit.position, limit.felt))
+
+    def _given(self, values):
+        return {name: Fraction(value) for name, value in zip(self.names, values, strict=True)}
 
     def know(self, limits: Any, ends: Any):
         """Keep the Limits to which equilibria were followed, and the ends of those ways."""
@@ -82,13 +95,18 @@ class ConditionSystem:
             with np.errstate(all="ignore"):
                 if not all(condition.is_balance for condition in self.conditions):
                     instance = _roughly(instance)
-                signed = instance.with_signs()
-                found = [self._pairs(signed if _vanishing(condition) else instance, condition)
-                         for condition in self.conditions]
+                found = self._seen(instance.roughly())
+                if any(abs(one) < NEAR for one in self._misfits_of(found)):
+                    found = self._seen(instance)
         except (SpecError, PhysicsError, ArithmeticError, np.linalg.LinAlgError) as error:
             self.refusal = self.refusal or error
             return None
         return found if all(isfinite(x) for pairs in found for pair in pairs for x in pair) else None
+
+    def _seen(self, instance):
+        """The same in a Problem of numbers."""
+        signed = instance.with_signs()
+        return [self._pairs(signed if _vanishing(condition) else instance, condition) for condition in self.conditions]
 
     def _pairs(self, instance, condition):
         if condition.is_balance:
@@ -132,6 +150,9 @@ class ConditionSystem:
         found = self.measured(values)
         if found is None:
             return None
+        return self._misfits_of(found)
+
+    def _misfits_of(self, found):
         return [misfit(pair, scale) for pairs, scale in zip(found, self.scales, strict=True) for pair in pairs]
 
     def settle_scales(self, places: Sequence[list[float]]) -> None:
@@ -156,13 +177,20 @@ class ConditionSystem:
         return not any(one.word for one in self.conditions) and (
             self.problem.system.is_linear or self.problem.symbolic.balanced_as_drawn)
 
+    def substituted(self, values: Sequence[Fraction]) -> "tuple[Problem, list[list[tuple[float, float]]]]":
+        """(the scene built anew with these values, its [(L, R), …] of each condition)."""
+        key = tuple(values)
+        if key not in self._substituted:
+            anew = self.instance(values)
+            self._substituted[key] = anew, [self._pairs(anew, condition) for condition in self.conditions]
+        return self._substituted[key]
+
     def residual(self, values: Sequence[Fraction]) -> float:
         """The largest misfit in a scene built anew with these values; PhysicsError where it has no such answer."""
         limit = self.limit(values)
         if limit is not None and self.conditions[0].word:
             return limit.residual
-        found = [self._pairs(self.instance(values), condition) for condition in self.conditions]
-        return max(abs(misfit(pair, scale)) for pairs, scale in zip(found, self.scales, strict=True) for pair in pairs)
+        return max(map(abs, self._misfits_of(self.substituted(values)[1])))
 
     def holds(self, values: Sequence[Fraction]) -> tuple[bool, float]:
         """(whether all conditions hold, residual) by substitution; a limit of stability has to be passed."""

@@ -3,7 +3,7 @@ be, else a search over the admissible range; each is tried by substitution."""
 
 from fractions import Fraction
 from math import asinh, atanh, exp, isfinite, log, sinh
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
 from vibcli.inverse import infeasible
@@ -15,18 +15,16 @@ from vibcli.inverse.symbolic_conditions import candidates, determined_alone, ind
 from vibcli.numerics.root_finding import holds_everywhere, longest_plateau, zeros
 
 if TYPE_CHECKING:
-    from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
 SAME, ALIKE, NEARLY, SHORT, DECADES, SPARSE = 1e-6, 1e-11, 1.0 - 1e-15, 10, 3, 8
 PLACES = (1e-2, 0.13, 1.0, 7.0, 1e2)
 
 
-def solve(problem: "Problem", thorough: bool = False,
-          limits: dict[Any, Any] | None = None) -> "list[tuple[list[Fraction], tuple[Node | None, ...]]]":
-    """[(values, closed forms, None where unknown)], ascending, of what a problem with numbers chooses; `limits` takes
-    up the Limits that equilibria were followed to."""
-    system = ConditionSystem(problem, limits)
+def solve(system: ConditionSystem,
+          thorough: bool = False) -> "list[tuple[list[Fraction], tuple[Node | None, ...]]]":
+    """[(values, closed forms, None where unknown)], ascending, of what the problem of a ConditionSystem chooses."""
+    problem = system.problem
     system.settle_scales([[span.scale * factor for span in system.ranges] for factor in PLACES])
     letters = candidates(problem, thorough)
     always = system.shares and _in_place(problem) and (letters.always if letters is not None else independent(problem))
@@ -86,7 +84,7 @@ def _one_by_one(problem, system, thorough):
         if value is None or not system.ranges[system.names.index(name)].holds(value[0]):
             continue
         try:
-            inner = solve(choosing(problem.with_values({name: value[0]}), pairs), thorough)
+            inner = solve(ConditionSystem(choosing(problem.with_values({name: value[0]}), pairs)), thorough)
         except PhysicsError:
             continue
         for values, _ in inner:

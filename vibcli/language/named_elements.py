@@ -1,6 +1,7 @@
 """Elements by name: those that have a file of their own, and mappings from names that the writer chooses."""
 
 from collections.abc import Callable
+from functools import cache
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from vibcli.base.errors import Where
 
 
+@cache
 def load(name: Any, room: str = "elements") -> "ModuleType":
     """The module of an element or a section, vibcli/ROOM/NAME.py."""
     return import_module(f"vibcli.{room}.{name}")

@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from vibcli.language.parameters import Parameters
 
+PRIME = 10007
 FAR = 100           # where attempts unrelated to those of the drawing start
 FAR_APART = 5       # letters of one scene may differ by orders of magnitude
 
 
 def sample_values(names: Sequence[str], attempt: int) -> dict[str, float]:
     """Values for symbols without one: positive, unrelated, and others at each attempt."""
-    return {name: 0.6 + 1.7 * ((Fraction(7919 * (i + 1) + 104729 * attempt, 10007) * (attempt + 3)) % 1)
+    return {name: 0.6 + 1.7 * ((7919 * (i + 1) + 104729 * attempt) * (attempt + 3) % PRIME / PRIME)
             for i, name in enumerate(names)}
 
 

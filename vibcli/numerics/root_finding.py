@@ -6,7 +6,7 @@ zero where h tends to 0. None stands for "not defined there".
 
 from collections.abc import Callable, Sequence
 from itertools import pairwise
-from math import isfinite
+from math import copysign, isfinite
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -152,8 +152,31 @@ def _refine(scan):
 
 def _within(scan, a, ha, b, hb):
     """The zero within a change of sign; none at a pole or a jump."""
-    x = bracketed(scan.at, a, ha, b, hb)
+    middle = scan.at(_middle(a, b))
+    rises = middle is not None and abs(middle) > abs(ha if (middle > 0) == (ha > 0) else hb)
+    ends = (a, ha, b, hb)
+    if rises and 1 not in (abs(middle), abs(ha), abs(hb)):
+        ends = _beside_pole(scan, *ends)
+    x = ends and bracketed(scan.at, *ends)
     return [] if x is None or abs(scan.at(x)) > ZERO else [x]
+
+
+def _beside_pole(scan, a, ha, b, hb):
+    """The change of sign of h where |h| falls again on the way to the place at which 1 − |h| vanishes, found as a zero;
+    None where it rises from both sides up to there: at a pole, a jump, or where h is not defined."""
+    near, fell = {ha > 0: (a, ha), hb > 0: (b, hb)}, []
+
+    def below_one(x):
+        h = scan.at(x)
+        if h is None or fell:
+            return None
+        if abs(h) < abs(near[h > 0][1]):
+            fell.extend((x, h, *near[h < 0]))
+        near[h > 0] = x, h
+        return copysign(1 - abs(h), h)
+
+    bracketed(below_one, a, copysign(1 - abs(ha), ha), b, copysign(1 - abs(hb), hb))
+    return fell or None
 
 
 def bracketed(function: Callable, a: float, fa: float, b: float, fb: float) -> float:
@@ -170,7 +193,7 @@ def bracketed(function: Callable, a: float, fa: float, b: float, fb: float) -> f
         else:
             c, b, fc, fb = b, a, fb, fa
         a, fa = x, fx
-        best, least = (a, fa) if abs(fa) < abs(fb) else (b, fb)
+        best, least = (a, abs(fa)) if abs(fa) < abs(fb) else (b, abs(fb))
         width = abs(b - a)
         if step == EARLY and least > max(JUMP * start, ZERO):
             return None

@@ -20,6 +20,8 @@ def _frf(problem, tree, args):
         found, error = problem.frequency_response(*tree.indices).at(args[0])
     except LostDigits as refusal:
         return found_response(problem, tree, refusal)
+    if problem.rough:
+        return found, error
     return settled_response(problem, tree, found, error)
 
 
@@ -67,10 +69,13 @@ def _transmissibility(problem, tree, args):
 
 
 def _of_curve(find):
+    """The value of what `find` gives with a function for its relative error."""
     def value(problem, tree, args):
         curve = problem.frequency_response(*tree.args[0].indices)
         found, error = find(curve, int(tree.indices[0]), tree.component)
-        return settled_on_curve(problem, tree, found, min(1.0, max(ROUNDING, error)))
+        if problem.rough:
+            return found, 0.0
+        return settled_on_curve(problem, tree, found, min(1.0, max(ROUNDING, error())))
     return value
 
 
@@ -78,19 +83,20 @@ def _peak(curve, number, attribute):
     Omega, value, _ = curve.peak(number)
     if attribute != "Omega" and value is None:
         raise PhysicsError("an undamped peak has no bound", f"add damping, or ask for peak[{number}](…).Omega")
-    off, relative = curve.error_of_peak(number)
-    return (Omega, off / Omega) if attribute == "Omega" else (value, relative)
+    if attribute == "Omega":
+        return Omega, lambda: curve.error_of_peak(number)[0] / Omega
+    return value, lambda: curve.error_of_peak(number)[1]
 
 
 def _antiresonance(curve, number, attribute):
     Omega = curve.antiresonance(number)
-    return Omega, curve.error_of_antiresonance(Omega) / Omega
+    return Omega, lambda: curve.error_of_antiresonance(Omega) / Omega
 
 
 def _half_power(curve, number, attribute):
     peak, side = (number + 1) // 2, (number + 1) % 2
     Omega = curve.half_power_of(peak)[side]
-    return Omega, curve.errors_of_half_power(peak)[side] / Omega
+    return Omega, lambda: curve.errors_of_half_power(peak)[side] / Omega
 
 
 def _fixed_point(problem, tree, args):
@@ -166,7 +172,7 @@ QUANTITIES = {
         "or its value", None, _fixed_point, ("number", "damper"), ("Omega", "value"), _of_argument),
     "quality": _of_response(
         "quality of the i-th peak, Ω/(Ω₂ − Ω₁) by its half-power points", "1",
-        _of_curve(lambda curve, i, _: (curve.quality(i), curve.error_of_quality(i)))),
+        _of_curve(lambda curve, i, _: (curve.quality(i), lambda: curve.error_of_quality(i)))),
     "arg": _of_value("angle of a complex frequency response, eigenvalue or shape", _angle(1), "rad", size=one),
     "re": _of_value("real part of the same", _complex_part(lambda value: value.real)),
     "im": _of_value("imaginary part of the same", _complex_part(lambda value: value.imag)),

@@ -43,14 +43,15 @@ class Problem:
     what counts its long work; `modal`: the parts of another Problem that this one shares; `choice`: what was chosen
     (inverse), where this is the scene with its solution, `earlier` being what it cost before; `end`: of a motion in
     time [s], where it is not that of the file; `signed`: have amplitudes a sign, so that a search sees where they
-    vanish? many: are its numbers arrays (quantities/at_once.py)?"""
+    vanish? `rough`: is it looked at by a search, for numbers in floats without their bounds? many: are its numbers
+    arrays (quantities/at_once.py)?"""
 
     many = False
 
     def __init__(self, spec: "Spec", given: "Mapping[str, Fraction] | None" = None, work: "Work | None" = None,
                  modal: "ModalAnalysis | None" = None, choice: Any = None,
                  earlier: Mapping[str, float] | None = None, end: Any = None, signed: bool = False,
-                 digits: int | None = None, symbolic: "SymbolicSystem | None" = None):
+                 rough: bool = False, digits: int | None = None, symbolic: "SymbolicSystem | None" = None):
         self.spec, self.system = spec, MechanicalSystem(spec, given, work) if modal is None else modal.system
         self.work, self.costs = self.system.work, self.system.costs
         self.given: Mapping[str, Fraction] = self.system.given
@@ -60,7 +61,7 @@ class Problem:
         if symbolic is not None:
             self.symbolic = symbolic
         self.choice, self.earlier, self.end, self.signed = choice, earlier or {}, end, signed
-        self.digits = digits
+        self.rough, self.digits = rough, digits
         self._cases, self._curves, self._limits = {}, {}, {}
         self.measured: dict[str, tuple[float, float]] = {}     # {quantity as it is written: (value, error)}
         self.lettered: dict[str, tuple[Any, Any]] = {}         # {the same: (its Expression, its node or why none)}
@@ -130,6 +131,10 @@ class Problem:
         """The same scene with amplitudes that have a sign."""
         return self._copy(signed=True)
 
+    def roughly(self) -> "Problem":
+        """The same scene for a look at it: numbers in floats, without their bounds."""
+        return self._copy(rough=True)
+
     def with_accuracy(self, accuracy: float) -> "Problem":
         """The same scene with its motions integrated so accurately."""
         return self._copy(spec=self.spec.with_accuracy(accuracy))
@@ -149,7 +154,7 @@ class Problem:
 
     def _copy(self, **changes):
         kept = {"spec": self.spec, "modal": self.modal, "choice": self.choice, "earlier": self.earlier, "end": self.end,
-                "signed": self.signed, "digits": self.digits}
+                "signed": self.signed, "rough": self.rough, "digits": self.digits}
         return Problem(**{**kept, **changes})
 
     def case(self, name: str) -> "Problem":

@@ -81,6 +81,24 @@ def test_a_change_of_sign_is_a_zero_but_for_a_jump(place):
         assert len(found) == count and all(abs(x - place) < 1e-6 for x in found), step
 
 
+@pytest.mark.parametrize("grid", [DECADES, EVEN])
+@pytest.mark.parametrize("place", [0.37, 1.7321, 2.72])
+def test_a_simple_pole_is_told_at_few_places(place, grid):
+    def function(x):
+        return None if x == place else (x - place) / (abs(x - place) + (x - place) ** 2)
+
+    found, scan = zeros(function, grid)
+    assert found == [] and sum(abs(x - place) < 5e-3 for x in scan.points) < 10
+
+
+@pytest.mark.parametrize("width", [1e-2, 1e-3, 1e-4])
+def test_between_heights_that_look_like_those_of_a_pole_there_may_be_a_zero(width):
+    """d/(d² + w²) of d = x − p, as the real part of a lightly damped response: it turns to zero within w of p."""
+    for place in (0.37, 1.7321, 2.72, -1.3):
+        found, _ = zeros(lambda x, p=place: (d := x - p) / (abs(d) + (d * d + width**2) / (1e7 * width**2)), EVEN)
+        assert found == [pytest.approx(place, rel=1e-12)]
+
+
 def test_an_end_counts_where_the_range_holds_it():
     grid = [1 + i / 10 for i in range(11)]
     function = bounded_ratio(lambda x: x, lambda x: 2)

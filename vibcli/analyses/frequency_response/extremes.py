@@ -40,15 +40,18 @@ def extremes(system: "FrequencyResponseFunction", start: float = 0.0, end: float
     (low, high), steep = _brackets(system, start, end)
     maximum = steep[0] > 0
     Omega = zeros_between(lambda at: steepness(system, at), low, high, known=steep)
-    values, resonant = sampled(system, Omega)
     if system.undamped:
+        values, resonant = sampled(system, Omega)
         turning = ~_through(system, low, high) & ~resonant
         found = [*map(_extreme, Omega[turning], np.abs(values[turning]), maximum[turning])]
         for marks, value in zip(system.endless(start, end), (None, 0.0), strict=True):
             found += [_extreme(at, value, value is None) for at in marks]
         return sorted(found, key=lambda one: one.Omega)
-    beside = [np.abs(sampled(system, Omega[maximum] * (1 + sign * BESIDE))[0]) for sign in (1, -1)]
-    resonant[maximum] |= np.abs(values[maximum]) > ENDLESS * np.maximum(*beside)
+    tops, count = Omega[maximum], len(Omega)
+    values, resonant = sampled(system, np.concatenate([Omega, tops * (1 + BESIDE), tops * (1 - BESIDE)]))
+    beside = np.abs(values[count:]).reshape(2, -1).max(axis=0)
+    values, resonant = values[:count], resonant[:count]
+    resonant[maximum] |= np.abs(values[maximum]) > ENDLESS * beside
     Omega[resonant] = _nearest(system.poles(start, end).imag, Omega[resonant])
     return [_extreme(at, None if lost else size, top)
             for at, size, lost, top in zip(Omega, np.abs(values), resonant, maximum, strict=True)]

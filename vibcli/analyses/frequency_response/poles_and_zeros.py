@@ -16,6 +16,7 @@ from vibcli.numerics.fixed_point import count_floats
 
 FAR = 1e-7      # |μ| of what counts as infinite
 STEPS, NEAR, STILL = 6, 0.03, 1e-6
+SETTLED = 1e-10     # relative: a step of Newton's method after which the next one is lost in rounding
 ASIDE = 1e-3
 LONG = 12       # coordinates from which on their structure is looked at
 BESIDE = 1e-9   # where Newton's method for a pole starts that rounding hides at its own place
@@ -111,6 +112,7 @@ def _kept(system, places, sign=-1):
         step[near[(values == 0) & ~resonant & _vanishes(system, at[near], values)]] = np.inf
         near = near[np.abs(step[near]) <= NEAR * np.abs(at[near])]      # where the others are they stay
         at[near] += step[near]
+        near = near[np.abs(step[near]) > SETTLED * np.abs(at[near])]
     return at[(np.abs(step) <= STILL * np.abs(at)) & (np.abs(at - places) <= NEAR * np.abs(places))]
 
 

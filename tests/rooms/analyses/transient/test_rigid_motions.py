@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
-from scipy.linalg import expm
+from scipy.linalg import expm, qr
 from support.scenes import problem
 
 from vibcli.analyses.transient.complex_modes import general
-from vibcli.analyses.transient.rigid_motions import exact, freed
+from vibcli.analyses.transient.rigid_motions import _places, exact, freed
 from vibcli.base.errors import PhysicsError
 from vibcli.quantities.expression import measure
 from vibcli.symbolic.parser import parse
@@ -115,3 +115,16 @@ def test_as_many_eigenvalues_vanish_as_motions_are_free_and_undamped(grounded, z
 def test_motions_of_others_are_not_looked_at_twice():
     M, C, K, _ = loose_pair(np.random.default_rng(7), True)
     assert freed(M, C, K, np.zeros((4, 1))) is None
+
+
+def test_places_are_the_pivots_of_qr():
+    for seed in range(6):
+        columns = np.random.default_rng(seed).normal(size=(9, 1 + seed % 4))
+        pivots = qr(columns.T, mode="r", pivoting=True)[1]
+        assert _places(columns) == pivots[:columns.shape[1]].tolist()
+
+
+def test_of_rows_alike_but_for_rounding_the_first_is_a_place():
+    rng = np.random.default_rng(3)
+    for _ in range(20):
+        assert _places(np.ones((7, 1)) * (1 + 1e-15 * rng.normal(size=(7, 1)))) == [0]
