@@ -41,8 +41,11 @@ def test_every_kind_of_file_has_hints():
     assert sum(hints) >= 0.75 * len(hints)
 
 
+ONE_OF_EACH = {expected(path)[:2]: path for path in BAD}        # exit code and command
+
+
 @pytest.mark.sweep
-@pytest.mark.parametrize("path", BAD[::25], ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", ONE_OF_EACH.values(), ids=lambda path: path.stem)
 def test_a_process_says_the_same(path):
     code, command, wanted = expected(path)
     done = subprocess.run([sys.executable, "-m", "vibcli", command, str(path)], capture_output=True, text=True)

@@ -33,10 +33,11 @@ def scene(tmp_path):
 
 @pytest.fixture
 def few(monkeypatch):
-    """Three tolerances, four grids, and a single run of each after the first."""
-    from vibcli.evidence.methods import dense_grids, integrators
+    """Three tolerances, three numbers of steps, four grids, and a single run of each after the first."""
+    from vibcli.evidence.methods import dense_grids, held_inputs, integrators
 
     monkeypatch.setattr(integrators, "TOLERANCES", (1e-3, 1e-5, 1e-7))
+    monkeypatch.setattr(held_inputs, "STEPS", held_inputs.STEPS[:3])
     monkeypatch.setattr(dense_grids, "POINTS", dense_grids.POINTS[:4])
     monkeypatch.setattr(timing, "FEW", 1)
 

@@ -1,6 +1,5 @@
 """Plots: what stands in the terminal, what stands in files, and that neither is ever cut off or different twice."""
 
-import hashlib
 import json
 import math
 import os
@@ -12,7 +11,7 @@ import xml.etree.ElementTree as ET
 from itertools import pairwise
 
 import pytest
-from support.plots import EVIL, FIGURES, TIMES, wave
+from support.plots import EVIL, FIGURES, TIMES, digests, wave
 
 from vibcli.base.decoding import cleaned
 from vibcli.base.errors import PhysicsError
@@ -254,12 +253,14 @@ def test_a_plot_in_the_terminal_needs_nothing_heavy():
 
 # files
 
-DIGESTS = """
-import hashlib, json, sys
+PICTURES = ("frf", "png"), ("frf", "svg"), ("frf", "pdf"), ("hostile", "svg")
+ELSEWHERE = f"""
+import json, sys
+import matplotlib
+matplotlib.rcParams['font.size'] = 30
+matplotlib.rcParams['svg.fonttype'] = 'none'
 from support import plots
-from vibcli.plots.picture import picture
-found = {name + kind: hashlib.sha256(picture(plots.FIGURES[name], kind)).hexdigest()
-         for name, kind in (("frf", "png"), ("frf", "svg"), ("frf", "pdf"), ("hostile", "svg"))}
+found = plots.digests({PICTURES})
 assert not [name for name in sys.modules if name.startswith(("matplotlib.pyplot", "scipy", "sympy"))]
 print(json.dumps(found))
 """
@@ -267,10 +268,8 @@ print(json.dumps(found))
 
 @pytest.mark.sweep
 def test_the_same_bytes_in_two_processes_and_again():
-    first, second = run(DIGESTS), run("import matplotlib\nmatplotlib.rcParams['font.size'] = 30\n"
-                                      "matplotlib.rcParams['svg.fonttype'] = 'none'\n" + DIGESTS)
-    assert first == second
-    assert first["frfsvg"] == hashlib.sha256(picture(FIGURES["frf"], "svg")).hexdigest()
+    """Where Matplotlib was given other settings, and where other pictures were drawn before."""
+    assert run(ELSEWHERE) == digests(PICTURES)
 
 
 def test_nothing_global_is_left_changed():

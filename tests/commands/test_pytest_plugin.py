@@ -30,8 +30,11 @@ def course(pytester):
 
 
 def ran(course, *args):
-    """In a process of its own, as users run it; by its module, as the tree at hand may be another than is installed."""
-    return course.runpytest_subprocess("-p", "no:vibcli", "-p", "vibcli.cli.pytest_plugin", *args)
+    """In a process of its own, as users run it; by its module, as the tree at hand may be another than is installed;
+    without other plugins."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("PYTEST_DISABLE_PLUGIN_AUTOLOAD", "1")
+        return course.runpytest_subprocess("-p", "vibcli.cli.pytest_plugin", *args)
 
 
 @pytest.mark.sweep
@@ -58,7 +61,7 @@ def test_the_last_failures(course):
 
 @pytest.mark.sweep
 def test_in_several_processes(course):
-    ran(course, "-n", "2").assert_outcomes(passed=6, failed=2)
+    ran(course, "-p", "xdist", "-n", "2").assert_outcomes(passed=6, failed=2)
 
 
 @pytest.mark.sweep

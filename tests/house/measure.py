@@ -4,6 +4,7 @@ import ast
 import sys
 from collections import defaultdict
 from fnmatch import fnmatchcase
+from functools import cache
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))       # run as a script it finds the tree that it is in
@@ -272,6 +273,7 @@ def walked(args):
     return {name for name in rooms if FLOOR.get(name, GROUND) >= GROUND}, moves, up
 
 
+@cache
 def walks():
     """What is walked by `frequencies` of a mass on a spring, and by `check` of its max(x)."""
     import contextlib
@@ -288,6 +290,7 @@ def walks():
 
 def main(house):
     (rooms, moves, up), (_, in_check, up_in_check) = walks()
+    outside = house.set_from_outside()
     flat = [entry for entry in PACKAGE.iterdir() if entry.suffix == ".py"]
     rooms_of = {room_of(module) for module in house.trees if "." in module}
     rows = [
@@ -301,8 +304,8 @@ def main(house):
         ("of these into rooms above the ground", f"{up} / {up_in_check}"),
         ("functions of mechanics and analyses that take the whole problem", len(house.taking_problem())),
         ("subscripts of syntax trees", len(house.subscripts())),
-        ("attributes set on an object from outside it", f"{len(house.set_from_outside())} in "
-         f"{len({place.split(':')[0] for place in house.set_from_outside()})} files"),
+        ("attributes set on an object from outside it", f"{len(outside)} in "
+         f"{len({place.split(':')[0] for place in outside})} files"),
         ("classes with more than one base", len(house.with_several_bases())),
         ("annotated parameters", f"{house.annotated():.0%}"),
         ("class names that mean several things", len(house.class_names())),

@@ -6,24 +6,22 @@ import random
 from contextlib import redirect_stderr, redirect_stdout
 from importlib import import_module
 from io import StringIO
-from pathlib import Path
 
 import pytest
 
 from vibcli.cli.program import run
 
-ROOT = Path(__file__).parents[2]
 MODULES = {"time", "datetime", "timeit", "sched", "asyncio", "resource"}
 TIMERS = {"alarm", "setitimer", "Timer"}        # of signal, and of threads
-MEASURING = "vibcli/bench/"
+MEASURING = "vibcli.bench."
 READ = {                # where a clock is read, and what for
-    "vibcli/api/source.py": "perf_counter",             # --timings
-    "vibcli/base/stage.py": "perf_counter",             # --timings
-    "vibcli/cli/progress.py": "monotonic",              # how far long work is
-    "vibcli/cli/checking/work.py": "process_time",      # which file is begun first by several processes
-    "vibcli/evidence/timing.py": "process_time",        # bench FILE
-    "vibcli/evidence/subject.py": "process_time",       # bench FILE
-    "vibcli/cli/viewing/following.py": "sleep",         # between two looks at a file that is edited
+    "vibcli.api.source": "perf_counter",                # --timings
+    "vibcli.base.stage": "perf_counter",                # --timings
+    "vibcli.cli.progress": "monotonic",                 # how far long work is
+    "vibcli.cli.checking.work": "process_time",         # which file is begun first by several processes
+    "vibcli.evidence.timing": "process_time",           # bench FILE
+    "vibcli.evidence.subject": "process_time",          # bench FILE
+    "vibcli.cli.viewing.following": "sleep",            # between two looks at a file that is edited
 }
 SCENE = """
 parameters: {m: 2 kg, k: 800 N/m, g: 9.81 m/s^2}
@@ -39,10 +37,10 @@ answers: {"omega[1]": 4.400 rad/s, "max(x)": 5.0 cm}
 """
 
 
-def clocks(path):
-    """Names of clocks and timers that a file imports or calls."""
+def clocks(nodes):
+    """Names of clocks and timers that a file imports or calls, of the nodes of its syntax tree."""
     found = []
-    for node in ast.walk(ast.parse(path.read_text())):
+    for node in nodes:
         if isinstance(node, ast.Import):
             found += [one.name for one in node.names if one.name.split(".")[0] in MODULES]
         elif isinstance(node, ast.ImportFrom) and (node.module or "").split(".")[0] in MODULES:
@@ -55,18 +53,16 @@ def clocks(path):
 
 
 @pytest.mark.sweep
-def test_clocks_are_read_where_times_are_told_alone():
-    found = {path.relative_to(ROOT).as_posix(): names for path in sorted((ROOT / "vibcli").rglob("*.py"))
-             if (names := clocks(path))}
-    elsewhere = {file: names for file, names in found.items() if not file.startswith(MEASURING)}
-    assert elsewhere == {file: [name] for file, name in READ.items()}
+def test_clocks_are_read_where_times_are_told_alone(house):
+    found = {module: names for module, nodes in house.nodes.items() if (names := clocks(nodes))}
+    elsewhere = {module: names for module, names in found.items() if not module.startswith(MEASURING)}
+    assert elsewhere == {module: [name] for module, name in READ.items()}
 
 
-def test_what_is_looked_for_is_seen(tmp_path):
-    path = tmp_path / "a.py"
-    path.write_text("import time\nfrom datetime import date\nimport signal\nsignal.alarm(3)\n"
-                    "from threading import Timer\nimport math\n")
-    assert sorted(clocks(path)) == ["Timer", "alarm", "date", "time"]
+def test_what_is_looked_for_is_seen(planted):
+    house = planted({"a.py": "import time\nfrom datetime import date\nimport signal\nsignal.alarm(3)\n"
+                             "from threading import Timer\nimport math\n"})
+    assert sorted(clocks(house.nodes["vibcli.a"])) == ["Timer", "alarm", "date", "time"]
 
 
 def said(*args):

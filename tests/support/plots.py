@@ -1,6 +1,7 @@
 """Figures that the tests of plots share: those of a textbook, and hostile ones."""
 
 import cmath
+import hashlib
 import math
 import random
 
@@ -70,3 +71,10 @@ FIGURES = {
         Mark(1, EVIL), Mark(1.1, EVIL), Mark(2, EVIL), Mark(0.3, "日本語"))),)),
     "many": of_response(TIMES, [(f"x{i}", "m", wave(1 + i, 1 + i / 3)) for i in range(9)], title="W" * 900),
 }
+
+
+def digests(pictures):
+    """{name and kind of a picture: digest of its bytes} of FIGURES."""
+    from vibcli.plots.picture import picture
+
+    return {name + kind: hashlib.sha256(picture(FIGURES[name], kind)).hexdigest() for name, kind in pictures}

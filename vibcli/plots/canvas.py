@@ -51,6 +51,12 @@ class Canvas:
         place = row * self.columns + column
         return [i for i, layer in enumerate(self.layers) if layer[place]]
 
+    def rows_used(self) -> list[dict[int, list[int]]]:
+        """For each column {number of a layer: the rows at which it has dots}."""
+        return [{i: rows for i, layer in enumerate(self.layers)
+                 if (rows := [row for row, dots in enumerate(layer[column::self.columns]) if dots])}
+                for column in range(self.columns)]
+
     def free(self, row: int, column: int, length: int):
         """Is there room for a text here?"""
         if not (0 <= row < self.rows and column >= 0 and column + length <= self.columns):

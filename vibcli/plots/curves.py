@@ -39,8 +39,9 @@ def draw(canvas: Canvas, sheet: Sheet) -> list[str]:
     _names(canvas, sheet)
     if not any(sheet.strokes):
         canvas.write(canvas.rows // 2, canvas.columns // 2 - 4, "no values")
-    for number in lines if len(lines) > 1 else ():
-        _beside(canvas, number, cells(shortened(curves[number].label, _LONGEST)))
+    rows = canvas.rows_used() if len(lines) > 1 else []
+    for number in lines if rows else ():
+        _beside(canvas, rows, number, cells(shortened(curves[number].label, _LONGEST)))
     entries = [f"{sample} {curve.label}" for sample, curve in zip(samples, curves, strict=True)
                if curve.label and curve.kind != "guide"]
     return entries if len(entries) > 1 else []
@@ -125,16 +126,11 @@ def _least_covered(canvas, places, length, orbits):
     return min(costs, default=(0, None), key=lambda cost: cost[0])[1]
 
 
-def _beside(canvas, number, text):
+def _beside(canvas, rows, number, text):
     """Write the label of a line over or under it, where the other lines are farthest away."""
     best, place = _APART - 1, None
-    rows = {}
-    for column in range(canvas.columns):
-        for row in range(canvas.rows):
-            for layer in canvas.used(row, column):
-                rows.setdefault(column, {}).setdefault(layer, []).append(row)
     for column in range(1, canvas.columns - len(text)):
-        own = rows.get(column + len(text) // 2, {}).get(number)
+        own = rows[column + len(text) // 2].get(number)
         if not own:
             continue
         others = [row for layer, found in rows[column + len(text) // 2].items() if layer != number for row in found]

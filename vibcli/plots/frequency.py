@@ -2,6 +2,7 @@
 
 import cmath
 import math
+from bisect import bisect
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -84,8 +85,7 @@ def nyquist(Omega: Any, H: "Mapping[str, list[float] | np.ndarray]", unit: str, 
     factor, unit = readable(largest([h for values in H.values() for h in values]), unit_text(unit))
     curves = [Curve(label, tuple(h.real * factor for h in values), tuple(h.imag * factor for h in values))
               for label, values in H.items()]
-    points = [(min(range(len(Omega)), key=lambda i, to=to: abs(Omega[i] - to)), to)  # type: ignore[misc]
-              for to in _distinct(at)]
+    points = [(_nearest(Omega, to), to) for to in _distinct(at)]
     marked = [(values[i] * factor, to) for values in H.values() for i, to in points]
     curves.append(Curve("", tuple(h.real for h, _ in marked), tuple(h.imag for h, _ in marked), "markers",
                         tuple(f"{to:.4g} rad/s" for _, to in marked)))
@@ -93,6 +93,12 @@ def nyquist(Omega: Any, H: "Mapping[str, list[float] | np.ndarray]", unit: str, 
                   x_range=_with_zero(x for curve in curves for x in curve.x),
                   y_range=_with_zero(y for curve in curves for y in curve.y))
     return Figure(title, (panel,))
+
+
+def _nearest(Omega, to):
+    """The number of the one of ascending frequencies that lies nearest."""
+    after = bisect(Omega, to)
+    return min(range(max(after - 1, 0), min(after + 1, len(Omega))), key=lambda i: abs(Omega[i] - to))
 
 
 def _with_zero(values):

@@ -12,7 +12,7 @@ from mpmath import mp
 
 from vibcli.analyses.transient.descriptor_system import real
 from vibcli.base.errors import PhysicsError
-from vibcli.results.precise_signals import agreed, precise_signal
+from vibcli.results.precise_signals import GUARD, agreed, precise_signal
 from vibcli.results.precise_work import MOST, estimated_steps, require_quick
 
 if TYPE_CHECKING:
@@ -61,6 +61,8 @@ def extreme_to(signal: "Signal", start: float, end: float, sense: int, digits: i
 def _rivals(signal, near, value, start, end, sense, digits, most):
     """The instants at which floats leave open whether the extreme is there."""
     require_quick(estimated_steps(signal, near, digits), digits, signal.source[0].problem.work, most)
+    if _rests(signal, end, digits):
+        return [near]
     margin = 2 * signal.error(end) + ROUNDING * abs(value)
     try:
         found = signal.rivals(start, end, sense, margin)
@@ -68,6 +70,15 @@ def _rivals(signal, near, value, start, end, sense, digits, most):
         found = [near]
     require_quick(len(found) * estimated_steps(signal, max(found), digits), digits, signal.source[0].problem.work, most)
     return found
+
+
+def _rests(signal, end, digits):
+    """Is it of a motion that starts at rest and that nothing drives, constant and no approximation to it?"""
+    response = signal.source[0]
+    with mp.workdps(digits + GUARD):
+        motion = response.precise.alone
+        return getattr(signal, "motion", None) is response.alone and not any(motion.start) and not any(
+            piece.waves or piece.impulses for piece in motion.forcing.segments(end))
 
 
 def _died_out(source, t):

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -24,6 +24,7 @@ class Response:
     WORDS: str
     estimated = False       # are errors estimates of what modes left out add, and no bounds?
     lasting: Callable[[], float]
+    signal: Callable[[Any], "Signal"]
     known: float
 
     def __init__(self, problem: "Problem"):
@@ -57,6 +58,17 @@ class Response:
             raise PhysicsError(f"a motion cannot end at t = {end:.6g} s",
                                f"ask for an instant between its start, t = 0, and {LONGEST:.0e} s", where)
         return end
+
+    @cached_property
+    def _signals(self):
+        """{tree: Signal}"""
+        return {}
+
+    def kept_signal(self, tree: Any) -> "Signal":
+        """The signal of a tree, the same to all who ask, which keeps what is found of it."""
+        if tree not in self._signals:
+            self._signals[tree] = self.signal(tree)
+        return self._signals[tree]
 
     def instants(self, signals: "Sequence[Signal]", points: int) -> "np.ndarray":
         """The instants at which it is sampled for pictures and files, ascending."""

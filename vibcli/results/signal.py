@@ -1,6 +1,7 @@
 """What all signals in time have: a function of the time, the bounds of its errors, more digits of it."""
 
 from collections.abc import Callable
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
@@ -10,6 +11,8 @@ if TYPE_CHECKING:
 
     import mpmath
     import numpy as np
+
+    from vibcli.results.escalation import BoundedExtreme
 
 
 def require_finite(values: "np.ndarray", times: "np.ndarray") -> "np.ndarray":
@@ -74,6 +77,20 @@ class Signal:
         from vibcli.results.precise_instants import extreme_to
 
         return extreme_to(self, start, end, sense, digits)
+
+    @cached_property
+    def _extremes(self):
+        """{(start, end, sense): BoundedExtreme}"""
+        return {}
+
+    def bounded_extreme(self, start: float, end: float, sense: int) -> "BoundedExtreme":
+        """The largest (sense 1) or smallest (−1) value between two instants, kept."""
+        from vibcli.results.escalation import extreme_of_signal
+
+        asked = start, end, sense
+        if asked not in self._extremes:
+            self._extremes[asked] = extreme_of_signal(self, *asked)
+        return self._extremes[asked]
 
     def precise_zero(self, near: float, digits: int) -> "mpmath.mpf":
         """The instant of the zero near an instant in floats, correct to so many digits."""

@@ -116,10 +116,16 @@ def test_fonts_are_read_as_freetype_reads_them(file):
 
 # what moves
 
-def shown(element, index, count):
-    """[places] of a path or circle in frame `index` of `count`, as its animations tell."""
+def said_of(element, count):
+    """{attribute: its values in each of `count` frames and the first again} of a path or circle, as its animations
+    tell."""
     said = {child.get("attributeName") + child.get("type", ""): child.get("values").split(";") for child in element}
     assert all(len(values) == count + 1 for values in said.values())
+    return said
+
+
+def shown(element, said, index):
+    """[places] of a path or circle in a frame."""
     now = {name: values[index] for name, values in said.items()}
     if element.tag == f"{SVG}circle":
         return [tuple(float(now.get(name, element.get(name))) * sign for name, sign in (("cx", 1), ("cy", -1)))]
@@ -138,10 +144,11 @@ def assert_passes_through(frames, data):
                 and element.get("class") != RESTS]
     assert len(elements) == len(ordered[0])
     for element, *parts in zip(elements, *ordered, strict=True):
+        said = said_of(element, len(frames))
         for index in (0, 1, len(frames) // 3, len(frames) - 1):
             part = parts[index]
             wanted = [part.centre] if isinstance(part, Circle) else part.points
-            found = shown(element, index, len(frames))[:len(wanted)]
+            found = shown(element, said, index)[:len(wanted)]
             assert max(map(plane.distance, found, wanted)) < 0.06
     return sum(element.get("class") == MOVES for element in elements)
 

@@ -12,8 +12,10 @@ from support.signals import signal_of
 
 from vibcli.quantities.expression import measure
 from vibcli.report.sections.requested_signals import RequestedSignal, symbol
+from vibcli.report.sections.response import response_data
 from vibcli.report.sections.steady_state import steady_rows
-from vibcli.results import precise_work
+from vibcli.report.wanted import Wanted
+from vibcli.results import precise_instants, precise_work
 from vibcli.results.escalation import extreme_of_signal, phasors_of_signal, value_of_signal
 from vibcli.results.signals import ComposedSignal, LinearSignal
 
@@ -67,6 +69,22 @@ def test_what_is_too_large_keeps_its_bound(doubtful, monkeypatch):
     monkeypatch.setattr(precise_work, "OWN", 1e6)
     assert value_of_signal(signal_of(problem(SCENE), "x"), 3.0)[1] == 1e-6
     assert extreme_of_signal(signal_of(problem(SCENE), "x"), 0.0, 2.0, 1).error == 1e-6
+
+
+def test_a_motion_at_rest_is_looked_at_once(doubtful, monkeypatch):
+    """In two precisions, and no instant but the first."""
+    looked_at, extreme = [], precise_instants._extreme
+    monkeypatch.setattr(precise_instants, "_extreme", lambda *args: looked_at.append(args[1]) or extreme(*args))
+    rest = SCENE.replace(", F: 2 N, W: 20.0000002 rad/s", "").replace("forces: {f: {at: a, force: F*sin(W*t)}}\n", "")
+    assert extreme_of_signal(signal_of(problem(rest), "x"), 0.0, 2.0, 1)[:2] == (0.0, 0.0) and looked_at == [0.0, 0.0]
+
+
+def test_what_is_kept_of_a_signal_is_found_once(monkeypatch):
+    """The report and the data read the same extremes."""
+    found, sought, extreme = problem(SCENE), [], LinearSignal.extreme
+    monkeypatch.setattr(LinearSignal, "extreme", lambda *args: sought.append(args) or extreme(*args))
+    first, second = (response_data(found, Wanted())["signals"] for _ in "ab")
+    assert first == second and len(sought) == 2
 
 
 def test_quantities_to_digits():

@@ -89,7 +89,7 @@ def _middle(problem, name):
 
 def signals_asked(problem: "Problem", given: "Sequence[Expression]" = ()) -> list[RequestedSignal]:
     """The Asked signals of a motion in time."""
-    return [RequestedSignal(text, tree, dimension_of(problem, tree), problem.response.signal(tree))
+    return [RequestedSignal(text, tree, dimension_of(problem, tree), problem.response.kept_signal(tree))
             for text, tree in trees_asked(problem, RESPONSE, given)]
 
 
@@ -100,9 +100,7 @@ def dimension_of(problem: "Problem", tree: "NameRef | Sum") -> dict:
 
 def extremes(asked: Any, until: Any) -> Any:
     """[(signal, BoundedExtreme of the largest, of the smallest)], for what is not known a word that says why."""
-    from vibcli.results.escalation import extreme_of_signal
-
-    return [(one, *(if_known(lambda one=one, sense=sense: extreme_of_signal(one.signal, 0.0, until, sense), str)
+    return [(one, *(if_known(lambda one=one, sense=sense: one.signal.bounded_extreme(0.0, until, sense), str)
                     for sense in (1, -1))) for one in asked]
 
 

@@ -135,7 +135,8 @@ def frequency_figure(problem: "Problem", curves: Sequence[SampledCurve], nyquist
     Omega, found = curves[0].Omega, [curve.values for curve in curves]
     if nyquist:
         Omega, found = _smooth(Omega, [problem.frequency_response(curve.name, curve.driver) for curve in curves], found)
-    values = {symbol(curve.name): points for curve, points in zip(curves, found, strict=True)}
+    Omega = Omega.tolist()      # floats of Python: an array's own are slow
+    values = {symbol(curve.name): points.tolist() for curve, points in zip(curves, found, strict=True)}
     if len(curves) == 1:
         peaks, dips = curves[0].peaks, curves[0].antiresonances
     else:
@@ -161,8 +162,9 @@ def _smooth(Omega, responses, found):
         wide = np.flatnonzero((bends[1:] > BEND) | (bends[:-1] > BEND))
         if not wide.size:
             break
-        Omega = np.sort(np.concatenate([Omega, (Omega[wide] + Omega[wide + 1]) / 2]))
-        found = [response.values(Omega) for response in responses]
+        between = (Omega[wide] + Omega[wide + 1]) / 2
+        Omega = np.insert(Omega, wide + 1, between)
+        found = [np.insert(H, wide + 1, response.values(between)) for H, response in zip(found, responses, strict=True)]
     return Omega, found
 
 
