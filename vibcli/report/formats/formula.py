@@ -60,8 +60,9 @@ def apart(parts: Sequence[str | Maths], columns: int) -> list[Paragraph | Equati
     def is_wide(part):
         return isinstance(part, Maths) and width(formula(part.parts, plain)) > columns
 
-    return [Equations(tuple(line(*part.parts) for part in group)) if wide else Paragraph(tuple(group))
-            for wide, group in groupby(without_words(parts), is_wide)]
+    found = [(wide, tuple(group)) for wide, group in groupby(without_words(parts), is_wide)]
+    return [Equations(tuple(line(*part.parts) for part in group if isinstance(part, Maths))) if wide else
+            Paragraph(group) for wide, group in found]
 
 
 def with_tens(text: str) -> str:

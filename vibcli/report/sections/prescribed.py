@@ -25,4 +25,4 @@ def prescribed(problem: "Problem", _: "Report") -> Iterator[Section]:
 def _valued(problem, asked):
     """`x(t₁) = 3 mm`."""
     value = with_unit(value_of(problem, asked)[0], dimension_of(problem, asked.tree))
-    return Words(f"{as_printed(asked.text, set(problem.spec.parameters))} = {value}")
+    return Words(f"{as_printed(asked.text, {*problem.spec.parameters, *problem.spec.coordinates})} = {value}")

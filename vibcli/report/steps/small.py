@@ -98,7 +98,14 @@ class AboutRest:
     def shifted(self, node: "Node") -> "Node":
         """A function of the coordinates with these counted from rest."""
         moved = {q: self.place[q] + q for q in self.scene.q if not self.place[q].is_zero and q in gradient(node)}
+        moved |= {s: self.place[s] + s for s in self._in_loops if not self.place[s].is_zero}
         return textbook(substitute([node], moved)[0] if moved else node)
+
+    @cached_property
+    def _in_loops(self):
+        """What follows from the coordinates in closed loops."""
+        loops, dependent = self.scene.loops, self.scene.dependent
+        return [dependent[name] for name in (loops.names if loops is not None else ())]
 
     def driven(self, s: "Node", still: "Node") -> "Node":
         """s(q₀, t) less what it is there while nothing is driven to and fro."""
