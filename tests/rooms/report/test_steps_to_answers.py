@@ -56,3 +56,10 @@ def test_a_contact_force_that_is_asked_at_rest_is_told_there():
 def test_places_in_closed_loops_count_from_rest():
     lines = told("4_free_damped/cam_and_follower_at_rest.yaml")
     assert any("C = (0, y + h + y₀)" in one for one in lines) and any("Δ_press = −y = −b₁·φ" in one for one in lines)
+
+
+def test_the_integral_of_energy_has_no_constant_that_V_lacks_and_known_signs_are_put_in():
+    """A weight that is drawn 1 m below the height that its potential counts from."""
+    lines = told("9_equivalents_and_corrections/weight_that_jerks_a_slack_rope.yaml")
+    assert any(one.endswith("integrated:  m·ẏ²/2 + k·max(y − s₀, 0)²/2 − m·g·y = E") for one in lines)
+    assert any(one.startswith("ω² = k/m,") for one in lines)
