@@ -5,9 +5,9 @@ from typing import TYPE_CHECKING
 
 from vibcli.notation.as_printed import as_printed
 from vibcli.notation.numbers import with_unit
-from vibcli.quantities.expression import value_of
 from vibcli.report.blocks import Section, Words, equations, line, section
 from vibcli.report.sections.requested_signals import dimension_of
+from vibcli.report.steps.asked import known
 
 if TYPE_CHECKING:
     from vibcli.report.document import Report
@@ -24,5 +24,5 @@ def prescribed(problem: "Problem", _: "Report") -> Iterator[Section]:
 
 def _valued(problem, asked):
     """`x(t₁) = 3 mm`."""
-    value = with_unit(value_of(problem, asked)[0], dimension_of(problem, asked.tree))
+    value = with_unit(known(problem, asked), dimension_of(problem, asked.tree))
     return Words(f"{as_printed(asked.text, {*problem.spec.parameters, *problem.spec.coordinates})} = {value}")

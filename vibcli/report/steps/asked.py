@@ -50,7 +50,7 @@ def _tell(problem, sheet, asked, joined):
             if tell(problem, sheet, asked):
                 return
     try:
-        value = float(value_of(problem, asked)[0])
+        value = known(problem, asked)
     except (PhysicsError, SpecError):
         return
     unit = unit_told(problem.spec, asked)
@@ -59,6 +59,12 @@ def _tell(problem, sheet, asked, joined):
     shown = [Words(text)] if node is None else [Words(f"{text}:  "), node]
     sheet.write(*shown, *number(value, unit), settles=asked.text, node=node, value=value,
                 unit=unit, uses=[sheet.last], joined=joined)
+
+
+def known(problem: "Problem", asked: "Expression") -> float:
+    """Its number; zero where no more than rounding is known of it."""
+    value, error = value_of(problem, asked)
+    return float(value) if error < 1.0 else 0.0
 
 
 def _in_letters(problem: "Problem", asked: "Expression", value: float) -> "Node | None":

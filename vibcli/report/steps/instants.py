@@ -64,7 +64,7 @@ def _forms(problem, sheet, tree) -> "list[tuple[Node, int | None]]":
         if line.settles == name and line.node is not None:
             motion = gradient(line.node).get(scene.time, scene.table.zero) if primes else line.node
             found.append((substitute([motion], {scene.time: t})[0], line.number))
-    if not primes and not problem.symbolic.balanced_as_drawn:
+    if name in scene.coordinates and not primes and not problem.symbolic.balanced_as_drawn:
         with suppress(PhysicsError):
             rest = problem.symbolic.equilibrium_position[name]
             found += [(node + rest, line) for node, line in found]
