@@ -23,7 +23,7 @@ DAMPED = ["index", "eigenvalue", "omega", "zeta", "omega_d", "omega_d_where", "d
 FREQUENCIES = {"title", "coordinates", "equilibrium", "matrices", "modes", "damped"}
 KEYS = {"solve": FREQUENCIES | {"energies", "equations"}, "frequencies": FREQUENCIES,
         "equations": {"title", "coordinates", "energies", "equations", "matrices"}}
-PRESCRIBED = ("pump_turned_by_a_motor",)             # nothing moves freely: its motion in time alone is asked
+PRESCRIBED = ("pump_turned_by_a_motor",)             # nothing moves freely: answers ask its motion in time
 STATICS = {"title", "coordinates", "reactions"}     # of a scene without freedom
 
 SCENE = """
@@ -195,6 +195,13 @@ def test_every_problem_is_well_formed(ask, path, monkeypatch):
     well_formed(data, "solve")
     for case in data.get("cases", {}).values():
         well_formed(case, "solve")
+
+
+@pytest.mark.parametrize("path", [path for path in PROBLEMS if path.stem in PRESCRIBED], ids=lambda path: path.stem)
+def test_what_is_driven_alone_has_its_energies_and_equations(ask, path):
+    data = ask(path)
+    assert set(data) - {"cases"} == KEYS["equations"] and data["coordinates"] == [] and data["matrices"] is None
+    assert [entry["coordinate"] for entry in data["equations"]] == ["psi", "x"]
 
 
 def test_numbers(ask):

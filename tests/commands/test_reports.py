@@ -626,3 +626,12 @@ def test_latex_compiles(scene, tmp_path):
     done = subprocess.run(["pdflatex", "-interaction=nonstopmode", "-halt-on-error", path.name], cwd=tmp_path,
                           capture_output=True, timeout=120)
     assert done.returncode == 0, done.stdout[-2000:].decode(errors="replace")
+
+
+@pytest.mark.parametrize(("kind", "apart"), [(render_latex, "\\begin{align*}"), (markdown, "$$\n"),
+                                             (asciidoc, "[stem]\n"), (render_typst, "$ & ")])
+@pytest.mark.parametrize(("count", "rows"), [(5, 0), (40, 3)])
+def test_a_formula_wider_than_a_line_stands_apart_from_the_text(kind, apart, count, rows):
+    wide = paragraph("with ", maths("a = " + " + ".join(["b_1"] * count)), ", say")
+    told = kind.render([Document("t", None, (), (Section("s", (wide,)),))], None)
+    assert (apart in told) is bool(rows) and told.count("& ") == rows

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 PICTURES = {"equilibrium": "force_diagrams", "modes": "mode_pictures"}
 STATICS = ("given", "chosen", "coordinates", "reactions")       # of a scene without freedom
+PRESCRIBED = ("given", "chosen", "coordinates", "energies", "equations", "prescribed")    # of what is driven alone
 SLOPES = ("frequencies", "modes", "damping", *OF_MODES)       # what needs a slope of the forces
 OF_ONE_KEY = ("equivalents", "backbone", "expansion", "phase_plane", "steps")       # sections that give their own key
 FOUND_BY = {"equations": ("energies", "equations"), "energies": ("energies",),
@@ -29,6 +30,8 @@ def solution(problem: "Problem", insight: bool = False) -> Sequence[str]:
     wanted, beside = problem.spec.get("find"), ("equivalents",) * _asks_equivalents(problem.spec)
     if wanted is None and problem.scene.held:
         return STATICS
+    if wanted is None and _is_prescribed(problem):
+        return PRESCRIBED
     if wanted is None:
         return EVERYTHING + beside + INSIGHT * insight
     asked = {"given", "chosen", "coordinates", *beside, *INSIGHT * insight}
@@ -39,6 +42,12 @@ def solution(problem: "Problem", insight: bool = False) -> Sequence[str]:
     if problem.scene.held and asked & of_motion:
         asked = asked - of_motion | set(STATICS)
     return [s for s in EVERYTHING + ON_REQUEST if s in asked]
+
+
+def _is_prescribed(problem):
+    """Does nothing move freely, and do answers ask for the motion in time?"""
+    return not problem.scene.q and not problem.scene.pieces and any(
+        tree.args for answer in problem.spec.answers for tree in answer.asked.parts.quantities)
 
 
 def _asks_equivalents(spec):
@@ -76,6 +85,8 @@ def _parts(problem, parts, normalise, digits, sections, wanted):
     if digits is not None:
         _require_numbers(problem)
     found: dict = {"title": problem.spec.get("title"), "coordinates": list(problem.scene.coordinates)}
+    if sections is PRESCRIBED:
+        parts = tuple(part for part in parts if part == "equations")
     if problem.choice is not None:
         from vibcli.report.sections.design_parameters import CHOSEN
 
@@ -189,6 +200,8 @@ def _rests_at_a_jump(problem, error):
 
 def _without_slope(problem, refusal, sections):
     """Is there no slope, for friction or a kink, or no inertia, where nothing that needs them is asked by name?"""
+    if _is_prescribed(problem):
+        return True
     if not isinstance(refusal, (Kinked, Inertless, NoEquilibrium)) and problem.system.sticking is None:
         return False
     asked = problem.spec.get("find") or ()

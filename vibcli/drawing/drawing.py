@@ -9,7 +9,7 @@ from vibcli.drawing.layout.space import Space
 from vibcli.drawing.symbols import arrow, connection, coordinate, dimension
 from vibcli.drawing.symbols.bodies import carried
 
-GRAVITY = 30.0
+GRAVITY, ROOMY = 30.0, 28.0     # points; the least width and height of what has room for a name beside its middle
 SHOWN = "bodies bars shafts beams strings springs dampers inerters forces constraints".split()
 SLENDER = ("rod", "arm", "bob", "bar", "ring", "hoop", "rim", "arch", "frame")
 
@@ -112,9 +112,9 @@ def contents(spec: Any) -> str:
 
 
 def _lengths(stage, space):
-    """Those that have room for their label."""
-    found = []
-    for length in [*dimension.lengths(stage.sketch), *_lengths_of_members(stage)]:
+    """Those that have room for their label, the shorter ones nearer to what they measure."""
+    found, wanted = [], [*dimension.lengths(stage.sketch), *_lengths_of_members(stage)]
+    for length in sorted(wanted, key=lambda length: round(plane.distance(length.one, length.two))):
         drawn = dimension.draw(length, space)
         if drawn is not None:
             space.add(drawn[0])
@@ -217,11 +217,14 @@ def _spots(name, look, sketch):
 
 
 def _within(points):
-    """The middle of an outline, or of what is left of it where that is hollow."""
+    """The middle of an outline, or of what is left of it where that is hollow; beside what lies in a large one."""
     low, high = plane.corners(points)
-    spots = [plane.middle(low, high), *(plane.plus(low, ((high[0] - low[0]) * x, (high[1] - low[1]) * y))
+    width, height = plane.minus(high, low)
+    spots = [plane.middle(low, high), *(plane.plus(low, (width * x, height * y))
                                         for y in (0.2, 0.8) for x in (0.5, 0.15, 0.85))]
-    return [spot for spot in spots if plane.inside(spot, list(points))][:3] or spots[:1]
+    found = [spot for spot in spots if plane.inside(spot, list(points))][:3] or spots[:1]
+    aside = [plane.plus(low, (width * x, height * y)) for x in (0.25, 0.75) for y in (0.5, 0.7, 0.3)]
+    return found + [spot for spot in aside if min(width, height) > ROOMY and plane.inside(spot, list(points))]
 
 
 def _gravity(sketch, drawn):

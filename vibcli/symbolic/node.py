@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import wraps
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
-from vibcli.symbolic.rationals import HALF, ONE, ZERO
+from vibcli.symbolic.rationals import HALF, ONE, ZERO, exact_root
 
 if TYPE_CHECKING:
     from vibcli.symbolic.expression import Table
@@ -117,9 +117,10 @@ def first_variable(variables: "VariableSet | int") -> int:
 
 def rooted_square(base: Node, exponent: Fraction) -> tuple[Node, Fraction]:
     """(base, exponent) of a factor, |x| for the root of a square x²."""
-    if exponent.denominator == 2 and base.op == "product" and base.coefficient == 1 and all(
-            e.denominator == 1 and e % 2 == 0 for _, e in base.args):
-        inner = base.table.product(*((one, e * HALF) for one, e in base.args))
+    if exponent.denominator == 2 and base.op == "product" and all(
+            e.denominator == 1 and e % 2 == 0 for _, e in base.args) and (
+            size := exact_root(base.coefficient) if base.coefficient > 0 else None):
+        inner = base.table.product((base.table.number(size), ONE), *((one, e * HALF) for one, e in base.args))
         return base.table.call("abs", inner), 2 * exponent
     return base, exponent
 

@@ -10,6 +10,7 @@ from support.scenes import kept_problem_of, problem
 from vibcli.drawing.canvas.primitives import ARROW, SURFACE, Circle, Hatch, LetterRuns, Polygon, Polyline
 from vibcli.drawing.drawing import draw
 from vibcli.drawing.layout import lettering, plane
+from vibcli.drawing.layout.space import Space
 from vibcli.drawing.symbols import arrow, support
 
 ROOT = Path(__file__).parents[3]
@@ -168,3 +169,52 @@ def test_arcs_begin_at_no_spring_that_is_wound_about_a_rod():
     arcs = [part.points for part in drawn
             if isinstance(part, Polyline) and part.role == "driven" and len(part.points) > 2]
     assert arcs and not [1 for arc in arcs for spring in springs if cross(arc, spring)]
+
+
+def test_leaders_of_two_lengths_lie_on_one_another_and_the_longer_stands_outside():
+    drawn = draw(kept_problem_of(ROOT / "vibcli/examples/boom_on_a_spring.yaml"))
+    lines = [part.points for part in drawn if isinstance(part, Polyline) and part.role == "measure"
+             and part.layer == ARROW and part.width > 0.6]
+    assert len(lines) == 2 and measured(drawn) == []
+
+
+@pytest.mark.parametrize(("turn", "sense"), [("-phi", -1), ("phi/2", 1)])
+def test_the_arrow_of_a_coordinate_turns_as_the_body_does_about_its_joint(turn, sense):
+    drawn = draw(problem(f"""
+        coordinates: [phi]
+        parameters: {{m: 2 kg, L: 1 m, k: 9 N*m}}
+        bodies: {{rod: {{shape: rod, mass: m, from: [0, 0], to: [L, 0], pin: {{at: [0, 0], by: {turn}}}}}}}
+        springs: {{s: {{torsion: k, between: [ground, rod]}}}}
+    """))
+    arc, = [part.points for part in drawn
+            if isinstance(part, Polyline) and part.role == "coordinate" and len(part.points) > 2]
+    assert abs(arc[0][1]) < 1e-9 < sense * arc[-1][1]
+
+
+def test_a_rod_that_lies_on_a_pier_has_a_bearing_there():
+    drawn = draw(kept_problem_of(ROOT / "problems/1_statics_and_energy/gerber_bridge_with_crane.yaml"))
+    rollers = [part.centre[0] for part in drawn if isinstance(part, Circle) and part.radius == 2.0]
+    floors = [part for part in drawn if isinstance(part, Hatch) and part.layer == SURFACE]
+    assert len(rollers) == 4 and len(floors) == 2
+
+
+def test_a_load_leaves_what_is_welded_where_it_acts():
+    drawn = draw(kept_problem_of(ROOT / "problems/4_free_damped/galloping_sign_arm.yaml"))
+    shaft, = [part.points for part in drawn if part.role == "load" and isinstance(part, Polyline)]
+    tops = [plane.bounds(part.points)[3] for part in drawn
+            if isinstance(part, Polygon) and part.fill == "body" and plane.inside((shaft[0][0], 0), list(part.points))]
+    assert abs(shaft[0][1] - max(tops)) < 0.5 and crossed(drawn) == []
+
+
+def test_the_name_of_a_disc_stands_at_it_beside_a_rod_that_hangs_before_it():
+    drawn = draw(kept_problem_of(ROOT / "problems/6_two_degrees/disc_in_track_with_rod.yaml"))
+    track, = [part for part in drawn if isinstance(part, Hatch) and part.layer == SURFACE]
+    name, = [part for part in drawn if isinstance(part, LetterRuns) and _text(part) == "m1"]
+    assert touching(drawn) == [] and name.box[1] > min(y for _, y in track.points)
+
+
+def test_no_line_crosses_another_between_two_cells():
+    one = Polyline(((0.3, 0.2), (40.1, 39.7)), "spring")
+    space = Space([one])
+    for shift in (0.0, 0.9, 1.7):
+        assert space.meets([(0.0, 40.0 + shift), (40.0 + shift, 0.0)]) > 0.0

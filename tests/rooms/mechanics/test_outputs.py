@@ -13,6 +13,7 @@ from vibcli.analyses.frequency_response.transfer_function import transfer
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.inputs_outputs.inputs import named_input
 from vibcli.mechanics.inputs_outputs.outputs import linear_row
+from vibcli.notation.plain import plain
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 OMEGA = np.array([0.7, 3.1, 9.0, 40.0])
@@ -315,3 +316,11 @@ def test_a_support_that_moves_by_a_pulse_is_an_input():
     pulse = problem(text % "h*sin(pi*t/t1)*(step(t) - step(t - t1))")
     assert linear_row(pulse.configuration, "s.force").constant == pytest.approx(-4 * 9.81)
     assert response(pulse, "y", "W") == pytest.approx(response(problem(text % "h*sin(pi*t/t1)"), "y", "W"))
+
+
+def test_forces_at_rest_in_letters_have_lengths_as_drawn_and_no_common_factors():
+    """A rope whose length is |2b(e/h − 1)| as drawn, between the legs of a ladder."""
+    path = next(path for path in FILES if path.stem == "step_ladder_with_a_man")
+    values = kept_problem_of(path).symbolic.reactions.values
+    assert plain(values["tie.force"]) == "b·g·(2·m₁ + 2·m₂ + 3·M)/(8·(h − e))"
+    assert plain(values["left.reaction.y"]) == "g·(6·m₁ + 2·m₂ + 5·M)/8"

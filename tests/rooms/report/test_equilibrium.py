@@ -38,3 +38,27 @@ def test_members_that_deflect_at_rest_are_said_to(scene, deflects):
     ("abs(frf[y, drive](Omega)) = 1/(m*Omega^2)", "|frf[y, drive](Ω)| = 1/(m·Ω²)")])
 def test_conditions_have_quantities_as_printed(typed, printed):
     assert condition_told(typed, {"theta", "x1", "Omega"}) == printed
+
+
+@pytest.mark.parametrize(("load", "at"), [("P", "x = (P²/c²)^(1/3)"), ("-P", "x = −(P²/c²)^(1/3)")])
+def test_a_spring_whose_force_is_a_power_of_its_stretch_has_its_rest_in_letters(load, at):
+    """To either side: c |x|^(3/2) sign x = P."""
+    found = problem(f"""
+        parameters: {{c: {{unit: N/m^(3/2)}}, P: {{unit: N}}}}
+        bodies: {{b: {{mass: 1 kg, slide: x}}}}
+        springs: {{s: {{law: c*sign(d)*abs(d)^(3/2), between: [ground, b]}}}}
+        forces: {{f: {{at: b, force: {load}}}}}
+        find: [equilibrium]
+    """)
+    assert at in text.render([report(found, solution(found)).document()], None)
+
+
+def test_what_is_driven_alone_tells_what_answers_ask_at_instants():
+    found = problem("""
+        parameters: {r: 60 mm, m: 2 kg, Omega: 30 rad/s, t1: 0.05 s}
+        bodies: {b: {mass: m, at: [0, 0], slide: r*cos(Omega*t)}}
+        answers: {"b.x(t1)": 0.004244 m, "T(t1)": 3.2238 J}
+    """)
+    made = report(found, solution(found))
+    told = text.render([made.document()], None)
+    assert made.refusal is None and "b.x(t₁) = 0.00424423 m" in told and "T(t₁) = 3.22379" in told

@@ -383,7 +383,7 @@ def test_no_small_oscillations_where_the_engine_has_none():
 
 
 FALL_BACK = {"pump_turned_by_a_motor", "bent_lever_in_balance", "double_atwood_from_rest", "matrices_outright",
-             "garland_of_power_springs", "two_wells", "weight_on_a_square_root_spring", "rod_over_the_rim_of_a_bowl"}
+             "two_wells", "rod_over_the_rim_of_a_bowl"}
 
 
 @pytest.mark.sweep

@@ -10,7 +10,7 @@ from typing import Any
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.drawing.layout import plane
 
-SURFACE, BEHIND, BODY, ELEMENT, JOINT, ARROW = range(6)
+SURFACE, BEHIND, BODY, ELEMENT, JOINT, LEADER, ARROW = range(7)
 SPACING, DEPTH = 5.0, 5.5       # of hatching
 COLOURS = {
     "ink": "#1b1b1b", "body": "#dce4ec", "inner": "#c9d5e1", "fixed": "#e4e4e0", "paper": "#ffffff",

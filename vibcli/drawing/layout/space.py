@@ -6,7 +6,7 @@ from itertools import pairwise, product
 from math import ceil, cos, floor, hypot, inf, pi, sin
 from typing import Any
 
-from vibcli.drawing.canvas.primitives import ARROW, BODY, Circle, LetterRuns, Polygon, Run
+from vibcli.drawing.canvas.primitives import ARROW, BODY, LEADER, Circle, LetterRuns, Polygon, Run
 from vibcli.drawing.layout import lettering
 
 CELL, TAKEN, FILLED, CLEAR = 2.5, 1000.0, 0.02, 1.6
@@ -37,7 +37,7 @@ class Space:
             if isinstance(part, (Polygon, Circle)) and part.fill not in (None, "paper"):
                 self._taken(_cells_within(part.points), FILLED)
             for stroke in part.strokes():
-                keys = set(_cells_of(tuple(stroke)))
+                keys = _cells_through(stroke)
                 self._taken(keys, 1.0)
                 if part.role == "spring" and len(stroke) >= COILS:
                     coiled = set(_cells_within([*stroke[1::2], *stroke[2::2][::-1]])) - keys
@@ -46,8 +46,8 @@ class Space:
                 if part.role in KEPT_CLEAR or part.layer == ARROW:
                     self.kept |= keys
                     self.barred |= keys
-                elif part.layer == BODY and getattr(part, "fill", 0):
-                    self.barred |= keys
+                elif part.layer == LEADER or (part.layer == BODY and getattr(part, "fill", 0)):
+                    self.barred |= keys         # leaders may lie on one another
 
     def _taken(self, keys, cost):
         """Let some cells cost so much at least."""
@@ -154,6 +154,22 @@ def _cells_of(points):
         steps = max(1, ceil(hypot(dx, dy) / CELL))
         found += [(floor((ax + dx * i / steps) / CELL), floor((ay + dy * i / steps) / CELL)) for i in range(steps + 1)]
     return found
+
+
+def _cells_through(points):
+    """All cells that a polyline passes: none that crosses it does so between two of them."""
+    found = set()
+    for (ax, ay), (bx, by) in pairwise(points):
+        cuts = sorted((0.0, 1.0, *_cuts(ax / CELL, bx / CELL), *_cuts(ay / CELL, by / CELL)))
+        for first, last in pairwise(cuts):
+            t = (first + last) / 2
+            found.add((floor((ax + (bx - ax) * t) / CELL), floor((ay + (by - ay) * t) / CELL)))
+    return found
+
+
+def _cuts(a, b):
+    """The parts of the way from a to b at which whole numbers lie."""
+    return [(i - a) / (b - a) for i in range(ceil(min(a, b)), floor(max(a, b)) + 1)] if a != b else []
 
 
 def _cells_within(points):

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from vibcli.drawing.layout.compose import Scenery
     from vibcli.drawing.layout.sketch import Sketch
 
-BELOW, CLEAR = 40.0, 60.0       # points to the first row, below a member
+BELOW, CLEAR, STACKED = 40.0, 60.0, 12.0    # points to the first row, below a member, for each length above the first
 
 
 def laid_out(sketch: "Sketch", left: float, top: float) -> tuple[list[Any], list[Any], list[Any], list[Any]]:
@@ -37,12 +37,19 @@ def _apart(strips, sketch):
     for strip in sorted(strips, key=lambda strip: not strip.placed):
         if not strip.placed:
             x, y = strip.start
-            sunk = max(sunk, 0.0 if low is None else y - low + CLEAR)
+            sunk = max(sunk, 0.0 if low is None else y - low + CLEAR + STACKED * _stacked(strip))
             strip = strip._replace(start=(x, y - sunk))
         box = extent(along(strip, sketch))
         low = box[1] if low is None or not strip.placed else min(low, box[1])
         made.append(strip)
     return made
+
+
+def _stacked(strip):
+    """How many lengths along a member stand above the first."""
+    record, ends = strip.member.record, strip.metres * (1 - 1e-9)
+    parts = [part for part in record.get("segments", (record,)) if "length" in part]
+    return max(0, len(parts[:2]) + len({x for x in strip.places if 0.0 < x < ends} if "attached" in record else ()) - 2)
 
 
 def _rows(sketch, left, top):

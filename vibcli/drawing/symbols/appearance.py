@@ -77,7 +77,9 @@ def _shaped(record, sketch, ties):
 
     toothed = record.name in ties.toothed
     parts = [outline(part, sketch) for part in record.get("parts", (record,))]
-    pieces = [_piece(part) for part in sorted(parts, key=lambda part: part.cut)]
+    shapes = [part.get("shape", "particle") for part in record.get("parts", (record,))]
+    order = sorted(zip(shapes, parts, strict=True), key=lambda pair: (pair[0] == "particle", pair[1].cut))
+    pieces = [_piece(part) for _, part in order]        # small weights lie on all, holes on what they are cut from
     if toothed and parts[0].band:
         return _rim(sketch.rim(record.name).drawn, sketch.length(record["radius"]))
     if toothed:

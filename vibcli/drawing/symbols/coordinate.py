@@ -23,16 +23,20 @@ ROUND, AROUND = (22.0, 32.0, 44.0), (2, 6, 14, 10, 1, 7, 15, 9, 3, 5, 13, 11, 0,
 LINES, ARCS = (5.0, 11.0, 18.0, 27.0, 38.0), (0.55, 0.7, 0.85, 0.4, 1.0)
 STARTS = (0.2, 0.7, -0.3, 1.2, -0.8), (0.08, 0.58, -0.42, 1.08)     # in units of π; those beside them
 LATER, ROUND_LATER = 1.5, 1.0       # the cost of each place that is tried before
+BEYOND, SMALL = 6.0, 30.0       # points: of an arc about all of a small body
+THIN, MOST = 4.0, 12.0          # half the thickness of what arcs begin within
+ROUNDED = "ring", "arch", "sector"
 SLANT = 15.0        # points to either side by which a rod leans away from an arrow
 
 
 class BodyMotion(NamedTuple):
-    """One degree of freedom of a body: along a direction, or about a centre (an Attachment)."""
+    """One degree of freedom of a body: along a direction, or about a centre (an Attachment) in a sense (1, or −1)."""
 
     body: str
     field: Any
     direction: tuple | None = None
     about: Attachment | None = None
+    sense: int = 1
 
 
 def motions(sketch: Sketch) -> list[BodyMotion]:
@@ -113,12 +117,14 @@ def _by_rates(name, sketch):
         slopes = [gradient(node).get(q, scene.table.zero) for node in nodes]
         x, y, turn = evaluate(slopes, Floats, sketch.values)
         size = hypot(x, y)
+        centre = sketch.pivot(body.name) or Attachment(body.name, sketch.centre(body.name))
+        turned = BodyMotion(body.name, None, about=centre, sense=1 if turn > 0 else -1)
         if abs(turn) > 1e-9 and not sketch.spec.dimensions.of(name):
-            return BodyMotion(body.name, None, about=Attachment(body.name, sketch.centre(body.name)))
+            return turned
         if size > (best[0] if best else 1e-9):
             best = size, BodyMotion(body.name, None, plane.unit((x, y)))
         elif best is None and abs(turn) > 1e-9:
-            best = 1e-9, BodyMotion(body.name, None, about=Attachment(body.name, sketch.centre(body.name)))
+            best = 1e-9, turned
     return best and best[1]
 
 
@@ -209,19 +215,21 @@ def _round(motion, sketch, looks):
             for gap in (6.0, 11.0, 17.0, 25.0):
                 radius = min(far, 90.0) + gap
                 span = min(0.45 * pi, max(28.0 / radius, 0.2))
-                found += [_arced(centre, radius, start * pi, start * pi + span) for start in starts]
+                found += [_arced(centre, radius, start * pi, start * pi + motion.sense * span) for start in starts]
         return found
     headings = [plane.heading(axis) + turn for turn in ((0.0, pi) if both else (0.0,))]
+    thick = slender and min(MOST, max(abs(plane.across(plane.unit(axis), plane.minus(p, centre))) for p in points))
     for heading in headings:
-        for share in ARCS:
-            radius = min(max(share * far, min(26.0, 0.8 * far), 13.0), 85.0)
-            radius += 14 * ARCS.index(share) * (share * far > 85)
-            span = min(0.5 * pi, max(26.0 / radius, 0.3))
-            found.append(_arced(centre, radius, heading, heading + span))
+        radii = [min(max(share * far, min(26.0, 0.8 * far), 13.0), 85.0) + 14 * i * (share * far > 85)
+                 for i, share in enumerate(ARCS)]
+        for radius in [*radii, *([far + BEYOND] if look.kind in ROUNDED and far < SMALL else [])]:
+            span = min(0.5 * pi, max((26.0 + max(0.0, thick - THIN)) / radius, 0.3))
+            found.append(_arced(centre, radius, heading, heading + motion.sense * span))
     return found
 
 
 def _arced(centre, radius, start, end):
     parted = start + 0.25 * (end - start)
-    path, own = plane.arc(centre, radius, parted, end + 4.0 / radius), plane.arc(centre, radius, start, parted)
+    further = end + (4.0 / radius if end > start else -4.0 / radius)
+    path, own = plane.arc(centre, radius, parted, further), plane.arc(centre, radius, start, parted)
     return path, lambda role: arrow.round_(centre, radius, start, end, role), own

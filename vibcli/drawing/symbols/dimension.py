@@ -4,7 +4,7 @@ from math import pi
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.drawing.canvas.primitives import ARROW, Polygon, Polyline, Run
+from vibcli.drawing.canvas.primitives import LEADER, Polygon, Polyline, Run
 from vibcli.drawing.layout import captions, lettering, plane
 from vibcli.drawing.layout.space import TAKEN
 from vibcli.drawing.symbols import arrow
@@ -125,7 +125,7 @@ def draw(length: Length,
     _, cost, a, b, side, legs = best
     if cost > CROWDED:
         return None
-    legs = [Polyline(leg, "measure", 0.6, layer=ARROW) for leg in legs]
+    legs = [Polyline(leg, "measure", 0.6, layer=LEADER) for leg in legs]
     parts = [part._replace(width=min(part.width, 0.7)) for part in arrow.straight(a, b, "measure", 0.7, both=True)]
     return [*legs, *parts], length.runs, [plane.plus(plane.middle(a, b), n, sign * 1.5) for sign in (side, -side)]
 

@@ -40,10 +40,7 @@ def _force(record, at, sketch, looks, space):
     if "carrier" in record:
         direction = sketch.frames[record["carrier"].text].turned(direction)
     place = sketch.now(at)
-    here = there = place
-    if at.carrier in looks and looks[at.carrier].core:
-        edge = [sketch.frames[at.carrier].point(p) for p in looks[at.carrier].core]
-        here, there = (plane.leaves(place, plane.times(direction, sense), edge) for sense in (1, -1))
+    here, there = (_leaves(place, plane.times(direction, sense), at.carrier, sketch, looks) for sense in (1, -1))
     paths = [(here, plane.plus(here, direction, LENGTH)), (plane.plus(there, direction, -LENGTH), there)]
     start, tip = min(paths, key=lambda path: space.arrow([plane.plus(path[0], direction, 5),
                                                           plane.plus(path[1], direction, -5)]))
@@ -51,6 +48,21 @@ def _force(record, at, sketch, looks, space):
     runs = captions.expression(unsigned(given[0]), sketch, 18) if len(given) == 1 else None
     runs = runs or lettering.named(record.name)
     return arrow.straight(start, tip, "load", 1.7), runs, [plane.middle(start, tip), tip]
+
+
+def _leaves(place, direction, carrier, sketch, looks):
+    """Where a direction from a place leaves the body that carries it, and what is welded to that there."""
+    edges = {name: [sketch.frames[name].point(p) for p in look.core] for name, look in looks.items() if look.core}
+    about = [edge for name, edge in edges.items()
+             if name == carrier or (_carries(carrier, name, sketch) and plane.inside(place, edge))]
+    return max((plane.leaves(place, direction, edge) for edge in about),
+               key=lambda found: plane.dot(plane.minus(found, place), direction), default=place)
+
+
+def _carries(carrier, name, sketch):
+    """Is a body welded to another?"""
+    weld = sketch.scene.bodies[name].record.get("weld")
+    return weld is not None and weld.text == carrier
 
 
 def unsigned(field: Any) -> Any:

@@ -116,10 +116,7 @@ def _support(word, strip, here, x):
     half = strip.half(x)
     foot = plane.plus(here, n, -half)
     if strip.member.kind.bends and word == "pinned":
-        a, b = (plane.plus(plane.plus(foot, n, -10.0), strip.e, t) for t in (-6.5, 6.5))
-        rollers = [Circle(plane.plus(plane.plus(foot, n, -12.0), strip.e, t), 2.0, "paper") for t in (-4.0, 4.0)]
-        return [Polygon((foot, a, b), "paper", layer=JOINT - 1), *rollers,
-                *support.floor(plane.plus(foot, n, -14.0), strip.e, 12.0)]
+        return support.rocker(foot, strip.e)
     head = plane.plus(here, n, half)
     return [*support.floor(foot, strip.e, 9.0), *support.floor(head, plane.times(strip.e, -1), 9.0)]
 

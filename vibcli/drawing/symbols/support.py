@@ -49,6 +49,15 @@ def roller(place: tuple[float, float]) -> list[Circle]:
     return [Circle(place, ROLLER, "paper", layer=BEHIND)]
 
 
+def rocker(place: tuple[float, float], along: tuple[float, float]) -> list[Any]:
+    """A bearing that rolls on the ground, which lies to the right of `along`."""
+    down = plane.times(plane.left(along), -1.0)
+    a, b = (plane.plus(plane.plus(place, down, 10.0), along, t) for t in (-6.5, 6.5))
+    rollers = [Circle(plane.plus(plane.plus(place, down, 12.0), along, t), 2.0, "paper") for t in (-4.0, 4.0)]
+    return [Polygon((place, a, b), "paper", layer=JOINT - 1), *rollers,
+            *floor(plane.plus(place, down, 14.0), along, 12.0)]
+
+
 def peg(place: tuple[float, float]):
     """A small smooth peg."""
     return [Circle(place, HINGE, "ink", layer=ARROW - 1)]

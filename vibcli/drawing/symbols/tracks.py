@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 SPREAD, MARGIN, FAR, SMALL = 0.35 * pi, 22.0, 120.0, 16.0  # of a circle beside what is inside it; beyond what rolls
 SAMPLES, STEEP, SUNK = 48, 0.6, 12.5        # half the height of a block
+FLAT = 0.36         # the sine of the angle by which a rod that lies on a surface leans from it
 ON = 0.5            # points by which a rim may be off its circle
 
 
@@ -29,7 +30,7 @@ def contacts(name: str, sketch: "Sketch") -> list[tuple[tuple[float, float], flo
     for constraint in (sketch.spec.get("constraints") or {}).values():
         if "surface" in constraint and constraint["surface"].text == name:
             at = sketch.attachment(constraint["point"])
-            found.append((at.drawn, 0.0))
+            found.append((at.drawn, MARGIN))
             if at.carrier in sketch.frames and at.carrier in sketch.scene.bodies:
                 found.append((sketch.centre(at.carrier), None))
     return found
@@ -38,6 +39,10 @@ def contacts(name: str, sketch: "Sketch") -> list[tuple[tuple[float, float], flo
 def ground(record: "Record", used: Sequence[tuple[tuple[float, float], float | None]],
            sketch: "Sketch") -> list[Circle | Hatch]:
     """A fixed surface under what is on it (`contacts`)."""
+    if "line" in record and (borne := _borne(record, sketch)):
+        a, b = (sketch.pair(place) for place in record["line"])
+        e = plane.times(plane.unit(plane.minus(b, a)), free_side(a, b, used))
+        return [part for place in borne for part in support.rocker(place, e)]
     if "line" in record:
         a, b = straight(record, used, sketch)
         return [*_line(a, b, used), *_rollers(record, a, b, used, sketch)]
@@ -71,6 +76,18 @@ def _held(name, sketch):
     """The points that constraints hold to a surface."""
     return [record["point"] for record in (sketch.spec.get("constraints") or {}).values()
             if "surface" in record and record["surface"].text == name]
+
+
+def _borne(record, sketch):
+    """Where rods lie on a straight surface, or nearly along it, if nothing else is on it: each on a bearing."""
+    ends = [sketch.attachment(point) for point in _held(record.name, sketch)]
+    bodies = [sketch.scene.bodies.get(end.carrier) for end in ends]
+    if any(record.name in body.touched for body in sketch.scene.bodies.values()) or not all(
+            body is not None and body.record.get("shape") == "rod" for body in bodies):
+        return []
+    along = plane.unit(plane.minus(*(sketch.pair(place) for place in record["line"])))
+    rods = [plane.unit(plane.minus(*(sketch.pair(body.record[key]) for key in ("from", "to")))) for body in bodies]
+    return [sketch.now(end) for end in ends] if all(abs(plane.across(along, rod)) < FLAT for rod in rods) else []
 
 
 def _is_lain_on(record, sketch):

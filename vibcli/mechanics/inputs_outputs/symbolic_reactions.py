@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
+from vibcli.language.parameter_samples import sample_values
 from vibcli.mechanics.energies import dissipation, kinetic, potential
 from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING, OPEN, constraint_slopes, solved
 from vibcli.mechanics.lagrange import equation_of
@@ -16,12 +17,17 @@ from vibcli.mechanics.static_preload import pivots, solve_linear, take_over
 from vibcli.symbolic.common_denominator import single
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import is_zero, textbook
+from vibcli.symbolic.radicals import without_bars
 from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
     from vibcli.mechanics.numeric_system import NumericSystem
     from vibcli.symbolic.node import Node
+
+
+SAMPLES = range(3)      # sets of values of letters at which signs are looked at
 
 
 class SymbolicForces(NamedTuple):
@@ -54,7 +60,7 @@ def symbolic_forces(numeric: "NumericSystem", accelerations: "Mapping[str, Node]
     multipliers, left_open = _multipliers(scene, E[:n], G)
     signs = [1 if tie.form in LENGTHENING else -1 for tie in scene.constraints]
     symbols = [scene.table.variable("S_" + tie.name.replace(".", "_")) for tie in scene.constraints]
-    values = {tie.signal: None if k in left_open.ties else single(signs[k] * multipliers[k])
+    values = {tie.signal: None if k in left_open.ties else _simplest(signs[k] * multipliers[k])
               for k, tie in enumerate(scene.constraints)}
     equations = []
     for i, q in enumerate(scene.q):
@@ -62,13 +68,25 @@ def symbolic_forces(numeric: "NumericSystem", accelerations: "Mapping[str, Node]
         equations.append(textbook(total([E[i], *ties])))
         if i >= n:
             force = total([E[i], *(row[i] * size for row, size in zip(G, multipliers, strict=True))])
-            values[q.name] = None if i in left_open.supports else single(force)
+            values[q.name] = None if i in left_open.supports else _simplest(force)
     free = [scene.table.zero, *equations[:n]]       # what a coordinate does costs no reaction
     supports = {q.name: node for q, node in zip(scene.q[n:], equations[n:], strict=True)
                 if not any(is_zero(node - sign * other) for other in free for sign in (1, -1))}
     return SymbolicForces(dict(zip((q.name for q in scene.q[:n]), equations, strict=False)), supports,
                           dict(zip(symbols, (tie.signal for tie in scene.constraints), strict=True)), values,
                           left_open.degree)
+
+
+def _simplest(node):
+    """A fraction without common factors, where that is shorter."""
+    found = single(node)
+    return min((found, single(textbook(found))), key=letters)
+
+
+def _without_bars(node, samples):
+    """An expression with lengths as drawn for the roots of their squares."""
+    found = without_bars(node, samples)
+    return node if found is node else single(found)
 
 
 def _as_drawn(scene, accelerations):
@@ -79,7 +97,9 @@ def _as_drawn(scene, accelerations):
     given = dict(zip(names, copied(list(accelerations.values()), scene.table), strict=True)) if names else {}
     at = {**scene.drawn_position, **dict.fromkeys(scene.v, zero)}
     at |= {a: given.get(q.name, zero) for q, a in zip(scene.q, scene.a, strict=True)}
-    found, size = [textbook(node) for node in substitute(nodes, at)], len(scene.q)
+    samples = [scene.parameters.values(Floats, sample_values(scene.parameters.free, attempt)) for attempt in SAMPLES]
+    found = [_without_bars(textbook(node), samples) for node in substitute(nodes, at)]
+    size = len(scene.q)
     return found[:size], [found[start:start + size] for start in range(size, len(found), size)]
 
 

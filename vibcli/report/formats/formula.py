@@ -7,7 +7,18 @@ from typing import Any
 
 from vibcli.notation.numbers import width
 from vibcli.notation.plain import plain
-from vibcli.report.blocks import Either, Factor, Maths, Name, SumOfTerms, WithNumbers, Words
+from vibcli.report.blocks import (
+    Either,
+    Equations,
+    Factor,
+    Maths,
+    Name,
+    Paragraph,
+    SumOfTerms,
+    WithNumbers,
+    Words,
+    line,
+)
 
 FEW, STUB = 40, 12  # characters of words that stay in a row; columns that no row ends with
 WORD = re.compile(r"^\s+|\S+\s*")
@@ -42,6 +53,16 @@ def without_words(parts: Sequence[str | Maths]) -> Iterator[str | Maths]:
             yield with_tens("".join(one.text for one in found)) if are_words else Maths(found)
             if isinstance(found[-1], str) and found[-1].endswith(" "):
                 yield " "
+
+
+def apart(parts: Sequence[str | Maths], columns: int) -> list[Paragraph | Equations]:
+    """Running text in which formulas wider than a line stand apart."""
+    def is_wide(part):
+        return isinstance(part, Maths) and width(formula(part.parts, plain)) > columns
+
+    found = [(wide, tuple(group)) for wide, group in groupby(without_words(parts), is_wide)]
+    return [Equations(tuple(line(*part.parts) for part in group if isinstance(part, Maths))) if wide else
+            Paragraph(group) for wide, group in found]
 
 
 def with_tens(text: str) -> str:

@@ -18,7 +18,7 @@ from vibcli.report.blocks import (
     Refusal,
     TableBlock,
 )
-from vibcli.report.formats.formula import formula, rows, without_words
+from vibcli.report.formats.formula import apart, formula, rows, without_words
 from vibcli.report.formats.text import running
 
 COLUMNS = 95        # of plain text, in a row of a formula
@@ -96,14 +96,8 @@ def aligned(block: Equations, write: Latex, broken: Callable = rows) -> list[str
 
 def _paragraph(block):
     """Running text; a formula that is wider than a line stands apart."""
-    told = ""
-    for part in without_words(block.parts):
-        if isinstance(part, Maths) and width(formula(part.parts, plain)) > COLUMNS:
-            apart = " \\\\\n".join(f"& {row}" for row in _fitted_rows(part.parts, latex, COLUMNS))
-            told = told.rstrip() + f"\n\\begin{{align*}}\n{apart}\n\\end{{align*}}\n"
-        else:
-            told += _running((part,))
-    return told + "\n"
+    return "\n".join(_running(one.parts).strip() if isinstance(one, Paragraph) else _equations(one)
+                     for one in apart(block.parts, COLUMNS)) + "\n"
 
 
 def _heading(block):

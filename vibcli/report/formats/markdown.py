@@ -17,8 +17,8 @@ from vibcli.report.blocks import (
     Refusal,
     TableBlock,
 )
-from vibcli.report.formats.formula import formula, without_words
-from vibcli.report.formats.latex import aligned, is_signed
+from vibcli.report.formats.formula import apart, formula, without_words
+from vibcli.report.formats.latex import COLUMNS, aligned, is_signed
 
 _SPECIAL = re.compile(r"[\\`*_#|~]|\](?=[(\[:])")
 _OTHERS = {"&": "&amp;", "<": "&lt;", ">": "&gt;", "$": r"<span>\$</span>", "://": r":\//", "www.": r"www\."}
@@ -96,7 +96,9 @@ def _equations(block):
 
 
 def _paragraph(block):
-    return beginning(_running(block.parts))
+    """Running text; a formula that is wider than a line stands apart."""
+    return "\n\n".join(beginning(_running(one.parts)) if isinstance(one, Paragraph) else _equations(one)
+                       for one in apart(block.parts, COLUMNS))
 
 
 def _heading(block):

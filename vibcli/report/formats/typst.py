@@ -19,7 +19,7 @@ from vibcli.report.blocks import (
     Refusal,
     TableBlock,
 )
-from vibcli.report.formats.formula import formula, rows, without_words
+from vibcli.report.formats.formula import apart, formula, rows, without_words
 from vibcli.report.formats.latex import is_signed
 
 COLUMNS = 95        # of plain text, in a row of a formula
@@ -102,7 +102,9 @@ def _equations(block):
 
 
 def _paragraph(block):
-    return beginning(_running(block.parts)) + "\n"
+    """Running text; a formula that is wider than a line stands apart."""
+    return "".join(beginning(_running(one.parts)) + "\n" if isinstance(one, Paragraph) else _equations(one)
+                   for one in apart(block.parts, COLUMNS))
 
 
 def _heading(block):

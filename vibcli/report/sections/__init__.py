@@ -18,6 +18,7 @@ SECTIONS = {
     "reactions": ("statics", "reactions in equilibrium and along a motion"),
     "equivalents": ("equivalents", "springs and dampers at one place as a perpendicular pair"),
     "response": ("response", "the motion in time"),
+    "prescribed": ("prescribed", "what answers ask of a motion that is prescribed"),
     "free_motion": ("free_motion", "the period of a wide swing, and where friction brings a motion to rest"),
     "kept_up": ("kept_up", "the steady state under what drives the scene to and fro"),
     "frequency_response": ("frequency_response", "resonances, antiresonances and amplitudes"),

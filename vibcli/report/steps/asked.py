@@ -1,5 +1,6 @@
 """What a sheet asks that no line before tells: by its expression in letters where that is short, else its number."""
 
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError, SpecError
@@ -23,34 +24,47 @@ if TYPE_CHECKING:
 
 BY_LETTERS = tell_direction, tell_instant      # that have lines of their own
 CLOSE = 1e-9        # relative: of an expression and the engine's number
-BESIDE = "frequency", "period", "period_d", "decrement", "eigenvalue"       # told beside another number of the mode
+BESIDE = "frequency", "period", "period_d", "eigenvalue"      # told beside another number of the mode
 
 
 def tell_asked(problem: "Problem", sheet: WorkedSolution) -> None:
-    """Write down a line to each number that the variants of a scene ask and no line settles."""
+    """Write down a line to each number that the variants of a scene ask, or answers ask of a motion, and no line
+    settles; those of a motion side by side."""
     rules = problem.spec.get("variants")
-    if rules is None or problem.numeric.has_free_symbols:
+    if problem.numeric.has_free_symbols:
         return
-    for one in rules.ask:
+    settled, before = {line.settles for line in sheet.steps}, sheet.last
+    of_motion = [one for one in problem.spec.answers if any(tree.args for tree in one.asked.parts.quantities)]
+    for one in (*(rules.ask if rules is not None else ()), *of_motion):
         tree = one.asked.tree
         quantity = quantity_of(problem.spec, tree)
         if quantity is not None and quantity.value is not None and quantity.kind not in OF_STATE and (
-                tree.head not in BESIDE and one.asked.text not in {line.settles for line in sheet.steps}):
-            _tell(problem, sheet, one.asked)
+                (tree.head not in BESIDE or tree.args) and one.asked.text not in settled):
+            settled.add(one.asked.text)
+            _tell(problem, sheet, one.asked, joined=one in of_motion and sheet.last > before)
 
 
-def _tell(problem, sheet, asked):
+def _tell(problem, sheet, asked, joined):
+    for tell in BY_LETTERS:
+        with suppress(PhysicsError, SpecError):
+            if tell(problem, sheet, asked):
+                return
     try:
-        if any(tell(problem, sheet, asked) for tell in BY_LETTERS):
-            return
-        value = float(value_of(problem, asked)[0])
+        value = known(problem, asked)
     except (PhysicsError, SpecError):
         return
     unit = unit_told(problem.spec, asked)
     node = _in_letters(problem, asked, value)
-    shown = [Words(as_printed(asked.text))] if node is None else [Words(f"{as_printed(asked.text)}:  "), node]
+    text = as_printed(asked.text, {*problem.spec.parameters, *problem.spec.coordinates})
+    shown = [Words(text)] if node is None else [Words(f"{text}:  "), node]
     sheet.write(*shown, *number(value, unit), settles=asked.text, node=node, value=value,
-                unit=unit, uses=[sheet.last])
+                unit=unit, uses=[sheet.last], joined=joined)
+
+
+def known(problem: "Problem", asked: "Expression") -> float:
+    """Its number; zero where no more than rounding is known of it."""
+    value, error = value_of(problem, asked)
+    return float(value) if error < 1.0 else 0.0
 
 
 def _in_letters(problem: "Problem", asked: "Expression", value: float) -> "Node | None":

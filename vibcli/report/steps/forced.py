@@ -13,6 +13,7 @@ from vibcli.report.steps.degree import Degree
 from vibcli.report.steps.from_the_start import KeptUp, tell_start
 from vibcli.report.steps.phasors import tell_of_one
 from vibcli.report.steps.pieces import pieces_of, tell_impulses, tell_pieces
+from vibcli.report.steps.resonance import is_resonance, tell_growing, tell_resonance
 from vibcli.report.steps.step import number
 from vibcli.symbolic.common_denominator import single
 from vibcli.symbolic.derivatives import gradient
@@ -46,10 +47,17 @@ def tell_forced(degree: Degree) -> None:
         _other(degree, load)
         return
     if len(found) == 1:
-        _one_harmonic(degree)
+        (argument, parts), = found.items()
+        if is_resonance(degree, argument):
+            tell_resonance(degree, argument, parts)
+        else:
+            _one_harmonic(degree)
     elif found:
         for number, (argument, parts) in enumerate(found.items(), 1):
-            _of_several(degree, number, argument, parts)
+            if is_resonance(degree, argument):
+                tell_growing(degree, argument, parts)
+            else:
+                _of_several(degree, number, argument, parts)
 
 
 def _growing(degree):

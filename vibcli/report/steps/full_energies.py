@@ -14,14 +14,27 @@ from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.rationals import ONE
 
 if TYPE_CHECKING:
     from vibcli.scene.energy_terms import Term
     from vibcli.scene.laws import Law
+    from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
 GIVEN = {"T": ("kinetic energy", "M", "v"), "V": ("potential energy", "K", "q"), "Phi": ("dissipation function", "C",
                                                                                          "v")}
+
+
+def potential_of_weights(scene: "Scene") -> "tuple[Node, Node]":
+    """What of the potential of all weights moves, and its constant, which is not told."""
+    table = scene.table
+    terms = [table.total([term.weight * term.s for term in scene.weights if term.owner == name])
+             for name in dict.fromkeys(term.owner for term in scene.weights)]
+    whole = textbook(table.total(terms))
+    parts = whole.args if whole.op == "sum" else ((whole, ONE),)
+    moving = table.sum(*((part, c) for part, c in parts if part.mask))
+    return moving, textbook(whole - moving)
 
 
 class FullEnergies:
@@ -117,12 +130,7 @@ class FullEnergies:
         return self._part(name, node, Words(f"by the law of {law.owner}:  "), formula=[formula], uses=uses)
 
     def _weights(self):
-        table = self.scene.table
-        terms = [table.total([term.weight * term.s for term in self.scene.weights if term.owner == name])
-                 for name in dict.fromkeys(term.owner for term in self.scene.weights)]
-        moving = textbook(table.total(terms))
-        if moving.op == "sum":
-            moving = table.sum(*((part, c) for part, c in moving.args if part.mask))
+        moving, _ = potential_of_weights(self.scene)
         if moving.mask:
             yield self._part(self._letter("V", "g"), moving, Words("the weights, without constants:  "))
 

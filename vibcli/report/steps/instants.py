@@ -32,6 +32,7 @@ def tell_instant(problem: "Problem", sheet: WorkedSolution, asked: "Expression")
     if tree.head != VALUE or not isinstance(tree.args[0], NameRef) or tree.args[0].primes > 1 or parts_of(
             tree.args[1]).quantities:
         return False
+    names = {*problem.spec.parameters, *problem.spec.coordinates}
     value, known = float(value_of(problem, asked)[0]), _numbers(problem, sheet)
     for node, line in _forms(problem, sheet, tree):
         try:
@@ -41,8 +42,8 @@ def tell_instant(problem: "Problem", sheet: WorkedSolution, asked: "Expression")
         if abs(found - value) <= CLOSE * abs(value):
             shown = [" = ", node] if line is None and node.op != "number" else []
             unit = unit_told(problem.spec, asked)
-            sheet.write(Words(as_printed(asked.text)), *shown, *number(value, unit), settles=asked.text, node=node,
-                        value=value, unit=unit, uses=[line])
+            sheet.write(Words(as_printed(asked.text, names)), *shown, *number(value, unit), settles=asked.text,
+                        node=node, value=value, unit=unit, uses=[line])
             return True
     return False
 
@@ -63,7 +64,7 @@ def _forms(problem, sheet, tree) -> "list[tuple[Node, int | None]]":
         if line.settles == name and line.node is not None:
             motion = gradient(line.node).get(scene.time, scene.table.zero) if primes else line.node
             found.append((substitute([motion], {scene.time: t})[0], line.number))
-    if not primes and not problem.symbolic.balanced_as_drawn:
+    if name in scene.coordinates and not primes and not problem.symbolic.balanced_as_drawn:
         with suppress(PhysicsError):
             rest = problem.symbolic.equilibrium_position[name]
             found += [(node + rest, line) for node, line in found]

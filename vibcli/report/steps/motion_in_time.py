@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from vibcli.base.errors import PhysicsError
 from vibcli.report.blocks import Name, SumOfTerms, Words
 from vibcli.report.steps.agreement import same_in_motion, samples_of
+from vibcli.report.steps.full_energies import potential_of_weights
 from vibcli.report.steps.in_motion import short_form
 from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.derivatives import gradient
@@ -51,7 +52,8 @@ class EnergyIntegral:
         self.name, = problem.scene.coordinates
         self.q, self.v = problem.scene.q[0], problem.scene.v[0]
         self.well = Well(problem.scene, self.floats or samples_of(problem, {})[0])
-        self.V, self.M = map(textbook, self.well.nodes)
+        V, M = self.well.nodes
+        self.V, self.M = textbook(V - potential_of_weights(self.scene)[1]), textbook(M)
         self.unit = "m" if problem.system.dimension(self.name) else "rad"
 
     def write(self, lines: "Sequence[int]") -> None:
@@ -93,8 +95,9 @@ class EnergyIntegral:
         kinetic = 0.5 * float(self.well.inertia(_at(place))[0]) * speed ** 2
         low, high = (turning_point(self.well, place, kinetic, side).q for side in (-1, 1))
         period, _ = self.problem.response.period(self._tree())
-        found = evaluate([self.V], Floats, {**self.floats, self.q.name: low})[0]
-        if abs(found - E) > CLOSE * (abs(E) + abs(found) + kinetic):
+        found, between = (evaluate([self.V], Floats, {**self.floats, self.q.name: q})[0] for q in (
+            low, (low + high) / 2))
+        if abs(found - E) > CLOSE * (abs(E) + abs(found) + abs(between) + kinetic):
             return
         name = Name(self.name)
         turns = self.sheet.write(Words("it turns where "), Name(self.name + "'"), " = 0", Words(":  "), name, *number(

@@ -12,10 +12,11 @@ from vibcli.report.sections.too_long import brief
 from vibcli.report.steps.agreement import ALIKE, samples_of
 from vibcli.report.steps.held import HINT, UNTOLD
 from vibcli.report.steps.step import WorkedSolution, number
+from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters
-from vibcli.symbolic.normal_form import is_zero
+from vibcli.symbolic.normal_form import is_zero, textbook
 
 READABLE = 24       # letters of an expression, beyond which it is told in numbers where it has them
 
@@ -156,13 +157,27 @@ def _vanishes(node: "Node", values: Mapping[str, float], unknown: Iterable[str])
 
 
 def _along(problem, sheet, text):
-    """What supports exert along the motion, by the balance in it."""
+    """What supports exert along the motion, by the balance in it; at rest, if nothing else is asked."""
     from vibcli.mechanics.inputs_outputs.reactions_along_motion import along_the_motion
 
     found: Any = along_the_motion(problem.numeric)
     for signal, node in found.items():
-        if signal in text:
+        if signal in text and text.count(signal) == text.count(f"equilibrium[{signal}]") and (
+                problem.symbolic.balanced_as_drawn and all(node.is_zero for node in problem.scene.drawn.values())):
+            _at_rest(problem, sheet, signal, node)
+        elif signal in text:
             sheet.write(Words(f"by the balance along it  {signal}"), " = ", brief(node), settles=signal, node=node)
+
+
+def _at_rest(problem, sheet, signal, node):
+    moving = {name + primes for name in problem.scene.coordinates for primes in ("", "'", "''")}
+    still = {part: node.table.zero for part in reachable([node]) if getattr(part, "name", None) in moving}
+    node = textbook(substitute([node], still)[0])
+    value = None if problem.numeric.has_free_symbols else evaluate([node], Floats, problem.numeric.floats)[0]
+    if not node.is_zero:
+        unit = "N·m" if "moment" in signal else "N"
+        sheet.write(Words(f"by the balance at rest  {signal}"), " = ", brief(node), *(
+            () if value is None else number(value, unit)), settles=signal, node=node, value=value, unit=unit)
 
 
 def tell_accelerations(problem: "Problem", sheet: WorkedSolution, lines: Iterable[int]) -> None:

@@ -98,7 +98,14 @@ class AboutRest:
     def shifted(self, node: "Node") -> "Node":
         """A function of the coordinates with these counted from rest."""
         moved = {q: self.place[q] + q for q in self.scene.q if not self.place[q].is_zero and q in gradient(node)}
+        moved |= {s: self.place[s] + s for s in self._in_loops if not self.place[s].is_zero}
         return textbook(substitute([node], moved)[0] if moved else node)
+
+    @cached_property
+    def _in_loops(self):
+        """What follows from the coordinates in closed loops."""
+        loops, dependent = self.scene.loops, self.scene.dependent
+        return [dependent[name] for name in (loops.names if loops is not None else ())]
 
     def driven(self, s: "Node", still: "Node") -> "Node":
         """s(q₀, t) less what it is there while nothing is driven to and fro."""
@@ -108,16 +115,18 @@ class AboutRest:
         return textbook(self._unrooted(substitute([s], place)[0]) - self.rest(still))
 
     def _begun(self, node):
-        """The same with 0 and 1 for steps and ramps of instants that are known to be before or after their begin."""
+        """The same with 0 and 1 for steps and ramps of instants that are known to be before or after their begin, and
+        signs that are known."""
         known = {}
         for call in reachable([node]):
-            if call.op == "call" and call.name in ("step", "ramp") and not call.args[0].mask:
+            if call.op == "call" and call.name in ("step", "ramp", "sign") and not call.args[0].mask:
                 argument, = call.args
                 value = self.value(argument)
                 before, after = ((value or 0.0) < 0, (value or 0.0) > 0) if value is not None else map(
                     self.table.is_positive, (-argument, argument))
                 if before or after:
-                    known[call] = self.table.zero if before else self.table.one if call.name == "step" else argument
+                    low = -self.table.one if call.name == "sign" else self.table.zero
+                    known[call] = low if before else argument if call.name == "ramp" else self.table.one
         return substitute([node], known)[0] if known else node
 
     def _unrooted(self, node):

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 LENGTH, TURN = (("m_e", "kg"), ("k_e", "N/m")), (("J_e", "kg·m²"), ("k_e", "N·m/rad"))    # of q̈ and q
 LONG = 20       # letters of such a factor, beyond which it has one of its own
+SUMMED = 60     # letters of T of what is driven, up to which its parts are added
 
 
 class Derivation:
@@ -46,7 +47,10 @@ class Derivation:
                                 connections.stiffness(acting), turning.gyroscopic())
         if self._driven(turning.names):
             energies = self._driven_energies(T, V, Phi, acting, (M, C, G, K))
-            return self._lagrange(M, C, G, K, [part.line for part in (*T, *V, *Phi)], energies)
+            kinetic, lines = textbook(energies[0]), [part.line for part in (*T, *V, *Phi)]
+            if all(part.node is not None for part in T) and letters(kinetic) <= SUMMED:
+                lines.append(self._sum("T", T, kinetic))
+            return self._lagrange(M, C, G, K, lines, energies)
         short, (M, K) = self._shortened(M, K)
         sums = [self._sum("T", T, self.about.squared(M, self.scene.v)),
                 self._sum("V", V, self.about.squared(K, self.scene.q), rest),

@@ -39,9 +39,9 @@ def worked(problem: "Problem") -> list[WorkedLine]:
     sheet = _sheet_of(problem)
     tell_expansion(problem, sheet)
     tell_by_amplitude(problem, sheet)
-    tell_asked(problem, sheet)
     if problem.choice is not None:
         tell_chosen(problem, sheet)
+    tell_asked(problem, sheet)
     return sheet.steps
 
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.angle_addition import opened
 from vibcli.symbolic.common_denominator import single
+from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.radicals import root
@@ -36,8 +37,17 @@ class SymbolicSolution(NamedTuple):
 def solutions(node: "Node", unknown: "Node", samples: Sequence[dict[str, float]]):
     """The Solutions of node = 0; none where its form is not known. `samples`: admissible values of the letters."""
     node, = opened([node], unknown)
-    node = textbook(node)
-    return within(CALLS, lambda: _Condition(node, unknown, samples).solutions(), [])
+    sides = [textbook(one) for one in _sides(node, unknown)]
+    return within(CALLS, lambda: [found for one in sides for found in _Condition(one, unknown, samples).solutions()],
+                  [])
+
+
+def _sides(node, unknown):
+    """A condition as it is for a positive unknown, and for a negative one, where its size or sign stands in it."""
+    size, sign = (unknown.table.call(name, unknown) for name in ("abs", "sign"))
+    if {size, sign}.isdisjoint(reachable([node])):
+        return [node]
+    return [substitute([node], {size: side * unknown, sign: side * unknown.table.one})[0] for side in (1, -1)]
 
 
 class _Condition:

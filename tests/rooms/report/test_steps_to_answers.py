@@ -1,0 +1,65 @@
+"""The last lines of worked solutions: what answers ask of a motion; the motion at resonance, held against the equation;
+contact forces at rest; places in closed loops, which count from rest as the coordinates do."""
+
+import math
+from pathlib import Path
+
+import pytest
+from support.scenes import kept_problem_of, problem
+
+from vibcli.notation.plain import plain
+from vibcli.report.formats.formula import formula
+from vibcli.report.steps.worked import worked
+from vibcli.symbolic.evaluation import Floats, evaluate
+
+PROBLEMS = Path(__file__).parents[3] / "problems"
+
+
+def told(name):
+    return [formula(line.parts, plain).replace("\u00a0", " ") for line in worked(kept_problem_of(PROBLEMS / name))]
+
+
+@pytest.mark.parametrize(("load", "late", "x0", "v0"), [
+    ("sin", 0, 0.0, 0.0), ("cos", 0, 0.0, 0.0), ("sin", 0, 0.02, 0.3), ("sin", 0.7, 0.02, 0.3)])
+def test_the_motion_at_resonance_fulfils_its_equation_and_its_start(load, late, x0, v0):
+    start = f"initial: {{x: {x0} m, x': {v0} m/s}}" if x0 else ""
+    found = problem(f"""
+        parameters: {{m: 2 kg, k: 800 N/m, F: 5 N, w: sqrt(k/m), t1: 0.3 s}}
+        bodies: {{b: {{mass: m, slide: x}}}}
+        springs: {{s: {{k: k, between: [ground, b]}}}}
+        forces: {{f: {{at: b, force: F*{load}(w*t + {late})}}}}
+        answers: {{x(t1): 0 m}}
+        {start}
+    """)
+    node = {line.settles: line for line in worked(found)}["motion from the start"].node
+
+    def x(t):
+        return evaluate([node], Floats, {**found.numeric.floats, found.scene.time.name: t})[0]
+
+    h = 1e-4
+    assert x(0.0) == pytest.approx(x0, abs=1e-15) and (x(h) - x(-h)) / (2 * h) == pytest.approx(v0, abs=1e-6)
+    for t in (0.3, 1.7):
+        bent = (x(t + h) - 2 * x(t) + x(t - h)) / h**2
+        assert 2 * bent + 800 * x(t) == pytest.approx(5 * getattr(math, load)(20 * t + late), abs=2e-3)
+
+
+def test_what_answers_ask_of_a_motion_is_told_side_by_side():
+    last = [text for text in told("4_free_damped/cage_loses_half_its_load.yaml") if "max(y)" in text or "decr" in text]
+    assert last == ["max(y) = 0.0339466 m", "decrement(y) = 0.285376"]
+
+
+def test_a_contact_force_that_is_asked_at_rest_is_told_there():
+    told_ = told("4_free_damped/roller_with_a_dashpot_at_its_top.yaml")
+    assert "by the balance at rest  roller.normal = m·g·cos α = 55.3103 N" in told_
+
+
+def test_places_in_closed_loops_count_from_rest():
+    lines = told("4_free_damped/cam_and_follower_at_rest.yaml")
+    assert any("C = (0, y + h + y₀)" in one for one in lines) and any("Δ_press = −y = −b₁·φ" in one for one in lines)
+
+
+def test_the_integral_of_energy_has_no_constant_that_V_lacks_and_known_signs_are_put_in():
+    """A weight that is drawn 1 m below the height that its potential counts from."""
+    lines = told("9_equivalents_and_corrections/weight_that_jerks_a_slack_rope.yaml")
+    assert any(one.endswith("integrated:  m·ẏ²/2 + k·max(y − s₀, 0)²/2 − m·g·y = E") for one in lines)
+    assert any(one.startswith("ω² = k/m,") for one in lines)

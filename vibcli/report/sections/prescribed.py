@@ -1,0 +1,28 @@
+"""What answers ask of a motion that what drives it prescribes, at their instants: without being asked otherwise."""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from vibcli.notation.as_printed import as_printed
+from vibcli.notation.numbers import with_unit
+from vibcli.report.blocks import Section, Words, equations, line, section
+from vibcli.report.sections.requested_signals import dimension_of
+from vibcli.report.steps.asked import known
+
+if TYPE_CHECKING:
+    from vibcli.report.document import Report
+    from vibcli.results.problem import Problem
+
+
+def prescribed(problem: "Problem", _: "Report") -> Iterator[Section]:
+    if problem.numeric.has_free_symbols:
+        return
+    asked = [answer.asked for answer in problem.spec.answers if any(one.args for one in answer.asked.parts.quantities)]
+    yield from section("Motion in time (prescribed by what drives it)",
+                       equations(line(_valued(problem, one)) for one in asked))
+
+
+def _valued(problem, asked):
+    """`x(t₁) = 3 mm`."""
+    value = with_unit(known(problem, asked), dimension_of(problem, asked.tree))
+    return Words(f"{as_printed(asked.text, {*problem.spec.parameters, *problem.spec.coordinates})} = {value}")
