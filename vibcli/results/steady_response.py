@@ -6,8 +6,7 @@ from math import inf, tau
 from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.excitation.linear_output import LinearOutput
-from vibcli.analyses.transient.steady_errors import of_harmonic_forces
-from vibcli.analyses.transient.steady_state import harmonic_forces, resonance, steady_forcing
+from vibcli.analyses.transient.steady_state import harmonic_forces, lost_forces, resonance, steady_forcing
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signal_names import signal_name
 from vibcli.results.responses import SmallResponse
@@ -219,7 +218,7 @@ class SteadyResponse(SmallResponse):
         """{coordinate of an input: how far what it does may be off by rounding}."""
         if self.only is None:
             return dict.fromkeys(self.waves, 0.0)
-        lost = of_harmonic_forces(steady_forcing(self.input_forcing), self.only)
+        lost = lost_forces(steady_forcing(self.input_forcing), self.only)
         return dict(enumerate(lost.tolist(), self.configuration.with_inputs.n))
 
     @property
