@@ -82,7 +82,7 @@ class SteadyResponse(SmallResponse):
         if self.only is None and self.input_forcing.period is not None and getattr(part[0], "head", "") == "steady":
             from vibcli.results.repeating_signal import repeating
 
-            return repeating(self.problem, part[0].args[0], self.input_forcing)
+            return repeating(self, part[0].args[0])
         return super()._one(part, source)
 
     def _part(self, parts, name, primes, part):
