@@ -3,9 +3,11 @@
 import numpy as np
 import pytest
 from scipy.optimize import brentq
+from support.scenes import problem
 
 import vibcli
 from vibcli.base.errors import PhysicsError
+from vibcli.check.verdicts import check
 
 BAR = """
     parameters: {{L: 1 m, EA: 2e6 N, mu: 2 kg/m, F0: 100 N, Om: 2000 rad/s}}
@@ -128,3 +130,8 @@ def test_a_load_that_jumps_very_often_is_refused_before_it_is_followed():
     bar = BAR.format(", attached: [{at: L, c: 1000 N*s/m}]")
     with pytest.raises(PhysicsError, match="too often"):
         vibcli.loads(bar.replace("square(Om*t)", "square(Om*t) + F0*sin(1234 rad/s*t)"))["max(steady(rod.u(L)))"]
+
+
+def test_a_harmonic_that_no_load_has_is_nothing_beside_the_first():
+    scene = problem(BAR.format("") + "    answers: {'harmonic[2](rod.u(L))': 0 m, 'harmonic[1](rod.u(L))': 0 m}\n")
+    assert [verdict.agrees for verdict in check(scene)] == [True, False]
