@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from functools import cached_property
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import Kinked, PhysicsError, defined_as_drawn
@@ -20,10 +21,16 @@ if TYPE_CHECKING:
 SENSES = ("sign", "abs", "min", "max")      # functions by which dry friction acts
 
 
-def nothing_moves() -> PhysicsError:
-    """What is said of a scene without coordinates."""
-    return PhysicsError("nothing moves in this scene: it has no coordinates",
-                        "give a body a motion, as in bodies: {block: {mass: 2 kg, slide: x}}")
+def nothing_moves(members: Mapping[str, str] = MappingProxyType({})) -> PhysicsError:
+    """What is said of a scene without coordinates; members: {name: section} of those that it has, none with a mass."""
+    if not members:
+        hint = "give a body a motion, as in bodies: {block: {mass: 2 kg, slide: x}}"
+    else:
+        name, section = next(iter(members.items()))
+        what, attached = ("inertia", "inertia: 2 kg*m^2") if section == "shafts" else ("mass", "mass: 2 kg")
+        hint = (f"'{name}' has no {what} of its own: give it one along its length, or attach one, as in "
+                f"attached: [{{at: 0.5 m, {attached}}}]")
+    return PhysicsError("nothing moves in this scene: it has no coordinates", hint)
 
 
 class MechanicalSystem:
@@ -201,7 +208,7 @@ class MechanicalSystem:
             in_time = f", or ask for its motion in time: find: [{{response: {{until: {until}}}}}]"
             raise PhysicsError(words_of_locked(self.scene), hint + in_time * self.scene.timed)
         if not self.scene.q and not self.scene.pieces:
-            raise nothing_moves()
+            raise nothing_moves(self.spec.members)
 
     @cached_property
     def linearisation_at_reference(self):

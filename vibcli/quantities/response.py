@@ -172,8 +172,11 @@ def _end(problem, tree):
 
 
 def _size(problem, tree):
-    """The largest value of the signal; of a value whose motion has no known end, until its instant and for a second."""
+    """The largest value of the signal; of a value whose motion has no known end, until its instant and for a second.
+    Of members under loads with harmonics without end that of the first one."""
     response = problem.response_of(tree)
+    if response.KIND == "steady" and getattr(tree.args[0], "head", "") != "steady":
+        response = response.of_harmonic(1)
     try:
         end = response.until
     except PhysicsError:

@@ -19,7 +19,7 @@ def members_in_time(problem: "Problem") -> "SmallResponse":
     if problem.spec.in_full:
         raise PhysicsError("members are linear about their drawn line: the full equations of this scene are not found",
                            "write motion: small")
-    waves = WaveResponse(problem)
+    waves = WaveResponse(problem, by_modes=_by_modes)
     try:
         waves.alone  # noqa: B018 - is its motion one of waves?
     except NotByWaves:

@@ -9,27 +9,32 @@ import numpy as np
 
 from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
 from vibcli.base.errors import PhysicsError
+from vibcli.language.signal_names import signal_name
 from vibcli.results.signal import Signal
+from vibcli.results.signals import LinearSignal
+from vibcli.symbolic.syntax import NameRef
 
 if TYPE_CHECKING:
-    from vibcli.analyses.excitation.forcing import Forcing
-    from vibcli.results.problem import Problem
+    from vibcli.results.steady_response import SteadyResponse
 
 FIRST, MOST = 16, 2048      # periods after which it is looked at first, and at most
 JUMPS = 16_384      # pieces of a load that are followed
 MODES = 12          # free vibrations that are looked at one by one
 SAMPLES, DEAD = 257, 2.0**-49       # instants of a period; of the largest value: a difference that is rounding
 HARMONICS = "ask for harmonic[1](…), harmonic[2](…) and so on of single signals"
+INNER = "force", "moment", "shear", "stress"       # what a free motion does not change
+PANELS, NODES = 64, (12, 8)     # of a period, and of Gauss's rule on each of them
 BEHIND = 1e-12      # relative: how far an instant may be before a front that it stands for
 
 
 class RepeatingSignal(Signal):
-    """A motion in time from `start` on, a multiple of its period; left: how far it may be from what repeats itself."""
+    """A motion in time from `start` on, a multiple of its period; left: how far it may be from what repeats itself.
+    aside: by how much its mean is larger than that of what loads keep up, where nothing holds it."""
 
     KIND = "a steady state that repeats itself"
 
-    def __init__(self, signal: Signal, period: float, start: float, left: float):
-        self.signal, self.start, self.left = signal, start, left
+    def __init__(self, signal: Signal, period: float, start: float, left: float, aside: float = 0.0):
+        self.signal, self.start, self.left, self.aside = signal, start, left, aside
         self.period: Any = period
 
     def _late(self, times):
@@ -41,20 +46,21 @@ class RepeatingSignal(Signal):
         return np.where((after >= late) & (after - late <= BEHIND * late), after, late)
 
     def values(self, times: np.ndarray, order: int = 0) -> np.ndarray:
-        return self.signal.values(self._late(times), order) if order else self.signal.values(self._late(times))
+        late = self._late(times)
+        return self.signal.values(late, order) if order else self.signal.values(late) - self.aside
 
     def extreme(self, start: float, end: float, sense: int) -> tuple[float, float]:
         """(instant, value) of the largest (sense 1) or smallest (−1) value within a period."""
         end = min(end, start + self.period)
         t, value = self.signal.extreme(start + self.start, end + self.start, sense)
-        return t - self.start, value
+        return t - self.start, value - self.aside
 
     def error(self, t: float) -> float:
         return self.signal.error(float(self._late(t))) + self.left
 
     def error_of_extreme(self, start: float, end: float, top: tuple[float, float], sense: int) -> float:
         end = min(end, start + self.period)
-        late = top[0] + self.start, top[1]
+        late = top[0] + self.start, top[1] + self.aside
         return self.signal.error_of_extreme(start + self.start, end + self.start, late, sense) + self.left
 
     def error_of_time(self, t: float) -> float:
@@ -62,6 +68,9 @@ class RepeatingSignal(Signal):
 
     def zeros(self, start: float, end: float) -> list[float]:
         """Instants within a period at which it passes or touches zero."""
+        if self.aside:
+            raise PhysicsError("zeros are not found of the steady state of members that nothing holds",
+                               "ask for max(steady(x)), or for values at instants")
         end = min(end, start + self.period)
         found = self.signal.zeros(start + self.start, end + self.start)     # type: ignore[attr-defined]
         return [t - self.start for t in found]
@@ -85,9 +94,10 @@ class RepeatingSignal(Signal):
         raise KeyError(self.KIND)
 
 
-def repeating(problem: "Problem", tree: Any, forcing: "Forcing") -> RepeatingSignal:
-    """The RepeatingSignal of a tree under a periodic forcing; PhysicsError where free vibrations do not die out within
+def repeating(response: "SteadyResponse", tree: Any) -> RepeatingSignal:
+    """The RepeatingSignal of a tree under periodic loads; PhysicsError where free vibrations do not die out within
     MOST periods from its `since` on."""
+    problem, forcing = response.problem, response.input_forcing
     if problem.modal.damped is None:
         raise PhysicsError("free vibrations of these members never die out, and some harmonic of this load may meet "
                            "any of them: the sum of all is not found", f"damp the scene, or {HARMONICS}")
@@ -112,7 +122,8 @@ def repeating(problem: "Problem", tree: Any, forcing: "Forcing") -> RepeatingSig
         known = max(DEAD * max(float(np.abs(later).max()), pace * late * period),      # as instants round
                     signal.error(late * period + float(times[-1])))
         if apart <= known:
-            return RepeatingSignal(signal, period, late * period, apart / ahead)
+            aside, error = _aside(response, tree, signal, late * period)
+            return RepeatingSignal(signal, period, late * period, apart / ahead + error, aside)
         count *= 2
     raise PhysicsError(f"free vibrations of these members have not died out after {count // 2} periods of this load",
                        f"damp them more, or {HARMONICS}")
@@ -130,3 +141,31 @@ def _ahead(problem, period):
                                "load: what it starts with repeats itself, too", f"damp it, or {HARMONICS}")
         found = min(found, apart) if turned else found
     return found
+
+
+def _aside(response, tree, signal, start):
+    """(by how much the mean of a motion in the period from `start` on is larger than that which loads keep up, a bound
+    of the error of that): where nothing holds the members, it is what they started with that sets it."""
+    if not any(not mode.eigenvalue for mode in response.problem.modal.damped.first(MODES)) or (
+            isinstance(tree, NameRef) and (tree.primes or signal_name(tree.name).kind in INNER)):
+        return 0.0, 0.0
+    still, forcing = response.of_harmonic(0).signal(tree), response.input_forcing
+    if not isinstance(still, LinearSignal):
+        raise PhysicsError("the steady state of functions of signals is not found of members that nothing holds",
+                           "ask for that of single signals")
+    bends = np.concatenate([np.linspace(0.0, forcing.period, PANELS + 1),
+                            signal.fronts(start + forcing.period) - start,
+                            [(piece.start - forcing.since) % forcing.period for piece in forcing.pieces]])
+    edges = np.unique(bends[(bends >= 0.0) & (bends <= forcing.period)])
+    fine, coarse = (_mean(signal, start, edges, order) for order in NODES)
+    mean = still.motion.steady.mean(still.output)
+    size = float(np.abs(signal.values(start + edges)).max())
+    return fine - mean, abs(fine - coarse) + DEAD * size + signal.error(start + float(edges[-1]))
+
+
+def _mean(signal, start, edges, order):
+    """The mean of a signal between edges by Gauss's rule on each of the stretches between them."""
+    at, weights = np.polynomial.legendre.leggauss(order)
+    middle, half = (edges[1:] + edges[:-1]) / 2, np.diff(edges) / 2
+    values = signal.values(start + (middle[:, None] + half[:, None] * at).ravel()).reshape(-1, order)
+    return float(half @ (values @ weights)) / (edges[-1] - edges[0])

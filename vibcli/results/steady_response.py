@@ -6,8 +6,7 @@ from math import inf, tau
 from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.excitation.linear_output import LinearOutput
-from vibcli.analyses.transient.steady_errors import of_harmonic_forces
-from vibcli.analyses.transient.steady_state import harmonic_forces, resonance, steady_forcing
+from vibcli.analyses.transient.steady_state import harmonic_forces, lost_forces, resonance, steady_forcing
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signal_names import signal_name
 from vibcli.results.responses import SmallResponse
@@ -83,7 +82,7 @@ class SteadyResponse(SmallResponse):
         if self.only is None and self.input_forcing.period is not None and getattr(part[0], "head", "") == "steady":
             from vibcli.results.repeating_signal import repeating
 
-            return repeating(self.problem, part[0].args[0], self.input_forcing)
+            return repeating(self, part[0].args[0])
         return super()._one(part, source)
 
     def _part(self, parts, name, primes, part):
@@ -219,7 +218,7 @@ class SteadyResponse(SmallResponse):
         """{coordinate of an input: how far what it does may be off by rounding}."""
         if self.only is None:
             return dict.fromkeys(self.waves, 0.0)
-        lost = of_harmonic_forces(steady_forcing(self.input_forcing), self.only)
+        lost = lost_forces(steady_forcing(self.input_forcing), self.only)
         return dict(enumerate(lost.tolist(), self.configuration.with_inputs.n))
 
     @property

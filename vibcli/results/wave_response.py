@@ -7,22 +7,25 @@ from vibcli.base.errors import PhysicsError
 from vibcli.results.response_of_members import ResponseOfMembers
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     import numpy as np
 
     from vibcli.results.part_of_members import PartOfMembers
     from vibcli.results.problem import Problem
+    from vibcli.results.signal import Signal
 
 
 class WaveResponse(ResponseOfMembers):
     """Small oscillations about the equilibrium, followed from front to front. NotByWaves where a member disperses its
-    waves or loses them on their way, or where the fronts are too many."""
+    waves or loses them on their way, or where the fronts are too many. by_modes(problem, waves): the response by modes
+    beside these waves, None where there is none."""
 
     KIND, WORDS = "waves", "small oscillations about the equilibrium, by travelling waves"
 
-    def __init__(self, problem: "Problem", part: "PartOfMembers | None" = None):
+    def __init__(self, problem: "Problem", part: "PartOfMembers | None" = None, by_modes: "Callable | None" = None):
         super().__init__(problem, part=part)
+        self._by_modes = by_modes
 
     @cached_property
     def alone(self):
@@ -70,6 +73,24 @@ class WaveResponse(ResponseOfMembers):
         """Follow the waves up to an instant; NotByWaves where their fronts are too many."""
         self.alone.march.reach(until)
 
+    def best_at(self, signal: Any, t: float) -> "Signal":
+        """A signal of its own as it is found at an instant: by modes where the fronts up to then are too many."""
+        from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
+
+        if self._by_modes is None or not signal.source:
+            return signal
+        try:
+            self.reach(t)
+        except NotByWaves:
+            if self._modes.KIND == "steady":
+                raise
+            return self._modes.signal(signal.source[1]).read_at(t)
+        return signal
+
+    @cached_property
+    def _modes(self):
+        return self._by_modes(self.problem, self)
+
     def moved(self, direct: Any = ()):
         """The same motion, read with nodes of the time on further channels."""
         return self.alone.under(self.forcing(direct)) if direct else self.alone
@@ -84,7 +105,7 @@ class WaveResponse(ResponseOfMembers):
     def _linear(self, constant, terms, source=()):
         from vibcli.results.wave_signals import WaveSignal
 
-        return WaveSignal(*self._driven(constant, terms))
+        return WaveSignal(*self._driven(constant, terms), source)
 
     def _composed(self, node, parts, source=()):
         from vibcli.results.wave_signals import ComposedOfWaves
@@ -92,4 +113,4 @@ class WaveResponse(ResponseOfMembers):
         if self._closing(node) is not None:
             raise PhysicsError("signals of loops that close are not found where waves travel", "ask for coordinates")
         signals = {symbol.name: self._one(part) for symbol, part in parts.items()}
-        return ComposedOfWaves(node, signals, self.values, self.problem.scene.time, None, self.problem.work)
+        return ComposedOfWaves(node, signals, self.values, self.problem.scene.time, None, self.problem.work, source)

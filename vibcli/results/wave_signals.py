@@ -75,6 +75,10 @@ def _zeros(signal, start: float, end: float) -> list[float]:
     return zeros(_along(signal, start, end), end).tolist()
 
 
+def _read_at(signal, t: float) -> Signal:
+    return signal.source[0].best_at(signal, t) if signal.source else signal
+
+
 def _leaps(signal, end: float) -> list[tuple[float, float, float]]:
     """[(instant, value before, value after)] of its fronts."""
     import numpy as np
@@ -94,10 +98,10 @@ class WaveSignal(Signal):
     """A linear output of a WaveMotion."""
 
     KIND = "a motion that is followed by travelling waves"
-    sampled, before, leaps, extreme, zeros = _sampled, _before, _leaps, _extreme, _zeros
+    read_at, sampled, before, leaps, extreme, zeros = _read_at, _sampled, _before, _leaps, _extreme, _zeros
 
-    def __init__(self, waves: "WaveMotion", output: "LinearOutput"):
-        self.waves, self.reads, self.work = waves, output, waves.work
+    def __init__(self, waves: "WaveMotion", output: "LinearOutput", source: tuple = ()):
+        self.waves, self.reads, self.work, self.source = waves, output, waves.work, source
 
     def values(self, times: "np.ndarray", order: int = 0) -> "np.ndarray":
         return self.waves.values(self.reads, times, order)
@@ -149,7 +153,7 @@ class ComposedOfWaves(ComposedSignal):
 
     KIND = "a signal composed of others that waves bring"
     signals: Any
-    sampled, before, leaps, extreme, zeros = _sampled, _before, _leaps, _extreme, _zeros
+    read_at, sampled, before, leaps, extreme, zeros = _read_at, _sampled, _before, _leaps, _extreme, _zeros
 
     def fronts(self, end: float) -> "np.ndarray":
         import numpy as np

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 from support.scenes import problem, problem_of
 
+from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.member_warnings import member_warnings
 
 TRIALS = Path(__file__).parents[2] / "trials"
@@ -103,3 +104,14 @@ def test_a_bar_that_comes_to_hang_turns_by_a_right_angle():
         """
     assert member_warnings(problem(text).configuration) == [
         "'b' turns by 1.57 rad in equilibrium, more than 0.1 rad: members are linear about their drawn line"]
+
+
+@pytest.mark.parametrize(("member", "told_of"), [
+    ("strings: {cord: {length: 1 m, preload: 100 N, left: clamped, right: clamped", "'cord' has no mass of its own"),
+    ("shafts: {line: {length: 1 m, GIo: 3 N*m^2, left: clamped, right: clamped", "'line' has no inertia of its own")])
+def test_a_member_without_mass_is_told_what_would_move_it(member, told_of):
+    with pytest.raises(PhysicsError, match="it has no coordinates") as refused:
+        assert problem(f"{member}}}}}\n").system.time_dependent_linearisation
+    assert told_of in refused.value.hint
+    attached = refused.value.hint.partition("as in ")[2]
+    assert problem(f"{member}, {attached}}}}}\n").modal.modes[0].omega > 0

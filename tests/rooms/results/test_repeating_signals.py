@@ -3,9 +3,11 @@
 import numpy as np
 import pytest
 from scipy.optimize import brentq
+from support.scenes import problem
 
 import vibcli
 from vibcli.base.errors import PhysicsError
+from vibcli.check.verdicts import check
 
 BAR = """
     parameters: {{L: 1 m, EA: 2e6 N, mu: 2 kg/m, F0: 100 N, Om: 2000 rad/s}}
@@ -69,6 +71,30 @@ def test_a_beam_whose_modes_are_damped():
     assert model["max(steady(b.u(L)))"].value == pytest.approx(u(times).max(), rel=1e-6)
 
 
+@pytest.mark.sweep
+def test_what_nothing_holds_swings_about_its_mean():
+    """A free shaft with a damper at its end under a couple at its start, whose start leaves it turned aside: the wave
+    eˢᵗ is thrown back by R = (Z − c)/(Z + c), Z = √(GIo J), H(s) = (1 + R e^{−2sL/c₀})/(sZ (1 − R e^{−2sL/c₀}))."""
+    model = vibcli.loads("""
+        shafts: {line: {length: 1 m, GIo: 100 N*m^2, inertia_per_length: 0.5 kg*m, attached: [{at: 1 m, c: 3 N*m*s}]}}
+        points: {end: {body: line, at: 0 m}}
+        forces: {T: {at: end, moment: 5 N*m*square(4 rad/s*t)}}
+    """)
+    s, Z = 4j * np.arange(1, 40_001, 2), np.sqrt(50.0)
+    back = (Z - 3) / (Z + 3) * np.exp(-2 * s * np.sqrt(0.5 / 100))
+    H = (1 + back) / (1 - back) / (s * Z) * 5 * 16 / (np.pi * s)
+
+    def phi(t):
+        return float(np.real(np.sum(H * np.exp(s * t))))
+
+    known = {asked: model[asked] for asked in (
+        "steady(line.phi(0 m))(0.3 s)", "max(steady(line.phi(0 m)))", "min(steady(line.phi(0 m)))")}
+    value, top, bottom = (found.value for found in known.values())
+    assert value == pytest.approx(phi(0.3), rel=1e-6) and all(found.error < 1e-9 for found in known.values())
+    assert bottom == pytest.approx(-top, abs=1e-9) and top >= max(map(phi, np.linspace(0, np.pi / 2, 50)))
+    assert model["mean(steady(line.phi(0 m)))"].value == 0
+
+
 def test_what_never_dies_out_is_refused_by_name():
     model = vibcli.loads(BAR.format(""))
     with pytest.raises(PhysicsError, match="never die out") as refused:
@@ -104,3 +130,8 @@ def test_a_load_that_jumps_very_often_is_refused_before_it_is_followed():
     bar = BAR.format(", attached: [{at: L, c: 1000 N*s/m}]")
     with pytest.raises(PhysicsError, match="too often"):
         vibcli.loads(bar.replace("square(Om*t)", "square(Om*t) + F0*sin(1234 rad/s*t)"))["max(steady(rod.u(L)))"]
+
+
+def test_a_harmonic_that_no_load_has_is_nothing_beside_the_first():
+    scene = problem(BAR.format("") + "    answers: {'harmonic[2](rod.u(L))': 0 m, 'harmonic[1](rod.u(L))': 0 m}\n")
+    assert [verdict.agrees for verdict in check(scene)] == [True, False]

@@ -4,6 +4,7 @@ from textwrap import dedent
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 from support.scenes import problem
 
 from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
@@ -215,3 +216,20 @@ def test_a_matched_damper_ends_the_motion():
     assert (force.before(1.25), force.before(1.0)) == (pytest.approx(0.5), None)
     assert not force.values(np.array([1.25, 1.7, 4.9])).any()
     assert problem(BAR.replace("RIGHT", "right: {c: 2*A*sqrt(E*rho)}")).response.alone.still_from(5.0) == np.inf
+
+
+def test_a_value_behind_too_many_fronts_is_found_by_modes():
+    """Far beyond the end that is asked for; β tan β = 1, u(L) = Σ EA a/L sin²β/(m ω²) cos ωt, ω = βc₀/L."""
+    scene = problem("""\
+        parameters: {L: 1 m, EA: 2 MN, mu: 2 kg/m, M: 2 kg, a: 1 mm}
+        bars: {rod: {length: L, EA: EA, mass_per_length: mu, left: clamped, attached: [{at: L, mass: M}]}}
+        initial: {rod.u: a*x/L}
+        find: [{response: {until: 5 ms}}]
+        """)
+    beta = [brentq(lambda b: b * np.sin(b) - np.cos(b), n * np.pi, (n + 0.5) * np.pi, xtol=1e-15) for n in range(400)]
+    beta = np.array(beta)
+    m = 1 - np.sin(2 * beta) / (2 * beta) + 2 * np.sin(beta) ** 2
+    share = 2e6 * 1e-3 * np.sin(beta) ** 2 / (m * (1e3 * beta) ** 2)
+    known = signal(scene, "rod.u(L)").read_at(15.0)
+    assert known.values(np.array([15.0])) == pytest.approx(share @ np.cos(15e3 * beta), abs=2e-11)
+    assert known.error(15.0) < 1e-9 and known.KIND != signal(scene, "rod.u(L)").KIND

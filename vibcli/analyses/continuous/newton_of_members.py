@@ -114,7 +114,7 @@ def _steps(divisions, s):
     found = np.full(len(s), np.nan, complex)
     for _, at, D, slope, *_ in divisions.parts(s):
         usable = np.isfinite(D).all(axis=(1, 2)) & np.isfinite(slope).all(axis=(1, 2))
-        nu = np.linalg.eigvals(_solved(D[usable], slope[usable]))
+        nu = _eigenvalues(_solved(D[usable], slope[usable]))
         largest = np.take_along_axis(nu, np.argmax(abs(nu), axis=1)[:, None], axis=1)[:, 0]
         found[at[usable]] = -1 / np.where(largest == 0, np.nan, largest)
     return found
@@ -125,10 +125,20 @@ def _multiplicities(divisions, s):
     found = np.ones(len(s), int)
     away = ALIKE / 3 * s
     for _, at, D, slope, *_ in divisions.parts(s + away):
-        nu = np.linalg.eigvals(_solved(D, slope))
+        nu = _eigenvalues(_solved(D, slope))
         step = away[at][:, None] - 1 / np.where(nu == 0, 1e-300, nu)
         found[at] = np.maximum((abs(step) <= ALIKE * abs(s[at])[:, None]).sum(axis=1), 1)
     return found
+
+
+def _eigenvalues(matrices):
+    """Of a stack of matrices; NaN of those whose are not found."""
+    try:
+        return np.linalg.eigvals(matrices)
+    except np.linalg.LinAlgError:
+        if len(matrices) > 1:
+            return np.concatenate([_eigenvalues(matrix[None]) for matrix in matrices])
+        return np.full(matrices.shape[:2], np.nan, complex)
 
 
 def _solved(D, slope):

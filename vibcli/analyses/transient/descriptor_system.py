@@ -40,6 +40,17 @@ class Descriptor:
         self.B = np.concatenate([np.zeros((h, n), object), inverse.dot(pushed)])
 
 
+class SummingSystem:
+    """A Descriptor with states ∫ r q dt at its end, r rows over the coordinates that need not follow the forces."""
+
+    def __init__(self, system: Any, rows: "list[list[mpmath.mpf]]"):
+        self.places, self.heavy, self.F, count, n = system.places, system.heavy, system.F, len(rows), len(system.Q)
+        A = np.concatenate([system.A, np.array(rows, object).reshape(count, n).dot(system.Q)])
+        self.A, self.Q = (np.concatenate([part, np.zeros((len(part), count), object)], axis=1)
+                          for part in (A, system.Q))
+        self.B = np.concatenate([system.B, np.zeros((count, n), object)])
+
+
 def _inverse(matrix):
     inverse = mp.matrix(matrix.tolist())**-1 if len(matrix) else matrix
     return np.array(inverse.tolist(), object).reshape(matrix.shape)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from mpmath import mp
 
-from vibcli.analyses.transient.descriptor_system import Descriptor, real
+from vibcli.analyses.transient.descriptor_system import Descriptor, SummingSystem, real
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics import fixed_point as fx
 
@@ -73,13 +73,19 @@ class PreciseMotion:
     """A motion at the working precision of mpmath; start: the state of its system of first order at t = 0; reached:
     those at the starts of the stretches of its loads, as far as they were looked at."""
 
-    def __init__(self, matrices: tuple, system: Descriptor, forcing: "Forcing", start: "list[mpmath.mpf]"):
+    def __init__(self, matrices: tuple, system: Descriptor | SummingSystem, forcing: "Forcing",
+                 start: "list[mpmath.mpf]"):
         self.matrices, self.system, self.forcing, self.start = matrices, system, forcing, start
         self.n, self.reached, self.found, self.exponentials = len(matrices[0]), [start], {}, []
 
     def under(self, forcing: "Forcing", start: "list[mpmath.mpf]") -> "PreciseMotion":
         """The same system driven and started otherwise."""
         return PreciseMotion(self.matrices, self.system, forcing, start)
+
+    def summing(self, rows: "list[list[mpmath.mpf]]") -> "PreciseMotion":
+        """The same with states ∫ r q dt at its end, r rows over the coordinates."""
+        return PreciseMotion(self.matrices, SummingSystem(self.system, rows), self.forcing,
+                             self.start + [mp.mpf(0)] * len(rows))
 
     def breaks(self, until: float) -> "list[mpmath.mpf]":
         """The instants up to a time at which the loads bend or jump."""

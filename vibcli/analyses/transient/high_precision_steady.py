@@ -15,6 +15,7 @@ from vibcli.analyses.transient.descriptor_system import real
 from vibcli.analyses.transient.high_precision import PreciseMotion
 from vibcli.analyses.transient.time_shift import turned
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     import mpmath
@@ -33,22 +34,58 @@ def steady_motion(motion: "PreciseMotion | SteadyWaves | TransientMotion") -> "P
 
 def _repeating(motion):
     forcing = Forcing(motion.forcing.channels, turned(motion.forcing), motion.forcing.period)
-    size, bits, period = len(motion.start), mp.prec, motion.forcing.period
+    rests, system, size = _rests(motion), motion.system, len(motion.start)
+    summed, bits, period = motion.summing([rest.mean for rest in rests]), mp.prec, motion.forcing.period
+    beside = [[rest.damping[i] for i in system.places] + [rest.momentum[i] for i in system.heavy] for rest in rests]
 
     def after(start):
-        return list(motion.under(forcing, start).at(period, bits, before=True).z[:size])
+        """What a period adds, and what of it is to vanish in the mean."""
+        end = summed.under(forcing, start + [mp.mpf(0)] * len(rests)).at(period, bits, before=True).z
+        return [y - x + mp.fdot([column[i] for column in beside], end[size:size + len(rests)])
+                for i, (x, y) in enumerate(zip(start, end[:size], strict=True))]
 
     brought = after([mp.mpf(0)] * size)
-    columns = [[x - y for x, y in zip(after([mp.mpf(int(i == j)) for i in range(size)]), brought, strict=True)]
+    columns = [[y - x for x, y in zip(brought, after([mp.mpf(int(i == j)) for i in range(size)]), strict=True)]
                for j in range(size)]
-    kept = mp.matrix([[int(i == j) - columns[j][i] for j in range(size)] for i in range(size)])
-    return motion.under(forcing, list(_solved(kept, brought)))
+    return motion.under(forcing, list(_solved(mp.matrix(columns).T, [-x for x in brought])))
+
+
+class Rest(NamedTuple):
+    """A rest l, lᵀK = 0, that nothing holds; damping: lᵀC, momentum: lᵀM; mean: the row of q whose mean is taken as 0,
+    the damping, or the momentum where no damper resists."""
+
+    left: "list[mpmath.mpf]"
+    damping: "list[mpmath.mpf]"
+    momentum: "list[mpmath.mpf]"
+    mean: "list[mpmath.mpf]"
+
+
+def _rests(motion):
+    M, C, K = (mp.matrix([[real(x) for x in row] for row in matrix]) for matrix in motion.matrices)
+    left, _ = _left_nulls(K, mp.mnorm(K))
+    if not left.cols:
+        return []
+    found = []
+    for turn, resisted in zip(_left_nulls(left.T * C * left, mp.mnorm(C)), (False, True), strict=True):
+        for one in (left * turn).T.tolist() if turn.cols else ():
+            damping, momentum = (list(mp.matrix([one]) * matrix) for matrix in (C, M))
+            found.append(Rest(one, damping, momentum, damping if resisted else momentum))
+    return found
+
+
+def _left_nulls(matrix, size):
+    """(left null vectors of a square matrix of sums of such a size, those orthogonal to them), columns."""
+    U, sizes, _ = mp.svd_r(matrix)
+    columns: tuple[list, list] = [], []
+    for i, length in enumerate(sizes):
+        columns[length > size * mp.sqrt(mp.eps)].append(list(U[:, i]))
+    return tuple(mp.matrix(some).T if some else mp.matrix(len(U), 0) for some in columns)
 
 
 def _solved(matrix, right):
     try:
         return mp.lu_solve(matrix, mp.matrix(right))
-    except ZeroDivisionError:
+    except (ZeroDivisionError, TypeError):      # TypeError: mpmath's, of a column of zeros
         raise PhysicsError("a steady state beside which something vibrates freely at a frequency of the load is not "
                            "found in more digits", "leave --digits out") from None
 
@@ -89,6 +126,8 @@ def kept_up(motion: PreciseMotion, s: "mpmath.mpc", forces: Any) -> "list[mpmath
     if not any(forces[:n]):
         return [mp.mpf(0)] * n
     dynamic = mp.matrix([[(real(M[i][j]) * s + real(C[i][j])) * s + real(K[i][j]) for j in range(n)] for i in range(n)])
+    for rest in [] if s else _rests(motion):
+        dynamic += mp.matrix(rest.left) * mp.matrix([rest.mean])
     return list(_solved(dynamic, [mp.mpmathify(x) for x in forces[:n]]))
 
 

@@ -124,9 +124,10 @@ class LinearMotion:
                 forces[wave.channel] += complex(wave.coefficient).real
         return self.system.T @ (self.system.places @ self.q0) + self.system.follow @ forces
 
-    def like(self, forcing: "Forcing", q0: np.ndarray, v0: np.ndarray) -> "LinearMotion":
-        """The same system, driven and started otherwise."""
-        return LinearMotion(self.matrices, self.blocks, forcing, q0, v0, self.work,
+    def like(self, forcing: "Forcing", q0: np.ndarray, v0: np.ndarray,
+             blocks: "Sequence[ModalBlock] | None" = None) -> "LinearMotion":
+        """The same system, driven and started otherwise; blocks: in place of its own."""
+        return LinearMotion(self.matrices, blocks or self.blocks, forcing, q0, v0, self.work,
                             doubt=lambda: self.data_errors.started(np.zeros(len(self.M)), np.zeros(len(self.M))))
 
     def pieces(self, until: Any) -> Pieces:
@@ -169,19 +170,21 @@ class SteadyMotion(LinearMotion):
             q0, v0 = (sum((np.real(s**order * Q) for s, Q, _ in self.waves), np.zeros(len(motion.M)))
                       + sum(Q for Q, _ in self.powers[order:order + 1]) for order in range(2))
         else:
-            q0, v0 = steady_state.repeating(motion, forcing)
+            from vibcli.analyses.transient.repeating_motion import repeating
+
+            q0, v0 = repeating(motion, forcing)
         super().__init__(motion.matrices, motion.blocks, forcing, q0, v0, motion.work, doubt=self._doubt(motion))
 
     def _doubt(self, motion):
         """Gives the DataErrors with those of the start that was found."""
         def doubt():
-            from vibcli.analyses.transient import steady_errors
-
             if self.period is None:
-                start = steady_errors.of_waves(motion, self.waves, self.powers)
-            else:
-                start = steady_errors.of_repeating(motion, self)
-            return motion.data_errors.started(*start)
+                from vibcli.analyses.transient.steady_errors import of_waves
+
+                return motion.data_errors.started(*of_waves(motion, self.waves, self.powers))
+            from vibcli.analyses.transient.repeating_motion import errors_of
+
+            return motion.data_errors.started(*errors_of(motion, self))
 
         return doubt
 

@@ -87,7 +87,10 @@ def _corrections(S, blocks, count):
 
 
 def sylvester(A: np.ndarray, B: np.ndarray, C: np.ndarray) -> np.ndarray:
-    """X with A X − X B = C, for small blocks."""
+    """X with A X − X B = C, for small blocks; without bound where A and B share an eigenvalue."""
     p, q = len(A), len(B)
     system = np.kron(A, np.eye(q)) - np.kron(np.eye(p), B.T)
-    return np.linalg.solve(system, C.ravel()).reshape(p, q)
+    try:
+        return np.linalg.solve(system, C.ravel()).reshape(p, q)
+    except np.linalg.LinAlgError:
+        return np.where(C.any(), np.inf, C)

@@ -3,9 +3,7 @@
     D Q = F, D = s² M + s C + K:      |δQ| <= |D⁻¹| (|δF| + |δD| |Q| + |2 s M + C| |Q| |δs| + rounding of D and of D Q)
 """
 
-import math
 from collections.abc import Sequence
-from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,7 +11,6 @@ import numpy as np
 from vibcli.analyses.transient.data_errors import DATA
 
 if TYPE_CHECKING:
-    from vibcli.analyses.excitation.forcing import Forcing
     from vibcli.analyses.excitation.linear_output import LinearOutput
     from vibcli.analyses.transient.data_errors import DataErrors
     from vibcli.analyses.transient.linear_response import LinearMotion, SteadyMotion
@@ -102,36 +99,6 @@ def of_powers_in(motion: "SteadyMotion", output: "LinearOutput") -> list[float]:
 
 def of_harmonic(motion: "SteadyMotion", output: "LinearOutput", n: int) -> float:
     """|δX| of a harmonic under periodic forcing."""
-    from vibcli.analyses.transient.steady_state import harmonic
+    from vibcli.analyses.transient.steady_state import harmonic, lost_forces
 
-    return of_output(motion, output, harmonic(motion, motion.forcing, n), of_harmonic_forces(motion.forcing, n))
-
-
-def of_harmonic_forces(forcing: "Forcing", n: int) -> np.ndarray:
-    """|δF| of the forces of a harmonic, in proportion to the integral of their size."""
-    from vibcli.analyses.excitation.forcing import Segment
-
-    size = np.zeros(forcing.channels)
-    for piece, after in pairwise([*forcing.pieces, Segment(forcing.period)]):
-        length = after.start - piece.start
-        for channel, blow in piece.impulses:
-            size[channel] += abs(blow)
-        for part in piece.waves:
-            grown = math.exp(max(0.0, part.exponent.real * length))
-            size[part.channel] += abs(part.coefficient) * length ** (part.power + 1) * grown
-    return 2 / forcing.period * size * EPSILON * (16 + 8 * math.pi * n)
-
-
-def of_repeating(motion: "LinearMotion", steady: "SteadyMotion") -> tuple[np.ndarray, np.ndarray]:
-    """(δq, δq̇) at t = 0 of the motion that repeats: what a period adds, over 1 − e^{BT}."""
-    from vibcli.analyses.excitation.forcing import Forcing, Segment
-    from vibcli.analyses.transient.steady_state import growth
-
-    forcing = Forcing(steady.forcing.channels, [*steady.forcing.pieces, Segment(steady.period)])
-    errors = motion.like(forcing, steady.q0, steady.v0).pieces(np.inf).errors
-    q, v = np.zeros((2, len(motion.M)))
-    for block, at in zip(motion.blocks, errors.system.places, strict=True):
-        c = np.abs(np.linalg.pinv(growth(block.B, steady.period))) @ errors.starts[at, -1]
-        q += np.abs(block.X) @ c
-        v += np.abs(block.X @ block.B) @ c
-    return q, v
+    return of_output(motion, output, harmonic(motion, motion.forcing, n), lost_forces(motion.forcing, n))

@@ -9,6 +9,7 @@ vibration does not die out: the steady state is then what the force keeps up.
 import cmath
 import math
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -16,7 +17,7 @@ import numpy as np
 from vibcli.analyses.excitation.forcing import Forcing, Segment
 from vibcli.analyses.transient.exponential_differences import differences
 from vibcli.analyses.transient.isolating_intervals import fastest, stretches
-from vibcli.analyses.transient.modal_block import ModalBlock, paths
+from vibcli.analyses.transient.modal_block import ModalBlock
 from vibcli.analyses.transient.time_shift import difference, later, turned
 from vibcli.base.errors import PhysicsError
 
@@ -26,7 +27,7 @@ if TYPE_CHECKING:
 
 RESONANT, DIGITS = 1e-12, 12      # relative: a frequency that counts as a natural one
 POINTS = 20         # of Gauss's rule
-UNFORCED = 1e-13
+UNFORCED, EPSILON = 1e-13, 2.0**-52
 
 
 def steady_forcing(forcing: Forcing) -> Forcing:
@@ -144,34 +145,6 @@ def following(motion: "LinearMotion", forcing: Forcing) -> list[tuple[np.ndarray
     return list(zip(Q, forces, strict=False))
 
 
-def repeating(motion: "LinearMotion", forcing: Forcing) -> tuple[np.ndarray, np.ndarray]:
-    """(q, q̇) just before t = 0 of the motion that periodic forcing repeats."""
-    n, period = len(motion.M), forcing.period
-    once = Forcing(forcing.channels, [*forcing.pieces, Segment(period)])
-    rest = motion.like(once, np.zeros(n), np.zeros(n)).pieces(math.inf)
-    q, v = np.zeros(n), np.zeros(n)
-    for block, states in zip(motion.blocks, rest.states, strict=True):
-        kept = -growth(block.B, period)
-        c = np.linalg.lstsq(kept, states[-1], rcond=RESONANT)[0] if len(kept) > 1 or abs(kept[0, 0]) < RESONANT else (
-            states[-1] / kept[0])
-        if np.abs(kept @ c - states[-1]).max() > UNFORCED * np.abs(states).max():
-            raise resonance(block.nodes[0])
-        q += np.real(block.X @ c)
-        v += np.real(block.X @ (block.B @ c))
-    return q, v
-
-
-def growth(B: np.ndarray, t: float) -> np.ndarray:
-    """e^{Bt} − 1, its diagonal without loss."""
-    out = np.zeros(B.shape, complex)
-    for i, j, product, nodes in paths(B):
-        if len(nodes) > 1:
-            out[i, j] += product * differences(nodes, np.array([t]))[0]
-        else:
-            out[i, i] = nodes[0] * differences((nodes[0], 0j), np.array([t]))[0]
-    return out
-
-
 def harmonic(motion: "SteadyMotion", forcing: Forcing, n: int) -> tuple[complex, np.ndarray, np.ndarray]:
     """(s, Q, F) of the n-th harmonic of periodic forcing."""
     s, row = harmonic_forces(forcing, n)
@@ -179,7 +152,8 @@ def harmonic(motion: "SteadyMotion", forcing: Forcing, n: int) -> tuple[complex,
 
 
 def harmonic_forces(forcing: Forcing, n: int) -> tuple[complex, np.ndarray]:
-    """(s, F) of the n-th harmonic of periodic forcing: F = (2/T) ∫ f e^{−st} dt over a period, s = 2πin/T."""
+    """(s, F) of the n-th harmonic of periodic forcing: F = (2/T) ∫ f e^{−st} dt over a period, s = 2πin/T; 0 of what
+    is not told from rounding."""
     s = complex(0, math.tau * n / forcing.period)
     row = np.zeros(forcing.channels, complex)
     for piece, after in zip(forcing.pieces, [*forcing.pieces[1:], Segment(forcing.period)], strict=True):
@@ -191,7 +165,21 @@ def harmonic_forces(forcing: Forcing, n: int) -> tuple[complex, np.ndarray]:
                 nodes = (0j, *[complex(exponent) - s] * (wave.power + 1))
                 row[wave.channel] += c * turn * math.factorial(wave.power) * differences(nodes, length)[0]
     row /= forcing.period * (1 if n else 2)
+    row[np.abs(row) <= lost_forces(forcing, n)] = 0.0
     return s, row if n else row.real
+
+
+def lost_forces(forcing: Forcing, n: int) -> np.ndarray:
+    """|δF| of the same by rounding, in proportion to the integral of their size."""
+    size = np.zeros(forcing.channels)
+    for piece, after in pairwise([*forcing.pieces, Segment(forcing.period)]):
+        length = after.start - piece.start
+        for channel, blow in piece.impulses:
+            size[channel] += abs(blow)
+        for part in piece.waves:
+            grown = math.exp(max(0.0, part.exponent.real * length))
+            size[part.channel] += abs(part.coefficient) * length ** (part.power + 1) * grown
+    return 2 / forcing.period * size * EPSILON * (16 + 8 * math.pi * n)
 
 
 def mean_square(motion: "SteadyMotion", output: "LinearOutput", start: float, end: float) -> float:
