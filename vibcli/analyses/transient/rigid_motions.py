@@ -74,9 +74,12 @@ def _without(matrix, places):
 
 
 def _places(columns):
-    """As many rows as there are columns, on which they are far from dependent."""
-    if not columns.shape[1]:
-        return []
-    from scipy.linalg import qr
-
-    return qr(columns.T, mode="r", pivoting=True)[1][:columns.shape[1]].tolist()
+    """As many rows as there are columns, on which they are far from dependent: each the longest of what those before
+    it leave (pivoted Gram-Schmidt)."""
+    rest, places = columns.copy(), []
+    for _ in range(columns.shape[1]):
+        i = int((rest * rest).sum(1).argmax())
+        along = rest[i] / np.linalg.norm(rest[i])
+        rest = rest - np.outer(rest @ along, along)
+        places.append(i)
+    return places
