@@ -98,6 +98,8 @@ class Table:
 
     def sum(self, *terms: Any):
         """Σ cᵢ·nodeᵢ of (node, rational c) pairs; sums within sums are flattened, equal terms collected."""
+        if len(terms) == 1 and terms[0][1] == 1 and (terms[0][0].op != "product" or terms[0][0].coefficient == 1):
+            return terms[0][0]
         constant, collected = ZERO, {}
         for node, factor in terms:
             if factor.__class__ is not int:
