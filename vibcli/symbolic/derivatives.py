@@ -167,4 +167,6 @@ def _rebuilt(node, done, build):
     args = [(done.get(arg, arg), c) for arg, c in node.args]
     if all(new is old for (new, _), (old, _) in zip(args, node.args, strict=True)):
         return node
+    if node.coefficient == (node.op == "product"):      # what adds nothing, or multiplies by one
+        return build(*args)
     return build((node.table.number(node.coefficient), ONE), *args)

@@ -159,6 +159,9 @@ class Table:
                 exponent = exact(exponent)
             if node.op in ("symbol", "call"):
                 collected[node] = collected[node] + exponent if node in collected else exponent
+            elif node.op == "number" and exponent == 1 and node not in collected and (
+                    bits(node.coefficient) + bits(coefficient) <= BITS):
+                coefficient = exact(coefficient * node.coefficient)
             else:
                 coefficient = self._gather(node, exponent, coefficient, collected)
         args = [(base, e if e.__class__ is int else exact(e)) for base, e in collected.items() if e]
