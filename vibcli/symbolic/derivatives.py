@@ -6,8 +6,10 @@ from operator import is_
 from typing import Any
 
 from vibcli.symbolic.expression_graph import reachable
-from vibcli.symbolic.node import Node
+from vibcli.symbolic.node import Node, union
 from vibcli.symbolic.rationals import HALF, ONE
+
+_CONSTANT: dict[Node, Node] = {}        # the gradient of what depends on no variable
 
 
 def gradient(node: Any) -> dict[Node, Node]:
@@ -23,6 +25,9 @@ def _unfinished(node):
     while pending:
         part = pending.pop()
         if part in seen or part.gradient is not None:
+            continue
+        if not part.mask:
+            part.keep_gradient(_CONSTANT)
             continue
         seen.add(part)
         if part.op in ("sum", "product"):
@@ -133,8 +138,8 @@ _OUTER = {
 
 def substitute(nodes: Any, values: Mapping[Node, Node]) -> list[Node]:
     """The nodes with each symbol in `values` ({symbol: node}) replaced; parts without those symbols are kept."""
-    done = {}
-    for node in reachable(nodes):
+    done: dict[Node, Node] = {}
+    for node in reachable(nodes, within=_variables_of(values)):
         if node in values:
             done[node] = values[node]
         elif node.op == "sum":
@@ -142,18 +147,26 @@ def substitute(nodes: Any, values: Mapping[Node, Node]) -> list[Node]:
         elif node.op == "product":
             done[node] = _rebuilt(node, done, node.table.product)
         elif node.op == "call":
-            args = [done[arg] for arg in node.args]
+            args = [done.get(arg, arg) for arg in node.args]
             if all(map(is_, args, node.args)):
                 done[node] = node
             else:
                 done[node] = node.table.power(*args) if node.name == "power" else node.table.call(node.name, *args)
         else:
             done[node] = node
-    return [done[node] for node in nodes]
+    return [done.get(node, node) for node in nodes]
+
+
+def _variables_of(values):
+    """All variables of symbols; None where one of these is a parameter."""
+    masks = [symbol.mask for symbol in values]
+    return union(masks) if masks and all(masks) else None
 
 
 def _rebuilt(node, done, build):
-    args = [(done[arg], c) for arg, c in node.args]
+    args = [(done.get(arg, arg), c) for arg, c in node.args]
     if all(new is old for (new, _), (old, _) in zip(args, node.args, strict=True)):
         return node
+    if node.coefficient == (node.op == "product"):      # what adds nothing, or multiplies by one
+        return build(*args)
     return build((node.table.number(node.coefficient), ONE), *args)

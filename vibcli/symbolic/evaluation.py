@@ -106,6 +106,19 @@ def _interpreted(nodes, order, arithmetic, values):
     return [done[node] for node in nodes]
 
 
+class FunctionsWhenAsked(dict[str, Callable]):
+    """The functions of an arithmetic over the numbers of another one, {name: function}: each is made by `make(name)`
+    when it is first asked for."""
+
+    def __init__(self, make: Callable[[str], Callable]):
+        super().__init__()
+        self._make = make
+
+    def __missing__(self, name: str) -> Callable:
+        found = self[name] = self._make(name)
+        return found
+
+
 class Rationals:
     """Exact rationals; whatever is irrational raises Irrational."""
 

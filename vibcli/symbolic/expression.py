@@ -98,6 +98,8 @@ class Table:
 
     def sum(self, *terms: Any):
         """Σ cᵢ·nodeᵢ of (node, rational c) pairs; sums within sums are flattened, equal terms collected."""
+        if len(terms) == 1 and terms[0][1] == 1 and (terms[0][0].op != "product" or terms[0][0].coefficient == 1):
+            return terms[0][0]
         constant, collected = ZERO, {}
         for node, factor in terms:
             if factor.__class__ is not int:
@@ -157,6 +159,9 @@ class Table:
                 exponent = exact(exponent)
             if node.op in ("symbol", "call"):
                 collected[node] = collected[node] + exponent if node in collected else exponent
+            elif node.op == "number" and exponent == 1 and node not in collected and (
+                    bits(node.coefficient) + bits(coefficient) <= BITS):
+                coefficient = exact(coefficient * node.coefficient)
             else:
                 coefficient = self._gather(node, exponent, coefficient, collected)
         args = [(base, e if e.__class__ is int else exact(e)) for base, e in collected.items() if e]

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from vibcli.symbolic.defined_functions import DefinedFunction
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.variable_sets import VariableSet
 
 _index = attrgetter("index")
 
@@ -28,12 +29,14 @@ def evaluable(nodes: Any) -> "list[Node]":
     return sorted(seen, key=_index)
 
 
-def reachable(nodes: Any, known: "Mapping[Node, str] | Sequence[Any]" = ()) -> "list[Node]":
-    """All nodes below `nodes`, themselves included, in an order of evaluation; without what only `known` ones need."""
+def reachable(nodes: Any, known: "Mapping[Node, str] | Sequence[Any]" = (),
+              within: "VariableSet | int | None" = None) -> "list[Node]":
+    """All nodes below `nodes`, themselves included, in an order of evaluation; without what only `known` ones need;
+    `within`: those alone that depend on one of these variables."""
     seen, pending = set(), list(nodes)
     while pending:
         node = pending.pop()
-        if node not in seen:
+        if node not in seen and (within is None or node.mask & within):
             seen.add(node)
             if node in known:
                 continue

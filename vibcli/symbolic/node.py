@@ -47,7 +47,12 @@ class Node:
         return self.table.sum((self, ONE), (self.table.node(other), -ONE))
 
     def __mul__(self, other: "Fraction | int | Node") -> "Node":
-        return self.table.product((self, ONE), (self.table.node(other), ONE))
+        table = self.table
+        other = other if other.__class__ is Node else table.node(other)
+        for one, factor in ((self, other), (other, self)):
+            if one is table.one and factor.op != "sum":     # a sum may be written the other way round
+                return factor
+        return table.product((self, ONE), (other, ONE))
 
     def __truediv__(self, other: "int | Node") -> "Node":
         return self.table.product((self, ONE), (self.table.node(other), -ONE))
