@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from vibcli.symbolic.defined_functions import DefinedFunction
     from vibcli.symbolic.variable_sets import VariableSet
 
+_OF_PAIRS = ("sum", "product")
+
 
 class Table:
     """All nodes of one scene. Symbols are made by `parameter` and `variable`; the rest by the operators. `sample`:
@@ -48,6 +50,7 @@ class Table:
             node = self._nodes[key] = Node()
             node.table, node.op, node.args, node.coefficient = self, op, args, coefficient
             node.mask, node.name, node.index, node.gradient = mask, name, self._count, None
+            node.parts = args if op == "call" else tuple([arg for arg, _ in args]) if op in _OF_PAIRS else ()
             self._count += 1
         return node
 

@@ -16,15 +16,11 @@ def evaluable(nodes: Any) -> "list[Node]":
     seen, pending = set(), list(nodes)
     while pending:
         node = pending.pop()
-        if node in seen:
-            continue
-        seen.add(node)
-        if node.op in ("sum", "product"):
-            pending += [arg for arg, _ in node.args]
-        elif node.op == "call":
-            pending += node.args
-        elif node.op == "symbol" and node in node.table.definitions:
-            pending.append(node.table.definitions[node])
+        if node not in seen:
+            seen.add(node)
+            pending += node.parts
+            if node.op == "symbol" and node in node.table.definitions:
+                pending.append(node.table.definitions[node])
     return sorted(seen, key=_index)
 
 
@@ -35,12 +31,19 @@ def reachable(nodes: Any, known: "Mapping[Node, str] | Sequence[Any]" = ()) -> "
         node = pending.pop()
         if node not in seen:
             seen.add(node)
-            if node in known:
-                continue
-            if node.op in ("sum", "product"):
-                pending += [arg for arg, _ in node.args]
-            elif node.op == "call":
-                pending += node.args
+            if node not in known:
+                pending += node.parts
+    return sorted(seen, key=_index)
+
+
+def dependent(nodes: Any, variables: Any) -> "list[Node]":
+    """Those of the same that depend on variables of a set."""
+    seen, pending = set(), list(nodes)
+    while pending:
+        node = pending.pop()
+        if node.mask & variables and node not in seen:
+            seen.add(node)
+            pending += node.parts
     return sorted(seen, key=_index)
 
 
