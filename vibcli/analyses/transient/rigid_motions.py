@@ -74,9 +74,11 @@ def _without(matrix, places):
 
 
 def _places(columns):
-    """As many rows as there are columns, on which they are far from dependent."""
-    if not columns.shape[1]:
-        return []
-    from scipy.linalg import qr
-
-    return qr(columns.T, mode="r", pivoting=True)[1][:columns.shape[1]].tolist()
+    """As many rows as there are columns, on which they are far from dependent: each the longest of what those before
+    it leave (the pivots of a QR factorisation; Golub & Van Loan, Matrix Computations, 5.4.2)."""
+    left, places = columns, []
+    for _ in range(columns.shape[1]):
+        places.append(int(np.linalg.norm(left, axis=1).argmax()))
+        along = left[places[-1]] / np.linalg.norm(left[places[-1]])
+        left = left - np.outer(left @ along, along)
+    return places
