@@ -7,6 +7,7 @@ a plain number of that arithmetic, so a Dual is met only where there is a deriva
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
+from vibcli.symbolic.evaluation import MadeFunctions
 from vibcli.symbolic.rationals import HALF, ONE
 
 if TYPE_CHECKING:
@@ -74,7 +75,7 @@ class Duals:
 
     def __init__(self, inner: Any):
         self.inner, self.number, self.pi = inner, inner.number, inner.pi
-        self.functions = {name: self._function(name) for name in inner.functions}
+        self.functions = MadeFunctions(self._function)
 
     def power(self, base: "mpmath.mpf | Dual", exponent: "Fraction | int") -> "mpmath.mpf | Dual":
         if base.__class__ is not Dual:

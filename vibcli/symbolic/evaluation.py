@@ -106,6 +106,18 @@ def _interpreted(nodes, order, arithmetic, values):
     return [done[node] for node in nodes]
 
 
+class MadeFunctions(dict):
+    """The functions of an arithmetic by name, each made when it is first called: most expressions call few or none."""
+
+    def __init__(self, make: Callable[[str], Callable]):
+        super().__init__()
+        self._make = make
+
+    def __missing__(self, name: str) -> Callable:
+        found = self[name] = self._make(name)
+        return found
+
+
 class Rationals:
     """Exact rationals; whatever is irrational raises Irrational."""
 

@@ -10,6 +10,8 @@ from fractions import Fraction
 from math import inf
 from typing import TYPE_CHECKING, Any
 
+from vibcli.symbolic.evaluation import MadeFunctions
+
 if TYPE_CHECKING:
     from collections.abc import Callable
 
@@ -66,7 +68,7 @@ class RunningErrors:
         self.inner, self.unit = inner, unit
         self._duals: Any = None
         self.pi = Rounded(inner.pi, unit * abs(inner.pi), unit)
-        self.functions = {name: self._function(name) for name in inner.functions}
+        self.functions = MadeFunctions(self._function)
 
     def number(self, value: "Fraction | int") -> Rounded:
         found = self.inner.number(value)

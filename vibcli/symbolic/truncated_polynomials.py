@@ -14,7 +14,7 @@ from typing import Any
 
 from vibcli.base.errors import NotInLetters
 from vibcli.symbolic.derivatives import gradient
-from vibcli.symbolic.evaluation import evaluate
+from vibcli.symbolic.evaluation import MadeFunctions, evaluate
 from vibcli.symbolic.expression import Table
 from vibcli.symbolic.node import Node
 from vibcli.symbolic.running_errors import error_in, number_in
@@ -80,7 +80,7 @@ class Polynomials:
         self.inner, self.count, self.keep, self.order = inner, count, keep, order
         self.none, self.side, self._sums = (0,) * count, side or sign, {}
         self.pi = self.still(inner.pi)
-        self.functions = {name: self._function(name) for name in inner.functions}
+        self.functions = MadeFunctions(self._function)
 
     def still(self, c: Any) -> Polynomial:
         """A constant."""
