@@ -12,6 +12,7 @@ from collections.abc import Mapping
 
 CALLS = {       # {what is counted: {file, from the package or library on: its functions}}
     "force evaluations": {"vibcli/mechanics/numeric_equations.py": ("accelerations", "solved"),
+                          "vibcli/mechanics/compiled_statics.py": ("at",),       # the first ones by `in_numbers` too
                           "vibcli/mechanics/numeric_linearisation.py": ("in_numbers",)},
     "Newton's methods": {"vibcli/mechanics/high_precision.py": ("_newton_step",),
                          "vibcli/mechanics/equilibrium/energy_descent.py": ("newton",),

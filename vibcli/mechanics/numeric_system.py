@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
     import mpmath
 
+    from vibcli.mechanics.compiled_statics import StaticForces
     from vibcli.mechanics.numeric_linearisation import Numbers
     from vibcli.mechanics.system import MechanicalSystem
     from vibcli.scene.scene import Scene
@@ -97,6 +98,13 @@ class NumericSystem:
     def at_rest_in(self, position: Mapping[str, float]) -> dict[str, float]:
         """{symbol: float} of everything at rest in a position, at t = 0."""
         return {**self.floats, self.scene.time.name: 0.0, **position, **{v.name: 0.0 for v in self.scene.v}}
+
+    @cached_property
+    def static_forces(self) -> "StaticForces":
+        """r, the sizes of its terms and K in floats."""
+        from vibcli.mechanics.compiled_statics import StaticForces
+
+        return StaticForces(self)
 
     @cached_property
     def drawn_numbers(self) -> "Numbers | None":

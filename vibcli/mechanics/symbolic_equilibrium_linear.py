@@ -92,8 +92,18 @@ def _falls_as_drawn(scene):
     """Has K a negative diagonal entry in the drawn position, at the sample values of the symbols?"""
     values = {**dict.fromkeys((node.name for node, _ in scene.static_preloads), 0.0), **scene.sample}
     try:
-        form = steady(scene.vibrating, linearise(scene.vibrating))
+        form = _alone(steady(scene.vibrating, linearise(scene.vibrating)))
         numbers = in_numbers(at_position(form, scene.vibrating.drawn_position), Floats, values)
     except ZeroDivisionError:  # said where the drawn position is asked for
         return False
     return any(value < 0 for (i, j), value in numbers.elements.stiffness().items() if i == j)
+
+
+def _alone(form):
+    """What of a Linearisation the diagonal of K is made of."""
+    def diagonal(entries):
+        return {pair: node for pair, node in entries.items() if pair[0] == pair[1]}
+
+    curved = [(force, entries, {}) for force, curvature, _ in form.curved if (entries := diagonal(curvature))]
+    return form._replace(inertias=[], dampers=[], curved=curved, M={}, C={}, G={}, drag={}, residual=[],
+                         K=list(map(diagonal, form.K)))

@@ -180,6 +180,13 @@ class MechanicalSystem:
         return self.linearisation._replace(inertias=[], dampers=[], M={}, C={}, G={}, drag={})
 
     @cached_property
+    def statics_code(self):
+        """Its StaticsCode."""
+        from vibcli.mechanics.compiled_statics import StaticsCode
+
+        return StaticsCode(self.statics)
+
+    @cached_property
     def time_dependent_linearisation(self):
         """The Linearisation of the scene with what drives it."""
         if self.settled is not None:

@@ -99,7 +99,6 @@ def _outermost(driven, below, nodes):
     kept, inner = set(driven), set()
     for part in below:
         if part not in kept and part.mask:
-            args = (arg for arg, _ in part.args) if part.op in ("sum", "product") else part.args
-            inner.update(arg for arg in args if arg in kept)
+            inner.update(arg for arg in part.parts if arg in kept)
     inner.update(node for node in nodes if node in kept)
     return sorted(inner, key=lambda node: node.index)

@@ -2,14 +2,15 @@
 
 from collections.abc import Mapping
 from fractions import Fraction
-from operator import is_
+from operator import attrgetter, is_, itemgetter
 from typing import Any
 
-from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.expression_graph import dependent, reachable
 from vibcli.symbolic.node import Node, union
 from vibcli.symbolic.rationals import HALF, ONE
 
 _CONSTANT: dict[Node, Node] = {}        # the gradient of what depends on no variable
+FEW = 64        # symbols whose variables are looked for: of many that takes longer than to walk over all
 
 
 def gradient(node: Any) -> dict[Node, Node]:
@@ -30,11 +31,8 @@ def _unfinished(node):
             part.keep_gradient(_CONSTANT)
             continue
         seen.add(part)
-        if part.op in ("sum", "product"):
-            pending.extend(arg for arg, _ in part.args)
-        else:
-            pending.extend(part.args)
-    return sorted(seen, key=lambda part: part.index)
+        pending += part.parts
+    return sorted(seen, key=attrgetter("index"))
 
 
 def _collect(table, pairs):
@@ -138,35 +136,29 @@ _OUTER = {
 
 def substitute(nodes: Any, values: Mapping[Node, Node]) -> list[Node]:
     """The nodes with each symbol in `values` ({symbol: node}) replaced; parts without those symbols are kept."""
-    done: dict[Node, Node] = {}
-    for node in reachable(nodes, within=_variables_of(values)):
+    changed = {}
+    for node in _held(nodes, values):
         if node in values:
-            done[node] = values[node]
-        elif node.op == "sum":
-            done[node] = _rebuilt(node, done, node.table.sum)
-        elif node.op == "product":
-            done[node] = _rebuilt(node, done, node.table.product)
-        elif node.op == "call":
-            args = [done.get(arg, arg) for arg in node.args]
-            if all(map(is_, args, node.args)):
-                done[node] = node
-            else:
-                done[node] = node.table.power(*args) if node.name == "power" else node.table.call(node.name, *args)
-        else:
-            done[node] = node
-    return [done.get(node, node) for node in nodes]
+            changed[node] = values[node]
+        elif node.parts:
+            parts = [changed.get(part, part) for part in node.parts]
+            if not all(map(is_, parts, node.parts)):
+                changed[node] = _rebuilt(node, parts)
+    return [changed.get(node, node) for node in nodes]
 
 
-def _variables_of(values):
-    """All variables of symbols; None where one of these is a parameter."""
-    masks = [symbol.mask for symbol in values]
-    return union(masks) if masks and all(masks) else None
+def _held(nodes, values):
+    """The nodes below `nodes` in which one of a few symbols may be, in an order of evaluation."""
+    masks = [symbol.mask for symbol in values] if len(values) <= FEW else [0]
+    return dependent(nodes, union(masks)) if all(masks) else reachable(nodes)
 
 
-def _rebuilt(node, done, build):
-    args = [(done.get(arg, arg), c) for arg, c in node.args]
-    if all(new is old for (new, _), (old, _) in zip(args, node.args, strict=True)):
-        return node
+def _rebuilt(node, parts):
+    """The same of other parts."""
+    table = node.table
+    if node.op == "call":
+        return table.power(*parts) if node.name == "power" else table.call(node.name, *parts)
+    build, factors = table.sum if node.op == "sum" else table.product, map(itemgetter(1), node.args)
     if node.coefficient == (node.op == "product"):      # what adds nothing, or multiplies by one
-        return build(*args)
-    return build((node.table.number(node.coefficient), ONE), *args)
+        return build(*zip(parts, factors, strict=True))
+    return build((table.number(node.coefficient), ONE), *zip(parts, factors, strict=True))

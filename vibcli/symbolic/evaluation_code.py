@@ -1,12 +1,16 @@
 """`evaluate` as a function that is compiled: the same operations in the same order, so the same numbers.
 
+In floats it calls the functions of `math` themselves; where one raises, all is evaluated with NaN in its place.
 The source is made of slots and the repr of floats alone; functions, numbers and names of symbols are handed to it.
 """
 
-from collections.abc import Callable, Sequence
+import math
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
-from vibcli.symbolic.floats import Floats
+from vibcli.symbolic.floats import ELEMENTARY, UNDEFINED, Floats
+from vibcli.symbolic.rationals import HALF
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
@@ -17,7 +21,9 @@ AT_ONCE = 200           # terms of a sum or factors of a product in one line
 def in_floats(nodes: "Sequence[Node]", order: "Sequence[Node]") -> Callable:
     """({symbol name: float}, arithmetic) ↦ the values of `nodes`, as `evaluate(nodes, Floats, values)` gives them;
     `order`: all parts of them, each after its own."""
-    return _Source().function(nodes, order, "v,_")
+    guarded = cache(lambda: in_any_arithmetic(nodes, order))
+    source = FloatSource(undefined=UNDEFINED, guarded=lambda values: guarded()(values, Floats))
+    return source.function(nodes, order, "v,_")
 
 
 def in_any_arithmetic(nodes: "Sequence[Node]", order: "Sequence[Node]") -> Callable:
@@ -25,25 +31,29 @@ def in_any_arithmetic(nodes: "Sequence[Node]", order: "Sequence[Node]") -> Calla
     return _SourceInAny().function(nodes, order, "v,a")
 
 
-class _Source:
-    """Lines that compute in floats."""
+class FloatSource:
+    """Lines that compute in floats; `slots`: {node: slot} of what is known; `given`: what they call by name."""
 
-    opening = ""
+    opening, closing = " try:\n", " except undefined:\n  return guarded(v)\n"
 
-    def __init__(self):
-        self.slots, self.lines = {}, []
-        self.space: dict[str, Any] = {"nan": float("nan"), "inf": float("inf"), "power": Floats.power}
+    def __init__(self, slots: "Mapping[Node, str] | Sequence[Any]" = (), **given: Any):
+        self.slots, self.lines = dict(slots), []
+        self.space: dict[str, Any] = {"nan": float("nan"), "inf": float("inf"), "power": Floats.power,
+                                      "sqrt": math.sqrt, **given}
 
     def function(self, nodes: "Sequence[Node]", order: "Sequence[Node]", head: str) -> Callable:
         for node in order:
-            self._add(node)
-        result = ",".join(self.slots[node] for node in nodes)
-        body = "".join(f"    {line}\n" for line in self.lines)
-        code = compile(f"def f({head}):\n{self.opening}{body}    return [{result}]\n", "<values>", "exec")
+            self.add(node)
+        return self.compiled(head, f"[{','.join(self.slots[node] for node in nodes)}]")
+
+    def compiled(self, head: str, result: str) -> Callable:
+        """The function of what is written."""
+        body = "".join(f"  {line}\n" for line in self.lines)
+        code = compile(f"def f({head}):\n{self.opening}{body}  return {result}\n{self.closing}", "<values>", "exec")
         exec(code, self.space)      # slots and floats only
         return self.space["f"]
 
-    def _add(self, node):
+    def add(self, node: "Node") -> None:
         """Write what computes a node, those below it being written."""
         self.slots[node] = slot = f"x{len(self.slots)}"
         definition = node.table.definitions.get(node) if node.op == "symbol" else None
@@ -81,8 +91,13 @@ class _Source:
         factors = [] if node.coefficient == 1 else [self._constant(node.coefficient)]
         for base, exponent in node.args:
             slot = self.slots[base]
-            factors.append(slot if exponent == 1 else f"power({slot},{self._given('e', exponent)})")
+            factors.append(slot if exponent == 1 else self._power(slot, exponent))
         return self._joined(factors, "*")
+
+    def _power(self, slot, exponent):
+        if exponent.denominator == 1:
+            return f"{slot}**{int(exponent)}"
+        return f"sqrt({slot})" if exponent == HALF else f"power({slot},{self._given('e', exponent)})"
 
     def _joined(self, parts, sign):
         """All of them, from left to right, long ones in lines of their own."""
@@ -111,13 +126,14 @@ class _Source:
         return f"{function}.at"
 
     def _function(self, name):
-        return self._given("f", Floats.functions[name])
+        return self._given("f", getattr(math, name) if name in ELEMENTARY else Floats.functions[name])
 
 
-class _SourceInAny(_Source):
+class _SourceInAny(FloatSource):
     """Lines that compute in the arithmetic `a`."""
 
-    opening = "    number=a.number;power=a.power;functions=a.functions;defined=getattr(a,'defined',None)\n"
+    opening = "  number=a.number;power=a.power;functions=a.functions;defined=getattr(a,'defined',None)\n"
+    closing = ""
 
     def _constant(self, value):
         return f"number({self._given('c', value)})"
@@ -128,6 +144,9 @@ class _SourceInAny(_Source):
 
     def _pi(self, node):
         return "a.pi"
+
+    def _power(self, slot, exponent):
+        return f"power({slot},{self._given('e', exponent)})"
 
     def _record(self, name, samples, at, order):
         return f"a.record({self._given('n', name)},{samples})({at},{order})"

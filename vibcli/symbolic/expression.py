@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from vibcli.symbolic.defined_functions import DefinedFunction
     from vibcli.symbolic.variable_sets import VariableSet
 
+_OF_PAIRS = ("sum", "product")
+
 
 class Table:
     """All nodes of one scene. Symbols are made by `parameter` and `variable`; the rest by the operators. `sample`:
@@ -41,13 +43,15 @@ class Table:
     def __len__(self) -> int:
         return self._count
 
-    def _make(self, op, args, coefficient, mask, name=None):
-        key = (op, name, coefficient, args)
-        node = self._nodes.get(key)
-        if node is None:
-            node = self._nodes[key] = Node()
-            node.table, node.op, node.args, node.coefficient = self, op, args, coefficient
-            node.mask, node.name, node.index, node.gradient = mask, name, self._count, None
+    def _make(self, op, args, coefficient, mask=0, name=None):
+        """The one node like this; what has parts depends on the variables of these."""
+        made = Node()
+        node = self._nodes.setdefault((op, name, coefficient, args), made)
+        if node is made:
+            parts = args if op == "call" else tuple([arg for arg, _ in args]) if op in _OF_PAIRS else ()
+            node.table, node.op, node.args, node.coefficient, node.parts = self, op, args, coefficient, parts
+            node.mask, node.name = union([part.mask for part in parts]) if parts else mask, name
+            node.index, node.gradient = self._count, None
             self._count += 1
         return node
 
@@ -128,10 +132,10 @@ class Table:
         args = product.args
         if len(args) == 1 and args[0][1] == 1:
             return args[0][0]
-        return self._make("product", args, ONE, product.mask)
+        return self._make("product", args, ONE)
 
     def _sum(self, constant, collected):
-        if bits(constant) > BITS:
+        if constant and bits(constant) > BITS:
             collected[self.number(constant)] = ONE
             constant = ZERO
         args = [(node, c if c.__class__ is int else exact(c)) for node, c in collected.items() if c]
@@ -142,10 +146,10 @@ class Table:
             if c == 1:
                 return node
             if node.op == "product":
-                return self._make("product", node.args, c, node.mask)
-            return self._make("product", ((node, ONE),), c, node.mask)
+                return self._make("product", node.args, c)
+            return self._make("product", ((node, ONE),), c)
         args.sort(key=_index_of_first)
-        return self._make("sum", tuple(args), exact(constant), union([node.mask for node, _ in args]))
+        return self._make("sum", tuple(args), exact(constant))
 
     def total(self, nodes: Sequence[Node]):
         """Σ nodeᵢ."""
@@ -178,8 +182,9 @@ class Table:
                 return base
             if base.op == "sum":
                 return self.sum((base, coefficient))
-        args.sort(key=_index_of_first)
-        return self._make("product", tuple(args), exact(coefficient), union([base.mask for base, _ in args]))
+        elif len(args) > 1:
+            args.sort(key=_index_of_first)
+        return self._make("product", tuple(args), exact(coefficient))
 
     def _gather(self, node, exponent, coefficient, collected):
         """Multiply node^exponent into (coefficient, {base: exponent}); returns the new coefficient."""
@@ -288,7 +293,7 @@ class Table:
         if value is not None:
             return value
         self.called.add(name)
-        return self._make("call", tuple(args), ONE, union([arg.mask for arg in args]), name)
+        return self._make("call", tuple(args), ONE, name=name)
 
 
 def _index_of_first(pair):

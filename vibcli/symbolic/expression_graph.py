@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from vibcli.symbolic.defined_functions import DefinedFunction
     from vibcli.symbolic.node import Node
-    from vibcli.symbolic.variable_sets import VariableSet
 
 _index = attrgetter("index")
 
@@ -17,33 +16,34 @@ def evaluable(nodes: Any) -> "list[Node]":
     seen, pending = set(), list(nodes)
     while pending:
         node = pending.pop()
-        if node in seen:
-            continue
-        seen.add(node)
-        if node.op in ("sum", "product"):
-            pending += [arg for arg, _ in node.args]
-        elif node.op == "call":
-            pending += node.args
-        elif node.op == "symbol" and node in node.table.definitions:
-            pending.append(node.table.definitions[node])
+        if node not in seen:
+            seen.add(node)
+            pending += node.parts
+            if node.op == "symbol" and node in node.table.definitions:
+                pending.append(node.table.definitions[node])
     return sorted(seen, key=_index)
 
 
-def reachable(nodes: Any, known: "Mapping[Node, str] | Sequence[Any]" = (),
-              within: "VariableSet | int | None" = None) -> "list[Node]":
-    """All nodes below `nodes`, themselves included, in an order of evaluation; without what only `known` ones need;
-    `within`: those alone that depend on one of these variables."""
+def reachable(nodes: Any, known: "Mapping[Node, str] | Sequence[Any]" = ()) -> "list[Node]":
+    """All nodes below `nodes`, themselves included, in an order of evaluation; without what only `known` ones need."""
     seen, pending = set(), list(nodes)
     while pending:
         node = pending.pop()
-        if node not in seen and (within is None or node.mask & within):
+        if node not in seen:
             seen.add(node)
-            if node in known:
-                continue
-            if node.op in ("sum", "product"):
-                pending += [arg for arg, _ in node.args]
-            elif node.op == "call":
-                pending += node.args
+            if node not in known:
+                pending += node.parts
+    return sorted(seen, key=_index)
+
+
+def dependent(nodes: Any, variables: Any) -> "list[Node]":
+    """Those of the same that depend on variables of a set."""
+    seen, pending = set(), list(nodes)
+    while pending:
+        node = pending.pop()
+        if node.mask & variables and node not in seen:
+            seen.add(node)
+            pending += node.parts
     return sorted(seen, key=_index)
 
 

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.defined_functions import DefinedFunction
     from vibcli.symbolic.sampled_functions import Samples
 
+UNDEFINED = ValueError, OverflowError, ZeroDivisionError      # what functions of floats raise where they have no value
 ELEMENTARY = ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp", "log")
 
 
@@ -23,7 +24,7 @@ def _guarded(function):
     def call(*args):
         try:
             value = function(*args)
-        except (ValueError, OverflowError, ZeroDivisionError):
+        except UNDEFINED:
             return math.nan
         return math.nan if isinstance(value, complex) else value
     return call
@@ -55,7 +56,7 @@ class Floats:
             if exponent == HALF:
                 return math.sqrt(base)
             return base ** (exponent.numerator / exponent.denominator) if base >= 0 else math.nan
-        except (ValueError, OverflowError, ZeroDivisionError):
+        except UNDEFINED:
             return math.nan
 
     @staticmethod

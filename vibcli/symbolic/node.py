@@ -24,12 +24,13 @@ FEW = 4096      # variables that ints tell apart, a bit for each
 
 class Node:
     """One immutable expression, owned by its Table. `mask` is the set of the variables that it depends on;
-    `args`: (node, rational) pairs of a sum or product, nodes of a call."""
+    `args`: (node, rational) pairs of a sum or product, nodes of a call; `parts`: the nodes among them."""
 
-    __slots__ = ("args", "coefficient", "gradient", "index", "mask", "name", "op", "table")
+    __slots__ = ("args", "coefficient", "gradient", "index", "mask", "name", "op", "parts", "table")
     table: "Table"
     op: str
     args: tuple
+    parts: "tuple[Node, ...]"
     coefficient: Fraction | int
     mask: "VariableSet | int"
     name: str

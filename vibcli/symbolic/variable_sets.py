@@ -48,12 +48,16 @@ class VariableSet:
 
 
 def union_of(sets: "Iterable[VariableSet | int]") -> VariableSet:
-    """All that are in any of these sets, one of which is no int and none a complement."""
-    bits, others = 0, set()
-    for one in sets:
-        bits |= _parts(one)[0]
-        others.update(_parts(one)[1])
-    return VariableSet(bits, frozenset(others))
+    """All that are in any of these sets, one of which is no int and none a complement: where others add nothing,
+    itself."""
+    distinct = list({id(one): one for one in sets if one}.values())
+    wide = [one for one in distinct if isinstance(one, VariableSet)]
+    if len(distinct) == 1:
+        return wide[0]
+    bits = 0
+    for one in distinct:
+        bits |= one if isinstance(one, int) else one.bits
+    return VariableSet(bits, frozenset[int]().union(*(one.others for one in wide)))
 
 
 def _parts(variables):

@@ -37,7 +37,7 @@ def look_for(forces: "Forces", found: "Found", index: int) -> bool:
 def _beside(forces, found):
     """Places to both sides of those known, along the directions in which they are soft or stiff."""
     for place in found.isolated:
-        for direction in np.linalg.eigh(0.5 * (place.J + place.J.T))[1].T:
+        for direction in np.linalg.eigh(_symmetric(place.J))[1].T:
             yield place.z + ASIDE * direction
             yield place.z - ASIDE * direction
 
@@ -51,7 +51,7 @@ def _followed(forces, z, box, uphill):
             return None
         if place.residual <= CLOSE:
             return settled(forces, place)
-        sizes, directions = np.linalg.eigh(0.5 * (place.J + place.J.T))
+        sizes, directions = np.linalg.eigh(_symmetric(place.J))
         sizes = np.maximum(np.abs(sizes), SOFTEST * np.abs(sizes).max())
         if not sizes.all():
             return None
@@ -59,3 +59,7 @@ def _followed(forces, z, box, uphill):
         step = -directions @ (directions.T @ place.F / sizes)
         z = z + step * min(1.0, LONGEST / max(np.linalg.norm(step), 1e-300))  # type: ignore[operator]
     return None
+
+
+def _symmetric(J):
+    return 0.5 * (np.array(J) + np.transpose(J))

@@ -47,12 +47,12 @@ def _deflated(forces, found, starts):
     """Deflated Newton from every so many of these starts; True if it found a new zero."""
     before = found.count
     for z in starts[::max(1, len(starts) // (DEFLATED * len(forces.names)))]:
-        avoided = [other.z for other in found.isolated]
+        avoided = [*found.isolated]
         for _ in range(AVOIDED):
             place = zero_from(forces, z, found.box, avoided)
             if place is None or (not found.add(place) and found.holds(place)):
                 break
-            avoided.append(place.z)
+            avoided.append(place)
     return found.count > before
 
 

@@ -2,13 +2,18 @@
 
 Deflated by the zeros known (Farrell, Birkisson & Funke 2015, SIAM J. Sci. Comput. 37, A2026), G = η F with
 η = Π (1 + 1/|z − z_k|²) has their places as poles: the same start leads to another zero. With g = ∇ log η the step is
-−(J + F gᵀ)⁻¹ F; where it does not lower |G|, it is damped, and then turned downhill (Levenberg 1944).
+−(J + F gᵀ)⁻¹ F; where it does not lower |G|, it is damped, and then turned downhill (Levenberg 1944). The distance of
+periodic angles is that of the points on their circles, 2 sin(d/2).
 """
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from math import cos, hypot, inf, log, log1p, sin
+from operator import mul
+from typing import TYPE_CHECKING
 
 import numpy as np
+
+from vibcli.numerics.few_unknowns import shortest_solution
 
 if TYPE_CHECKING:
     from vibcli.mechanics.equilibrium.scaled_forces import Forces, Place
@@ -16,17 +21,16 @@ if TYPE_CHECKING:
 STEPS, POLISH, LONGEST, OUTSIDE = 60, 60, 1.0, 0.5
 HALVINGS = (1.0, 0.5, 0.25, 0.0625, 0.015625)
 DAMPINGS = (1e-4, 1e-2, 1.0, 100.0)
-CLOSE = 1e-11
+CLOSE, RANK, APART = 1e-11, 1e-14, 1e-30
 
 
-def zero_from(forces: "Forces", z: np.ndarray, box: Sequence[np.ndarray], known: Sequence[Any] = ()) -> "Place | None":
+def zero_from(forces: "Forces", z: np.ndarray, box: Sequence[np.ndarray],
+              known: "Sequence[Place]" = ()) -> "Place | None":
     """The balanced Place that Newton's method reaches from z, away from the places `known`; None if it fails."""
-    low, high = box
-    margin = OUTSIDE * (high - low)
+    bounds = _bounds(forces, box)
     place = forces.at(z)
     for _ in range(STEPS):
-        if place is None or np.any((place.z < low - margin) & ~forces.periodic) or np.any(
-                (place.z > high + margin) & ~forces.periodic):
+        if place is None or any(not low <= x <= high for x, (low, high) in zip(place.where, bounds, strict=True)):
             return None
         if place.residual <= CLOSE or forces.balanced(place):
             return settled(forces, place)
@@ -37,10 +41,16 @@ def zero_from(forces: "Forces", z: np.ndarray, box: Sequence[np.ndarray], known:
     return None if place is None else settled(forces, place)
 
 
-def settled(forces: "Forces", place: "Place", rank: float = 1e-14) -> "Place":
+def _bounds(forces, box):
+    """[(least, most)] of what is followed: half the box beyond it on either side, periodic angles anywhere."""
+    return [(-inf, inf) if periodic else (low - OUTSIDE * (high - low), high + OUTSIDE * (high - low))
+            for low, high, periodic in zip(*(side.tolist() for side in box), forces.periodic, strict=True)]
+
+
+def settled(forces: "Forces", place: "Place", rank: float = RANK) -> "Place":
     """The place polished by plain Newton steps as long as they lower the residual; None if it is not balanced."""
     for _ in range(POLISH):
-        trial = forces.at(place.z + place.step(rank))
+        trial = forces.at(_moved(place, place.step(rank)))
         if trial is None or trial.residual >= place.residual:
             break
         place = trial
@@ -49,22 +59,28 @@ def settled(forces: "Forces", place: "Place", rank: float = 1e-14) -> "Place":
 
 def _step(forces, place, known):
     """The place after one step, None where no step lowers |G|."""
-    log_eta, slope = deflation(forces, place.z, known)
-    J = place.J + np.outer(place.F, slope)
-    merit = _merit(place, log_eta)
-    whole = _shortened(np.linalg.lstsq(J, -place.F, rcond=1e-14)[0])
+    log_eta, slope = deflation(forces, place.where, known)
+    F, merit = place.F, _merit(place, log_eta)
+    J = [[x + f * s for x, s in zip(row, slope, strict=True)] for row, f in zip(place.J, F, strict=True)]
+    whole = _shortened(shortest_solution(J, [-f for f in F], RANK))
     for factor in HALVINGS:
-        trial = _lower(forces, place.z + factor * whole, merit, known)
+        trial = _lower(forces, _moved(place, whole, factor), merit, known)
         if trial is not None:
             return trial
-    square, downhill = J.T @ J, -J.T @ place.F
-    size = np.trace(square) / len(square)
+    columns = list(zip(*J, strict=True))
+    square = [[sum(map(mul, one, other)) for other in columns] for one in columns]
+    downhill = [-sum(map(mul, column, F)) for column in columns]
+    size = sum(square[i][i] for i in range(len(F))) / len(F)
     for damping in DAMPINGS if size > 0 else ():
-        step = np.linalg.solve(square + damping * size * np.eye(len(square)), downhill)
-        trial = _lower(forces, place.z + _shortened(step), merit, known)
+        damped = [[x + damping * size * (i == j) for j, x in enumerate(row)] for i, row in enumerate(square)]
+        trial = _lower(forces, _moved(place, _shortened(shortest_solution(damped, downhill, RANK))), merit, known)
         if trial is not None:
             return trial
     return None
+
+
+def _moved(place, step, factor=1.0):
+    return [x + factor * dx for x, dx in zip(place.where, step, strict=True)]
 
 
 def _lower(forces, z, merit, known):
@@ -74,22 +90,29 @@ def _lower(forces, z, merit, known):
 
 def _merit(place, log_eta):
     """log |G|."""
-    size = float(np.linalg.norm(place.F))
-    return (np.log(size) if size else -np.inf) + log_eta
+    size = hypot(*place.F)
+    return (log(size) if size else -inf) + log_eta
 
 
 def _shortened(step):
-    longest = float(np.abs(step).max())
-    return step * min(1.0, LONGEST / longest) if longest else step
+    longest = max(map(abs, step))
+    return [x * (LONGEST / longest) for x in step] if longest > LONGEST else step
 
 
-def deflation(forces: "Forces", z: np.ndarray, known: Sequence[np.ndarray]) -> tuple[float, np.ndarray]:
-    """(log η, ∇ log η) at z; the distance of periodic angles is that of the points on their circles."""
-    if not len(known):
-        return 0.0, np.zeros(len(z))
-    d = forces.gap(z, np.array(known))
-    chord = np.where(forces.periodic, 2 * np.sin(d / 2), d)
-    turn = np.where(forces.periodic, np.cos(d / 2), 1.0)
-    square = np.maximum(np.sum(chord * chord, axis=1), 1e-30)
-    slopes = chord * turn * (-2 / (square * (1 + square)))[:, None]
-    return float(np.sum(np.log1p(1 / square))), np.sum(slopes, axis=0)
+def deflation(forces: "Forces", z: Sequence[float], known: "Sequence[Place]") -> tuple[float, list[float]]:
+    """(log η, ∇ log η) at z."""
+    log_eta, slopes = 0.0, [0.0] * len(z)
+    periodic = forces.periodic.tolist() if known else ()
+    for place in known:
+        square, along = 0.0, []
+        for x, y, turns in zip(z, place.where, periodic, strict=True):
+            d = x - y
+            chord = 2.0 * sin(0.5 * d) if turns else d
+            square += chord * chord
+            along.append(chord * cos(0.5 * d) if turns else d)
+        square = max(square, APART)
+        log_eta += log1p(1.0 / square)
+        factor = -2.0 / (square * (1.0 + square))
+        for i, part in enumerate(along):
+            slopes[i] += factor * part
+    return log_eta, slopes

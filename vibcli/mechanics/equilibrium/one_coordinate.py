@@ -31,7 +31,8 @@ def zeros(forces: "Forces", low: float, high: float,
         _search(forces, a, b, found, flat)
     stretches = [_stretch(forces, *group) for group in _joined(flat)]
     ends = [ends for _, ends in stretches if ends is not None]
-    return [pair for pair in found if not any(a - AT_END <= pair[0].z[0] <= b + AT_END for a, b in ends)] + stretches
+    return [(place, None) for place, _ in found
+            if not any(a - AT_END <= place.where[0] <= b + AT_END for a, b in ends)] + stretches
 
 
 def _edges(forces, points):
@@ -70,21 +71,21 @@ def _search(forces, a, b, found, flat):
 
 def _empty(cell, wide):
     """Is F too large at all three places to vanish between them, its slope being what it is? So it is near a pole."""
-    F, J = [place.F[0] for place in cell], [abs(place.J[0, 0]) for place in cell]
+    F, J = [place.F[0] for place in cell], [abs(place.J[0][0]) for place in cell]
     if wide < WIDE and min(map(abs, F)) > STEEP:
         return True
     return (min(F) > 0 or max(F) < 0) and min(map(abs, F)) > max(J) * wide and _smooth(cell, wide)
 
 
 def _monotone(cell, wide):
-    J = [place.J[0, 0] for place in cell]
+    J = [place.J[0][0] for place in cell]
     return (min(J) > 0 or max(J) < 0) and min(map(abs, J)) > 0.25 * max(map(abs, J)) and _smooth(cell, wide)
 
 
 def _smooth(cell, wide):
     """Do the differences of F agree with its slopes (Simpson's rule)?"""
-    (a, m, b), J = (place.F[0] for place in cell), [place.J[0, 0] for place in cell]
-    rounding = 1e-13 * max(float(place.size[0]) for place in cell)
+    (a, m, b), J = (place.F[0] for place in cell), [place.J[0][0] for place in cell]
+    rounding = 1e-13 * max(place.size[0] for place in cell)
     return (abs(b - a - wide * (J[0] + 4 * J[1] + J[2]) / 6) <= 0.1 * wide * max(map(abs, J)) + rounding
             and abs(m - a - wide * (J[0] + J[1]) / 4) <= 0.2 * wide * max(map(abs, J)) + rounding)
 
@@ -92,19 +93,20 @@ def _smooth(cell, wide):
 def zero_between(forces: "Forces", a: "Place", b: "Place", slope: bool = False) -> "Place":
     """The place between two where F (or its slope) changes sign, by Newton's method kept within the bracket."""
     def f(place):
-        return float(place.J[0, 0] if slope else place.F[0])
+        return place.J[0][0] if slope else place.F[0]
 
     for place in (a, b):
         if f(place) == 0:
             return place
     best = min(a, b, key=lambda place: abs(f(place)))
     for _ in range(200):
-        z = best.z - f(best) / best.J[0, 0] if not slope and best.J[0, 0] else a.z
-        if z == best.z:
+        low, high, z = a.where[0], b.where[0], best.where[0]
+        there = z - f(best) / best.J[0][0] if not slope and best.J[0][0] else low
+        if there == z:
             break
-        if not a.z < z < b.z:
-            z = 0.5 * (a.z + b.z)
-        trial = None if z in (a.z, b.z) else forces.at(z)
+        if not low < there < high:
+            there = 0.5 * (low + high)
+        trial = None if there in (low, high) else forces.at([there])
         if trial is None:
             break
         if f(trial) == 0:
@@ -117,7 +119,7 @@ def zero_between(forces: "Forces", a: "Place", b: "Place", slope: bool = False) 
 def _joined(flat):
     """Stretches of adjacent flat cells: [(first place, last place)]."""
     groups = []
-    for a, b in sorted(flat, key=lambda cell: cell[0].z[0]):
+    for a, b in sorted(flat, key=lambda cell: cell[0].where[0]):
         if groups and groups[-1][1] is a:
             groups[-1] = (groups[-1][0], b)
         else:
@@ -127,8 +129,8 @@ def _joined(flat):
 
 def _stretch(forces, a, b):
     """A stretch of neutral places, by the one nearest to the drawn position; of a short one the multiple zero in it."""
-    if b.z[0] - a.z[0] > WIDE:
-        return forces.at(np.clip(forces.vector(forces.numeric.drawn_floats), a.z, b.z)), (a.z[0], b.z[0])
-    if a.J[0, 0] * b.J[0, 0] < 0:
+    if b.where[0] - a.where[0] > WIDE:
+        return forces.at(np.clip(forces.vector(forces.numeric.drawn_floats), a.z, b.z)), (a.where[0], b.where[0])
+    if a.J[0][0] * b.J[0][0] < 0:
         return zero_between(forces, a, b, slope=True), None
     return forces.at(0.5 * (a.z + b.z)), None

@@ -6,14 +6,14 @@ typical of the scene. So the search does not depend on units.
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
+from statistics import median
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.linearisation import residual_terms
-from vibcli.mechanics.numeric_linearisation import in_numbers
-from vibcli.symbolic.evaluation import Floats
+from vibcli.numerics.few_unknowns import shortest_solution
 
 if TYPE_CHECKING:
     from vibcli.mechanics.numeric_system import NumericSystem
@@ -24,26 +24,38 @@ FAINT, SHORT, TINY = 2.0**-49, 1e-3, 1e-9      # of the forces elsewhere; of the
 
 
 class Place:
-    """A position z with F, J, and the magnitudes of the terms that each row of F was added from."""
+    """A position `where` with F, J, and the magnitudes of the terms that each row of F was added from, all in lists of
+    floats: of few coordinates arrays take several times as long. z: the position as an array."""
 
-    __slots__ = ("F", "J", "size", "z")
+    __slots__ = ("F", "J", "_z", "size", "where")
 
-    def __init__(self, z: np.ndarray, F: np.ndarray, J: np.ndarray, size: np.ndarray):
-        self.z, self.F, self.J, self.size = z, F, J, size
+    def __init__(self, where: list[float], F: list[float], J: list[list[float]], size: list[float]):
+        self.where, self.F, self.J, self.size = where, F, J, size
+        self._z: np.ndarray | None = None
+
+    @property
+    def z(self) -> np.ndarray:
+        if self._z is None:
+            self._z = np.array(self.where)
+        return self._z
+
+    @property
+    def largest(self) -> float:
+        """The largest |Fᵢ|."""
+        return max(map(abs, self.F))
 
     @property
     def residual(self) -> float:
         """The largest |Fᵢ| relative to its terms: the forces, and what moving q by its own rounding makes of them."""
         return _largest(self.F, self.size)
 
-    def step(self, rank: float = 1e-14) -> np.ndarray:
+    def step(self, rank: float = 1e-14) -> list[float]:
         """The step of Newton's method, the shortest of all that do where J is singular to `rank`."""
-        return np.linalg.lstsq(self.J, -self.F, rcond=rank)[0]
+        return shortest_solution(self.J, [-f for f in self.F], rank)
 
 
 def _largest(F, size):
-    known = size > 0
-    return float(np.max(np.abs(F[known]) / size[known], initial=0.0))
+    return max((abs(f) / s for f, s in zip(F, size, strict=True) if s > 0), default=0.0)
 
 
 class TooMuch(Exception):
@@ -61,8 +73,8 @@ class Forces:
         self.open = np.array([any(base.startswith("?") for base in numeric.spec.dimensions.of(name))
                               for name in self.names], bool)
         self.D = np.where(self.angle | self.open, 1.0, typical_length(numeric) or 1.0)
-        self.inner, self.square = np.ix_(self.rows, self.rows), np.outer(self.D, self.D)
-        self.E, self.typical = 1.0, np.zeros(len(self.names))
+        self.scale: list[float] = self.D.tolist()
+        self.E, self.typical = 1.0, [0.0] * len(self.names)
         self.periodic = np.zeros(len(self.names), bool)
         self.looped = numeric.scene.resting.loops is not None
         self.jumps = {name: JUMP * (1.0 if not numeric.system.dimension(name) else typical_length(numeric) or 1.0)
@@ -80,9 +92,9 @@ class Forces:
         """z of {coordinate: number}."""
         return np.array([values[name] for name in self.names], dtype=float) / self.D
 
-    def position(self, z: np.ndarray):
+    def position(self, z: Sequence[float] | np.ndarray):
         """{coordinate: float} of z, loops closed on the way there from the nearest position known to be closed."""
-        moved = {name: float(value) + 0.0 for name, value in zip(self.names, z * self.D, strict=True)}
+        moved = {name: float(x * d) + 0.0 for name, x, d in zip(self.names, z, self.scale, strict=True)}
         drawn = self.numeric.drawn_floats
         if not self.looped:
             return {**drawn, **moved}
@@ -93,20 +105,22 @@ class Forces:
         self.know(found)
         return found
 
-    def at(self, z: np.ndarray) -> Place:
+    def at(self, z: Sequence[float] | np.ndarray) -> Place:
         """The Place at z, None where the forces are not defined."""
         self.work.step()
         try:
-            values = {**self.numeric.floats, **self.position(z)}
-            numbers = in_numbers(self.numeric.system.statics, Floats, values)
+            r, sizes, K = self.numeric.static_forces.at(self.position(z))
         except (PhysicsError, ArithmeticError, ValueError):
             return None
-        F = np.array(numbers.residual, dtype=float)[self.rows] * self.D
-        J = numbers.elements.stiffness_array()[self.inner] * self.square
-        if not (np.isfinite(F).all() and np.isfinite(J).all() and np.abs(F).max() < HUGE and np.abs(J).max() < HUGE):
+        rows, E, place = list(zip(self.rows, self.scale, strict=True)), self.E, list(map(float, z))
+        F = [r[i] * d for i, d in rows]
+        J = [[K[i][j] * (d * e) for j, e in rows] for i, d in rows]
+        if not all(-HUGE < x < HUGE for part in (F, *J) for x in part):
             return None
-        size = np.array(numbers.residual_size, dtype=float)[self.rows] * self.D + np.abs(J) @ (1.0 + np.abs(z))
-        return Place(z, F / self.E, J / self.E, size / self.E)
+        moved = [1.0 + abs(x) for x in place]
+        size = [sizes[i] * d + sum([abs(x) * m for x, m in zip(row, moved, strict=True)])
+                for (i, d), row in zip(rows, J, strict=True)]
+        return Place(place, [f / E for f in F], [[x / E for x in row] for row in J], [s / E for s in size])
 
     def balanced(self, place: Place) -> bool:
         """Is the residual that of rounding, and small beside the forces elsewhere (at a pole of F it is not)?
@@ -114,16 +128,16 @@ class Forces:
         Of its own terms; or of the forces elsewhere, where Newton's step tells a zero from a force that fades away: the
         terms of a potential written out are not known apart, and at a multiple zero they vanish too.
         """
-        if not float(np.abs(place.F).max()) <= QUIET:
+        if not place.largest <= QUIET:
             return False
         if place.residual <= self.rounding:
             return True
         faint = _largest(place.F, self.typical)
-        return faint <= self.rounding and float(np.abs(place.step()).max()) <= (SHORT if faint <= FAINT else TINY)
+        return faint <= self.rounding and max(map(abs, place.step())) <= (SHORT if faint <= FAINT else TINY)
 
     def residual(self, place: Place) -> float:
         """The largest |Fᵢ| relative to its terms there or at other places, whichever are larger."""
-        return _largest(place.F, np.maximum(place.size, self.typical))
+        return _largest(place.F, map(max, place.size, self.typical))
 
     @property
     def rounding(self) -> float:
@@ -141,15 +155,16 @@ class Forces:
 
     def _same(self, place, step):
         other = self.at(place.z + step)
-        return other is not None and bool(np.all(np.abs(other.F - place.F) <= 1e-12 * place.size))
+        return other is not None and all(
+            abs(f - g) <= 1e-12 * size for f, g, size in zip(other.F, place.F, place.size, strict=True))
 
     def learn_sizes(self, points: Iterable) -> None:
         """Set E and the typical size of the terms of each row, from places at some points."""
         known = [place for place in map(self.at, points) if place is not None]
-        largest = [float(max(np.abs(place.F).max(), np.abs(place.J).max())) for place in known]
+        largest = [max(abs(x) for part in (place.F, *place.J) for x in part) for place in known]
         if any(largest):
-            self.E = float(np.median(largest)) or max(largest)
-            self.typical = np.median([place.size for place in known], axis=0) / self.E
+            self.E = median(largest) or max(largest)
+            self.typical = [median(sizes) / self.E for sizes in zip(*(place.size for place in known), strict=True)]
 
     def gap(self, one: np.ndarray, other: np.ndarray) -> np.ndarray:
         """one − other, of periodic angles the shorter way round."""
@@ -171,7 +186,7 @@ def idle(numeric: "NumericSystem") -> list[str]:
     found = np.array([not _is_felt(numeric.system, row) for row in range(len(forces.names))], bool)
     for place in map(forces.at, near_drawn(forces, 4)):
         if place is not None:
-            found &= ~place.J.any(axis=0) & (place.size == 0)
+            found &= ~np.any(place.J, axis=0) & (np.array(place.size) == 0)
     return [name for name, free in zip(forces.names, found, strict=True) if free]
 
 
