@@ -9,7 +9,7 @@ from support.scenes import problem
 from vibcli.drawing.canvas.primitives import LetterRuns
 from vibcli.drawing.drawing import draw
 
-COUNT, MOST = 250, 0.02     # scenes of each kind; the share of figures that may have a flaw
+COUNT, MOST = 125, 0.02     # scenes of each kind; the share of figures that may have a flaw
 
 
 def test_words_and_arrows_of_random_scenes_touch_nothing():

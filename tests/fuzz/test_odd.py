@@ -62,17 +62,23 @@ def _small(**changed):
     return wrong
 
 
+@pytest.fixture(scope="module")
+def right(tmp_path_factory):
+    """The file of the scene, of which every number agrees."""
+    path = tmp_path_factory.mktemp("right") / "scene.yaml"
+    draw.drawn(SCENE).write(path)
+    assert not compare.compared(draw.drawn(SCENE), path, PARTS).differences
+    return path
+
+
 @pytest.mark.parametrize(("module", "name", "wrong"), [
     *((mechanics, "small", _small(**{key: True})) for key in "MCK"),
     (mechanics, "residual", lambda figure, state, *args, **options: LEFT(
         figure, state._replace(v=[1.0001 * v for v in state.v]), *args, **options)),
     (motion, "full_motion", lambda *args: [(1.0001 * q, v) for q, v in FULL(*args)])])
-def test_what_is_wrong_is_noticed(module, name, wrong, monkeypatch, tmp_path):
-    path = tmp_path / "scene.yaml"
-    draw.drawn(SCENE).write(path)
-    assert not compare.compared(draw.drawn(SCENE), path, PARTS).differences
+def test_what_is_wrong_is_noticed(module, name, wrong, monkeypatch, right):
     monkeypatch.setattr(module, name, wrong)
-    assert compare.compared(draw.drawn(SCENE), path, PARTS).differences
+    assert compare.compared(draw.drawn(SCENE), right, PARTS).differences
 
 
 def test_smallest_scene():

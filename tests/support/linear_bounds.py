@@ -3,7 +3,7 @@
     python -m support.linear_bounds COUNT SEED
 
 The motion is that of ż = A z with the loads as further states (1, τ, cos Ωt, sin Ωt, e^{−t/T}), by Taylor's series of
-e^{At} and squarings, from the decimal numbers of the scene.
+e^{At} and squarings in integers, multiples of 2**-BITS, from the decimal numbers of the scene.
 """
 
 import random
@@ -23,6 +23,7 @@ from vibcli.quantities.expression import measure
 from vibcli.symbolic.parser import parse
 
 DPS, LEAST = 60, 1e-40      # digits, and what is nothing in them
+BITS, TERMS = 400, 12       # of integers: twice as many as the digits; of Taylor's series about an instant
 KINDS = ("cos", "sin", "near", "step", "pulse", "ramp", "record", "square", "decay", "periodic", "constant")
 
 
@@ -238,6 +239,12 @@ class Exact:
             z = A * z
         return [found[order] for order in orders]
 
+    def series(self, i, t):
+        """x, ẋ and ẍ of coordinate i at t + τ, as functions of τ: Taylor's series, of little τ."""
+        found = self.derivatives(i, t, range(TERMS + 3))
+        return [lambda tau, rows=found[order:order + TERMS + 1]: mp.fsum(
+            row * tau**k / mp.factorial(k) for k, row in enumerate(rows)) for order in range(3)]
+
     def _turns(self, t):
         return [k * mp.pi / w for _, kind, _, w in self.jumps if kind == "square"
                 for k in range(1, int(t * w / mp.pi) + 1)]
@@ -248,16 +255,15 @@ def exponential(A, t):
     A = A * t
     norm = max(sum(abs(A[i, j]) for j in range(A.cols)) for i in range(A.rows))
     halvings = max(0, int(mp.ceil(mp.log(norm, 2))) + 8) if norm else 0
-    A = A / mpf(2) ** halvings
-    term = total = mp.eye(A.rows)
-    for k in range(1, 60):
-        term = term * A / k
-        total = total + term
-        if max(abs(x) for x in term) < mpf(10) ** -DPS:
-            break
+    part = np.array([[int(mp.ldexp(x, BITS - halvings)) for x in row] for row in A.tolist()], object)
+    term = total = np.array([[int(i == j) << BITS for j in range(A.cols)] for i in range(A.rows)], object)
+    k = 1
+    while abs(term).max() > 1:
+        term = (term @ part >> BITS) // k
+        total, k = total + term, k + 1
     for _ in range(halvings):
-        total = total * total
-    return total
+        total = total @ total >> BITS
+    return mp.matrix([[mp.ldexp(x, -BITS) for x in row] for row in total.tolist()])
 
 
 def compared(dice):
@@ -293,9 +299,10 @@ def _passages(scene, exact, signals):
         at = mpf(t)
         if not t or min(abs(at - cut) for cut in [*exact.cuts, *exact._turns(mpf(20) / scene.speed)]) < 1e-6 * t:
             continue
+        x, v, _ = exact.series(i, at)
         for _ in range(4):
-            value, slope = exact.derivatives(i, at, (0, 1))
-            at -= value / slope if slope else 0
+            slope = v(at - t)
+            at -= x(at - t) / slope if slope else 0
         if abs(at - t) < 1e-3 / scene.speed:
             found.append((f"zero(x{i})", abs(t - at), signal.error_of_zero(t), at))
     return found
@@ -347,12 +354,13 @@ def _tops(scene, exact, signals):
         at = mpf(t)
         if not 0 < t < end or min(abs(at - cut) for cut in [*exact.cuts, *exact._turns(mpf(end))]) < 1e-6 * t:
             continue
+        x, v, a = exact.series(i, at)
         for _ in range(4):
-            _, slope, bend = exact.derivatives(i, at, (0, 1, 2))
+            slope, bend = v(at - t), a(at - t)
             if not bend or abs(slope / bend) > 1e-3 / scene.speed:
                 return found
             at -= slope / bend
-        true = exact.derivatives(i, at, (0,))[0]
+        true = x(at - t)
         found += [(f"max(x{i})", abs(value - true), signal.error(t), abs(true)),
                   (f"argmax(x{i})", abs(t - at), signal.error_of_time(t), at)]
     return found

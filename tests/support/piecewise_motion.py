@@ -22,7 +22,7 @@ class Motion:
 
     def __init__(self, build, names, start, until, mode=None, turn=None, times=(), step="0.05"):
         self.build, self.names, self.turn, self.tapes = build, names, turn, {}
-        self.until, self.pieces = fixed(until), []
+        self.until, self.pieces, self._zeros = fixed(until), [], {}
         t, y, h = 0, [fixed(x) for x in start], fixed(step)
         stops = sorted((fixed(time), time) for time in times if fixed(time) < self.until)
         for stop, time in [*stops, (self.until, None)]:
@@ -73,5 +73,7 @@ class Motion:
 
     def zeros(self, name):
         """Instants at which it changes its sign."""
-        return [real(piece.t + (piece.h * x >> BITS)) for piece in self.pieces
-                for x in roots(piece.series[name], piece.end)]
+        if name not in self._zeros:
+            self._zeros[name] = [real(piece.t + (piece.h * x >> BITS)) for piece in self.pieces
+                                 for x in roots(piece.series[name], piece.end)]
+        return self._zeros[name]

@@ -155,9 +155,14 @@ def at(c, x):
 
 
 def roots(c, below=ONE):
-    """Where a series vanishes in (0, below], ascending: found where it changes its sign between samples."""
-    found = []
-    places = [below * i // SAMPLES for i in range(SAMPLES + 1)]
+    """Where a series vanishes in (0, below], ascending: found where it changes its sign between samples, of which the
+    ends do where its first term or that of its slope outweighs the others."""
+    sizes = [abs(x) for x in c[1:]]
+    if abs(c[0]) > sum(sizes):
+        return []
+    steady = sizes[0] > sum(map(mul, sizes[1:], range(2, len(c))))
+    found, count = [], 1 if steady else SAMPLES
+    places = [below * i // count for i in range(count + 1)]
     values = [at(c, x) for x in places]
     for low, high, a, b in zip(places, places[1:], values, values[1:], strict=False):
         if (a < 0) != (b < 0) and a and b:

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.polynomial.legendre import leggauss
 
 LONG = np.longdouble
+FEW = 12        # places at which a recurrence in plain floats is cheaper than one in arrays
 
 
 class Rule:
@@ -93,12 +94,9 @@ def _radau(points):
 
 
 def _legendre(x, degree):
-    """P₀ … P_degree at the places x, by their recurrence; at one place in plain floats, which do the same."""
-    if len(x) == 1 and x.dtype == float:
-        y, values = float(x[0]), [1.0, float(x[0])]
-        for k in range(1, degree):
-            values.append(((2 * k + 1) * y * values[k] - k * values[k - 1]) / (k + 1))
-        return np.array(values)[:, None]
+    """P₀ … P_degree at the places x, by their recurrence; at few places in plain floats, which do the same."""
+    if len(x) <= FEW and x.dtype == float:
+        return np.ascontiguousarray(np.array([_legendre_at(y, degree) for y in x.tolist()]).reshape(-1, degree + 1).T)
     P = np.empty((degree + 1, len(x)), dtype=x.dtype)
     P[0], P[1] = 1, x
     for k, (two_before, before, row) in enumerate(zip(P, P[1:], P[2:], strict=False), 1):
@@ -107,6 +105,22 @@ def _legendre(x, degree):
         row -= k * two_before
         row /= k + 1
     return P
+
+
+def _legendre_at(y, degree):
+    """The same at one place."""
+    before, last = 1.0, y
+    values = [before, last]
+    for twice, k, after in _factors(degree):
+        before, last = last, (twice * y * last - k * before) / after
+        values.append(last)
+    return values
+
+
+@lru_cache
+def _factors(degree):
+    """2k + 1, k and k + 1 of the recurrence (k + 1) Pₖ₊₁ = (2k + 1) x Pₖ − k Pₖ₋₁."""
+    return [(2 * k + 1.0, float(k), k + 1.0) for k in range(1, degree)]
 
 
 def _integrated(count):

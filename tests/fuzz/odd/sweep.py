@@ -19,7 +19,7 @@ from fuzz.odd.coverage import ASKED, Catalogue
 from fuzz.odd.doors import Refusal
 from fuzz.odd.draw import drawn
 
-LAST = 1500     # seed that is looked at for what no scene held
+LAST = 400      # seed that is looked at for what no scene held
 
 
 class Sweep:
@@ -59,15 +59,19 @@ class Sweep:
         return self.expected - set(self.holding)
 
     def representative(self, count, most, spared=frozenset()):
-        """Scenes of the first seeds; then, up to a number of all, such as hold what none before them does, but for what
-        is spared."""
+        """Scenes of the first seeds; then, up to a number of all, each time that which holds most of what none before
+        does, and others until all that is asked was compared, but for what is spared."""
         for seed in range(1, count + 1):
             self.scene(seed)
-        seed = count
-        while self.drawn < most and seed < LAST and self.never - spared:
-            seed += 1
-            if (self.never - spared) & set(self.catalogue.of_scene(drawn(seed).text())):
-                self.scene(seed)
+        held = {seed: set(self.catalogue.of_scene(drawn(seed).text())) for seed in range(count + 1, LAST + 1)}
+        while held and self.drawn < most and (missing := self.never - spared):
+            seed = max(held, key=lambda seed: len(held[seed] & missing))
+            if not held[seed] & missing:
+                if not missing - self.catalogue.kinds:
+                    break
+                seed = next(iter(held))
+            del held[seed]
+            self.scene(seed)
 
     @property
     def refused(self):

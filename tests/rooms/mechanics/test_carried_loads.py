@@ -74,8 +74,8 @@ SCENES = {
 }
 
 
-def full(Q, inertia, start, speed, A, until, steps=2000):
-    """q(until) of J q̈ = Q(q, A sin Wt) by Runge and Kutta's rule."""
+def full(Q, inertia, start, speed, A, until, steps=400):
+    """q(until) of J q̈ = Q(q, A sin Wt) by Runge and Kutta's rule, to some 1e-8 of its way."""
     def rates(t, q, v):
         return v, float(Q(q, A * mpmath.sin(W * t))) / inertia
 

@@ -68,6 +68,8 @@ def _inverse(values):
     import mpmath
 
     m = values.shape[-1]
+    if m == 1:
+        return 1 / values
     found = [(mpmath.matrix(one.tolist()) ** -1).tolist() for one in values.reshape(-1, m, m)]
     return np.array(found, object).reshape(values.shape)
 

@@ -126,7 +126,8 @@ def graded_integrals(piece: "Piece", kappa: np.ndarray, x: np.ndarray, weights: 
 def _integrals(piece, kappa, x, weights, numbers):
     tree, order = graded_tree(piece, kappa, numbers), piece.order
     of, unit = np.repeat(np.arange(len(kappa)), order), numbers.array(np.tile(np.eye(order), (len(kappa), 1)))
-    ends, places, (c, _, half) = _part_ends(piece, tree, of, unit, numbers), numbers.array(tree.cuts), tree.series
+    ends, places = _part_ends(piece, tree, of, unit, numbers), numbers.array(tree.cuts)
+    c, half = tree.series.numbers(tree.series.c), tree.series.half
     (index, eta), power, found = _places_in(places, half, x), weights, 0 * kappa[of]
     if order == 2 and is_slack(piece) and (near := index == 0).any():
         u = _near_slack(piece, tree.cuts[1], kappa[of, None], ends[0, :, 1:], x[None, near], numbers)[..., 0]
@@ -222,7 +223,8 @@ def _part_ends(piece, tree, of, ends, numbers):
 def _within(piece, tree, which, parts, x, numbers):
     """(the series of the part in which each place lies, from its end values; the number of that part); which: (the
     number of the κ of each field, the number of the field at each place)."""
-    (of, field), places, (c, _, half) = which, numbers.array(tree.cuts), tree.series
+    (of, field), places, half = which, numbers.array(tree.cuts), tree.series.half
+    c = tree.series.numbers(tree.series.c)
     index, eta = _places_in(places, half, x)
     weights = _first_coefficients(piece, c, half, of, parts, numbers)
     met, place = _distinct(index * len(of) + field)
@@ -240,7 +242,7 @@ def _places_in(places, half, x):
 def _first_coefficients(piece, c, half, of, parts, numbers):
     """Those of the series in all parts, (parts, fields, order), that have these end values."""
     values = np.concatenate([np.stack([one / half**j for j, one in enumerate(at_end)], axis=-2)
-                             for at_end in end_derivatives(c, piece.order // 2, numbers)], axis=-2)
+                             for at_end in end_derivatives(c, piece.order // 2)], axis=-2)
     return (numbers.inverse(values)[:, of] @ parts[..., None])[..., 0]
 
 

@@ -9,10 +9,13 @@ In η = (x − middle)/h, h half a part's length, u = Σ c_k ηᵏ follows from 
 is bounded there, c_{k+1} = (κ x/n) c_k/(k+1)²; that end then bears no force whatever its value is.
 """
 
+from functools import lru_cache
 from math import inf, log, perm
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.numerics.pieces.arithmetic import Arithmetic
@@ -21,6 +24,7 @@ if TYPE_CHECKING:
 MEASURE = 4.0       # |ν| + |γ| + 2 √|χ| at most: nothing cancels in the series, and no part vibrates between held ends
 WIDEN = 0.5         # a part of a string is at most so long as this times its distance to where N would vanish
 BEYOND = 5.0        # nepers past rounding
+GUARD = 20          # bits of integers beyond those of numbers
 NIL = 2.0**-50      # of the largest tension: an end with less has none
 
 
@@ -68,7 +72,7 @@ def is_slack(piece: "Piece") -> bool:
     return bool(abs(piece.tension) <= NIL * abs(piece.gradient * piece.length))
 
 
-def part_stiffness(piece: "Piece", cuts: list, kappa: np.ndarray, series: tuple,
+def part_stiffness(piece: "Piece", cuts: list, kappa: np.ndarray, series: "Series",
                    numbers: "Arithmetic") -> tuple[np.ndarray, np.ndarray]:
     """(d, ∂d/∂κ) of all parts, (parts, κ, m, m), from their `coefficients`."""
     ends, forces, slopes, force_slopes = _end_values(piece, cuts, series, numbers)
@@ -80,31 +84,62 @@ def part_stiffness(piece: "Piece", cuts: list, kappa: np.ndarray, series: tuple,
     return tuple((values + values.swapaxes(-1, -2)) / 2 for values in (stiffness, slope))
 
 
-def coefficients(piece: "Piece", cuts: list, kappa: np.ndarray,
-                 numbers: "Arithmetic") -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """(c_k, ∂c_k/∂κ, h): arrays (terms, parts, κ, m), a column for each first coefficient; h (parts, 1, 1)."""
-    cuts_array = numbers.array(cuts)
+class Series(NamedTuple):
+    """c_k and ∂c_k/∂χ of all parts, (terms, parts, κ, m), a column for each first coefficient; ∂χ/∂κ and h, (parts, 1,
+    1). bits: the c are integers, multiples of 2^−bits; None where they are numbers."""
+
+    c: np.ndarray
+    slope: np.ndarray
+    scale: np.ndarray
+    half: np.ndarray
+    bits: int | None
+
+    def numbers(self, values: np.ndarray) -> np.ndarray:
+        """What is found of the c, as numbers."""
+        if self.bits is None:
+            return values
+        from mpmath import mp
+
+        return np.frompyfunc(lambda value: mp.ldexp(value, -self.bits), 1, 1)(values)
+
+
+def coefficients(piece: "Piece", cuts: list, kappa: np.ndarray, numbers: "Arithmetic") -> Series:
+    """The Series of a piece: as no coefficient is large, those of real numbers of mpmath are found in integers."""
+    cuts_array, order = numbers.array(cuts), piece.order
     half = ((cuts_array[1:] - cuts_array[:-1]) / 2)[:, None, None]
     tension = (cuts_array[1:, None, None] - half) * piece.gradient + piece.tension
-    order, kappa = piece.order, kappa[None, :, None]
-    zero = kappa * half * 0
     scale = half**order / (piece.bending if order == 4 else tension)
-    nu, gamma = tension * half**2 * scale / half**4, half**3 * piece.gradient * scale / half**4
-    chi, rho = kappa * scale, half * piece.gradient / tension if order == 2 else None
-    first = np.stack([zero + numbers.array([int(i == j) for j in range(order)]) for i in range(order)])
-    both = np.stack([first, first * 0], axis=1)         # c_k and ∂c_k/∂κ, (terms, 2, parts, κ, m)
-    both = np.concatenate([both, np.zeros((numbers.terms(order), *both.shape[1:]), both.dtype)])
-    for k in range(numbers.terms(order)):
-        if order == 4:
-            below = (k + 4) * (k + 3) * (k + 2) * (k + 1)
-            found = nu * ((k + 2) * (k + 1)) * both[k + 2] + gamma * (k + 1) ** 2 * both[k + 1] - chi * both[k]
-            found[1] -= scale * both[k, 0]
+    shares = [kappa[None, :, None] * scale, half * piece.gradient * (half**2 / piece.bending if order == 4 else
+                                                                     1 / tension)]
+    shares += [tension * half**2 / piece.bending] if order == 4 else []
+    bits, one = None, 1
+    if numbers.number is not None and numbers.is_real(kappa):
+        from mpmath import mp
+
+        bits = mp.prec + GUARD
+        one, whole = 1 << bits, np.frompyfunc(lambda value: int(mp.ldexp(value, bits)), 1, 1)
+        shares = [whole(share) for share in shares]
+    both = np.zeros((numbers.terms(order) + order, 2, len(half), len(kappa), order), shares[0].dtype)
+    for i in range(order):
+        both[i, 0, ..., i] = one
+    _continued(both, shares, one, bits is not None)
+    return Series(both[:, 0], both[:, 1], scale, half, bits)
+
+
+def _continued(both, shares, one, whole):
+    """All further c_k and ∂c_k/∂χ, (terms, 2, …), from the first; shares: χ and γ, ν or χ and ρ, multiples of 1/one."""
+    chi, gamma, *nu = shares
+    order = 4 if nu else 2
+    for k in range(len(both) - order):
+        below = (k + 2) * (k + 1)
+        if nu:
+            found = nu[0] * below * both[k + 2] + gamma * (k + 1) ** 2 * both[k + 1] - chi * both[k]
+            found[1] -= one * both[k, 0]
+            below *= (k + 4) * (k + 3)
         else:
-            below = (k + 2) * (k + 1)
-            found = chi * both[k] - rho * (k + 1) ** 2 * both[k + 1]
-            found[1] += scale * both[k, 0]
-        both[k + order] = found / below
-    return both[:, 0], both[:, 1], half
+            found = chi * both[k] - gamma * (k + 1) ** 2 * both[k + 1]
+            found[1] += one * both[k, 0]
+        both[k + order] = found // (below * one) if whole else found / below
 
 
 def sums(c: np.ndarray, eta: Any, derivative: int) -> Any:
@@ -115,11 +150,25 @@ def sums(c: np.ndarray, eta: Any, derivative: int) -> Any:
     return found
 
 
-def end_derivatives(c: np.ndarray, count: int, numbers: "Arithmetic") -> np.ndarray:
-    """The same of the first `count` derivatives at η = −1 and η = 1, (2, count, …), in one product."""
-    weights = [[[perm(k, derivative) * eta ** (k - derivative) if k >= derivative else 0 for k in range(len(c))]
-                for derivative in range(count)] for eta in (-1, 1)]
-    return np.tensordot(numbers.array(weights), c, 1)
+def end_derivatives(c: np.ndarray, count: int) -> np.ndarray:
+    """The same of the first `count` derivatives at η = −1 and η = 1, (2, count, …): of doubles in one product, else by
+    what is even and odd in η."""
+    if c.dtype.kind != "O":
+        return np.tensordot(_at_ends(len(c), count), c, 1)
+    found = np.empty((2, count, *c.shape[1:]), c.dtype)
+    for derivative in range(count):
+        weights = np.array([perm(k, derivative) for k in range(derivative, len(c))], object)
+        terms = weights.reshape(-1, *[1] * (c.ndim - 1)) * c[derivative:] if derivative else c
+        even, odd = terms[::2].sum(axis=0), terms[1::2].sum(axis=0)
+        found[:, derivative] = even - odd, even + odd
+    return found
+
+
+@lru_cache
+def _at_ends(terms, count):
+    """The derivatives of ηᵏ at η = −1 and η = 1, (2, count, terms)."""
+    return np.array([[[perm(k, derivative) * eta ** (k - derivative) if k >= derivative else 0 for k in range(terms)]
+                      for derivative in range(count)] for eta in (-1.0, 1.0)])
 
 
 def slack_series(piece: "Piece", x: Any, kappa: np.ndarray, numbers: "Arithmetic") -> tuple[Any, Any, Any, Any]:
@@ -135,12 +184,11 @@ def slack_series(piece: "Piece", x: Any, kappa: np.ndarray, numbers: "Arithmetic
 
 def _end_values(piece, cuts, series, numbers):
     """End values and end forces of the solutions, rows, and their derivatives by κ: arrays (parts, κ, m, m)."""
-    c, dc, half = series
-    places = numbers.array(cuts)
+    places, half = numbers.array(cuts), series.half
     found = []
-    for series in (c, dc):
+    for c, scale in ((series.c, 1), (series.slope, series.scale)):
         values, forces = [], []
-        at_ends = end_derivatives(series, piece.order, numbers)
+        at_ends = series.numbers(end_derivatives(c, piece.order)) * scale
         for eta, place, sums_at in zip((-1, 1), (places[:-1], places[1:]), at_ends, strict=True):
             tension = (place * piece.gradient + piece.tension)[:, None, None]
             first = sums_at[1] / half

@@ -9,7 +9,7 @@ import numpy as np
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.work import counted
 from vibcli.numerics.pieces.arithmetic import arithmetic_of
-from vibcli.numerics.pieces.graded_parts import coefficients, part_stiffness, parts_of
+from vibcli.numerics.pieces.graded_parts import Series, coefficients, part_stiffness, parts_of
 from vibcli.numerics.pieces.parity import separate_roots
 from vibcli.numerics.pieces.piece import Piece
 from vibcli.numerics.pieces.scattering import joined, scattered
@@ -17,23 +17,24 @@ from vibcli.numerics.pieces.scattering import joined, scattered
 if TYPE_CHECKING:
     from vibcli.numerics.pieces.arithmetic import Arithmetic
 
-KEPT = 16               # trees of a piece at one κ
+KEPT = 16               # trees of a piece at one κ, and of mpmath's numbers at several
 STEP = 25e-6            # steps of work for each entry of the stiffness of a part at one κ
 
 
 class GradedTree(NamedTuple):
-    """cuts, (levels, from parts to the whole), 1/√Z at the nodes (nodes, κ, m/2), and the
-    coefficients of the power series in all parts."""
+    """cuts, (levels, from parts to the whole), 1/√Z at the nodes (nodes, κ, m/2), and the power series in all parts."""
 
     cuts: list
     levels: list
     scale: np.ndarray
-    series: tuple
+    series: Series
 
 
 def graded_tree(piece: "Piece", kappa: np.ndarray, numbers: "Arithmetic") -> GradedTree:
     """The GradedTree of one piece at flat κ."""
-    if numbers.number is not None or len(kappa) > 1:
+    if numbers.number is not None:      # as for the stiffness and for the count at the same frequencies
+        tree = _grown_precisely(tuple(piece), tuple(kappa.tolist()), numbers.eps)
+    elif len(kappa) > 1:
         tree = _grown(piece, kappa, numbers)
     else:       # as at one frequency of all places along a piece
         tree = _grown_again(Piece(*map(float, piece)), kappa.dtype.str, kappa.tobytes())
@@ -44,6 +45,12 @@ def graded_tree(piece: "Piece", kappa: np.ndarray, numbers: "Arithmetic") -> Gra
 @lru_cache(KEPT)
 def _grown_again(piece, kind, kappa):
     return _grown(piece, np.frombuffer(kappa, kind), arithmetic_of(0.0))
+
+
+@lru_cache(KEPT)
+def _grown_precisely(piece, kappa, eps):
+    """In numbers of mpmath of this rounding unit, which is that of now."""
+    return _grown(Piece(*piece), np.array(kappa, object), arithmetic_of(*piece, *kappa))
 
 
 def _grown(piece, kappa, numbers):

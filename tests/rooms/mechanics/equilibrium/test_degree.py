@@ -4,8 +4,8 @@ Degrees are compared with dense ones (signs at both ends, windings around a squa
 of gradients written by hand, and with the indices of potentials whose equilibria are all known.
 """
 
-import json
 import random
+from functools import cache
 from itertools import product
 from math import pi
 
@@ -14,10 +14,13 @@ import pytest
 from support.scenes import scene_of_potential, value
 
 from vibcli.base.errors import PhysicsError
-from vibcli.cli.program import run
 from vibcli.mechanics.equilibrium import all_equilibria, indices, multistart
 from vibcli.mechanics.equilibrium.completeness import ForceBounds
 from vibcli.mechanics.equilibrium.degree import degree
+from vibcli.report.document import Report
+from vibcli.report.formats.text import section_lines, shown
+from vibcli.report.keys import data
+from vibcli.report.sections.equilibria import SEARCH
 
 SIDE, SIZE = 48, 2.0
 
@@ -139,8 +142,20 @@ def short(monkeypatch):
     monkeypatch.setattr(multistart, "DEFLATED", 2)
 
 
-WELLS = "x^4/4 - x^2/2 + y^2 + z^2 + w^2 + (x + 2*y)/9 + z*w/5 + x*y/7"
-HANGING = "-3*cos(x) - 2*cos(y) + cos(x - y)/4 + z^2 + z*sin(x)/4 + w^2"
+def wells():
+    return scene_of_potential("x^4/4 - x^2/2 + y^2 + z^2 + w^2 + (x + 2*y)/9 + z*w/5 + x*y/7", "xyzw", 2)
+
+
+def hanging():
+    return scene_of_potential("-3*cos(x) - 2*cos(y) + cos(x - y)/4 + z^2 + z*sin(x)/4 + w^2", "xyzw", {"z": 2, "w": 2})
+
+
+@cache
+def searched(made):
+    """A scene with what a search of which nothing is lost has found, `short` for all who ask."""
+    scene = made()
+    assert scene.equilibria
+    return scene
 
 
 def dropping(monkeypatch, number):
@@ -155,39 +170,35 @@ def dropping(monkeypatch, number):
 
 
 @pytest.mark.sweep
-@pytest.mark.parametrize("V, within, number", [(WELLS, 2, 1), (HANGING, {"z": 2, "w": 2}, 1)])
-def test_what_was_missed_is_found_by_its_index(V, within, number, monkeypatch, short):
-    every = [item.equilibrium.values for item in scene_of_potential(V, "xyzw", within).equilibria.items]
-    dropping(monkeypatch, number)
-    found = scene_of_potential(V, "xyzw", within).equilibria
+@pytest.mark.parametrize("made", [wells, hanging])
+def test_what_was_missed_is_found_by_its_index(made, monkeypatch, short):
+    every = [item.equilibrium.values for item in searched(made).equilibria.items]
+    dropping(monkeypatch, 1)
+    found = made().equilibria
     assert found.indices.agree and not found.complete and len(every) > 2
     assert [item.equilibrium.values for item in found.items] == [pytest.approx(values, abs=1e-12) for values in every]
 
 
 @pytest.mark.sweep
-def test_what_is_missing_is_said(monkeypatch, short, tmp_path, capsys):
+def test_what_is_missing_is_said(monkeypatch, short):
     """Where it is not found after all; the list is given, their number refused."""
     dropping(monkeypatch, 1)
     monkeypatch.setattr(indices, "look_for", lambda forces, found, index: False)
-    path = tmp_path / "scene.yaml"
-    limits = ", ".join(f"{name}: [-2, 2]" for name in "xyzw")
-    path.write_text(f"parameters: {{J: 1 kg*m^2, E: 1 J}}\ncoordinates: [x, y, z, w]\n"
-                    f"find: {{equilibria: all, within: {{{limits}}}}}\nenergies:\n"
-                    f"  T: J/2*(x'^2 + y'^2 + z'^2 + w'^2)\n  V: E*({WELLS})\n")
-    assert run(["solve", str(path)]) == 0
-    said = " ".join(capsys.readouterr().out.split())
+    scene = wells()
+    report = Report(scene)
+    report.add("equilibria")
+    said = " ".join(shown(section_lines(report.sections)).split())
     assert "at least one more exists: the indices of these sum to 2, but the forces on the bounds have the degree 1" \
         in said
-    assert run(["solve", str(path), "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)["search"] == {
+    assert data([SEARCH], scene)["search"] == {
         "bounds": {name: [-2.0, 2.0] for name in "xyzw"}, "complete": False, "cut": False, "indices": 2, "degree": 1}
     with pytest.raises(PhysicsError, match="more equilibria exist than the 2"):
-        value(scene_of_potential(WELLS, "xyzw", 2), "equilibria")
+        value(scene, "equilibria")
 
 
 @pytest.mark.sweep
 def test_indices_that_agree_are_no_proof(short):
-    found = scene_of_potential(WELLS, "xyzw", 2)
+    found = searched(wells)
     assert found.equilibria.indices == (1, 1) and not found.equilibria.complete
     assert value(found, "equilibria") == len(found.equilibria.items) == 3
 

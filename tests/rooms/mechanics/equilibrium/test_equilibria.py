@@ -171,7 +171,7 @@ def with_roots(roots):
 def test_random_polynomials_with_close_pairs():
     """Nothing missed, nothing invented: up to nine roots of the force, two of them as near as 1e-4."""
     draw, compared, proofs = random.Random("polynomials"), 0, 0
-    for _ in range(25):
+    for _ in range(16):
         roots = [Fraction(draw.randint(-1900000, 1900000), 10**6) for _ in range(draw.randint(1, 8))]
         rounded, exact = with_roots(sorted({*roots, roots[0] + Fraction(1, 10 ** draw.randint(1, 4))}))
         scene = potential(" + ".join(f"({c!r})*x^{i}" for i, c in enumerate(rounded, 1)))
@@ -181,7 +181,7 @@ def test_random_polynomials_with_close_pairs():
         kinds = [kind for _, kind in found]
         assert kinds[-1] == STABLE and all(a != b for a, b in pairwise(kinds))
         compared += len(exact)
-    assert compared >= 100 and proofs >= 22
+    assert compared >= 64 and proofs >= 14
 
 
 @pytest.mark.parametrize("V, expected", [
@@ -309,14 +309,19 @@ def test_two_wells_in_each_of_two_turned_directions():
     found_as(scene, sorted(expected, key=lambda pair: [round(x, 9) for x in pair[0].values()]), 1e-11)
 
 
-@pytest.mark.sweep
-@pytest.mark.parametrize("seed", range(6))
-def test_morse_count_on_a_torus(seed):
-    """Random forces of two angles: Σ (−1)^(unstable modes) = 0, the Euler characteristic of the torus."""
+def on_a_torus(seed):
+    """A scene of two angles with random forces."""
     draw, terms = random.Random(seed), []
     for a, b in ((1, 0), (0, 1), (1, 1), (1, -1)):
         terms += [f"({draw.gauss(0, 1):.5f})*{f}({a}*x + ({b})*y)" for f in ("cos", "sin")]
-    scene = potential(" + ".join(terms), "xy", None)
+    return potential(" + ".join(terms), "xy", None)
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize("seed", range(6))
+def test_morse_count_on_a_torus(seed):
+    """Σ (−1)^(unstable modes) = 0, the Euler characteristic of the torus."""
+    scene = on_a_torus(seed)
     signs = [(-1) ** sum(mode.growth_rate is not None for mode in about.modal.modes) for about in scene.about_each]
     assert len(listed(scene)) == len(signs) >= 4
     assert sum(signs) == 0 and signs.count(1) >= 2
@@ -488,5 +493,5 @@ def test_where_the_drawn_position_leads_nowhere_the_list_is_still_there():
 
 @pytest.mark.sweep
 def test_the_search_is_the_same_at_every_run():
-    first, second = (listed(potential("cos(x) + sin(y) + cos(x - y)", "xy", None), False) for _ in range(2))
+    first, second = (listed(on_a_torus(3)) for _ in range(2))
     assert first == second
