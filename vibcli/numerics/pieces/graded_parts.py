@@ -9,6 +9,7 @@ In η = (x − middle)/h, h half a part's length, u = Σ c_k ηᵏ follows from 
 is bounded there, c_{k+1} = (κ x/n) c_k/(k+1)²; that end then bears no force whatever its value is.
 """
 
+from functools import cache
 from math import inf, log, perm
 from typing import TYPE_CHECKING, Any
 
@@ -117,9 +118,13 @@ def sums(c: np.ndarray, eta: Any, derivative: int) -> Any:
 
 def end_derivatives(c: np.ndarray, count: int, numbers: "Arithmetic") -> np.ndarray:
     """The same of the first `count` derivatives at η = −1 and η = 1, (2, count, …), in one product."""
-    weights = [[[perm(k, derivative) * eta ** (k - derivative) if k >= derivative else 0 for k in range(len(c))]
-                for derivative in range(count)] for eta in (-1, 1)]
-    return np.tensordot(numbers.array(weights), c, 1)
+    return np.tensordot(numbers.array(_weights_at_ends(len(c), count)), c, 1)
+
+
+@cache
+def _weights_at_ends(terms, count):
+    return [[[perm(k, derivative) * eta ** (k - derivative) if k >= derivative else 0 for k in range(terms)]
+             for derivative in range(count)] for eta in (-1, 1)]
 
 
 def slack_series(piece: "Piece", x: Any, kappa: np.ndarray, numbers: "Arithmetic") -> tuple[Any, Any, Any, Any]:
