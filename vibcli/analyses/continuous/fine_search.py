@@ -5,17 +5,21 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from vibcli.analyses.continuous.modal_grid import TURN
+from vibcli.analyses.continuous.modal_grid import FELT, TURN, paces
 from vibcli.analyses.continuous.modal_search import BENT, bends, first_top
+from vibcli.base.named_tuple import NamedTuple
+from vibcli.numerics.sums_of_exponentials import sum_of_exponentials
 from vibcli.numerics.sums_on_grids import SumsOnGrid
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.modal_motion import ModalMotion
+    from vibcli.analyses.continuous.modal_states import FreeStretch
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
 MOST, WINDOWS = 1 << 22, 32     # places of a level, and windows
 MIXED = 8           # terms by which decays differ within a window at most,
 ALIKE = 1e-13       # to this part of all amplitudes
+PRODUCTS = 1 << 28  # of places and modes whose decays differ more, summed by products
 
 
 def highest(motion: "ModalMotion", output: "LinearOutput", cells: np.ndarray, known: int,
@@ -26,10 +30,10 @@ def highest(motion: "ModalMotion", output: "LinearOutput", cells: np.ndarray, kn
     values = room = np.zeros(0)
     for count in counts:
         windows = _windows(motion, cells)
-        step = TURN / float(np.abs(motion.states.rates[motion.states.modes < count]).max())
-        if windows is None or sum(high - low for low, high, _ in windows) > MOST * step:
+        parts = [part for window in windows or () for part in _parts(motion, output, window, count)]
+        if windows is None or sum((part.high - part.low) / part.step for part in parts) > MOST:
             return None
-        found = [_on_window(motion, output, window, step, count) for window in windows]
+        found = [_on_part(motion, output, part, count) for part in parts]
         if any(one is None for one in found):
             return None
         cells, values, room = _left(found, sense)
@@ -52,14 +56,37 @@ def _windows(motion, cells):
     return [(float(cells[i, 0]), float(cells[j, 1]), stretches[number[i]]) for i, j in zip(first, last, strict=True)]
 
 
-def _on_window(motion, output, window, step, count):
+class EvenSpan(NamedTuple):
+    """A part of a window between bends of the loads, on the stretch they leave, and the step that its states need."""
+
+    low: float
+    high: float
+    stretch: "FreeStretch"
+    step: float
+
+
+def _parts(motion, output, window, count):
+    """The EvenSpans of a window at whose beginnings fast states have died out."""
+    low, high, stretch = window
+    weights, rates = motion.swings(output, stretch, count)
+    order = np.argsort(-np.abs(rates))
+    slowest = max([1 / (high - low), *(abs(stroke.exponent) for stroke in stretch.strokes)])
+    begins, speeds = np.array(paces(rates[order], np.abs(weights[order]))).T
+    edges = np.clip([*(stretch.start + begins), np.inf], low, high)
+    return [EvenSpan(begin, end, stretch, TURN / max(speed, slowest))
+            for begin, end, speed in zip(edges[:-1].tolist(), edges[1:].tolist(), speeds, strict=True) if begin < end]
+
+
+def _on_part(motion, output, part, count):
     """(cells, values at their ends, rest): by so many modes, rest being what the others can add; None where modes decay
     too differently."""
-    low, high, stretch = window
+    low, high, stretch, step = part
     places = max(3, int(np.ceil((high - low) / step)) + 1)
     weights, rates = motion.swings(output, stretch, count)
+    weights, sizes = weights * np.exp(rates * (low - stretch.start)), np.abs(weights)
+    felt = np.abs(weights) > FELT * sizes.sum()
     tau = (high - low) / (places - 1) * np.arange(places)
-    swung = _swung(weights * np.exp(rates * (low - stretch.start)), rates, tau)
+    swung = _swung(weights[felt], rates[felt], tau)
     if swung is None:
         return None
     values = swung + motion.without_swings(output, stretch, low + tau)
@@ -70,15 +97,17 @@ def _on_window(motion, output, window, step, count):
 def _swung(weights, rates, tau):
     """Re Σ c e^{λτ} on a grid, as e^{λτ} = e^{(σ + iω)τ} Σ ((Re λ − σ)τ)ᵏ/k!, σ being the slowest decay."""
     sizes, slowest = np.abs(weights), float(rates.real.max(initial=-np.inf))
-    found, shares = np.zeros(len(tau)), np.ones(len(tau))
-    sums = SumsOnGrid(rates.imag, tau[1], len(tau))
-    for k in range(MIXED):
+    apart, left, terms = (slowest - rates.real) * tau[-1], sizes, 0
+    while left.sum() > ALIKE * sizes.sum():
+        terms += 1
+        if terms > MIXED:
+            return sum_of_exponentials(weights, rates, tau) if len(tau) * len(rates) <= PRODUCTS else None
+        left = left * apart / terms
+    found, shares, sums = np.zeros(len(tau)), np.ones(len(tau)), SumsOnGrid(rates.imag, tau[1], len(tau))
+    for k in range(terms):
         found += shares * sums.of(weights)
-        weights = weights * (rates.real - slowest)
-        shares = shares * tau / (k + 1)
-        if np.abs(weights).sum() * shares[-1] <= ALIKE * sizes.sum():
-            return found * np.exp(slowest * tau)
-    return None
+        weights, shares = weights * (rates.real - slowest), shares * tau / (k + 1)
+    return found * np.exp(slowest * tau)
 
 
 def _left(found, sense):

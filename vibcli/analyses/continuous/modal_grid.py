@@ -46,13 +46,13 @@ def _steps(motion, output, start, end, count):
     for stretch in motion.stretches(end):
         loads = max((abs(stroke.exponent) for stroke in stretch.strokes), default=0.0)
         slowest = max(loads, TURN / widest)
-        for tau, pace in _paces(states.rates[order], weights * np.abs(stretch.free[order])):
+        for tau, pace in paces(states.rates[order], weights * np.abs(stretch.free[order])):
             found.append((stretch.start + tau, TURN / max(pace, slowest)))
     edges, steps = np.array(found).T
     return edges, np.minimum(steps, widest)
 
 
-def _paces(rates, sizes):
+def paces(rates: np.ndarray, sizes: np.ndarray) -> list[tuple[float, float]]:
     """(τ, |λ| of the fastest state that is felt from there on) of states in order, the fastest first."""
     speed, floor = np.abs(rates), FELT * sizes.sum()
     with np.errstate(divide="ignore", invalid="ignore"):

@@ -16,6 +16,7 @@ from vibcli.analyses.continuous.modal_states import FreeStretch, Stroke, followe
 from vibcli.analyses.continuous.remainder import remainder
 from vibcli.analyses.continuous.rest_of_transfer import RestOfTransfer
 from vibcli.base.work import Work
+from vibcli.numerics.sums_of_exponentials import sum_of_exponentials
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.complex_modes import ComplexModes
@@ -29,7 +30,6 @@ if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
 EPSILON = 2.0**-52
-AT_ONCE = 2_000_000             # exponentials at a time
 KEPT = 8                        # strokes whose parts are remembered
 FIRST = 8                       # stretches on which it is looked how large an output becomes
 OCTAVE = 64.0                   # times what is left out, an octave of amplitudes that fall as ω⁻³ at the most shows
@@ -89,11 +89,12 @@ class ModalMotion:
     def values(self, output: "LinearOutput", times: Any, order: int = 0, modes: int | None = None) -> np.ndarray:
         """The order-th rate of the output at instants, just after what jumps there; modes: of so many alone."""
         times = np.asarray(times, float)
-        t, found = times.ravel(), np.full(times.size, output.constant if not order else 0.0)
+        t, back = np.unique(times, return_inverse=True)
+        found = np.full(len(t), output.constant if not order else 0.0)
         read = Read(self, output, order)
         for stretch, _, at in self._placed(t):
             found[at] += self._on(read, stretch, t[at] - stretch.start, modes)
-        return (found + self._direct(output, t, order)).reshape(times.shape)
+        return (found + self._direct(output, t, order))[back.reshape(times.shape)]
 
     def _placed(self, t):
         stretches = self.stretches(float(t.max(initial=0.0)))
@@ -102,13 +103,8 @@ class ModalMotion:
             yield stretches[max(number, 0)], max(number, 0), which == number
 
     def _on(self, read, stretch, tau, modes):
-        """Without constants and channels, on one stretch."""
-        weights, rates = self._swings(read, stretch, modes)
-        found = np.zeros(len(tau))
-        step = max(1, AT_ONCE // max(1, len(rates)))
-        for i in range(0, len(tau), step):
-            found[i:i + step] = np.real(np.exp(np.outer(tau[i:i + step], rates)) @ weights)
-        return found + self._carried(read, stretch, tau)
+        """Without constants and channels, at instants in order on one stretch."""
+        return sum_of_exponentials(*self._swings(read, stretch, modes), tau) + self._carried(read, stretch, tau)
 
     def _swings(self, read, stretch, modes):
         weights, states = read.states * stretch.free, self.states

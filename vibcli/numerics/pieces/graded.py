@@ -43,24 +43,28 @@ def graded_stiffness(piece: "Piece", kappa: np.ndarray, numbers: "Arithmetic") -
     parted = np.array([real and depth_of(piece, x, numbers) + depth_of(mirrored(piece), x, numbers) < piece.length
                        for x in kappa], bool)
     found = [np.zeros((len(kappa), piece.order, piece.order), kappa.dtype) for _ in range(2)]
-    for i in np.flatnonzero(parted):
-        for values, one in zip(found, _of_parted_ends(piece, kappa[i:i + 1], numbers), strict=True):
-            values[i] = one
-    if not parted.all():
-        for values, others in zip(found, _of_joined_ends(piece, kappa[~parted], numbers), strict=True):
-            values[~parted] = others
+    for chosen, of in ((parted, _of_parted_ends), (~parted, _of_joined_ends)):
+        if chosen.any():
+            for values, some in zip(found, of(piece, kappa[chosen], numbers), strict=True):
+                values[chosen] = some
     return found[0], found[1]
 
 
 def _of_parted_ends(piece, kappa, numbers):
-    """(d, ∂d/∂κ), (m, m), at one κ at which no end feels the other: each that of the layer next to it."""
+    """(d, ∂d/∂κ), (κ, m, m), at κ at which no end feels the other: each that of the layer next to it, as deep as the
+    least of like κ needs."""
     half = piece.order // 2
-    found = np.zeros((2, piece.order, piece.order), kappa.dtype)
+    found = np.zeros((2, len(kappa), piece.order, piece.order), kappa.dtype)
     signs = numbers.array([1, -1][:half])       # slopes turn round in the mirror
     for own, seen, turned in ((slice(0, half), piece, signs * signs), (slice(half, None), mirrored(piece), signs)):
-        layer = seen._replace(length=depth_of(seen, kappa[0], numbers))
-        for values, one in zip(found, graded_stiffness(layer, kappa, numbers), strict=True):
-            values[own, own] = one[0, :half, :half] * turned[:, None] * turned
+        left = np.argsort(kappa)
+        while len(left):
+            layer = seen._replace(length=depth_of(seen, kappa[left[0]], numbers))
+            along = mirrored(layer) if piece.order == 2 and layer.gradient < 0 else layer
+            run = left[next(_runs(along, kappa[left]))]
+            for values, some in zip(found, graded_stiffness(layer, kappa[run], numbers), strict=True):
+                values[run, own, own] = some[:, :half, :half] * turned[:, None] * turned
+            left = left[len(run):]
     return found
 
 

@@ -142,3 +142,15 @@ def test_many_places_of_a_few_shapes_need_no_more_trees_than_one(piece, monkeypa
     assert many[200] == pytest.approx(fields(piece, kappa, ends, np.array([[1.5]]))[0], rel=1e-13)
     monkeypatch.setattr(module, "HELD", 500)        # fewer places at once
     assert fields(piece, kappa, ends, places) == pytest.approx(many[:-1], rel=1e-10, abs=1e-10 * abs(many).max())
+
+
+@pytest.mark.parametrize("piece", [Piece(1.0, 0.0, 500.0, 49.0, 5.0, 0.0, 0.0),
+                                   Piece(1.0, 0.0, 549.0, -49.0, 5.0, 0.0, 0.0),
+                                   Piece(1.0, 3.0, 10.0, 5.0, 5.0, 0.0, 0.0)], ids=["hung", "upside down", "beam"])
+def test_ends_that_do_not_feel_each_other_at_many_values_at_once(piece):
+    """As at one at a time, in any order."""
+    kappa = np.geomspace(1e14, 1e2, 25)
+    for many, *ones in zip(stiffness_and_slope(piece, kappa), *(
+                           stiffness_and_slope(piece, kappa[i:i + 1]) for i in range(25)), strict=True):
+        size = np.sqrt(np.abs(np.diagonal(many, axis1=1, axis2=2)))
+        assert (np.abs(many - np.concatenate(ones)) <= 1e-13 * size[:, :, None] * size[:, None, :]).all()
