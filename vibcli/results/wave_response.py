@@ -77,14 +77,14 @@ class WaveResponse(ResponseOfMembers):
         """A signal of its own as it is found at an instant: by modes where the fronts up to then are too many."""
         from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
 
-        if self._by_modes is None or not signal.source:
+        if self._by_modes is None:
             return signal
         try:
             self.reach(t)
         except NotByWaves:
             if self._modes.KIND == "steady":
                 raise
-            return self._modes.signal(signal.source[1]).read_at(t)
+            return self._modes.signal(signal.asked[1]).read_at(t)
         return signal
 
     @cached_property
@@ -105,7 +105,7 @@ class WaveResponse(ResponseOfMembers):
     def _linear(self, constant, terms, source=()):
         from vibcli.results.wave_signals import WaveSignal
 
-        return WaveSignal(*self._driven(constant, terms), source)
+        return WaveSignal(*self._driven(constant, terms), self._of_its_own(source))
 
     def _composed(self, node, parts, source=()):
         from vibcli.results.wave_signals import ComposedOfWaves
@@ -113,4 +113,8 @@ class WaveResponse(ResponseOfMembers):
         if self._closing(node) is not None:
             raise PhysicsError("signals of loops that close are not found where waves travel", "ask for coordinates")
         signals = {symbol.name: self._one(part) for symbol, part in parts.items()}
-        return ComposedOfWaves(node, signals, self.values, self.problem.scene.time, None, self.problem.work, source)
+        return ComposedOfWaves(node, signals, self.values, self.problem.scene.time, None, self.problem.work,
+                               asked=self._of_its_own(source))
+
+    def _of_its_own(self, source):
+        return source if source and source[0] is self else ()

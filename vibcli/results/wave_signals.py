@@ -76,7 +76,7 @@ def _zeros(signal, start: float, end: float) -> list[float]:
 
 
 def _read_at(signal, t: float) -> Signal:
-    return signal.source[0].best_at(signal, t) if signal.source else signal
+    return signal.asked[0].best_at(signal, t) if signal.asked else signal
 
 
 def _leaps(signal, end: float) -> list[tuple[float, float, float]]:
@@ -95,13 +95,13 @@ def _leaps(signal, end: float) -> list[tuple[float, float, float]]:
 
 
 class WaveSignal(Signal):
-    """A linear output of a WaveMotion."""
+    """A linear output of a WaveMotion; asked: (the WaveResponse, what was asked of it), empty of a part of a signal."""
 
     KIND = "a motion that is followed by travelling waves"
     read_at, sampled, before, leaps, extreme, zeros = _read_at, _sampled, _before, _leaps, _extreme, _zeros
 
-    def __init__(self, waves: "WaveMotion", output: "LinearOutput", source: tuple = ()):
-        self.waves, self.reads, self.work, self.source = waves, output, waves.work, source
+    def __init__(self, waves: "WaveMotion", output: "LinearOutput", asked: tuple = ()):
+        self.waves, self.reads, self.work, self.asked = waves, output, waves.work, asked
 
     def values(self, times: "np.ndarray", order: int = 0) -> "np.ndarray":
         return self.waves.values(self.reads, times, order)
@@ -154,6 +154,10 @@ class ComposedOfWaves(ComposedSignal):
     KIND = "a signal composed of others that waves bring"
     signals: Any
     read_at, sampled, before, leaps, extreme, zeros = _read_at, _sampled, _before, _leaps, _extreme, _zeros
+
+    def __init__(self, *composed: Any, asked: tuple = ()):
+        super().__init__(*composed)
+        self.asked = asked
 
     def fronts(self, end: float) -> "np.ndarray":
         import numpy as np

@@ -14,7 +14,7 @@ MODAL = {"linear_system", "modes", "damped"}
 TAKEN = {       # of a driven damped mass, in numbers
     "solve": ALWAYS | MODAL, "equations": ALWAYS | {"linear_system", "energies", "equations"},
     "solve --insight": ALWAYS | MODAL | {"shares", "sensitivities", "estimates"},
-    "solve --steps": ALWAYS,
+    "solve --steps": ALWAYS | {"linear_system", "modes"},     # what answers ask of the motion ends it
     "frequencies": ALWAYS | MODAL | {"closed_forms"}, "frequencies --digits 30": ALWAYS | MODAL | {"closed_forms"},
     "response": ALWAYS | MODAL, "frf": ALWAYS | {"linear_system"}, "check": set()}
 

@@ -138,7 +138,7 @@ def roots(found: "FrequencyEquation", count: int) -> list[float] | None:
     told, at = [0.0] * unstrained(found), STEP
     while len(told) < count and at < (count + 2) * pi:
         here, there = residual(at), residual(at + STEP)
-        if here * there < 0:
-            told.append(bracketed(residual, at, here, at + STEP, there))
+        if here * there < 0 and (root := bracketed(residual, at, here, at + STEP, there)) is not None:    # no pole
+            told.append(root)
         at += STEP
     return told

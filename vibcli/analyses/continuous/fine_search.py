@@ -96,7 +96,7 @@ def _on_part(motion, output, part, count):
 
 def _swung(weights, rates, tau):
     """Re Σ c e^{λτ} on a grid, as e^{λτ} = e^{(σ + iω)τ} Σ ((Re λ − σ)τ)ᵏ/k!, σ being the slowest decay."""
-    sizes, slowest = np.abs(weights), float(rates.real.max(initial=-np.inf))
+    sizes, slowest = np.abs(weights), float(rates.real.max()) if len(rates) else 0.0
     apart, left, terms = (slowest - rates.real) * tau[-1], sizes, 0
     while left.sum() > ALIKE * sizes.sum():
         terms += 1

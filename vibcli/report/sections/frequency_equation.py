@@ -154,8 +154,8 @@ def _roots(problem, found):
     from vibcli.analyses.closed_form.member_shapes import roots
 
     values = roots(found, PRINTED)
-    if not values or None in values or problem.numeric.has_free_symbols:
-        return None if values and None in values else values
+    if not values or problem.numeric.has_free_symbols:
+        return values
     squares = [evaluate([found.square], Floats, {**problem.numeric.floats, found.wave_number.name: value})[0]
                for value in values]
     known = [float(mode.omega) ** 2 for mode in problem.modal.modes.up_to(squares[-1] ** 0.5 * (1 + CLOSE))
