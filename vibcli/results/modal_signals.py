@@ -32,6 +32,10 @@ class ModalSignal(Signal):
             return found
         return ModalSignal(self._finest(self.modal, self.reads, t), self.reads)
 
+    @property
+    def coarse(self) -> Signal:
+        return ModalSignal(self.modal, self.reads, self.asked)
+
     def values(self, times: "np.ndarray", order: int = 0) -> "np.ndarray":
         self.require_bound(float(max(times, default=0.0)) if hasattr(times, "__len__") else float(times), order)
         return self.modal.values(self.reads, times, order)

@@ -36,6 +36,7 @@ class RepeatingSignal(Signal):
     def __init__(self, signal: Signal, period: float, start: float, left: float, aside: float = 0.0):
         self.signal, self.start, self.left, self.aside = signal, start, left, aside
         self.period: Any = period
+        self._tops: dict[tuple[float, float], tuple[float, float]] = {}     # as told, and as the signal has them
 
     def _late(self, times):
         late = np.asarray(times, float) % self.period + self.start
@@ -52,15 +53,17 @@ class RepeatingSignal(Signal):
     def extreme(self, start: float, end: float, sense: int) -> tuple[float, float]:
         """(instant, value) of the largest (sense 1) or smallest (−1) value within a period."""
         end = min(end, start + self.period)
-        t, value = self.signal.extreme(start + self.start, end + self.start, sense)
-        return t - self.start, value - self.aside
+        late = self.signal.extreme(start + self.start, end + self.start, sense)
+        top = late[0] - self.start, late[1] - self.aside
+        self._tops[top] = late
+        return top
 
     def error(self, t: float) -> float:
         return self.signal.error(float(self._late(t))) + self.left
 
     def error_of_extreme(self, start: float, end: float, top: tuple[float, float], sense: int) -> float:
         end = min(end, start + self.period)
-        late = top[0] + self.start, top[1] + self.aside
+        late = self._tops.get(top, (top[0] + self.start, top[1] + self.aside))
         return self.signal.error_of_extreme(start + self.start, end + self.start, late, sense) + self.left
 
     def error_of_time(self, t: float) -> float:
@@ -123,7 +126,8 @@ def repeating(response: "SteadyResponse", tree: Any) -> RepeatingSignal:
                     signal.error(late * period + float(times[-1])))
         if apart <= known:
             aside, error = _aside(response, tree, signal, late * period)
-            return RepeatingSignal(signal, period, late * period, apart / ahead + error, aside)
+            looked = signal.coarse if error else signal     # as no mean is known better than values at instants are
+            return RepeatingSignal(looked, period, late * period, apart / ahead + error, aside)
         count *= 2
     raise PhysicsError(f"free vibrations of these members have not died out after {count // 2} periods of this load",
                        f"damp them more, or {HARMONICS}")

@@ -92,6 +92,11 @@ class Signal:
             self._extremes[asked] = extreme_of_signal(self, *asked)
         return self._extremes[asked]
 
+    @property
+    def coarse(self) -> "Signal":
+        """The same, whose extremes are looked at no more closely than values at instants."""
+        return self
+
     def precise_zero(self, near: float, digits: int) -> "mpmath.mpf":
         """The instant of the zero near an instant in floats, correct to so many digits."""
         from vibcli.results.precise_instants import zero_to

@@ -8,6 +8,8 @@ from support.scenes import problem
 import vibcli
 from vibcli.base.errors import PhysicsError
 from vibcli.check.verdicts import check
+from vibcli.results.repeating_signal import RepeatingSignal
+from vibcli.results.signal import Signal
 
 BAR = """
     parameters: {{L: 1 m, EA: 2e6 N, mu: 2 kg/m, F0: 100 N, Om: 2000 rad/s}}
@@ -93,6 +95,46 @@ def test_what_nothing_holds_swings_about_its_mean():
     assert value == pytest.approx(phi(0.3), rel=1e-6) and all(found.error < 1e-9 for found in known.values())
     assert bottom == pytest.approx(-top, abs=1e-9) and top >= max(map(phi, np.linspace(0, np.pi / 2, 50)))
     assert model["mean(steady(line.phi(0 m)))"].value == 0
+
+
+@pytest.mark.sweep
+def test_a_damper_within_what_nothing_holds():
+    """A free shaft with a damper at d, by modes: Y = Z tanh(s(L − d)/c₀) + c is thrown back to the couple at its start,
+    H(s) = (Z + Y tanh(sd/c₀))/(sZ (Y + Z tanh(sd/c₀))). The mean of modes is known no better than they are, so that
+    extremes are read of no more of them than instants."""
+    model = vibcli.loads("""
+        shafts: {line: {length: 1 m, GIo: 100 N*m^2, inertia_per_length: 0.5 kg*m, attached: [{at: 0.4 m, c: 3 N*m*s}]}}
+        points: {end: {body: line, at: 0 m}}
+        forces: {T: {at: end, moment: 5 N*m*square(4 rad/s*t)}}
+    """)
+    s, Z = 4j * np.arange(1, 40_001, 2), np.sqrt(50.0)
+    inner, outer = (np.tanh(s * length * np.sqrt(0.5 / 100)) for length in (0.4, 0.6))
+    Y = Z * outer + 3
+    H = (Z + Y * inner) / (s * Z * (Y + Z * inner)) * 5 * 16 / (np.pi * s)
+
+    def phi(t):
+        return float(np.real(np.sum(H * np.exp(s * t))))
+
+    top, when, at = (model[asked] for asked in (
+        "max(steady(line.phi(0 m)))", "argmax(steady(line.phi(0 m)))", "steady(line.phi(0 m))(0.3 s)"))
+    assert abs(at.value - phi(0.3)) <= at.error < 1e-4 and abs(top.value - phi(when.value)) <= top.error < 1e-4
+    assert top.value + top.error >= max(map(phi, np.linspace(0, np.pi / 2, 400)))
+
+
+def test_errors_of_extremes_are_asked_for_as_the_signal_told_them():
+    """Within a period times round otherwise than late in the motion, where the signal knows its extremes."""
+    class Late(Signal):
+        told = 25.3 + 1e-15, 0.1
+
+        def extreme(self, start, end, sense):
+            return self.told
+
+        def error_of_extreme(self, start, end, top, sense):
+            return 1e-9 if top == self.told else 1.0
+
+    late = RepeatingSignal(Late(), 1.0, 25.0, 0.0, 0.7)
+    assert late.error_of_extreme(0.0, 1.0, late.extreme(0.0, 1.0, 1), 1) == 1e-9
+    assert (25.0 + (Late.told[0] - 25.0), (Late.told[1] - 0.7) + 0.7) != Late.told
 
 
 def test_what_never_dies_out_is_refused_by_name():

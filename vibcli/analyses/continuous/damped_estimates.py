@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from vibcli.mechanics.factored_system import PlacedPiece
 
 RAYS, TURNS = 60, 7     # estimates on each of so many rays from the negative real axis on
+WIDE = 1.5              # half turns of waves between roots beyond which one is looked for there,
+DECAYS = 0.05, 0.5, 0.95        # with decays of all roots: quantiles
 
 
 def estimates(matrix: "DynamicMatrix", rates: np.ndarray, radius: float, count: float, effort: int) -> np.ndarray:
@@ -41,6 +43,16 @@ def inner_estimates(pieces: "Sequence[PlacedPiece]", low: float, high: float) ->
         s = (np.sqrt(one.drag**2 - 4 * one.inertia * stiff + 0j) - one.drag) / (2 * one.inertia)
         found.append(s[(abs(s) > 0.8 * low) & (abs(s) < high)])
     return np.concatenate(found)
+
+
+def between(pieces: "Sequence[PlacedPiece]", roots: np.ndarray) -> np.ndarray:
+    """Points in the gaps of roots across which waves turn so far that one of them may have been missed."""
+    swinging = roots[roots.imag > 0]
+    line = np.sort(swinging.imag)
+    wide = np.flatnonzero(np.diff(half_turns(pieces, line)) > WIDE)
+    if not len(wide):
+        return np.zeros(0, complex)
+    return np.add.outer(np.quantile(swinging.real, DECAYS), 0.5j * (line[wide] + line[wide + 1])).ravel()
 
 
 def half_turns(pieces: "Sequence[PlacedPiece]", omega: Any) -> Any:

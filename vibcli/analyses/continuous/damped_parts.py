@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from vibcli.analyses.continuous.argument_count import zeros_within
-from vibcli.analyses.continuous.damped_estimates import estimates, half_turns, inner_estimates
+from vibcli.analyses.continuous.damped_estimates import between, estimates, half_turns, inner_estimates
 from vibcli.analyses.continuous.damped_roots import ALIKE, DampedRoot, Whole, approached, roots_at
 from vibcli.analyses.continuous.damped_series import RootsOfPart
 from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix, dynamic_matrix
@@ -114,7 +114,8 @@ class DampedPart(PartWithModes):
             starts = np.concatenate([starts, self._undamped(radius, top)])
         inner = inner_estimates(self.matrix.pieces, radius, max(abs(starts).max(initial=0.0), top))
         found = settled_from(divisions, starts, inner)
-        roots = distinct(np.concatenate([rates, found[abs(found) > radius * (1 - ALIKE * 0.01)]]))
+        roots = _beyond(rates, found, radius)
+        roots = _beyond(roots, settled_from(divisions, between(self.matrix.pieces, roots), inner[:0]), radius)
         values, errors, groups = polished(divisions, roots)
         return RootsOfPart(values, errors, [
             ShapesOf(self.numbered(one.pieces), one.numbers, self.placed(one.shapes), one.bends) for one in groups])
@@ -161,6 +162,11 @@ class StillPart(PartWithModes):
             groups.append(ShapesOf(self.numbered(modes[numbers[0]].motion.system.ordered), np.array(numbers),
                                    self.placed(shapes)))
         return RootsOfPart(1j * omega, np.array([float(mode.error) for mode in modes]), groups)
+
+
+def _beyond(rates, found, radius):
+    """Rates, and of those found what lies beyond a radius, none twice."""
+    return distinct(np.concatenate([rates, found[abs(found) > radius * (1 - ALIKE * 0.01)]]))
 
 
 def _shape(mode):

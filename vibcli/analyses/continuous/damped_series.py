@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 SURE = 1e-3             # relative bound of a root that is told
 EFFORTS = 1, 2, 4       # times as many estimates, in turn
+MANY = 4_096            # roots for which more than the first of these takes too long
 SECTIONS = 0.5, 0.31, 0.72      # of a gap between roots
 FAR, SWALLOWED = 1e8, 1e-6      # times a frequency; of a wave, what no longer comes back
 GAPS = 6                # between roots that are tried in turn for the circle
@@ -78,7 +79,7 @@ def damped_series(known: "Known | DampedSeries", count: int) -> DampedSeries:
     """About `count` of them; known: the first of them."""
     pieces = [placed for part in known.parts for placed in part.matrix.pieces]
     top = float(where_waves_turn(pieces, np.array([np.pi * count]))[0])
-    for effort in EFFORTS:
+    for effort in EFFORTS[:1] if count > MANY else EFFORTS:
         own = [part.series(rates, known.radius, top, effort)
                for part, rates in zip(known.parts, known.of_parts, strict=True)]
         values, errors, order = _merged(own)

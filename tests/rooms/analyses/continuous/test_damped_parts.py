@@ -88,3 +88,16 @@ def within(gap):
 def test_places_next_to_each_other_are_nearly_one():
     for a, b, c in zip(*map(within, ("0 m", "1e-5 m", "1e-3 m")), strict=True):
         assert b - a == pytest.approx((c - a) * 1e-2, rel=0.05, abs=1e-9 * abs(a))
+
+
+def test_what_is_missed_is_looked_for_in_gaps(monkeypatch):
+    """A free shaft with a damper at 2/5 of it: waves pass its parts in 2 and 3 fifths of a time L/c₀, so that its roots
+    repeat themselves, five by five, at Im λ + 5π c₀/L."""
+    scene = problem("shafts: {line: {length: 1 m, GIo: 100 N*m^2, inertia_per_length: 0.5 kg*m, "
+                    "attached: [{at: 0.4 m, c: 3 N*m*s}]}}\n")
+    monkeypatch.setattr("vibcli.analyses.continuous.damped_series.EFFORTS", (1,))
+    scene.modal.damped.first(12)
+    rates = damped_series(within_region(scene.modal.damped.region), 430).rates
+    rates = rates[np.argsort(rates.imag)]
+    again = 5 * np.pi * np.sqrt(200.0)
+    assert rates[5:].imag - rates[:-5].imag == pytest.approx(np.full(len(rates) - 5, again), rel=1e-11)
