@@ -5,6 +5,7 @@ import pytest
 from support.scenes import problem
 
 from vibcli.api.reports import report, solution
+from vibcli.base.errors import NotInLetters
 from vibcli.report.formats import text
 from vibcli.report.sections.design_parameters import condition_told
 
@@ -51,6 +52,20 @@ def test_a_spring_whose_force_is_a_power_of_its_stretch_has_its_rest_in_letters(
         find: [equilibrium]
     """)
     assert at in text.render([report(found, solution(found)).document()], None)
+
+
+@pytest.mark.parametrize("load", ["P - R", "Q"])
+def test_a_load_of_either_sign_leaves_the_side_of_rest_open(load):
+    """What holds for one sign of the load is false for the other."""
+    found = problem(f"""
+        parameters: {{c: {{unit: N/m^2}}, k: {{unit: N/m}}, P: {{unit: N, unused: allowed}},
+                      Q: {{unit: N, sign: any, unused: allowed}}, R: {{unit: N, unused: allowed}}}}
+        bodies: {{b: {{mass: 1 kg, slide: x}}}}
+        springs: {{s: {{law: c*d*abs(d) + k*d, between: [ground, b]}}}}
+        forces: {{f: {{at: b, force: {load}}}}}
+    """)
+    with pytest.raises(NotInLetters, match="not found in letters"):
+        found.symbolic.equilibrium_position  # noqa: B018
 
 
 def test_what_is_driven_alone_tells_what_answers_ask_at_instants():
