@@ -5,7 +5,7 @@ import math
 from pathlib import Path
 
 import pytest
-from support.scenes import kept_problem_of, problem
+from support.scenes import kept_problem_of, problem, value
 
 from vibcli.notation.plain import plain
 from vibcli.report.formats.formula import formula
@@ -62,6 +62,21 @@ def test_what_answers_ask_of_a_motion_is_told_side_by_side():
 def test_a_contact_force_that_is_asked_at_rest_is_told_there():
     told_ = told("4_free_damped/roller_with_a_dashpot_at_its_top.yaml")
     assert "by the balance at rest  roller.normal = m·g·cos α = 55.3103 N" in told_
+
+
+def test_a_load_that_changes_with_the_time_is_no_part_of_a_contact_force_at_rest():
+    """As in the number that the engine has."""
+    found = problem("""
+        parameters: {m: 8 kg, r: 0.2 m, k: 900 N/m, F: 30 N, G: 12 N, W: 7 rad/s, g: 9.81 m/s^2}
+        gravity: g
+        surfaces: {floor: {line: [[-1 m, 0], [1 m, 0]]}}
+        bodies: {roller: {shape: disc, mass: m, radius: r, at: [0, r], roll: {surface: floor, travel: x}}}
+        springs: {s: {k: k, between: [roller, [-1 m, r]]}}
+        forces: {f: {at: roller, force: [0, -F*cos(W*t) - G]}}
+        answers: {"equilibrium[roller.normal]": m*g + G}
+    """)
+    line, = (one for one in worked(found) if one.settles == "roller.normal")
+    assert plain(line.node) == "m·g + G" and line.value == pytest.approx(value(found, "equilibrium[roller.normal]"))
 
 
 def test_places_in_closed_loops_count_from_rest():
