@@ -200,7 +200,7 @@ def _rests_at_a_jump(problem, error):
 
 def _without_slope(problem, refusal, sections):
     """Is there no slope, for friction or a kink, or no inertia, where nothing that needs them is asked by name?"""
-    if _is_prescribed(problem):
+    if sections is PRESCRIBED:
         return True
     if not isinstance(refusal, (Kinked, Inertless, NoEquilibrium)) and problem.system.sticking is None:
         return False

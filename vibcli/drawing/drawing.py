@@ -115,11 +115,12 @@ def _lengths(stage, space):
     """Those that have room for their label, the shorter ones nearer to what they measure."""
     found, wanted = [], [*dimension.lengths(stage.sketch), *_lengths_of_members(stage)]
     for length in sorted(wanted, key=lambda length: round(plane.distance(length.one, length.two))):
-        drawn = dimension.draw(length, space)
-        if drawn is not None:
-            space.add(drawn[0])
-            label = space.put(drawn[1], drawn[2], "measure", most=dimension.ROOM)
-            found += [*drawn[0], label] if label is not None else []
+        for parts, runs, places in dimension.ways(length, space):
+            space.add(parts)
+            label = space.put(runs, places, "measure", most=dimension.ROOM)
+            if label is not None:
+                found += [*parts, label]
+                break
     return found
 
 

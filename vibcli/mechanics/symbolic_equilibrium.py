@@ -136,17 +136,17 @@ def _step(conditions, unknowns, tried):
 
 def _chosen(candidates, q, tried):
     """(Solution, those tried that reach it): the first that enough of them reach, one with letters if possible; one
-    without only where all reach it."""
+    without, and one for one sign of the unknown, only where all reach it."""
     reached, count = [[] for _ in candidates], 0
     for modal in tried if candidates else ():
         count += 1
         for solution, those in zip(candidates, reached, strict=True):
             if _reached(modal, q, solution):
                 those.append(modal)
-                if len(those) == ENOUGH and _has_letters(solution.value):
+                if len(those) == ENOUGH and _has_letters(solution.value) and not (solution.one_sided and tried.free):
                     return solution, those
-    ranked = [pair for pair in zip(candidates, reached, strict=True)
-              if len(pair[1]) >= (LEAST if _has_letters(pair[0].value) else max(count, LEAST))]
+    ranked = [(one, those) for one, those in zip(candidates, reached, strict=True) if len(those) >= (
+        LEAST if _has_letters(one.value) and not one.one_sided else max(count, LEAST))]
     return max(ranked, key=lambda pair: (_has_letters(pair[0].value), len(pair[1])), default=None)
 
 

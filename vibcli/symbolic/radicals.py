@@ -62,11 +62,13 @@ def without_bars(node: "Node", samples: "Sequence[Mapping[str, float]]") -> "Nod
 
 
 def positive(base: "Node", samples: "Sequence[Mapping[str, float]]") -> "Node":
-    """±base, or |base| where its sign is not the same at all samples, nor at all angles that letters of it may be."""
+    """±base, or |base| where its sign is not the same at all samples, at all angles that letters of it may be, and for
+    negative letters of any sign."""
     table = base.table
     if table.is_positive(base):
         return base
-    values = [evaluate([base], Floats, sample)[0] for sample in (*samples, *_at_other_angles(base, samples))]
+    more = *_at_other_angles(base, samples), *_with_other_signs(base, samples)
+    values = [evaluate([base], Floats, sample)[0] for sample in (*samples, *more)]
     if values and all(value > 0 for value in values):
         return base
     return -base if values and all(value < 0 for value in values) else table.call("abs", base)
@@ -77,5 +79,16 @@ def _at_other_angles(base, samples):
     drawn at any of them."""
     waves = [part for part in reachable([base]) if part.op == "call" and part.name in CIRCULAR]
     names = {part.name for wave in waves for part in reachable([wave]) if part.op == "symbol"}
-    free = [name for name in names if len({sample.get(name) for sample in samples}) > 1]
+    free = _free(names, samples)
     return [{**samples[0], **dict.fromkeys(free, angle)} for angle in ANGLES] if free else []
+
+
+def _with_other_signs(base, samples):
+    """The samples with each of its free letters that may be negative turned."""
+    unsigned = {part.name for part in reachable([base]) if part.op == "symbol" and not base.table.is_positive(part)}
+    return [{**sample, name: -sample[name]} for name in _free(unsigned, samples) for sample in samples]
+
+
+def _free(names, samples):
+    """Those that are not the same at all samples: letters without a value."""
+    return [name for name in names if len({sample.get(name) for sample in samples}) > 1]

@@ -213,6 +213,17 @@ def test_the_name_of_a_disc_stands_at_it_beside_a_rod_that_hangs_before_it():
     assert touching(drawn) == [] and name.box[1] > min(y for _, y in track.points)
 
 
+@pytest.mark.parametrize(("path", "lengths"), [
+    ("problems/4_free_damped/lever_on_shaking_floor.yaml", ["L", "b", "d"]),
+    ("problems/1_statics_and_energy/planet_gear_with_arm.yaml", ["r"]),
+    ("problems/6_two_degrees/epicyclic_gear_with_sprung_ring.yaml", ["R", "rp", "rs"]),
+    ("vibcli/examples/beams.yaml", ["3L1/2", "H", "L", "L1", "L1/2"])])
+def test_lengths_that_find_no_room_stand_further_off_and_radii_at_another_angle(path, lengths):
+    drawn = draw(kept_problem_of(ROOT / path))
+    told = [_text(part) for part in drawn if isinstance(part, LetterRuns) and part.role == "measure"]
+    assert sorted(told) == lengths and touching(drawn) == measured(drawn) == crossed(drawn) == []
+
+
 def test_no_line_crosses_another_between_two_cells():
     one = Polyline(((0.3, 0.2), (40.1, 39.7)), "spring")
     space = Space([one])

@@ -324,3 +324,25 @@ def test_forces_at_rest_in_letters_have_lengths_as_drawn_and_no_common_factors()
     values = kept_problem_of(path).symbolic.reactions.values
     assert plain(values["tie.force"]) == "b·g·(2·m₁ + 2·m₂ + 3·M)/(8·(h − e))"
     assert plain(values["left.reaction.y"]) == "g·(6·m₁ + 2·m₂ + 5·M)/8"
+
+
+def test_lengths_at_rest_have_no_sign_that_letters_leave_open():
+    """Of a rope whose length is |2b(1 − e/h)| for either sign of b, and for e on both sides of h; letters that come in
+    this order have samples of which the first are all alike."""
+    letters = "F: , h: , b: {sign: any}, " + "".join(f"{name}: {{unused: allowed}}, " for name in "uvw") + "e: "
+    text = f"""
+        parameters: {{{letters}}}
+        points:
+          A: [-b, 0]
+          left: {{body: one, at: [-b*(1 - e/h), e]}}
+          right: {{body: two, at: [b*(1 - e/h), e]}}
+        bodies:
+          one: {{shape: rod, mass: 1, from: A, to: [0, h], pin: {{at: A, by: phi}}}}
+          two: {{shape: rod, mass: 1, from: [b, 0], to: [0, h], pin: {{at: [b, 0], by: psi}}}}
+        constraints: {{even: psi = -phi, tie: {{rope: [left, right]}}}}
+        forces: {{push: {{at: left, force: [-F, 0]}}}}
+    """
+    node = problem(text).symbolic.reactions.values["tie.force"]
+    for b, e, h in ((0.7, 1.0, 2.0), (0.7, 2.0, 1.0), (-0.7, 1.0, 2.0)):
+        found = evaluate([node], Floats, {"b": b, "e": e, "h": h, "F": 3.0})[0]
+        assert found == pytest.approx(1.5 * (1 if b * (1 - e / h) > 0 else -1))

@@ -5,6 +5,7 @@ import pytest
 from support.scenes import problem
 
 from vibcli.api.reports import report, solution
+from vibcli.base.errors import NotInLetters
 from vibcli.report.formats import text
 from vibcli.report.sections.design_parameters import condition_told
 
@@ -53,12 +54,38 @@ def test_a_spring_whose_force_is_a_power_of_its_stretch_has_its_rest_in_letters(
     assert at in text.render([report(found, solution(found)).document()], None)
 
 
+@pytest.mark.parametrize("load", ["P - R", "Q"])
+def test_a_load_of_either_sign_leaves_the_side_of_rest_open(load):
+    """What holds for one sign of the load is false for the other."""
+    found = problem(f"""
+        parameters: {{c: {{unit: N/m^2}}, k: {{unit: N/m}}, P: {{unit: N, unused: allowed}},
+                      Q: {{unit: N, sign: any, unused: allowed}}, R: {{unit: N, unused: allowed}}}}
+        bodies: {{b: {{mass: 1 kg, slide: x}}}}
+        springs: {{s: {{law: c*d*abs(d) + k*d, between: [ground, b]}}}}
+        forces: {{f: {{at: b, force: {load}}}}}
+    """)
+    with pytest.raises(NotInLetters, match="not found in letters"):
+        found.symbolic.equilibrium_position  # noqa: B018
+
+
 def test_what_is_driven_alone_tells_what_answers_ask_at_instants():
+    """Beside what has no value."""
     found = problem("""
         parameters: {r: 60 mm, m: 2 kg, Omega: 30 rad/s, t1: 0.05 s}
         bodies: {b: {mass: m, at: [0, 0], slide: r*cos(Omega*t)}}
-        answers: {"b.x(t1)": 0.004244 m, "T(t1)": 3.2238 J}
+        answers: {"b.x(t1)": 0.004244 m, "T(t1)": 3.2238 J, "max(steady(b.x))": 0.06 m}
     """)
     made = report(found, solution(found))
     told = text.render([made.document()], None)
     assert made.refusal is None and "b.x(t₁) = 0.00424423 m" in told and "T(t₁) = 3.22379" in told
+
+
+@pytest.mark.parametrize("asked", ["frequencies", "equilibrium"])
+def test_what_is_driven_alone_has_nothing_of_what_is_asked_by_name(asked):
+    found = problem(f"""
+        parameters: {{r: 60 mm, m: 2 kg, Omega: 30 rad/s}}
+        bodies: {{b: {{mass: m, at: [0, 0], slide: r*cos(Omega*t)}}}}
+        find: [{asked}]
+        answers: {{"b.x(0.05 s)": 0.004244 m}}
+    """)
+    assert "nothing moves freely" in report(found, solution(found)).refusal.message

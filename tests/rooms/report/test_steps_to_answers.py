@@ -5,7 +5,7 @@ import math
 from pathlib import Path
 
 import pytest
-from support.scenes import kept_problem_of, problem
+from support.scenes import kept_problem_of, problem, value
 
 from vibcli.notation.plain import plain
 from vibcli.report.formats.formula import formula
@@ -19,15 +19,15 @@ def told(name):
     return [formula(line.parts, plain).replace("\u00a0", " ") for line in worked(kept_problem_of(PROBLEMS / name))]
 
 
-@pytest.mark.parametrize(("load", "late", "x0", "v0"), [
-    ("sin", 0, 0.0, 0.0), ("cos", 0, 0.0, 0.0), ("sin", 0, 0.02, 0.3), ("sin", 0.7, 0.02, 0.3)])
-def test_the_motion_at_resonance_fulfils_its_equation_and_its_start(load, late, x0, v0):
+@pytest.mark.parametrize(("load", "late", "x0", "v0", "mean"), [
+    ("sin", 0, 0.0, 0.0, 0), ("cos", 0, 0.0, 0.0, 0), ("sin", 0, 0.02, 0.3, 0), ("sin", 0.7, 0.02, 0.3, 2)])
+def test_the_motion_at_resonance_fulfils_its_equation_and_its_start(load, late, x0, v0, mean):
     start = f"initial: {{x: {x0} m, x': {v0} m/s}}" if x0 else ""
     found = problem(f"""
         parameters: {{m: 2 kg, k: 800 N/m, F: 5 N, w: sqrt(k/m), t1: 0.3 s}}
         bodies: {{b: {{mass: m, slide: x}}}}
         springs: {{s: {{k: k, between: [ground, b]}}}}
-        forces: {{f: {{at: b, force: F*{load}(w*t + {late})}}}}
+        forces: {{f: {{at: b, force: F*({mean} + {load}(w*t + {late}))}}}}
         answers: {{x(t1): 0 m}}
         {start}
     """)
@@ -40,7 +40,18 @@ def test_the_motion_at_resonance_fulfils_its_equation_and_its_start(load, late, 
     assert x(0.0) == pytest.approx(x0, abs=1e-15) and (x(h) - x(-h)) / (2 * h) == pytest.approx(v0, abs=1e-6)
     for t in (0.3, 1.7):
         bent = (x(t + h) - 2 * x(t) + x(t - h)) / h**2
-        assert 2 * bent + 800 * x(t) == pytest.approx(5 * getattr(math, load)(20 * t + late), abs=2e-3)
+        assert 2 * bent + 800 * x(t) == pytest.approx(5 * (mean + getattr(math, load)(20 * t + late)), abs=2e-3)
+
+
+def test_what_swings_beside_the_natural_frequency_is_at_no_resonance():
+    found = problem("""
+        parameters: {m: 2 kg, k: 800 N/m, F: 5 N, w: 20.0000005 rad/s, t1: 100 s}
+        bodies: {b: {mass: m, slide: x}}
+        springs: {s: {k: k, between: [ground, b]}}
+        forces: {f: {at: b, force: F*sin(w*t)}}
+        answers: {x(t1): 0 m}
+    """)
+    assert {"steady state", "motion from the start"} <= {line.settles for line in worked(found)}
 
 
 def test_what_answers_ask_of_a_motion_is_told_side_by_side():
@@ -51,6 +62,21 @@ def test_what_answers_ask_of_a_motion_is_told_side_by_side():
 def test_a_contact_force_that_is_asked_at_rest_is_told_there():
     told_ = told("4_free_damped/roller_with_a_dashpot_at_its_top.yaml")
     assert "by the balance at rest  roller.normal = m·g·cos α = 55.3103 N" in told_
+
+
+def test_a_load_that_changes_with_the_time_is_no_part_of_a_contact_force_at_rest():
+    """As in the number that the engine has."""
+    found = problem("""
+        parameters: {m: 8 kg, r: 0.2 m, k: 900 N/m, F: 30 N, G: 12 N, W: 7 rad/s, g: 9.81 m/s^2}
+        gravity: g
+        surfaces: {floor: {line: [[-1 m, 0], [1 m, 0]]}}
+        bodies: {roller: {shape: disc, mass: m, radius: r, at: [0, r], roll: {surface: floor, travel: x}}}
+        springs: {s: {k: k, between: [roller, [-1 m, r]]}}
+        forces: {f: {at: roller, force: [0, -F*cos(W*t) - G]}}
+        answers: {"equilibrium[roller.normal]": m*g + G}
+    """)
+    line, = (one for one in worked(found) if one.settles == "roller.normal")
+    assert plain(line.node) == "m·g + G" and line.value == pytest.approx(value(found, "equilibrium[roller.normal]"))
 
 
 def test_places_in_closed_loops_count_from_rest():

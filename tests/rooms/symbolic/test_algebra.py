@@ -361,6 +361,15 @@ def test_bars_of_what_has_one_sign_are_left_out():
     assert without_bars(node, [values]) is -b / u - u
 
 
+def test_roots_of_squares_of_letters_of_any_sign_keep_their_bars():
+    """Where these are positive at all samples, too; of those with a number it has its sign."""
+    table = Table()
+    a, b = table.parameter("a", False), table.parameter("b")
+    node = table.sqrt((a * b) ** 2)
+    assert without_bars(node, [{"a": 1.0, "b": 2.0}, {"a": 2.0, "b": 1.0}]) is table.call("abs", a * b)
+    assert without_bars(node, [{"a": -1.0, "b": 2.0}]) is -(a * b)
+
+
 @pytest.mark.parametrize(("text", "short"), [
     ("(x*R*m*g*(R + r)/2 + r^2*m*g/2*x - R^2*m*g/2*x)/(R + r)", "x*m*g*r/2"),
     ("k*x - g*(r^2*m + r^2*k - R^2*m - R^2*k)*x/(2*(R + r))", "k*x - g*(r*m + r*k - R*m - R*k)*x/2"),

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from vibcli.drawing.layout.compose import Scenery
     from vibcli.drawing.layout.sketch import Sketch
 
-BELOW, CLEAR, STACKED = 40.0, 60.0, 12.0    # points to the first row, below a member, for each length above the first
+BELOW, CLEAR, STACKED = 40.0, 60.0, 20.0    # points to the first row, below a member, for each length above the first
 
 
 def laid_out(sketch: "Sketch", left: float, top: float) -> tuple[list[Any], list[Any], list[Any], list[Any]]:

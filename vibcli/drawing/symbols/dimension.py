@@ -1,5 +1,6 @@
 """Dimension lines: given lengths that a body shows, where there is room for them."""
 
+from collections.abc import Iterator
 from math import pi
 from typing import TYPE_CHECKING, Any
 
@@ -15,18 +16,21 @@ if TYPE_CHECKING:
     from vibcli.drawing.layout.space import Space
 
 OFFSETS = (15.0, 23.0, 32.0, 42.0, 54.0, 68.0, 84.0)
+FAR = 102.0, 122.0      # of what has no room nearer
 SHORTEST, ROOM, BEYOND, CROWDED, LEG, STRUCK = 24.0, 5.0, 3.0, 4.0, 0.2, 0.4
 OWN = 8.0           # points from a place that are still on the body
 STUB, STEP = 2 * BEYOND, 2.0        # of what leads to a dimension line: its least length, by which it is shorter
 
 
 class Length(NamedTuple):
-    """A length between two places as drawn, and what it is called; `radial` from a centre to a rim."""
+    """A length between two places as drawn, and what it is called; `radial` from a centre to a rim, of which there are
+    other places in `rims`."""
 
     runs: tuple
     one: tuple
     two: tuple
     radial: bool = False
+    rims: tuple = ()
 
 
 def lengths(sketch: "Sketch") -> list[Length]:
@@ -79,34 +83,45 @@ def named_length(value: float, fields: Any, sketch: "Sketch") -> Any:
 
 
 def _radius(record, sketch):
-    """The radius of a disc or ring, at an angle of its own."""
+    """The radius of a disc or ring, at an angle of its own, or at others."""
     if "radius" not in record or record.get("shape") not in ("disc", "ring", "sector", "arch"):
         return
     runs, radius = captions.expression(record["radius"], sketch, 6), sketch.length(record["radius"])
     if runs is None or radius < SHORTEST:
         return
     centre = sketch.pair(record["at"])
-    angle = pi / 5
+    angles = [sense * pi / 5 for sense in (1, 4, -4, -1)]
     if record["shape"] in ("sector", "arch"):
-        axis = sketch.number(record["angle"]) if "angle" in record else 0.0
-        angle = axis + 0.6 * sketch.number(record["half_angle"])
-    yield Length(runs, centre, plane.polar(centre, radius, angle), True), lettering.letters(runs)
+        axis, half = sketch.number(record["angle"]) if "angle" in record else 0.0, sketch.number(record["half_angle"])
+        angles = [axis + share * half for share in (0.6, -0.6)]
+    rim, *rims = (plane.polar(centre, radius, angle) for angle in angles)
+    yield Length(runs, centre, rim, True, tuple(rims)), lettering.letters(runs)
 
 
-def draw(length: Length,
-         space: "Space") -> tuple[list[Polygon | Polyline], tuple[Run, ...], list[tuple[float, float]]] | None:
-    """(primitives, runs, places for them) where there is room; None where there is not."""
-    if length.radial:
-        start = plane.plus(length.one, plane.unit(plane.minus(length.two, length.one)), 4.0)
-        if space.path([start, plane.plus(length.two, plane.minus(start, length.two), 0.1)]) > 2 * CROWDED:
-            return None
-        parts = [part._replace(width=0.7) for part in arrow.straight(length.one, length.two, "measure", 0.7)]
-        return parts, length.runs, [plane.plus(plane.middle(length.one, length.two), plane.left(
-            plane.unit(plane.minus(length.two, length.one))), side) for side in (2.0, -2.0)]
+Drawn = tuple[list[Polygon | Polyline], tuple[Run, ...], list[tuple[float, float]]]
+
+
+def ways(length: Length, space: "Space") -> Iterator[Drawn]:
+    """(primitives, runs, places for them) of those for which there is room, the better first."""
+    tried = (_radial(length._replace(two=rim), space) for rim in (length.two, *length.rims)) if length.radial else (
+        _straight(length, space, offsets) for offsets in (OFFSETS, FAR))
+    return (drawn for drawn in tried if drawn is not None)
+
+
+def _radial(length, space):
+    start = plane.plus(length.one, plane.unit(plane.minus(length.two, length.one)), 4.0)
+    if space.path([start, plane.plus(length.two, plane.minus(start, length.two), 0.1)]) > 2 * CROWDED:
+        return None
+    parts = [part._replace(width=0.7) for part in arrow.straight(length.one, length.two, "measure", 0.7)]
+    return parts, length.runs, [plane.plus(plane.middle(length.one, length.two), plane.left(
+        plane.unit(plane.minus(length.two, length.one))), side) for side in (2.0, -2.0)]
+
+
+def _straight(length, space, offsets):
     e = plane.unit(plane.minus(length.two, length.one))
     n = plane.left(e)
     best = None
-    for offset in OFFSETS:
+    for offset in offsets:
         if best is not None and best[0] <= (False, 0.1 * offset):
             break
         for side in (-1, 1):

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.language.parameter_samples import sample_values
+from vibcli.language.parameter_samples import given_values
 from vibcli.mechanics.energies import dissipation, kinetic, potential
 from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING, OPEN, constraint_slopes, solved
 from vibcli.mechanics.lagrange import equation_of
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 
-SAMPLES = range(3)      # sets of values of letters at which signs are looked at
+SAMPLES = range(16)     # sets of values of letters at which signs are looked at, some of letters far apart
 
 
 class SymbolicForces(NamedTuple):
@@ -89,6 +89,14 @@ def _without_bars(node, samples):
     return node if found is node else single(found)
 
 
+def _samples(scene):
+    """Values of the parameters, at those that the file has."""
+    parameters = scene.parameters
+    values = (given_values(parameters, scene.sample, parameters.free, attempt) for attempt in SAMPLES)
+    return [parameters.values(Floats, {name: float(value) for name, value in known.items()})
+            for known, _ in zip(values, SAMPLES if parameters.free else "1", strict=False)]
+
+
 def _as_drawn(scene, accelerations):
     """E of every coordinate, and [∂G_k/∂q] of each constraint, as drawn at rest."""
     T, V, Phi = kinetic(scene), potential(scene), dissipation(scene)
@@ -97,7 +105,7 @@ def _as_drawn(scene, accelerations):
     given = dict(zip(names, copied(list(accelerations.values()), scene.table), strict=True)) if names else {}
     at = {**scene.drawn_position, **dict.fromkeys(scene.v, zero)}
     at |= {a: given.get(q.name, zero) for q, a in zip(scene.q, scene.a, strict=True)}
-    samples = [scene.parameters.values(Floats, sample_values(scene.parameters.free, attempt)) for attempt in SAMPLES]
+    samples = _samples(scene)
     found = [_without_bars(textbook(node), samples) for node in substitute(nodes, at)]
     size = len(scene.q)
     return found[:size], [found[start:start + size] for start in range(size, len(found), size)]

@@ -1,8 +1,10 @@
 """What answers ask of a motion that what drives it prescribes, at their instants: without being asked otherwise."""
 
 from collections.abc import Iterator
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
+from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.notation.as_printed import as_printed
 from vibcli.notation.numbers import with_unit
 from vibcli.report.blocks import Section, Words, equations, line, section
@@ -18,11 +20,14 @@ def prescribed(problem: "Problem", _: "Report") -> Iterator[Section]:
     if problem.numeric.has_free_symbols:
         return
     asked = [answer.asked for answer in problem.spec.answers if any(one.args for one in answer.asked.parts.quantities)]
-    yield from section("Motion in time (prescribed by what drives it)",
-                       equations(line(_valued(problem, one)) for one in asked))
+    found = []
+    for one in asked:
+        with suppress(PhysicsError, SpecError):
+            found.append(line(_valued(problem, one)))
+    yield from section("Motion in time (prescribed by what drives it)", equations(found))
 
 
 def _valued(problem, asked):
-    """`x(t₁) = 3 mm`."""
+    """`x(t₁) = 3 mm`; an error where it has no value."""
     value = with_unit(known(problem, asked), dimension_of(problem, asked.tree))
     return Words(f"{as_printed(asked.text, {*problem.spec.parameters, *problem.spec.coordinates})} = {value}")

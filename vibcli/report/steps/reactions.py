@@ -170,9 +170,13 @@ def _along(problem, sheet, text):
 
 
 def _at_rest(problem, sheet, signal, node):
+    """The force while nothing moves, without loads that change with the time."""
     moving = {name + primes for name in problem.scene.coordinates for primes in ("", "'", "''")}
     still = {part: node.table.zero for part in reachable([node]) if getattr(part, "name", None) in moving}
-    node = textbook(substitute([node], still)[0])
+    node, = substitute([node], still)
+    node = textbook(node - problem.scene.terms_with(node, problem.scene.time.mask))
+    if node.mask:
+        return
     value = None if problem.numeric.has_free_symbols else evaluate([node], Floats, problem.numeric.floats)[0]
     if not node.is_zero:
         unit = "N·m" if "moment" in signal else "N"

@@ -1,6 +1,6 @@
-"""An undamped degree of freedom that is driven at its natural frequency: M ẍ + K x = A sin ωt + B cos ωt, from which
+"""An undamped degree of freedom driven at its natural frequency: M ẍ + K x = A sin ωt + B cos ωt + F, from which
 
-    x = (B sin ωt − A cos ωt) t/(2 M ω) + a cos ωt + b sin ωt,   a = x(0),  b = (ẋ(0) + A/(2 M ω))/ω.
+    x = (B sin ωt − A cos ωt) t/(2 M ω) + F/K + a cos ωt + b sin ωt,   a = x(0) − F/K,  b = (ẋ(0) + A/(2 M ω))/ω.
 """
 
 from collections.abc import Mapping
@@ -16,10 +16,13 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 
+ROUNDED = 1e-12     # relative: of K and M ω² of numbers that are given with all digits of floats
+
+
 def is_resonance(degree: Degree, argument: "Node") -> bool:
     """Does nothing damp, and is Ω the natural frequency?"""
     square = degree.problem.scene.rate(argument) ** 2
-    return degree.C.is_zero and degree.about.cancel([degree.K, -(degree.M * square)])
+    return degree.C.is_zero and degree.about.cancel([degree.K, -(degree.M * square)], ROUNDED)
 
 
 def tell_growing(degree: Degree, argument: "Node", parts: "Mapping[str, Node]") -> "tuple[Node, Node, int]":
@@ -45,7 +48,9 @@ def tell_resonance(degree: Degree, argument: "Node", parts: "Mapping[str, Node]"
         return
     omega = scene.rate(argument)
     sine, cosine = (about.table.call(kind, omega * scene.time) for kind in ("sin", "cos"))
-    whole = grows + x0 * cosine + about.tidy((v0 - speed) / omega) * sine
+    load = degree.found.drive[0]
+    mean = about.tidy((load - scene.terms_with(load, scene.time.mask)) / degree.K)
+    whole = grows + mean + about.tidy(x0 - mean) * cosine + about.tidy((v0 - speed) / omega) * sine
     sheet.write(Words("with a free motion, from the start  "), Name(degree.name), " = ", x0, Words(",  "),
                 Name(degree.name + "'"), " = ", v0, Words(":  "), Name(degree.name), " = ", whole,
                 settles="motion from the start", node=whole, uses=[line])

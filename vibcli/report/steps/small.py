@@ -204,11 +204,11 @@ class AboutRest:
         """Are two expressions of the parameters equal at values of these?"""
         return same(one, other, self.samples)
 
-    def cancel(self, nodes: "Sequence[Node]") -> bool:
-        """Is the sum of expressions of the parameters zero but for rounding?"""
+    def cancel(self, nodes: "Sequence[Node]", left: float = LEFT) -> bool:
+        """Is the sum of expressions of the parameters zero but for rounding, of which so much is `left` at most?"""
         for values in self.samples:
             terms = evaluate(nodes, Floats, values)
-            if not abs(sum(terms)) <= LEFT * sum(map(abs, terms)):
+            if not abs(sum(terms)) <= left * sum(map(abs, terms)):
                 return False
         return True
 

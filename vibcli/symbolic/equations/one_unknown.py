@@ -27,19 +27,21 @@ CALLS = 8_000_000
 
 
 class SymbolicSolution(NamedTuple):
-    """value: the unknown; sine, cosine: of it where it is an angle, else None."""
+    """value: the unknown; sine, cosine: of it where it is an angle, else None; one_sided: is it of a condition that
+    holds for one sign of the unknown alone?"""
 
     value: Any
     sine: Any = None
     cosine: Any = None
+    one_sided: bool = False
 
 
 def solutions(node: "Node", unknown: "Node", samples: Sequence[dict[str, float]]):
     """The Solutions of node = 0; none where its form is not known. `samples`: admissible values of the letters."""
     node, = opened([node], unknown)
     sides = [textbook(one) for one in _sides(node, unknown)]
-    return within(CALLS, lambda: [found for one in sides for found in _Condition(one, unknown, samples).solutions()],
-                  [])
+    return within(CALLS, lambda: [found._replace(one_sided=len(sides) > 1) for one in sides
+                                  for found in _Condition(one, unknown, samples).solutions()], [])
 
 
 def _sides(node, unknown):
