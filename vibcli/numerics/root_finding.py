@@ -19,8 +19,8 @@ COARSE, ALIKE, LEVEL = 4, 8, 1e-12      # a first look at every 4th place; over 
 ROUNDS, BENT, MOST = 4, 0.12, 320       # halvings where h bends by more than BENT, up to MOST places
 LOOKED, HALVINGS = 6, 34                # halvings towards an edge of the domain: at least, at most
 FALLING, LEVELLED = 0.9, 1e-4           # a fall towards zero at an edge; a change that calls for no look at it
-NARROW, EARLY, JUMP = 2.0**-50, 24, 0.3  # a bracket narrowed EARLY times has a jump if |h| stays above JUMP of its ends
-DEEP, SHALLOW = 0.5, 0.3                # a dip of |h| that may hold a zero; what is left of it after EARLY steps
+NARROW, LATE, JUMP = 2.0**-50, 30, 0.3  # a bracket narrowed LATE times has a jump if |h| stays above JUMP of its ends
+DEEP, SHALLOW, EARLY = 0.5, 0.3, 24     # a dip of |h| that may hold a zero; what is left of it after EARLY steps
 FLAT = 3                                # neighbouring zeros that make a plateau
 GOLDEN = 0.3819660112501051
 
@@ -195,7 +195,7 @@ def bracketed(function: Callable, a: float, fa: float, b: float, fb: float) -> f
         a, fa = x, fx
         best, least = (a, abs(fa)) if abs(fa) < abs(fb) else (b, abs(fb))
         width = abs(b - a)
-        if step == EARLY and least > max(JUMP * start, ZERO):
+        if step == LATE and least > max(JUMP * start, ZERO):
             return None
         if least == 0.0 or width <= 4 * NARROW * abs(best):
             return best

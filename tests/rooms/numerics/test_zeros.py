@@ -99,6 +99,13 @@ def test_between_heights_that_look_like_those_of_a_pole_there_may_be_a_zero(widt
         assert found == [pytest.approx(place, rel=1e-12)]
 
 
+@pytest.mark.parametrize("slope", [1e8, -1e8, 1e10, -1e10])
+@pytest.mark.parametrize("place", [1.7321, -1.3])
+def test_a_steep_zero_is_found_whichever_way_it_is_passed(place, slope):
+    found, _ = zeros(lambda x: (d := slope * (x - place)) / (abs(d) + 1), EVEN)
+    assert found == [pytest.approx(place, rel=1e-12)]
+
+
 def test_an_end_counts_where_the_range_holds_it():
     grid = [1 + i / 10 for i in range(11)]
     function = bounded_ratio(lambda x: x, lambda x: 2)
