@@ -121,5 +121,5 @@ def without_bound() -> NoBound:
     """Of a series that does not converge absolutely, or is read where unit loads have no finite motion."""
     return NoBound("what the modes left out add to this signal after what jumps here has no bound that is known: their "
                    "series does not converge absolutely, or is read next to an end without tension",
-                   "ask for displacements away from ends without tension; loads that begin without a jump, or that act "
-                   "on a mass, leave less to the modes left out")
+                   "loads that begin without a jump, or that act on a mass, leave less to the modes left out; forces, "
+                   "rates and what is next to an end without tension have a bound less often than displacements do")
