@@ -1,7 +1,7 @@
 """The benchmark's table: every part has a file, what fails is a row, what is not installed is said."""
 
 import json
-from importlib import import_module
+from importlib import import_module, reload
 from pathlib import Path
 
 import pytest
@@ -9,7 +9,7 @@ from click.testing import CliRunner
 
 from vibcli import bench
 from vibcli.bench import __main__ as command
-from vibcli.bench import capabilities, members_counted, peers, shipped
+from vibcli.bench import capabilities, members_counted, peers, processes, shipped
 from vibcli.bench.processes import answer, costs, python
 from vibcli.bench.rows import HEAD, Failure, Timing, aligned, exponent
 
@@ -132,3 +132,12 @@ def test_peers_that_are_not_installed_are_rows_that_say_so(monkeypatch):
     monkeypatch.setattr(peers, "answer", lambda *_: json.dumps(
         {"frequencies": [1.0, 1e-3], "instants": [1.0, 1e-15], "double": [50.0, 1e-13]}))
     assert [row.kept for row in peers.rows(3)] == [True, False, True, True, True, True]
+
+
+def test_what_the_benchmark_checks_is_no_result_that_was_kept(tmp_path, monkeypatch):
+    monkeypatch.delenv("VIBCLI_NO_CACHE", raising=False)
+    fresh = reload(processes)
+    (tmp_path / "scene.yaml").write_text("bodies: {a: {mass: 1 kg, slide: x}}\nsprings: {s: {k: 4 N/m, between: "
+                                         "[ground, a]}}\nanswers:\n  omega[1]: 2 rad/s\n")
+    fresh.costs({"check": (fresh.vibcli("check", str(tmp_path / "scene.yaml")), (0,))}, 1)
+    assert not (tmp_path / ".vibcli_cache").exists()
