@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.mechanics.linearisation import nodes_of
 from vibcli.mechanics.system import MechanicalSystem
-from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.evaluation import Floats
 from vibcli.symbolic.expression_graph import fingerprint
 from vibcli.symbolic.watched_numbers import Decisions
 
@@ -89,9 +89,7 @@ class _Drawing:
             sample = scene.parameters.values(Floats, {**self.problem.numeric.floats, **_floats(given)})
         except SpecError:
             return False
-        changed = frozenset(name for name, value in sample.items() if value != scene.sample[name])
-        return all((sample[name] > 0) == (scene.sample[name] > 0) for name in changed) and self._decisions.hold(
-            changed, sample, _in_floats)
+        return self._decisions.hold(scene.sample, sample)
 
 
 def _closed_form(system):
@@ -107,7 +105,3 @@ def _fingerprint(system):
 
 def _floats(given):
     return {name: float(value) for name, value in given.items()}
-
-
-def _in_floats(nodes, sample):
-    return evaluate(nodes, Floats, sample)

@@ -32,12 +32,11 @@ PARTS = ("scene", "preloads", "linearisation", "time_dependent_linearisation", "
 
 
 class _Values(NamedTuple):
-    """Other values: their Spec and Parameters, {parameter: float}, and the names of those that differ."""
+    """Other values: their Spec and Parameters, and {parameter: float}."""
 
     spec: "Spec"
     parameters: Parameters
     sample: dict[str, float]
-    changed: frozenset[str]
 
     def over(self, scene: "Scene") -> "Scene":
         """A Scene with these values."""
@@ -84,13 +83,10 @@ class OtherValues:
             sample = parameters.values(Floats, {name: scene.sample[name] for name in parameters.free})
         except SpecError:
             return None
-        changed = frozenset(name for name, value in sample.items() if value != scene.sample[name])
-        if any((sample[name] > 0) != (scene.sample[name] > 0) for name in changed):
-            return None
-        return _Values(spec, parameters, sample, changed)
+        return _Values(spec, parameters, sample)
 
     def _drawn_alike(self, values):
-        return self._decisions.hold(values.changed, values.sample, _in_floats)
+        return self._decisions.hold(self.problem.scene.sample, values.sample)
 
     @cached_property
     def _known(self):
@@ -155,7 +151,3 @@ def _known_of(nodes, values):
     for node in nodes:
         with suppress(KeyError):
             yield node, *evaluate([node], Floats, values)
-
-
-def _in_floats(nodes, sample):
-    return evaluate(nodes, Floats, sample)

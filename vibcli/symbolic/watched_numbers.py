@@ -7,6 +7,7 @@ from functools import partialmethod
 from operator import itemgetter
 from typing import Any
 
+from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.node import Node
 
@@ -36,16 +37,17 @@ class Decisions:
         """Something is decided of which no formula tells."""
         self.lost = True
 
-    def hold(self, names: frozenset[str], sample: Mapping[str, float], evaluated: Callable) -> bool:
-        """Do all come out the same at a sample that differs in these parameters? `evaluated(nodes, sample)`: values."""
-        if self.lost:
+    def hold(self, before: Mapping[str, float], sample: Mapping[str, float]) -> bool:
+        """Do all come out the same at a sample as at the one before, and does each parameter keep its sign?"""
+        names = frozenset(name for name, value in sample.items() if value != before[name])
+        if self.lost or any((sample[name] > 0) != (before[name] > 0) for name in names):
             return False
         if names not in self._about:
             found = [(formula, outcome) for formula, outcome in self._found.items() if names & _names(formula)]
             nodes = tuple(dict.fromkeys(node for formula, _ in found for node in _nodes(formula)))
             self._about[names] = nodes, [(_compiled(formula), outcome) for formula, outcome in found]
         nodes, compiled = self._about[names]
-        values = {**sample, **dict(zip(nodes, evaluated(nodes, sample), strict=True))}
+        values = {**sample, **dict(zip(nodes, evaluate(nodes, Floats, sample), strict=True))}
         try:
             return all(value(values) == outcome for value, outcome in compiled)
         except (ArithmeticError, ValueError):

@@ -18,9 +18,7 @@ def scene():
 
 
 def hold(decisions, **values):
-    sample = {**VALUES, **values}
-    changed = frozenset(name for name in VALUES if sample[name] != VALUES[name])
-    return decisions.hold(changed, sample, lambda nodes, sample: evaluate(nodes, Floats, sample))
+    return decisions.hold(VALUES, {**VALUES, **values})
 
 
 def test_numbers_are_those_of_floats(scene):
@@ -50,6 +48,7 @@ def test_the_parameters_themselves_are_watched(scene):
     _, decisions, watched = scene
     assert {**watched, "t": 0.0}["a"] > 2.5
     assert hold(decisions, a=2.6, b=100.0) and not hold(decisions, a=2.4)
+    assert not hold(decisions, b=-1.0)      # a parameter keeps its sign, whatever was decided
 
 
 def test_what_no_formula_tells_holds_nowhere(scene):
