@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -77,6 +77,8 @@ def ends(block: ModalBlock, found: Sequence[Drive], timeline: "Timeline") -> tup
     for i, j, product, nodes in paths(block.B):
         step[:, i, j] += product * differences(nodes, unique)[which]
         for drive in found:
+            at: Any         # a slice or indices
+            after: Any
             inside = slice(count - 1) if len(drive.at) == count else drive.at < count - 1
             at, after = (inside, slice(1, None)) if len(drive.at) == count else (drive.at[inside], drive.at[inside] + 1)
             few = len(lengths[at]) < len(unique)
