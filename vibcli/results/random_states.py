@@ -5,6 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
+from weakref import WeakKeyDictionary
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.language.parameter_samples import sample_values
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
+KNOWN: "WeakKeyDictionary[Problem, Any]" = WeakKeyDictionary()      # states that were drawn
 STATES, NEAR, SEPARATE, MOST_HALVINGS, CANDIDATES = 5, 1e-4, 12, 30, 40
 
 
@@ -38,6 +40,12 @@ def states(problem: Any) -> "tuple[dict[str, np.ndarray], list[slice]]":
     All at random; at rest, near and very near; velocities alone, accelerations alone; one coordinate alone: so a term
     is seen beside those of its kind, however stiff or heavy the rest of the scene is.
     """
+    if problem not in KNOWN:
+        KNOWN[problem] = _states(problem)
+    return KNOWN[problem]
+
+
+def _states(problem):
     import numpy as np
 
     scene, names = problem.scene, problem.scene.coordinates
