@@ -117,7 +117,7 @@ class Forces:
         rows, E, place = self._scaled, self.E, list(map(float, z))
         F = [r[i] * d for i, d in rows]
         J = [[K[i][j] * (d * e) for j, e in rows] for i, d in rows]
-        if not all([sum(map(abs, part)) < HUGE for part in (F, *J)]):       # NaN is not
+        if not all(sum(map(abs, part)) < HUGE for part in (F, *J)):       # NaN is not
             return None
         moved = [1.0 + abs(x) for x in place]
         size = [sizes[i] * d + sum(map(mul, map(abs, row), moved)) for (i, d), row in zip(rows, J, strict=True)]
