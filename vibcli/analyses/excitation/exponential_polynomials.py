@@ -69,7 +69,7 @@ def added(*parts: Any) -> Any:
 
 def _gather(found, key, p, c=1):
     old, new = found.get(key, ()), list(p) if c == 1 else [c * x for x in p]
-    total = list(map(add, old, new)) + [*old[len(new):], *new[len(old):]]
+    total = [*map(add, old, new), *old[len(new):], *new[len(old):]]
     while total and not total[-1]:
         total.pop()
     if total:
