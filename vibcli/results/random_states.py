@@ -2,13 +2,12 @@
 
 import random
 from collections.abc import Iterator, Mapping, Sequence
-from fractions import Fraction
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 from weakref import WeakKeyDictionary
 
 from vibcli.base.errors import PhysicsError, SpecError
-from vibcli.language.parameter_samples import sample_values
+from vibcli.language.parameter_samples import sample_values, short_fraction
 from vibcli.symbolic.evaluation import evaluate
 
 if TYPE_CHECKING:
@@ -25,7 +24,7 @@ def random_instances(problem: "Problem") -> "Iterator[Problem]":
     """The problem with random values for its free symbols, whenever the drawing fits together."""
     for attempt in range(CANDIDATES):
         values = sample_values(problem.symbolic.letters, attempt)
-        given = {name: Fraction(value).limit_denominator(1000) for name, value in values.items()}
+        given = {name: short_fraction(value) for name, value in values.items()}
         candidate = problem.with_values(given)
         try:
             candidate.draw()
