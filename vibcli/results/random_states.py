@@ -3,6 +3,7 @@
 import random
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, SpecError
@@ -39,19 +40,30 @@ def states(problem: Any) -> "tuple[dict[str, np.ndarray], list[slice]]":
     """
     import numpy as np
 
-    generator = random.Random("states")
     scene, names = problem.scene, problem.scene.coordinates
     groups = [(1, 1, 1, names), (1, 0, 0, names), (NEAR, 0, 0, names), (0, 1, 0, names), (0, 0, 1, names)]
     if 1 < len(names) <= SEPARATE:
         groups += [(*kind, [name]) for name in names for kind in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
     each, found = STATES + 3 * len(names), {}
-    for name in names:
+    units, last = _units(len(names), len(groups) * each)
+    for name, rows in zip(names, units, strict=True):
         scale = reach(problem, name)
         for primes, (centre, spread) in enumerate(((problem.numeric.drawn_floats[name], 1), (0.0, 3), (0.0, 9))):
-            found[name + "'" * primes] = centre + spread * scale * np.array([
-                group[primes] * (name in group[3]) * generator.uniform(-1, 1) for group in groups for _ in range(each)])
-    found[scene.time.name] = np.array([generator.uniform(0, 3) for _ in range(len(groups) * each)])
+            shares = np.repeat([float(group[primes] * (name in group[3])) for group in groups], each)
+            found[name + "'" * primes] = centre + spread * scale * (shares * (2.0 * rows[primes] - 1.0))
+    found[scene.time.name] = 3.0 * last
     return _closed(problem, found), [slice(i * each, (i + 1) * each) for i in range(len(groups))]
+
+
+@cache
+def _units(coordinates, count):
+    """(random numbers from 0 to 1 for the places, velocities and accelerations of so many coordinates, as many for the
+    time)."""
+    import numpy as np
+
+    generator = random.Random("states")
+    rows = np.array([generator.random() for _ in range((3 * coordinates + 1) * count)]).reshape(-1, count)
+    return rows[:-1].reshape(coordinates, 3, count), rows[-1]
 
 
 def _closed(problem, found):
