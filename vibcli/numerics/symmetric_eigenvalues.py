@@ -40,7 +40,7 @@ def spectrum(a: np.ndarray, bits: int, goal: int, zeros: int | None = None, slac
     """
     n = len(a)
     if n == 1 and start is None:
-        return _single(a, bits, slack)
+        return _of_one(a, bits, max(slack, 0) + 2)
     if start is None:
         start = np.linalg.eigh(floats(a, bits))[1]
     q, one = fixed(start, bits), identity(n, bits)
@@ -66,12 +66,11 @@ def spectrum(a: np.ndarray, bits: int, goal: int, zeros: int | None = None, slac
     return Spectrum(alpha, radius, off.shift, q, bits)
 
 
-def _single(a, bits, slack):
-    """The matrix of one row, which is its own eigenvalue."""
-    slack = max(slack, 0) + 2
+def _of_one(a, bits, slack):
+    """The Spectrum of a matrix with one entry, which is its eigenvalue but for the slack."""
     shift = bits - max(math.ceil(slack), 1)
     radius = np.array([max(2.0 ** (slack + shift - bits), LEAST)])
-    return Spectrum(a.diagonal(), radius, shift, identity(1, bits), bits)
+    return Spectrum(a.diagonal().copy(), radius, shift, identity(1, bits), bits)
 
 
 class Offset:

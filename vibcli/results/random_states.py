@@ -2,7 +2,7 @@
 
 import random
 from collections.abc import Iterator, Mapping, Sequence
-from functools import lru_cache
+from functools import cache
 from typing import TYPE_CHECKING, Any
 from weakref import WeakKeyDictionary
 
@@ -52,23 +52,25 @@ def _states(problem):
     if 1 < len(names) <= SEPARATE:
         groups += [(*kind, [name]) for name in names for kind in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
     each, found = STATES + 3 * len(names), {}
-    shares = _uniform((3 * len(names) + 1) * len(groups) * each).reshape(-1, len(groups) * each)
-    for i, name in enumerate(names):
+    units, last = _units(len(names), len(groups) * each)
+    for name, rows in zip(names, units, strict=True):
         scale = reach(problem, name)
         for primes, (centre, spread) in enumerate(((problem.numeric.drawn_floats[name], 1), (0.0, 3), (0.0, 9))):
-            moved = np.repeat([group[primes] * (name in group[3]) for group in groups], each)
-            found[name + "'" * primes] = centre + spread * scale * (moved * (2.0 * shares[3 * i + primes] - 1.0))
-    found[scene.time.name] = 3.0 * shares[-1]
+            shares = np.repeat([float(group[primes] * (name in group[3])) for group in groups], each)
+            found[name + "'" * primes] = centre + spread * scale * (shares * (2.0 * rows[primes] - 1.0))
+    found[scene.time.name] = 3.0 * last
     return _closed(problem, found), [slice(i * each, (i + 1) * each) for i in range(len(groups))]
 
 
-@lru_cache(8)
-def _uniform(count):
-    """So many random numbers from 0 to 1."""
+@cache
+def _units(coordinates, count):
+    """(random numbers from 0 to 1 for the places, velocities and accelerations of so many coordinates, as many for the
+    time)."""
     import numpy as np
 
     generator = random.Random("states")
-    return np.array([generator.random() for _ in range(count)])
+    rows = np.array([generator.random() for _ in range((3 * coordinates + 1) * count)]).reshape(-1, count)
+    return rows[:-1].reshape(coordinates, 3, count), rows[-1]
 
 
 def _closed(problem, found):

@@ -21,6 +21,7 @@ from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import NameRef, Power, QuantityRef, Sum
 
 if TYPE_CHECKING:
+    from vibcli.analyses.transient.linear_response import LinearMotion
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
@@ -39,7 +40,8 @@ class SmallResponse(Response):
     def __init__(self, problem: "Problem", finely: Callable | None = None):
         super().__init__(problem)
         self.configuration, self.finely, self.finer = problem.configuration, finely, {}
-        self._outputs, self._beside = {}, {}
+        self._moved: dict[tuple[Node, ...], LinearMotion] = {}      # by what of them depends on the time alone
+        self._outputs: dict[str, tuple[LinearOutput, Node | None]] = {}
 
     @cached_property
     def values(self) -> dict[str, Any]:
@@ -189,7 +191,7 @@ class SmallResponse(Response):
         return self._named(parts, text, self._output(name + "'" * primes))
 
     def _output(self, name):
-        """What is read off the motion as a signal, found once."""
+        """(Output, node on its channel or None) of what is a linear function of the motion."""
         from vibcli.analyses.excitation.signal_outputs import linear_output
 
         if name not in self._outputs:
@@ -251,8 +253,10 @@ class SmallResponse(Response):
 
     def _driven(self, constant, terms):
         """(motion, output) of a constant and of terms [(factor, (output, node of the time or None))]."""
-        direct = [node for _, (_, node) in terms if node is not None]
-        motion = self._under(tuple(direct)) if direct else self.alone
+        direct = tuple(node for _, (_, node) in terms if node is not None)
+        if direct and direct not in self._moved:
+            self._moved[direct] = self.moved(direct)
+        motion = self._moved[direct] if direct else self.alone
         channel, outputs = len(self.matrices[0]), [(1.0, LinearOutput(constant))]
         for factor, (output, node) in terms:
             if node is not None:
@@ -260,9 +264,3 @@ class SmallResponse(Response):
                 channel += 1
             outputs.append((factor, output))
         return motion, combined(outputs)
-
-    def _under(self, direct):
-        """The motion beside nodes of the time, found once."""
-        if direct not in self._beside:
-            self._beside[direct] = self.moved(direct)
-        return self._beside[direct]

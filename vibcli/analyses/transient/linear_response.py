@@ -81,12 +81,11 @@ class LinearMotion:
         return of_matrices(self.M, self.C, self.K) if self.doubt is None else self.doubt()
 
     def extreme(self, output: Any, start: float, end: float, sense: str = "max") -> tuple[float, float]:
-        """(t, value) of the largest ("max") or smallest ("min") value for start <= t <= end, the earliest of equals;
-        found once."""
-        key = output.constant, *(tuple(part.items()) for part in output[1:]), start, end, sense
-        if key not in self._extremes:
-            self._extremes[key] = extreme(self.pieces(end), output, start, end, sense, self.work)
-        return self._extremes[key]
+        """(t, value) of the largest ("max") or smallest ("min") value for start <= t <= end, the earliest of equals."""
+        place = (output.told, start, end, sense)
+        if place not in self._extremes:
+            self._extremes[place] = extreme(self.pieces(end), output, start, end, sense, self.work)
+        return self._extremes[place]
 
     def zeros(self, output: "LinearOutput", start: float, end: float) -> np.ndarray:
         """All times from `start` to `end` where the output passes or touches zero, ascending."""

@@ -8,7 +8,6 @@ from support.responses import EPS, FREE, STEP, case, chain, errors, one, q, rate
 
 from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
 from vibcli.analyses.excitation.linear_output import LinearOutput
-from vibcli.analyses.transient import linear_response
 from vibcli.analyses.transient.exponential_differences import differences
 from vibcli.analyses.transient.extremes import ExtremeSearch
 from vibcli.analyses.transient.high_precision import precise_value, precise_values
@@ -272,15 +271,3 @@ def test_an_extreme_is_found_in_few_looks(monkeypatch):
     turn = math.pi / math.sqrt(8.91)
     assert abs(t - turn) <= 1e-7 and abs(x + math.exp(-0.3 * turn)) <= 4 * EPS
     assert len(looks) <= 4 and max(looks) <= 500
-
-
-def test_an_extreme_is_searched_once(monkeypatch):
-    """Of equal outputs and the same time, be they asked anew; not of another, of another time, of another sense."""
-    searched, whole = [], linear_response.extreme
-    monkeypatch.setattr(linear_response, "extreme", lambda *given: searched.append(given) or whole(*given))
-    motion = one(1.0, 0.2, 9.0, FREE, 1.0)
-    assert motion.extreme(q(0), 0.0, 5.0) == motion.extreme(q(0), 0.0, 5.0) == (0.0, 1.0)
-    assert len(searched) == 1
-    low, fast, later = motion.extreme(q(0), 0.0, 5.0, "min"), motion.extreme(v(0), 0.0, 5.0), motion.extreme(
-        q(0), 0.5, 5.0)
-    assert len(searched) == 4 and len({low, fast, later, (0.0, 1.0)}) == 4
