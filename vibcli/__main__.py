@@ -7,7 +7,7 @@ import os
 import sys
 from contextlib import suppress
 
-YOUNG = 100_000     # objects between searches for garbage: what is imported and read is none, and searching it is slow
+YOUNG = 1_000_000   # objects, some 100 MB between searches for garbage: what is imported is none, and searches are slow
 
 
 def main():

@@ -86,9 +86,10 @@ UNITS = {
 
 def times(a: Mapping[str, Fraction | int], b: Any, power: Fraction | int = 1) -> dict[str, Fraction | int]:
     """The dimension a·b^power."""
-    found = dict(a)
+    found, plain = dict(a), power == 1
     for base, exponent in b.items():
-        total = found.get(base, 0) + exponent * power
+        known, more = found.get(base), exponent if plain else exponent * power
+        total = more if known is None else known + more
         if total:
             found[base] = total
         else:

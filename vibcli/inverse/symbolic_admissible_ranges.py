@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.inverse.admissible_ranges import ends, known, natural_scale, turns
-from vibcli.language.parameter_samples import sample_values
+from vibcli.language.parameter_samples import sample_values, short_fraction
 from vibcli.quantities.expression import lowered
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
@@ -58,7 +58,7 @@ class Letters:
         """Positive values for the letters, others at each attempt: as they are for drawings, or about their scales."""
         spread, plain = SPREADS[attempt % len(SPREADS)], sample_values(self.problem.symbolic.letters, attempt)
         if not spread:
-            return {name: Fraction(value).limit_denominator(1000) for name, value in plain.items()}
+            return {name: short_fraction(value) for name, value in plain.items()}
         powers = {name: spread * (2 * (value - 0.6) / 1.7 - 1) for name, value in plain.items()}
         return {name: Fraction(f"{self.scales[name] * 10**power:.{DIGITS}g}") for name, power in powers.items()}
 

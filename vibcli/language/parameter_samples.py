@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -18,6 +19,12 @@ def sample_values(names: Sequence[str], attempt: int) -> dict[str, float]:
             for i, name in enumerate(names)}
 
 
+@lru_cache(1000)
+def short_fraction(value: float) -> Fraction:
+    """The fraction next to a number with a denominator up to 1000."""
+    return Fraction(value).limit_denominator(1000)
+
+
 def given_values(parameters: "Parameters", sample: Mapping[str, float], free: Sequence[str],
                  attempt: int) -> dict[str, Fraction]:
     """{letter: exact value} of `free` letters, another at each attempt; 0: those of the `sample`, odd ones near that,
@@ -31,4 +38,4 @@ def given_values(parameters: "Parameters", sample: Mapping[str, float], free: Se
         values = {name: sample[name] * (0.6 + 0.4 * value) for name, value in values.items()}
     signs = {name: -1 if attempt % 4 == 2 and parameters.records[name].get("sign") == "any" else 1
              for name in free}
-    return {name: signs[name] * Fraction(value).limit_denominator(1000) for name, value in values.items()}
+    return {name: signs[name] * short_fraction(value) for name, value in values.items()}

@@ -47,8 +47,7 @@ def at_position(form: Linearisation, values: "Mapping[Node, Node]"):
 def each(form: Linearisation, change: Callable) -> Linearisation:
     """A Linearisation with `change` applied to every expression in a fixed order."""
     def entries(mapping):
-        changed = {key: change(node) for key, node in mapping.items()}
-        return {key: node for key, node in changed.items() if not node.is_zero}
+        return {key: node for key, old in mapping.items() if not (node := change(old)).is_zero} if mapping else {}
 
     def rows(terms):
         return [(change(weight), entries(row)) for weight, row in terms]

@@ -142,12 +142,9 @@ class SymbolicSystem:
     def excitation(self) -> "dict[int, Node]":
         """{i: Q(t)}: what drives coordinate i of the small oscillations, in letters, with numbers for the place of an
         equilibrium that is not the drawn one."""
-        from vibcli.mechanics.autonomous import excitation
-
         if not self.scene.timed:
             return {}
-        scene, place = self.scene.vibrating, self.excitation_place
-        found = excitation(scene, self.system.time_dependent_linearisation, place)
+        scene, found = self.scene.vibrating, dict(self._excitation_by_loads)
         if scene is not self.scene:
             from vibcli.mechanics.inputs_outputs.constraint_excitation import excitation_through
 
@@ -159,6 +156,15 @@ class SymbolicSystem:
             for i, node in excitation_by_damping(self).items():
                 found[i] = found.get(i, scene.table.zero) + node
         return found
+
+    @property
+    def _excitation_by_loads(self):
+        """That of loads in time and of driven displacements."""
+        if self._is_excited_as_drawn:
+            return self.system.excitation_as_drawn
+        from vibcli.mechanics.autonomous import excitation
+
+        return excitation(self.scene.vibrating, self.system.time_dependent_linearisation, self.excitation_place)
 
     @cached_property
     def left_out(self):
@@ -172,13 +178,18 @@ class SymbolicSystem:
     @property
     def excitation_place(self) -> "dict[Node, Node]":
         """{symbol: node} of the position about which loads in time act."""
-        timed, scene, settled = self.system.time_dependent_linearisation, self.scene.vibrating, self.equilibrium
-        if settled is not None:
-            return settled.position(timed)
-        if self.linearisable or self.numeric.has_free_symbols:
+        scene = self.scene.vibrating
+        if self.equilibrium is not None:
+            return self.equilibrium.position(self.system.time_dependent_linearisation)
+        if self._is_excited_as_drawn:
             return scene.drawn_position
         values = self.configuration.equilibrium.values
         return {q: scene.table.number(fraction_of(values[q.name])) for q in scene.drawn}
+
+    @property
+    def _is_excited_as_drawn(self):
+        """Do loads in time act about the drawn position, or does that place not matter or is not known?"""
+        return self.equilibrium is None and (self.linearisable or self.numeric.has_free_symbols)
 
     @cached_property
     def reactions(self) -> "SymbolicForces":

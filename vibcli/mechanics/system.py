@@ -38,8 +38,7 @@ class MechanicalSystem:
     symbols, by which signs in the geometry are read off; `work`: what counts its long work; `released`: the system
     whose motion starts under the force that lets go, where this one is held by it; `tensions`: {member: [N of each
     piece]} that are not those of statics alone, None where they are sought; `watched`: as what the numbers are that are
-    read off its drawing; `known`: {part: what it is}, and
-    `shared(part)`, None where that is to be found here."""
+    read off its drawing; `known`: {part: what it is}, and `shared(part)`, None where that is to be found here."""
 
     def __init__(self, spec: "Spec", given: "Mapping[str, Fraction] | None" = None, work: Work | None = None,
                  released: Any = None, tensions: "Mapping[str, list[Fraction]] | None" = None,
@@ -197,6 +196,14 @@ class MechanicalSystem:
         return defined_as_drawn(linearise, self.scene.vibrating)
 
     @cached_property
+    def excitation_as_drawn(self) -> "dict[int, Node]":
+        """{i: Q(t)} that drives the small oscillations about the drawn position, in letters."""
+        from vibcli.mechanics.autonomous import excitation
+
+        scene = self.scene.vibrating
+        return excitation(scene, self.time_dependent_linearisation, scene.drawn_position)
+
+    @cached_property
     def hangs_on_time(self):
         """May M, C, G and K depend on the time?"""
         from vibcli.mechanics.linearisation import hangs_on
@@ -211,8 +218,7 @@ class MechanicalSystem:
             hint = "take a constraint out, or let one more body move"
             if self.scene.held:
                 hint = "ask for its forces alone, find: [reactions], or " + hint
-            until = self.spec.example("2 s")
-            in_time = f", or ask for its motion in time: find: [{{response: {{until: {until}}}}}]"
+            in_time = f", or ask for its motion in time: find: [{{response: {{until: {self.spec.example('2 s')}}}}}]"
             raise PhysicsError(words_of_locked(self.scene), hint + in_time * self.scene.timed)
         if not self.scene.q and not self.scene.pieces:
             raise nothing_moves(self.spec.members)
@@ -224,13 +230,12 @@ class MechanicalSystem:
             return self._itself.linearisation_at_reference
         from vibcli.mechanics.linearisation import at_position
 
-        scene = self.scene.vibrating
         try:
-            return at_position(self.linearisation, scene.drawn_position)
+            return at_position(self.linearisation, self.scene.vibrating.drawn_position)
         except ZeroDivisionError:
             from vibcli.mechanics.nonsmooth import without_slope
 
-            defined_as_drawn(without_slope, scene)
+            defined_as_drawn(without_slope, self.scene.vibrating)
 
     @cached_property
     def is_steep_as_drawn(self) -> bool:
@@ -259,8 +264,8 @@ class MechanicalSystem:
         try:
             return residual_terms(self.linearisation_at_reference)
         except Kinked:
-            here = self.scene.vibrating.drawn_position
-            return [substitute(terms, here) for terms in residual_terms(self.linearisation)]
+            return [substitute(terms, self.scene.vibrating.drawn_position)
+                    for terms in residual_terms(self.linearisation)]
 
     @cached_property
     def potential(self):

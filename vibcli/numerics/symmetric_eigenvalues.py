@@ -39,6 +39,8 @@ def spectrum(a: np.ndarray, bits: int, goal: int, zeros: int | None = None, slac
     known to vanish, None where that is not known. `start`: approximate eigenvectors as floats.
     """
     n = len(a)
+    if n == 1 and start is None:
+        return _of_one(a, bits, max(slack, 0) + 2)
     if start is None:
         start = np.linalg.eigh(floats(a, bits))[1]
     q, one = fixed(start, bits), identity(n, bits)
@@ -62,6 +64,13 @@ def spectrum(a: np.ndarray, bits: int, goal: int, zeros: int | None = None, slac
     if rough > -2 * goal:
         q = product(q, _first_order(h, gram, gaps, off, off.clusters(), bits), bits)
     return Spectrum(alpha, radius, off.shift, q, bits)
+
+
+def _of_one(a, bits, slack):
+    """The Spectrum of a matrix with one entry, which is its eigenvalue but for the slack."""
+    shift = bits - max(math.ceil(slack), 1)
+    radius = np.array([max(2.0 ** (slack + shift - bits), LEAST)])
+    return Spectrum(a.diagonal().copy(), radius, shift, identity(1, bits), bits)
 
 
 class Offset:

@@ -72,7 +72,7 @@ def bounded(problem: "Problem", expression: "Expression") -> tuple[float, float]
     """(value, absolute error bound) of an expression, with the rounding of its own sums; in numbers of mpmath where the
     problem is asked for digits."""
     if problem.digits is None:
-        return _bounded(problem, expression, RunningErrors(Floats), {**problem.numeric.rounded})
+        return _bounded(problem, expression, RunningErrors(Floats), problem.numeric.rounded)
     import mpmath
 
     with mpmath.workdps(problem.digits + GUARD):
@@ -81,16 +81,28 @@ def bounded(problem: "Problem", expression: "Expression") -> tuple[float, float]
 
 
 def _bounded(problem, expression, arithmetic, values):
+    if isinstance(expression.tree, QuantityRef):
+        found = _rounded(problem, expression.tree, arithmetic)
+    else:
+        found = _evaluated(problem, expression, arithmetic, dict(values))
+    error = error_in(found)
+    return _real(number_in(found), expression, arithmetic.inner.isfinite), error if error >= 0 else inf
+
+
+def _evaluated(problem, expression, arithmetic, values):
+    """An expression in numbers with bounds, the parameters being `values`."""
     searched = problem.choice.conditions if problem.choice is not None and not problem.choice.exact else ()
     for name in searched:
         found = number_in(values[name])
         values[name] = Rounded(found, ROUNDING * abs(found), arithmetic.unit)
     for quantity in expression.parts.quantities:
-        value, error = measure(problem, quantity)
-        values[quantity.text] = Rounded(value, error * abs(value) if value else 0.0, arithmetic.unit)
-    found, = evaluate([lowered(expression, problem.scene.table, _symbols(problem.scene))], arithmetic, values)
-    error = error_in(found)
-    return _real(number_in(found), expression, arithmetic.inner.isfinite), error if error >= 0 else inf
+        values[quantity.text] = _rounded(problem, quantity, arithmetic)
+    return evaluate([lowered(expression, problem.scene.table, _symbols(problem.scene))], arithmetic, values)[0]
+
+
+def _rounded(problem, quantity, arithmetic):
+    value, error = measure(problem, quantity)
+    return Rounded(value, error * abs(value) if value else 0.0, arithmetic.unit)
 
 
 def _real(value, expression, finite):

@@ -2,11 +2,12 @@
 
 import random
 from collections.abc import Iterator, Mapping, Sequence
-from fractions import Fraction
+from functools import cache
 from typing import TYPE_CHECKING, Any
+from weakref import WeakKeyDictionary
 
 from vibcli.base.errors import PhysicsError, SpecError
-from vibcli.language.parameter_samples import sample_values
+from vibcli.language.parameter_samples import sample_values, short_fraction
 from vibcli.symbolic.evaluation import evaluate
 
 if TYPE_CHECKING:
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
+KNOWN: "WeakKeyDictionary[Problem, Any]" = WeakKeyDictionary()      # states that were drawn
 STATES, NEAR, SEPARATE, MOST_HALVINGS, CANDIDATES = 5, 1e-4, 12, 30, 40
 
 
@@ -22,7 +24,7 @@ def random_instances(problem: "Problem") -> "Iterator[Problem]":
     """The problem with random values for its free symbols, whenever the drawing fits together."""
     for attempt in range(CANDIDATES):
         values = sample_values(problem.symbolic.letters, attempt)
-        given = {name: Fraction(value).limit_denominator(1000) for name, value in values.items()}
+        given = {name: short_fraction(value) for name, value in values.items()}
         candidate = problem.with_values(given)
         try:
             candidate.draw()
@@ -37,21 +39,38 @@ def states(problem: Any) -> "tuple[dict[str, np.ndarray], list[slice]]":
     All at random; at rest, near and very near; velocities alone, accelerations alone; one coordinate alone: so a term
     is seen beside those of its kind, however stiff or heavy the rest of the scene is.
     """
+    if problem not in KNOWN:
+        KNOWN[problem] = _states(problem)
+    return KNOWN[problem]
+
+
+def _states(problem):
     import numpy as np
 
-    generator = random.Random("states")
     scene, names = problem.scene, problem.scene.coordinates
     groups = [(1, 1, 1, names), (1, 0, 0, names), (NEAR, 0, 0, names), (0, 1, 0, names), (0, 0, 1, names)]
     if 1 < len(names) <= SEPARATE:
         groups += [(*kind, [name]) for name in names for kind in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
     each, found = STATES + 3 * len(names), {}
-    for name in names:
+    units, last = _units(len(names), len(groups) * each)
+    for name, rows in zip(names, units, strict=True):
         scale = reach(problem, name)
         for primes, (centre, spread) in enumerate(((problem.numeric.drawn_floats[name], 1), (0.0, 3), (0.0, 9))):
-            found[name + "'" * primes] = centre + spread * scale * np.array([
-                group[primes] * (name in group[3]) * generator.uniform(-1, 1) for group in groups for _ in range(each)])
-    found[scene.time.name] = np.array([generator.uniform(0, 3) for _ in range(len(groups) * each)])
+            shares = np.repeat([float(group[primes] * (name in group[3])) for group in groups], each)
+            found[name + "'" * primes] = centre + spread * scale * (shares * (2.0 * rows[primes] - 1.0))
+    found[scene.time.name] = 3.0 * last
     return _closed(problem, found), [slice(i * each, (i + 1) * each) for i in range(len(groups))]
+
+
+@cache
+def _units(coordinates, count):
+    """(random numbers from 0 to 1 for the places, velocities and accelerations of so many coordinates, as many for the
+    time)."""
+    import numpy as np
+
+    generator = random.Random("states")
+    rows = np.array([generator.random() for _ in range((3 * coordinates + 1) * count)]).reshape(-1, count)
+    return rows[:-1].reshape(coordinates, 3, count), rows[-1]
 
 
 def _closed(problem, found):

@@ -21,6 +21,7 @@ from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import NameRef, Power, QuantityRef, Sum
 
 if TYPE_CHECKING:
+    from vibcli.analyses.transient.linear_response import LinearMotion
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
@@ -39,6 +40,8 @@ class SmallResponse(Response):
     def __init__(self, problem: "Problem", finely: Callable | None = None):
         super().__init__(problem)
         self.configuration, self.finely, self.finer = problem.configuration, finely, {}
+        self._moved: dict[tuple[Node, ...], LinearMotion] = {}      # by what of them depends on the time alone
+        self._outputs: dict[str, tuple[LinearOutput, Node | None]] = {}
 
     @cached_property
     def values(self) -> dict[str, Any]:
@@ -165,7 +168,7 @@ class SmallResponse(Response):
 
     def _part(self, parts, name, primes, part):
         """The node of a name within a signal; a symbol for what is read off the motion."""
-        from vibcli.analyses.excitation.signal_outputs import linear_output, quadratic_output
+        from vibcli.analyses.excitation.signal_outputs import quadratic_output
         from vibcli.mechanics.inputs_outputs.outputs import is_quadratic
 
         problem, table = self.problem, self.problem.scene.table
@@ -185,7 +188,15 @@ class SmallResponse(Response):
                                  for mark, found in (("", one), ("'", two)))
                 total = total + first * second * table.number(fraction_of(weight))
             return total
-        return self._named(parts, text, self._apart(*linear_output(self.configuration, name + "'" * primes)))
+        return self._named(parts, text, self._output(name + "'" * primes))
+
+    def _output(self, name):
+        """(Output, node on its channel or None) of what is a linear function of the motion."""
+        from vibcli.analyses.excitation.signal_outputs import linear_output
+
+        if name not in self._outputs:
+            self._outputs[name] = self._apart(*linear_output(self.configuration, name))
+        return self._outputs[name]
 
     def _named(self, parts, text, found):
         """The symbol of what is read off the motion: of what is there already that which it has, so that equals
@@ -242,8 +253,10 @@ class SmallResponse(Response):
 
     def _driven(self, constant, terms):
         """(motion, output) of a constant and of terms [(factor, (output, node of the time or None))]."""
-        direct = [node for _, (_, node) in terms if node is not None]
-        motion = self.moved(direct) if direct else self.alone
+        direct = tuple(node for _, (_, node) in terms if node is not None)
+        if direct and direct not in self._moved:
+            self._moved[direct] = self.moved(direct)
+        motion = self._moved[direct] if direct else self.alone
         channel, outputs = len(self.matrices[0]), [(1.0, LinearOutput(constant))]
         for factor, (output, node) in terms:
             if node is not None:

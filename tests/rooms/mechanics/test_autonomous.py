@@ -1,5 +1,7 @@
 """Whether matrices hang on the time is looked at where the time stands in what they are made of, and nowhere else."""
 
+from fractions import Fraction
+
 import pytest
 from support.scenes import problem
 
@@ -46,6 +48,15 @@ def test_a_load_in_time_leaves_the_matrices_alone(looked):
     assert omega(scene) == pytest.approx(20**0.5)
     assert scene.configuration.with_inputs.turning == set()
     assert looked == []
+
+
+def test_what_drives_a_scene_as_drawn_is_found_once_for_all_values(monkeypatch):
+    found, whole = [], autonomous.excitation
+    monkeypatch.setattr(autonomous, "excitation", lambda *given: found.append(whole(*given)) or found[-1])
+    scene = problem(FORCED.replace("F: 3 N", "F: {unit: N}"))
+    drives = [scene.sharing({"F": Fraction(newtons)}).symbolic.excitation for newtons in (2, 3, 4)]
+    assert len(found) == 1 and drives == found * 3
+    assert problem(FORCED).symbolic.excitation.keys() == {0} and len(found) == 2
 
 
 def test_a_pivot_that_is_shaken_upwards_is_looked_at_and_refused(looked):

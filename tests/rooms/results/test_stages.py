@@ -3,6 +3,10 @@
 import pytest
 from support.scenes import problem
 
+from vibcli.analyses.transient import linear_response
+from vibcli.quantities.expression import measure
+from vibcli.symbolic.parser import parse
+
 FOUR_BAR = """
 gravity: 9.81 m/s^2
 points: {B: {body: crank, at: [0, 1 m]}, C: {body: coupler, at: [3 m, 2 m]}, D: {body: rocker, at: [3 m, 2 m]}}
@@ -40,3 +44,12 @@ def test_reactions_find_no_modes():
     found = problem(FOUR_BAR)
     assert found.configuration.reactions
     assert not {"modes", "linear_system", "energies", "equations"} & set(found.costs)
+
+
+@pytest.mark.parametrize("signal", ["x", "s"])
+def test_an_extreme_is_sought_once(signal, monkeypatch):
+    sought, seek = [], linear_response.extreme
+    monkeypatch.setattr(linear_response, "extreme", lambda *asked: sought.append(asked) or seek(*asked))
+    found = problem(DRIVEN + "find: [{response: {until: 2 s}}]\n")
+    values = [measure(found, parse(text))[0] for text in (f"max({signal})", f"argmax({signal})", f"max({signal} + 0)")]
+    assert len(sought) == 1 and values[0] == values[2]

@@ -8,6 +8,7 @@ segment; q keeps sines exact: sin u = cos(u − π/2), sin² + cos² = 1.
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from operator import add
 from typing import Any
 
 HALF = Fraction(1, 2)
@@ -67,8 +68,8 @@ def added(*parts: Any) -> Any:
 
 
 def _gather(found, key, p, c=1):
-    old = found.get(key, ())
-    total = [(old[k] if k < len(old) else 0) + (c * p[k] if k < len(p) else 0) for k in range(max(len(old), len(p)))]
+    old, new = found.get(key, ()), list(p) if c == 1 else [c * x for x in p]
+    total = [*map(add, old, new), *old[len(new):], *new[len(old):]]
     while total and not total[-1]:
         total.pop()
     if total:

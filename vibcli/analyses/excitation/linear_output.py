@@ -27,6 +27,11 @@ class LinearOutput(NamedTuple):
     channels: dict = {}
     places: dict = {}
 
+    @property
+    def told(self) -> tuple:
+        """What tells it apart, by which it is found in tables."""
+        return (self.constant, *(tuple(part.items()) for part in self[1:]))
+
 
 def combined(terms: Any) -> LinearOutput:
     """Σ factor·output of (factor, LinearOutput) pairs."""

@@ -55,9 +55,9 @@ class ExtremeSearch:
         if not len(times):
             return float(self.time), float(self.sign * self.value)
         first = np.argmin(times)
-        of_it = np.flatnonzero(peaks & (times <= times[first] + self._flat(times[[first]])))
-        if len(of_it):
-            first = of_it[np.argmin(times[of_it])]
+        if not peaks[first] and peaks.any():
+            of_it = np.flatnonzero(peaks & (times <= times[first] + self._flat(times[[first]])))
+            first = of_it[np.argmin(times[of_it])] if len(of_it) else first
         return float(times[first]), float(self.sign * values[first])
 
     def instants(self, task: "Task") -> list[float]:

@@ -4,6 +4,7 @@
 """
 
 import math
+from functools import lru_cache
 from itertools import combinations
 
 import numpy as np
@@ -16,10 +17,17 @@ def largest_differences(nodes: np.ndarray, early: np.ndarray, late: np.ndarray) 
     found = np.exp(np.maximum(top * early, top * late)) * (late ** (count - 1) / math.factorial(count - 1))
     if count == 1:
         return found
-    pairs = list(combinations(range(count), 2))
-    gaps = np.abs(np.stack([nodes[:, i] - nodes[:, j] for i, j in pairs]))
-    widest, rows = gaps.argmax(axis=0), np.arange(len(nodes))
-    kept = [np.array([[k for k in range(count) if k != pair[side]] for pair in pairs])[widest] for side in (0, 1)]
-    apart = sum(largest_differences(nodes[rows[:, None], places], early, late) for places in kept)
-    gap = gaps[widest, rows][:, None]
+    one, other, left = _pairs(count)
+    gaps = np.abs(nodes[:, one] - nodes[:, other])
+    widest, rows = gaps.argmax(axis=1), np.arange(len(nodes))
+    apart = sum(largest_differences(nodes[rows[:, None], places[widest]], early, late) for places in left)
+    gap = gaps[rows, widest][:, None]
     return np.where(gap > 0, np.minimum(found, apart / np.where(gap > 0, gap, 1.0)), found)
+
+
+@lru_cache
+def _pairs(count):
+    """The places of the one and of the other of each two of so many; those that are left without either, two arrays."""
+    pairs = np.array(list(combinations(range(count), 2)))
+    left = [np.array([[k for k in range(count) if k != pair[side]] for pair in pairs]) for side in (0, 1)]
+    return pairs[:, 0], pairs[:, 1], left

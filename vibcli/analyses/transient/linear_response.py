@@ -60,6 +60,7 @@ class LinearMotion:
         self.M, self.C, self.K, self.system = matrices
         self.q0, self.v0 = np.array(q0, float), np.array(v0, float)
         self._pieces: Any = None
+        self._extremes: dict[tuple, tuple[float, float]] = {}
 
     def values(self, output: "LinearOutput", times: Sequence[float] | np.ndarray, order: int = 0) -> np.ndarray:
         """The order-th derivative of the output at an array of times; just after what jumps there."""
@@ -81,7 +82,10 @@ class LinearMotion:
 
     def extreme(self, output: Any, start: float, end: float, sense: str = "max") -> tuple[float, float]:
         """(t, value) of the largest ("max") or smallest ("min") value for start <= t <= end, the earliest of equals."""
-        return extreme(self.pieces(end), output, start, end, sense, self.work)
+        place = (output.told, start, end, sense)
+        if place not in self._extremes:
+            self._extremes[place] = extreme(self.pieces(end), output, start, end, sense, self.work)
+        return self._extremes[place]
 
     def zeros(self, output: "LinearOutput", start: float, end: float) -> np.ndarray:
         """All times from `start` to `end` where the output passes or touches zero, ascending."""

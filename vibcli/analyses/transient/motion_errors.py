@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 
 EPSILON = 2.0**-52
 ROUNDINGS = 8       # of a term, in units of EPSILON
+FEW = 4             # instants whose factors are kept for a while
 BUCKET = 2.0        # lengths of segments within such a ratio are looked at together
 
 
@@ -49,6 +50,7 @@ class MotionErrors:
     def __init__(self, pieces: "Pieces"):
         self.pieces, self.motion, self.timeline = pieces, pieces.motion, pieces.timeline
         self.known: dict[float, np.ndarray] = {}
+        self._factors: dict[tuple, np.ndarray] = {}
         self.count = sum(len(block.B) for block in self.motion.blocks)
         if self.count:
             self.system = BlockPerturbation(self.motion.blocks, self.motion.matrices[:3], self.motion.data_errors)
@@ -141,6 +143,7 @@ class MotionErrors:
         """(ε, the size of what c is added from, and of its rate) at instants, (P, T) each."""
         missing = [t for t in dict.fromkeys(times.tolist()) if t not in self.known]
         if missing:
+            self._factors = {}
             segment, tau = self.timeline.place(np.array(missing))
             found = np.zeros((3, self.count, len(missing)))
             (_, parts), local = self._near(segment)
@@ -149,7 +152,7 @@ class MotionErrors:
                 if len(inside):
                     here, place = tau[inside], np.searchsorted(part.at, local[inside])
                     found[:, :, inside] += self._brought(part, place, here, here, np.arange(len(inside)))
-            found[0] += np.einsum("tij,jt->it", self._summed(self.plain, (), tau, tau), self._started(segment))
+            found[0] += np.einsum("tij,jt->it", self._exponential((), tau, tau), self._started(segment))
             self.known |= {t: found[:, :, k] for k, t in enumerate(missing)}
         return np.stack([self.known[t] for t in times.tolist()], axis=2)
 
@@ -204,16 +207,25 @@ class MotionErrors:
     def _gains(self, tail, early, late):
         """(what δA and δs add to each c for each amplitude; |e^{Bτ}| with the tail; its rate), (U, P, P) on intervals
         of time. The rate of E[nodes, s] is s E[nodes, s] + E[nodes]."""
-        plain = self._summed(self.plain, tail, early, late)
+        plain = self._exponential(tail, early, late)
         perturbed = self._summed(self.chains, tail, early, late)
         rate = np.abs(self.system.B) @ plain
         if tail:
             perturbed *= 2.0        # far from resonance both halves of a pair count
             off = (DATA + 2 * EPSILON) * abs(tail[0]) * len(tail)
-            perturbed += off * self._summed(self.plain, (*tail, tail[0]), early, late)
+            perturbed += off * self._exponential((*tail, tail[0]), early, late)
             rate = np.minimum(rate + np.eye(self.count) * (len(tail) == 1),
-                              abs(tail[0]) * plain + self._summed(self.plain, tail[1:], early, late))
+                              abs(tail[0]) * plain + self._exponential(tail[1:], early, late))
         return perturbed, plain, rate
+
+    def _exponential(self, tail, early, late):
+        """|e^{Bτ}| with a tail on intervals, (U, P, P), of few once for all that is asked about the same instants."""
+        if len(early) > FEW:
+            return self._summed(self.plain, tail, early, late)
+        key = tail, early.tobytes(), late.tobytes()
+        if key not in self._factors:
+            self._factors[key] = self._summed(self.plain, tail, early, late)
+        return self._factors[key]
 
     def _summed(self, rows, tail, early, late):
         total = np.zeros((len(early), self.count**2))

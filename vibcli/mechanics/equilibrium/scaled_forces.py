@@ -6,6 +6,7 @@ typical of the scene. So the search does not depend on units.
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
+from operator import mul
 from statistics import median
 from typing import TYPE_CHECKING
 
@@ -74,6 +75,7 @@ class Forces:
                               for name in self.names], bool)
         self.D = np.where(self.angle | self.open, 1.0, typical_length(numeric) or 1.0)
         self.scale: list[float] = self.D.tolist()
+        self._scaled = list(zip(self.rows, self.scale, strict=True))
         self.E, self.typical = 1.0, [0.0] * len(self.names)
         self.periodic = np.zeros(len(self.names), bool)
         self.looped = numeric.scene.resting.loops is not None
@@ -112,14 +114,13 @@ class Forces:
             r, sizes, K = self.numeric.static_forces.at(self.position(z))
         except (PhysicsError, ArithmeticError, ValueError):
             return None
-        rows, E, place = list(zip(self.rows, self.scale, strict=True)), self.E, list(map(float, z))
+        rows, E, place = self._scaled, self.E, list(map(float, z))
         F = [r[i] * d for i, d in rows]
         J = [[K[i][j] * (d * e) for j, e in rows] for i, d in rows]
-        if not all(-HUGE < x < HUGE for part in (F, *J) for x in part):
+        if not all(sum(map(abs, part)) < HUGE for part in (F, *J)):       # NaN is not
             return None
         moved = [1.0 + abs(x) for x in place]
-        size = [sizes[i] * d + sum([abs(x) * m for x, m in zip(row, moved, strict=True)])
-                for (i, d), row in zip(rows, J, strict=True)]
+        size = [sizes[i] * d + sum(map(mul, map(abs, row), moved)) for (i, d), row in zip(rows, J, strict=True)]
         return Place(place, [f / E for f in F], [[x / E for x in row] for row in J], [s / E for s in size])
 
     def balanced(self, place: Place) -> bool:
