@@ -156,8 +156,19 @@ class Expressions:
         return dx / length, dy / length
 
     def absolute(self, node: "Node"):
-        """A node or its opposite, so that it is positive as drawn."""
-        return node if self.sign(node) > 0 else -node
+        """A node or its opposite, so that it is positive as drawn, whatever sign a letter has that may have any."""
+        drawn, = self.coordinates.at_drawn(node)
+        if not self._turns(drawn):
+            return node if self.sign(node) > 0 else -node
+        size = self.table.sqrt(textbook(drawn * drawn))
+        return size if drawn is node else textbook(node * drawn / size)
+
+    def _turns(self, drawn):
+        """Has a value another sign where a letter without value that may have any sign has the other one?"""
+        value, letters = self.number(drawn), {part.name for part in reachable([drawn]) if part.op == "symbol"}
+        return any(evaluate([drawn], Floats, {**self.sample, name: -self.sample[name]})[0] * value < 0
+                   for name in letters.intersection(self.parameters.free)
+                   if not self.table.is_positive(self.parameters.nodes[name]))
 
     def distance(self, dx: Any, dy: Any):
         """√(dx² + dy²), rational where the direction never changes: there it is ±dx, ±dy or their projection."""
