@@ -15,6 +15,7 @@ from vibcli.report.blocks import (
     Name,
     Paragraph,
     SumOfTerms,
+    Typed,
     WithNumbers,
     Words,
     line,
@@ -125,6 +126,8 @@ def _pieces(part, write):
         return [write.words(part.text if write is plain else with_tens(part.text))]
     if isinstance(part, Name):
         return [write.symbol(part.text)]
+    if isinstance(part, Typed):
+        return [_typed(part, write)]
     if isinstance(part, Factor):
         return [write.write(part.node, 1)]
     if isinstance(part, Either):
@@ -135,6 +138,16 @@ def _pieces(part, write):
     nodes = part.nodes if isinstance(part, SumOfTerms) else (part,)
     terms = [term for node in nodes for term in _terms(node, write)]
     return [write.signed(negative, text, not i) for i, (negative, text) in enumerate(terms)]
+
+
+def _typed(part, write):
+    if write is plain:
+        from vibcli.notation.as_printed import as_printed
+
+        return as_printed(part.text, part.names)
+    from vibcli.notation.typed_tree import typeset
+
+    return typeset(part.tree, part.text, write)
 
 
 def _terms(node, write):
