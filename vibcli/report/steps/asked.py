@@ -56,7 +56,7 @@ def _tell(problem, sheet, asked, joined):
     unit = unit_told(problem.spec, asked)
     node = _in_letters(problem, asked, value)
     text = as_printed(asked.text, {*problem.spec.parameters, *problem.spec.coordinates})
-    shown = [Words(text)] if node is None else [Words(f"{text}:  "), node]
+    shown = [Words(text)] if node is None or node.op == "number" else [Words(f"{text}:  "), node]
     sheet.write(*shown, *number(value, unit), settles=asked.text, node=node, value=value,
                 unit=unit, uses=[sheet.last], joined=joined)
 
