@@ -5,7 +5,9 @@ import math
 import re
 
 import mpmath
+import numpy as np
 import pytest
+from scipy.linalg import expm
 from support.scenes import problem
 
 import vibcli
@@ -14,6 +16,7 @@ from vibcli.report.formats.formula import formula
 from vibcli.report.steps import dry_friction, motion_in_time
 from vibcli.report.steps.worked import worked
 
+DIGITS = str.maketrans("₁₂", "12")
 PENDULUM = """
 parameters: {m: 0.4 kg, L: 0.8 m, g: 9.81 m/s^2}
 gravity: g
@@ -135,3 +138,28 @@ def test_half_cycles_that_the_engine_has_not_are_not_told(monkeypatch):
     whole = dry_friction.coulomb
     monkeypatch.setattr(dry_friction, "coulomb", lambda scene: whole(scene)._replace(R=2 * whole(scene).R))
     assert "final(x)" not in by_name(RUBBED)
+
+
+@pytest.mark.parametrize(("c", "roots"), [("6", 2), ("60", 3)])
+def test_a_motion_from_the_start_is_the_sum_of_complex_modes_where_damping_couples(c, roots):
+    """Held against expm of the state matrix; the second has two roots that are real."""
+    found = problem(f"""
+        parameters: {{m1: 2 kg, m2: 1 kg, k1: 800 N/m, k2: 300 N/m, c: {c} N*s/m}}
+        bodies: {{a: {{mass: m1, slide: x1}}, b: {{mass: m2, slide: x2}}}}
+        springs: {{s1: {{k: k1, between: [ground, a]}}, s2: {{k: k2, between: [a, b]}}}}
+        dampers: {{d: {{c: c, between: [a, b]}}}}
+        initial: {{x1: 10 mm, x2': 0.3 m/s}}
+    """)
+    settled = {line.settles: formula(line.parts, plain) for line in worked(found)}
+    assert sum(key.startswith("part ") for key in settled) == roots
+    C = float(c) * np.array([[1, -1], [-1, 1]])
+    M, K = np.diag([2.0, 1.0]), np.array([[1100.0, -300.0], [-300.0, 300.0]])
+    A = np.block([[np.zeros((2, 2)), np.eye(2)], [-np.linalg.solve(M, K), -np.linalg.solve(M, C)]])
+    t, letters = 0.3, {key: float(value) for text in settled.values()
+                       for key, value in re.findall(r"(δ\d|ω_d\d) = ([\d.]+)", text.translate(DIGITS))}
+    due = expm(A * t) @ np.array([0.01, 0, 0, 0.3])
+    for name, wanted in (("x1", due[0]), ("x2", due[1])):
+        told = settled[f"motion of {name}"].translate(DIGITS).split(" = ")[1].replace("·", "*").replace("−", "-")
+        value = eval(re.sub(r"δ\d|ω_d\d", lambda one: str(letters[one.group()]), told.replace("\u00a0", " ")),
+                     {"cos": math.cos, "sin": math.sin, "exp": math.exp, "t": t})
+        assert value == pytest.approx(wanted, rel=1e-4)

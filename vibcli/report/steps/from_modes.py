@@ -48,15 +48,17 @@ class ModeFromStart(NamedTuple):
         return (self.speed + self.delta * self.place) / self.rate
 
 
-def tell_from_modes(about: AboutRest, sheet: WorkedSolution, found: SmallEquations, uses: "Sequence[int]") -> None:
-    """Write down the motion from the start that the file gives; nothing where it has none or is not such a sum."""
+def tell_from_modes(about: AboutRest, sheet: WorkedSolution, found: SmallEquations, uses: "Sequence[int]") -> bool:
+    """Write down the motion from the start that the file gives; nothing where it has none or is not such a sum. Is it
+    left to be told, since damping couples the modes?"""
     problem = about.problem
     if (problem.spec.get("initial") is None or problem.numeric.has_free_symbols or found.drive or found.G
             or problem.spec.in_full or not proportional(problem.spec) or len(about.scene.q) > MOST):
-        return
+        return False
     modes = _modes(problem)
     if modes:
         _write(about, sheet, modes, uses)
+    return bool(found.C) and not modes
 
 
 def _modes(problem):
@@ -116,8 +118,7 @@ def _write(about, sheet, modes, uses):
     for i, name in enumerate(names):
         terms = [part for mode in moved for part in _terms(about, sheet, mode, mode.shape[i])]
         if terms:
-            line = sheet.write(Words("so  "), Name(name), " = ", *terms[1:] if terms[0] == " + " else ["−", *terms[1:]],
-                               settles=f"motion of {name}", uses=lines)
+            line = motion_of(sheet, name, terms, lines)
             _beats(about, sheet, name, [(mode, mode.shape[i]) for mode in moved], line)
 
 
@@ -148,16 +149,22 @@ def _letter(about, sheet, letter, mode):
 
 def _terms(about, sheet, mode, u):
     """[sign, part, …] of u pₖ."""
-    table, t = about.table, about.scene.time
-    rate = _letter(about, sheet, "omega_d" if mode.delta else "omega", mode) * t
     size = abs(mode.place) + abs(mode.B)
-    waves = [(u * value, table.call(wave, rate)) for wave, value in (("cos", mode.place), ("sin", mode.B))
-             if abs(u * value) > ALIKE * size]
+    return waves(about, sheet, mode.order, (u * mode.place, u * mode.B), ALIKE * abs(u) * size, bool(mode.delta))
+
+
+def waves(about: AboutRest, sheet: WorkedSolution, order: int, sizes: tuple[float, float], nothing: float,
+          damped: bool) -> list[Any]:
+    """[sign, part, …] of e^{−δₖt} (A cos ωₖt + B sin ωₖt), of which up to `nothing` is rounding."""
+    table, t = about.table, about.scene.time
+    rate = about.letter(sheet.letter(f"omega_d{order}" if damped else f"omega{order}")) * t
+    waves = [(value, table.call(wave, rate)) for wave, value in zip(("cos", "sin"), sizes, strict=True)
+             if abs(value) > nothing]
     if not waves:
         return []
-    if not mode.delta:
+    if not damped:
         return [part for value, wave in waves for part in (" − " if value < 0 else " + ", f"{told(abs(value))}·", wave)]
-    decay = table.call("exp", -(_letter(about, sheet, "delta", mode) * t))
+    decay = table.call("exp", -(about.letter(sheet.letter(f"delta{order}")) * t))
     if len(waves) == 1:
         value, wave = waves[0]
         return [" − " if value < 0 else " + ", f"{told(abs(value))}·", wave, "·", decay]
@@ -165,6 +172,12 @@ def _terms(about, sheet, mode, u):
     sign = " − " if one < 0 else " + "
     inner = [f"({told(abs(one))}·", cosine, " + " if one * other > 0 else " − ", f"{told(abs(other))}·", sine, ")"]
     return [sign, *inner, "·", decay]
+
+
+def motion_of(sheet: WorkedSolution, name: str, terms: "Sequence[Any]", uses: "Sequence[int]") -> int:
+    """Write down the motion of a coordinate as a sum of terms with signs."""
+    return sheet.write(Words("so  "), Name(name), " = ", *terms[1:] if terms[0] == " + " else ["−", *terms[1:]],
+                       settles=f"motion of {name}", uses=uses)
 
 
 def _beats(about, sheet, name, parts, line):

@@ -56,7 +56,10 @@ class SeveralDegrees:
             tell_roots(self.about, self.sheet, lines)
         tell_estimates(self.about, self.sheet, self.found, matrices)
         tell_damped(self.about, self.sheet, self.found, matrices)
-        tell_from_modes(self.about, self.sheet, self.found, lines)
+        if tell_from_modes(self.about, self.sheet, self.found, lines):
+            from vibcli.report.steps.from_complex_modes import tell_from_complex_modes
+
+            tell_from_complex_modes(self.about, self.sheet, lines)
         tell_loads(self.about, self.sheet, self.found)
 
     def _matrix(self, words, letter, entries: "Mapping[tuple[int, int], Node]"):
