@@ -13,7 +13,7 @@ from vibcli.report.blocks import Name, Section, Words, line, note, paragraph, se
 from vibcli.report.keys import Key
 from vibcli.report.sections.equations_of_motion import with_lengths
 from vibcli.report.sections.numeric_equations import ROUNDING
-from vibcli.report.sections.statics import SIGNS
+from vibcli.report.sections.statics import SIGNS, normals_in_letters
 from vibcli.report.sections.too_long import brief
 from vibcli.symbolic.evaluation import Floats, evaluate
 
@@ -49,6 +49,7 @@ def accelerations(problem: "Problem", report: "Report") -> Iterator[Section]:
     yield from section("Accelerations from rest as drawn", blocks.equations(lines), *with_lengths(lengths),
                        paragraph(CONSTANT) if found.constant else None)
     forces = {signal: node for signal, node in forces.items() if node is None or not node.is_zero}
+    forces |= dict(normals_in_letters(problem, forces))
     lines, lengths = _lines(problem, report, forces, {signal: Words(signal) for signal in forces})
     yield from section(FORCES, blocks.equations(lines), *with_lengths(lengths), note(SIGNS))
 
