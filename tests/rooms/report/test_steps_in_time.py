@@ -163,3 +163,9 @@ def test_a_motion_from_the_start_is_the_sum_of_complex_modes_where_damping_coupl
         value = eval(re.sub(r"δ\d|ω_d\d", lambda one: str(letters[one.group()]), told.replace("\u00a0", " ")),
                      {"cos": math.cos, "sin": math.sin, "exp": math.exp, "t": t})
         assert value == pytest.approx(wanted, rel=1e-4)
+
+
+def test_the_energy_of_a_pendulum_let_go_level_is_zero():
+    """Not what is left of −m g L cos φ at the float next to π/2."""
+    lines = worked(problem(PENDULUM.replace("phi: 2 rad, phi': 1.5 rad/s", "phi: 90 deg")))
+    assert next(line.value for line in lines if line.settles == "E") == 0.0
