@@ -105,7 +105,8 @@ def _with_symbols(text, names):
 
 
 def _in_print(words):
+    from vibcli.notation.numbers import NEGATIVE
     from vibcli.notation.typed_values import SUPERSCRIPT
 
     words = re.sub(r"\^(-?\d+)(?!\d|\.\d|/\d)", lambda found: found[1].translate(SUPERSCRIPT), words)
-    return re.sub(r"(?<=\w)\*(?=\w)", "·", words).replace("sqrt(", "√(")
+    return re.sub(r"(?<=\w)\*(?=\w)", "·", NEGATIVE.sub("−", words)).replace("sqrt(", "√(")

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from vibcli.base.errors import NoEquilibrium, NotInLetters, PhysicsError
 from vibcli.base.units import FORCE, TIME, times
 from vibcli.notation.abbreviations import abbreviated
-from vibcli.notation.numbers import figure, with_unit
+from vibcli.notation.numbers import with_minus, with_unit
 from vibcli.report import blocks
 from vibcli.report.blocks import Name, Section, Words, line, note, paragraph, section
 from vibcli.report.keys import Key
@@ -100,7 +100,7 @@ def _with_unit(problem, key, value):
     if not key.endswith("''"):
         return with_unit(value, signal_dimension(problem.spec, key) or FORCE)
     dimension = problem.system.dimension(key[:-2])
-    return with_unit(value, times(dimension, TIME, -2)) if dimension else f"{figure(value)} rad/s²"
+    return with_unit(value, times(dimension, TIME, -2)) if dimension else f"{with_minus(value)} rad/s²"
 
 
 def _from_motion(problem):

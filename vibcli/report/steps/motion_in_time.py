@@ -132,8 +132,8 @@ class EnergyIntegral:
             return
         M = evaluate([self.M], Floats, self.floats)[0]
         value = (2 * (E - heights[0]) / M) ** 0.5
-        self.sheet.write(Words("fastest where it could rest,  "), Name(self.name), *number(rest, self.unit), Words(":  "),
-                         "|", Name(self.name + "'"), "|", *number(value, f"{self.unit}/s"), uses=[line],
+        self.sheet.write(Words("fastest where it can rest,  "), Name(self.name), *number(rest, self.unit),
+                         Words(":  "), "|", Name(self.name + "'"), "|", *number(value, f"{self.unit}/s"), uses=[line],
                          settles=f"max({self.name}')", value=value, unit=f"{self.unit}/s")
 
 
