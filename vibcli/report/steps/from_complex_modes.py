@@ -5,7 +5,6 @@ complex ones (Foss 1958),
 
 from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.complex_numbers import complex_told
@@ -14,9 +13,11 @@ from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number, told
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
     from numpy import ndarray
+
+    from vibcli.results.problem import Problem
 
 RULE = ("each complex mode has of the start its shape by (M·speeds + (λ·M + C)·places) over its shape by (2·λ·M + C) "
         "by its shape")
@@ -36,37 +37,29 @@ class ComplexMode(NamedTuple):
         return (2 if self.root.imag else 1) * self.part * self.shape
 
 
-def tell_from_complex_modes(about: AboutRest, sheet: WorkedSolution, uses: "Sequence[int]") -> None:
-    """Write down the motion from the start; nothing where these modes do not add up to it."""
-    modes = _modes(about.problem)
-    if not modes:
-        return
-    names = about.scene.coordinates
+def tell_complex_modes(about: AboutRest, sheet: WorkedSolution, modes: "Sequence[ComplexMode]", uses: "Sequence[int]",
+                       kept: "Mapping[str, list]") -> None:
+    """Write down their sum; `kept`: what is added to coordinates, [" + ", part, …]."""
     lines = [sheet.write(Words(RULE), settles="parts of the start", uses=uses)]
     lines += [_part_of(about, sheet, mode, lines[:1]) for mode in modes]
-    for i, name in enumerate(names):
+    for i, name in enumerate(about.scene.coordinates):
         nothing = ALIKE * max(abs(mode.sizes[i]) for mode in modes)
         terms = [part for mode in modes for part in _terms(about, sheet, mode, i, nothing)]
-        if terms:
-            motion_of(sheet, name, terms, lines)
+        if terms or name in kept:
+            motion_of(sheet, name, [*kept.get(name, []), *terms], lines)
 
 
-def _modes(problem):
-    """All of them with their parts of the start; none where one does not die out, or they are not all."""
+def complex_modes_of(problem: "Problem", start: "Sequence[Sequence[float]]") -> list[ComplexMode]:
+    """All of them with their parts of a start, places and speeds from rest; none where one does not die out, or they
+    are not all."""
     import numpy as np
 
     names, configuration = problem.scene.coordinates, problem.configuration
     damped = problem.modal.damped
     if damped is None:
         return []
-    try:
-        place, speed = problem.initial.start
-        rest = configuration.equilibrium.values
-    except PhysicsError:
-        return []
     M, C, _, K = (_dense(entries, len(names)) for entries in configuration.linear_system.matrices())
-    places = np.array([float(place[name] - rest[name]) for name in names])
-    speeds = np.array([float(speed[name]) for name in names])
+    places, speeds = np.array(start, dtype=float)
     found = []
     for mode in damped:
         root = complex(mode.eigenvalue)

@@ -7,9 +7,7 @@ where nothing damps or what damps leaves the modes apart; and beats, where two m
 from math import pi, sqrt
 from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.mechanics.given_damping_in_letters import proportional
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.held import SmallEquations
 from vibcli.report.steps.small import AboutRest
@@ -19,12 +17,12 @@ from vibcli.symbolic.normal_form import is_zero
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
+    from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
 ALIKE = 1e-9            # relative: of sums that vanish, and of amplitudes that are the same
 CLOSE = 0.2             # of the difference of two frequencies over their sum, up to which they beat
 START = "at t = 0 of mode {}, its shape by M by the start over its modal mass:  "
-MOST = 3                # coordinates whose motion is a line to read
 
 
 class ModeFromStart(NamedTuple):
@@ -48,29 +46,11 @@ class ModeFromStart(NamedTuple):
         return (self.speed + self.delta * self.place) / self.rate
 
 
-def tell_from_modes(about: AboutRest, sheet: WorkedSolution, found: SmallEquations, uses: "Sequence[int]") -> bool:
-    """Write down the motion from the start that the file gives; nothing where it has none or is not such a sum. Is it
-    left to be told, since damping couples the modes?"""
-    problem = about.problem
-    if (problem.spec.get("initial") is None or problem.numeric.has_free_symbols or found.drive or found.G
-            or problem.spec.in_full or not proportional(problem.spec) or len(about.scene.q) > MOST):
-        return False
-    modes = _modes(problem)
-    if modes:
-        _write(about, sheet, modes, uses)
-    return bool(found.C) and not modes
-
-
-def _modes(problem):
-    """All modes with their start; none where they do not oscillate, or are coupled by damping."""
-    configuration, names = problem.configuration, problem.scene.coordinates
-    try:
-        place, speed = problem.initial.start
-        rest = configuration.equilibrium.values
-    except PhysicsError:
-        return []
-    M, C, _, K = configuration.linear_system.matrices()
-    start = [[place[name] - rest[name] for name in names], [speed[name] for name in names]]
+def modes_of(problem: "Problem", start: "Sequence[Sequence[float]]") -> list[ModeFromStart]:
+    """All modes with their parts of a start, places and speeds from rest; none where they do not oscillate, or are
+    coupled by damping."""
+    names = problem.scene.coordinates
+    M, C, _, K = problem.configuration.linear_system.matrices()
     found = []
     for mode in problem.modal.modes:
         u = [complex(x).real for x in problem.modal.shape(mode)]
@@ -109,7 +89,9 @@ def _complete(modes, start):
         for i, x in enumerate(column))
 
 
-def _write(about, sheet, modes, uses):
+def tell_modes(about: AboutRest, sheet: WorkedSolution, modes: "Sequence[ModeFromStart]", uses: "Sequence[int]",
+               kept: "Mapping[str, list]") -> None:
+    """Write down their sum; `kept`: what is added to coordinates, [" + ", part, …]."""
     names = about.scene.coordinates
     unit = "m" if about.problem.system.dimension(names[0]) else "rad"
     lines = [_start_of(about, sheet, mode, unit, uses) for mode in modes]
@@ -117,8 +99,9 @@ def _write(about, sheet, modes, uses):
         abs(one.place) + abs(one.B) for one in modes)]
     for i, name in enumerate(names):
         terms = [part for mode in moved for part in _terms(about, sheet, mode, mode.shape[i])]
-        if terms:
-            line = motion_of(sheet, name, terms, lines)
+        if terms or name in kept:
+            line = motion_of(sheet, name, [*kept.get(name, []), *terms], lines)
+        if terms and not kept:
             _beats(about, sheet, name, [(mode, mode.shape[i]) for mode in moved], line)
 
 
