@@ -13,7 +13,7 @@ from vibcli.report.blocks import Document, Equations, Paragraph, TableBlock
 from vibcli.report.formats import asciidoc, html, latex, markdown, text, typst
 
 WIDEST = 102
-WIDEST_FORMULA, SPACED = 120, "+−=<>≤"     # columns of formulas of a page; signs between spaces
+WIDEST_FORMULA, SPACED = 125, "+−=<>≤"     # columns of formulas of a page; signs between spaces
 FORMULA = re.compile("<math .*?</math>", re.DOTALL)
 FORMATS = (text, markdown, latex, html, asciidoc, typst)
 TYPED = re.compile(r"\bN\*|\*s/m\b|\bkg\*m|\bm/s\^2|\d deg\b")
