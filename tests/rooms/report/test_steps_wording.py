@@ -63,3 +63,7 @@ def test_how_it_is_damped_is_said_in_words():
              "springs: {s: {k: k, between: [ground, b]}}\ndampers: {d: {c: c, between: [ground, b]}}\n")
     for c, words in ((8, "under-damped"), (80, "critically damped"), (100, "over-damped")):
         assert next(line for line in told(problem(scene % c)) if line.startswith("ζ")).endswith(words)
+
+
+def test_why_a_coordinate_follows_is_told_where_all_constraints_are_of_one_form():
+    assert any(line.endswith("(as ropes keep their length)") for line in of("drum_on_a_slope_with_a_cord"))
