@@ -53,7 +53,7 @@ class SeveralDegrees:
         elif self.two is not None:
             self.two.in_letters(lines)
         else:
-            tell_roots(self.about, self.sheet, lines)
+            tell_roots(self.about, self.sheet, self.found, lines)
         tell_estimates(self.about, self.sheet, self.found, matrices)
         tell_damped(self.about, self.sheet, self.found, matrices)
         tell_from_start(self.about, self.sheet, self.found, lines)

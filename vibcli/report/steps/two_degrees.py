@@ -80,7 +80,7 @@ class TwoDegrees:
         """Write down the roots where their square root is none, else those of closed form, and the ratios."""
         found = self._squares()
         if not found:
-            tell_roots(self.about, self.sheet, uses)
+            tell_roots(self.about, self.sheet, self.found, uses)
         lines = [self._root_in_letters(k, node, uses) for k, node in enumerate(found, 1)]
         if self.found.G or self.row is None or self._stiffened(self.row, 0).is_zero:
             return
