@@ -79,3 +79,8 @@ def test_a_determinant_that_factors_is_told_as_a_product(last, wanted):
                    s4: {{k: {last}, between: [c, ground]}}}}
     """))
     assert [line for line in lines if "it factors" in line] == wanted
+
+
+def test_numbers_are_put_into_the_formula_of_two_roots():
+    """√(9.99e7² − 4·810000·2.475e9) = 4.42833e7 by hand."""
+    assert any(line.endswith("= (9.99e7 ∓ 4.42833e7)/1.62e6") for line in of("car_bounce_and_pitch"))
