@@ -70,8 +70,9 @@ def known(problem: "Problem", asked: "Expression") -> float:
 def _in_letters(problem: "Problem", asked: "Expression", value: float) -> "Node | None":
     """Its expression where that is not long and has the engine's number; None of others."""
     try:
-        node = tidy(quantity_in_letters(problem, asked.tree), [problem.numeric.floats])
+        found = quantity_in_letters(problem, asked.tree)
+        node = min(tidy(found, [problem.numeric.floats]), found, key=letters)
     except (PhysicsError, SpecError):
         return None
-    found, = evaluate([node], Floats, problem.numeric.floats)
-    return node if letters(node) <= LONG and abs(found - value) <= CLOSE * abs(value) else None
+    again, = evaluate([node], Floats, problem.numeric.floats)
+    return node if letters(node) <= LONG and abs(again - value) <= CLOSE * abs(value) else None
