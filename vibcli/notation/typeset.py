@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 SIGNS = re.compile("[-−+]")      # each between spaces
 WIDEST = 80     # columns of a sum on one line within a fraction, a root or brackets
-HALF, STUB = 40, 12     # columns of factors that rows may part; that no row ends with
+LEAST, STUB = 24, 12    # columns of factors that rows may part; that no row ends with
 KNOWN = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "log": "ln"}
 
 
@@ -52,10 +52,11 @@ class Stacked(Notation):
         return self.in_rows([self.signed(negative, text, not i) for i, (negative, text) in enumerate(pieces)])
 
     def multiplied(self, texts: list[str]) -> str:
-        """The product; in rows between factors that are both wide."""
+        """The product; in rows where it is too wide for one, between factors that are no letters."""
         rows = texts[:1]
         for text in texts[1:]:
-            if self._columns(rows[-1]) > HALF < self._columns(text):
+            sizes = self._columns(rows[-1]), self._columns(text)
+            if sum(sizes) > WIDEST and min(sizes) > LEAST:
                 rows.append(self.times(["", text]))
             else:
                 rows[-1] = self.times([rows[-1], text])

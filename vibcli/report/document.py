@@ -87,7 +87,7 @@ def _quoting(spec, text):
             continue
         record = spec.parameters[plain_name(part)]
         known = "value" in record and plain_name(part) not in spec.choices
-        yield as_given(record["value"], set(spec.parameters)) if known else maths(Name(plain_name(part)))
+        yield as_given(record["value"], frozenset(spec.parameters)) if known else maths(Name(plain_name(part)))
 
 
 def _with_symbols(text, names):

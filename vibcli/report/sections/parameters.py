@@ -37,7 +37,7 @@ OF_MEMBERS = {"u": "displacement", "along": "displacement along", "across": "dis
 
 
 def given(problem: "Problem", _: "Report") -> Iterator[Section]:
-    items, letters, names = [], [], set(problem.spec.parameters)
+    items, letters, names = [], [], frozenset(problem.spec.parameters)
     for name, record in problem.spec.parameters.items():
         if name in problem.spec.choices:
             continue
