@@ -68,3 +68,12 @@ def test_of_those_without_end(asked, first, last):
         find: [{asked}]""")
     scene.modal.__dict__["modes"] = Modes((), Rod())
     assert [mode.index for mode in shown(scene)] == list(range(first, last + 1))
+
+
+@pytest.mark.parametrize(("motion", "said"), [("x", "there is one mode"), ("X*sin(t/s)", "nothing moves freely")])
+def test_shapes_that_there_are_not_are_no_blank_page(tmp_path, capsys, motion, said):
+    path = tmp_path / "scene.yaml"
+    path.write_text(f"parameters: {{X: {{value: 1 m, unused: allowed}}, s: {{value: 1 s, unused: allowed}}}}\n"
+                    f"bodies: {{b: {{mass: 1 kg, slide: {motion}}}}}\nfind: [modes]\n")
+    assert run(["solve", str(path)]) == (4 if "nothing" in said else 0)
+    assert said in "".join(capsys.readouterr())

@@ -99,7 +99,7 @@ def test_amplitudes_of_shapes_are_read_back():
                   for shape in found]
         table, _ = shapes(names, [1, 2, 3], turned, polar)
         for i, (_, *row) in enumerate(table.rows):
-            parts = [[float(part.strip(" °")) for part in f"{text}∠0".split("∠")[:2]] for text in row]
+            parts = [[float(part.strip(" °").replace("−", "-")) for part in f"{text}∠0".split("∠")[:2]] for text in row]
             assert [cmath.rect(size, math.radians(angle)) for size, angle in parts] == pytest.approx(
                 [shape[i] for shape in turned], rel=1.5e-3)
 

@@ -23,7 +23,7 @@ from vibcli.notation.latex import latex as write_latex
 from vibcli.notation.mathml import mathml as write_mathml
 from vibcli.notation.plain import plain as write_plain
 from vibcli.notation.typst import typst as write_typst
-from vibcli.report.blocks import Either, Line, Maths, Name, Picture, SumOfTerms, Words
+from vibcli.report.blocks import Either, Line, Maths, Name, Picture, SumOfTerms, Typed, Words
 from vibcli.report.formats.formula import formula
 from vibcli.report.formats.markdown import latex as write_protected
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -87,6 +87,8 @@ def as_meant(parts, numbers):
             flat += flattened(part)
         elif isinstance(part, Name):
             flat.append(("symbol", symbol(write_plain.symbol(part.text))))
+        elif isinstance(part, Typed):       # it has no expression of the scene
+            return None
         else:
             nodes = part.nodes if isinstance(part, SumOfTerms) else [getattr(part, "node", part)]
             if any(one.op == "call" and one.name not in FUNCTIONS for one in reachable(nodes)):

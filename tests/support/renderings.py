@@ -6,12 +6,15 @@ from collections.abc import Iterable, Iterator
 from html.parser import HTMLParser
 from types import ModuleType
 from typing import Any
+from xml.etree import ElementTree
 
 from vibcli.notation.numbers import width
 from vibcli.report.blocks import Document, Equations, Paragraph, TableBlock
 from vibcli.report.formats import asciidoc, html, latex, markdown, text, typst
 
 WIDEST = 102
+WIDEST_FORMULA, SPACED = 125, "+−=<>≤"     # columns of formulas of a page; signs between spaces
+FORMULA = re.compile("<math .*?</math>", re.DOTALL)
 FORMATS = (text, markdown, latex, html, asciidoc, typst)
 TYPED = re.compile(r"\bN\*|\*s/m\b|\bkg\*m|\bm/s\^2|\d deg\b")
 TOO_LONG = re.compile(r"an expression of \d+ characters(?!;\W+in\b)")
@@ -88,6 +91,24 @@ def unbalanced(shown: str) -> list[str]:
     return [f"latex: {opened[-1]} is missing"] if opened else []
 
 
+def columns(element: ElementTree.Element) -> float:
+    """About those of a formula of a page, where what stands above and below a line, or in rows, is as wide as the
+    widest."""
+    own = [columns(one) for one in element]
+    if element.tag in ("mfrac", "mtable", "mover", "munder"):
+        return max(own)
+    if element.tag == "mspace":
+        return 2 * float(element.attrib["width"].removesuffix("em"))
+    seen = width(re.sub("[\u2061\u2062]", "", element.text or "")) if not own else 0
+    return sum(own) + (3 if element.tag == "mo" and element.text in SPACED else seen)
+
+
+def too_wide(page: str) -> list[str]:
+    """Formulas of a page that are wider than it."""
+    return [f"{size:.0f} columns: {one.group()[:120]}" for one in FORMULA.finditer(page)
+            if (size := columns(ElementTree.fromstring(one.group()))) > WIDEST_FORMULA]
+
+
 def faults(document: Document, formats: Iterable[ModuleType]) -> list[str]:
     """What is wrong with a document in any of the formats."""
     found = []
@@ -104,6 +125,7 @@ def faults(document: Document, formats: Iterable[ModuleType]) -> list[str]:
             page = Page()
             page.feed(shown)
             found += [f"html: {page.wrong or page.open}"] * bool(page.wrong or page.open)
+            found += too_wide(shown)
         elif kind is latex:
             found += ["latex: not ASCII"] * (not shown.isascii()) + unbalanced(shown)
     return found

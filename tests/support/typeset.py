@@ -26,6 +26,7 @@ _OURS = {r"\arcsin", r"\arccos", r"\arctan"} | {"\\" + name for name in FUNCTION
 def latex(text):
     """The tokens of LaTeX."""
     text = re.sub(r"\\mkern\dmu", r"\\,", text)
+    text = re.sub(r"\\(?:begin|end)\{aligned\}|(?:\\\\|\\cr) & \\quad \{\}|& ", " ", text)       # rows are one
     return bracketed(_latex([part for part in _LATEX.findall(text) if not part.isspace()]))
 
 
@@ -123,6 +124,8 @@ def _element(part):
         return [] if text == "\u2061" else [_OPERATORS.get(text, text)]
     if part.tag == "mspace":
         return []
+    if part.tag in ("mtable", "mtr", "mtd"):
+        return _row(part)
     if part.tag in ("mfrac", "msqrt"):
         inside = [bracketed(_element(one)) for one in part]
         return [("fraction", *inside)] if part.tag == "mfrac" else [("root", bracketed(_row(part)))]
@@ -179,6 +182,8 @@ def _typst(parts, ends):
             found.append(("fraction", *_two(parts)))
         elif part == "sqrt":
             found.append(("root", _opened(parts)))
+        elif part == "mat":
+            found += _rows(parts)
         elif part in ("inline", "lr"):
             found += _opened(parts)
         elif part in _TYPST_FUNCTIONS or part == "op":
@@ -198,6 +203,16 @@ def _opened(parts):
 def _until(parts):
     found = _typst(parts, ")")
     parts.pop(0)
+    return found
+
+
+def _rows(parts):
+    """The tokens of all rows of a column."""
+    found = []
+    del parts[:parts.index("display")]
+    while parts.pop(0) != ")":
+        if parts[0] == "(":
+            found += _opened(parts)
     return found
 
 

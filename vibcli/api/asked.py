@@ -1,12 +1,18 @@
 """Which quantities of `answers` hold what a section of a report tells."""
 
-from itertools import combinations_with_replacement
+from itertools import combinations_with_replacement, pairwise
 
-from vibcli.report.sections.mode_tables import LONGEST, shapes_told
+from vibcli.base.enumeration import listed
+from vibcli.base.errors import PhysicsError
+from vibcli.language.parameter_samples import given_values
+from vibcli.report.sections.mode_tables import LONGEST, repeated, shapes_told
 from vibcli.report.sections.requested_signals import trees_asked
 from vibcli.report.sections.shown_modes import shown, shown_damped
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.normal_form import is_zero
 
 MOST = 12       # coordinates of which matrices and shapes are written out
+SAMPLES, ALIKE = 8, 1e-9        # sets of values of letters; what is rounding of a frequency
 
 
 def _chosen(problem):
@@ -51,13 +57,26 @@ def _matrices(problem):
                 yield f"{letter}[{names[i]},{names[j]}]"
 
 
-def _modes(problem):
-    """The modes that are told; of a scene in letters all, in closed form."""
+def _modes(problem, damped=False):
+    """The modes that are told; of a scene in letters all, in closed form, or those that are `damped`."""
     if problem.numeric.has_free_symbols:
         from vibcli.inverse.letters import closed_modes
 
-        return [(mode, mode.unstable) for mode in closed_modes(problem)]
+        modes = [mode for mode in closed_modes(problem) if not damped or mode.zeta is not None]
+        _require_ordered(problem, [mode.omega for mode in modes if not mode.unstable])
+        return [(mode, mode.unstable) for mode in modes]
     return [(mode, mode.growth_rate is not None) for mode in shown(problem)]
+
+
+def _require_ordered(problem, omegas):
+    """Refuse modes whose numbers hang on the values of the letters."""
+    scene = problem.scene
+    for attempt in range(SAMPLES):
+        letters = given_values(scene.parameters, scene.sample, scene.parameters.free, attempt)
+        values = scene.parameters.values(Floats, {name: float(value) for name, value in letters.items()})
+        found = evaluate(omegas, Floats, values)
+        if any(b < a * (1 - ALIKE) for a, b in pairwise(found)):
+            raise PhysicsError("the letters leave open which of the modes has the lower frequency")
 
 
 def _frequencies(problem):
@@ -65,19 +84,37 @@ def _frequencies(problem):
 
 
 def _damping(problem):
-    modes = ([mode for mode, _ in _modes(problem)] if problem.numeric.has_free_symbols else shown_damped(problem)) or ()
-    for mode in modes:
+    letters = problem.numeric.has_free_symbols
+    for mode in [mode for mode, _ in _modes(problem, True)] if letters else shown_damped(problem) or ():
         if mode.zeta is not None:
             yield f"zeta[{mode.index}]"
-            yield f"{'omega_d' if mode.omega_d else 'decay'}[{mode.index}]"
+            yield f"{'omega_d' if _is_some(mode.omega_d) else 'decay'}[{mode.index}]"
+
+
+def _is_some(rate):
+    """Is a rate, in letters or a number, there and not zero?"""
+    return rate is not None and not (rate.is_zero if hasattr(rate, "is_zero") else rate == 0)
 
 
 def _shapes(problem):
     if len(_coordinates(problem)) < 2 or len(problem.spec.coordinates) > MOST:
         return
-    modes = _modes(problem)
-    for mode, _ in modes[:shapes_told(len(modes))]:
-        yield from (f"mode[{mode.index}][{q}]" for q in _coordinates(problem))
+    modes = [mode for mode, _ in _modes(problem)]
+    shared = _of_one_frequency(problem, modes)
+    for mode in modes[:shapes_told(len(modes))]:
+        if mode.index not in shared:
+            yield from (f"mode[{mode.index}][{q}]" for q in _coordinates(problem))
+    if shared:
+        numbers = listed([str(number) for number in sorted(shared)])
+        raise PhysicsError(f"modes {numbers} share a frequency: each mix of their shapes is one")
+
+
+def _of_one_frequency(problem, modes):
+    """The numbers of modes that have the frequency of another."""
+    if not problem.numeric.has_free_symbols:
+        return set(repeated(modes))
+    known = [mode for mode in modes if mode.omega is not None]
+    return {number for a, b in pairwise(known) if is_zero(a.omega - b.omega) for number in (a.index, b.index)}
 
 
 def _kept_up(problem):

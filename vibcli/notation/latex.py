@@ -1,5 +1,6 @@
 """Expressions as LaTeX, for math mode."""
 
+import re
 from collections.abc import Sequence
 from typing import Any
 
@@ -18,7 +19,8 @@ def _escaped(name):
 class Latex(Stacked):
     """LaTeX, for math mode."""
 
-    minus, thin, thick = "-", r"\,", r"\;"
+    minus, thin, thick, newline = "-", r"\,", r"\;", r"\\"
+    markup = re.compile(r"\\mkern\dmu|\\[a-zA-Z]+|\\.|[{}_^ ]")
 
     def numeral(self, text: str) -> str:
         text, _, power = text.replace("−", "-").partition("e")
@@ -77,6 +79,10 @@ class Latex(Stacked):
 
     def fraction(self, above: str, below: str) -> str:
         return rf"\frac{{{above}}}{{{below}}}"
+
+    def rows(self, texts: list[str]) -> str:
+        lines = f" {self.newline} & \\quad {{}}".join(texts)
+        return rf"\begin{{aligned}} & {lines} \end{{aligned}}"
 
     def sqrt(self, text: str) -> str:
         return rf"\sqrt{{{text}}}"

@@ -29,6 +29,8 @@ def _operator(symbol, form=None):
 class MathML(Stacked):
     """The inside of a <math> element."""
 
+    markup = re.compile(r"<[^>]*>|&#x206\d;")
+
     def numeral(self, text: str) -> str:
         text, _, power = text.replace("−", "-").partition("e")
         found = f"<mn>{text}</mn>" if text[0] != "-" else f"{_operator('−', 'prefix')}<mn>{text[1:]}</mn>"
@@ -82,6 +84,11 @@ class MathML(Stacked):
 
     def fraction(self, above: str, below: str) -> str:
         return f"<mfrac>{row(above)}{row(below)}</mfrac>"
+
+    def rows(self, texts: list[str]) -> str:
+        cells = "".join(f"<mtr><mtd>{row(text)}</mtd></mtr>" for text in [
+            texts[0], *(f'<mspace width="1em"/>{text}' for text in texts[1:])])
+        return f'<mtable columnalign="left" displaystyle="true">{cells}</mtable>'
 
     def sqrt(self, text: str) -> str:
         return f"<msqrt>{text}</msqrt>"

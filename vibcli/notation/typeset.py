@@ -3,8 +3,10 @@
     numeral(text)   lettered(letter, below, primes)   marked(text, marks)   functional(name)   applied(head, text, bare)
     times(texts)   fraction(above, below)   sqrt(text)   power(base, exponent)   brackets(text)   magnitude(text)
     flat(text), in brackets that need not grow   operator(symbol)   gap(columns)   words(text)   beside(*texts)
+    rows(texts), one below the other             markup, what its texts hold beside what is seen
 """
 
+import re
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -20,6 +22,9 @@ if TYPE_CHECKING:
 
     from vibcli.symbolic.node import Node
 
+SIGNS = re.compile("[-−+]")      # each between spaces
+WIDEST = 80     # columns of a sum on one line within a fraction, a root or brackets
+LEAST, STUB = 24, 12    # columns of factors that rows may part; that no row ends with
 KNOWN = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "log": "ln"}
 
 
@@ -35,6 +40,46 @@ class Stacked(Notation):
     sqrt: Callable[[str], str]
     magnitude: Callable[[str], str]
     words: Callable[[str], str]
+    rows: Callable[[list[str]], str]
+    markup: re.Pattern
+
+    def __call__(self, node: "Node") -> str:
+        """A sum that stands by itself is on one line: who sets it breaks it, if it is long."""
+        return super().added(self.terms(node)) if node.op == "sum" else self.write(node, 0)
+
+    def added(self, pieces: Sequence[tuple[bool, str]]) -> str:
+        """The sum; in rows where it is too wide for one, since nothing breaks what stands in a fraction or brackets."""
+        return self.in_rows([self.signed(negative, text, not i) for i, (negative, text) in enumerate(pieces)])
+
+    def multiplied(self, texts: list[str]) -> str:
+        """The product; in rows where it is too wide for one, between factors that are no letters."""
+        rows = texts[:1]
+        for text in texts[1:]:
+            sizes = self._columns(rows[-1]), self._columns(text)
+            if sum(sizes) > WIDEST and min(sizes) > LEAST:
+                rows.append(self.times(["", text]))
+            else:
+                rows[-1] = self.times([rows[-1], text])
+        return self.rows(rows) if len(rows) > 1 else rows[0]
+
+    def in_rows(self, texts: list[str]) -> str:
+        """Texts side by side, as far as a line holds them."""
+        rows, size = [""], 0
+        for text in texts:
+            columns = self._columns(text)
+            if size > STUB and size + columns > WIDEST:
+                rows.append("")
+                size = 0
+            rows[-1] += text
+            size += columns
+        return self.rows(rows) if len(rows) > 1 else rows[0]
+
+    def _columns(self, text):
+        """About those of a text as it is seen; none counts them of a short one."""
+        if len(text) <= STUB:
+            return len(text)
+        seen = self.markup.sub("", text)
+        return len(seen) + 2 * len(SIGNS.findall(seen))
 
     def notation(self, text: str) -> str:
         return read(text, self)
@@ -78,7 +123,7 @@ class Stacked(Notation):
         if flat:
             if value != 1 or not tops:
                 tops.insert(0, self.numeral(decimal(value)))
-            return self.times(tops)
+            return self.multiplied(tops)
         only = len(below) == 1 and value.denominator == 1 and not lone_root
         bottoms = [self.powered(base, e, only) for base, e in below]
         if lone_root:
@@ -87,7 +132,7 @@ class Stacked(Notation):
             bottoms.insert(0, self.numeral(str(value.denominator)))
         if value.numerator != 1 or not tops:
             tops.insert(0, self.numeral(str(value.numerator)))
-        return self.fraction(self.times(tops), self.times(bottoms))
+        return self.fraction(self.multiplied(tops), self.multiplied(bottoms))
 
     def root(self, above: "Sequence[tuple[Node, Fraction | int]]",
              below: "Sequence[tuple[Node, Fraction | int]]") -> str:

@@ -22,7 +22,7 @@ def quoted(text: str) -> str:
 class Typst(Stacked):
     """The inside of $…$."""
 
-    minus = "-"
+    minus, markup = "-", re.compile(r'(?<!")\b[a-z.]{2,}\b(?!")|["{}()_^ ]')
 
     def numeral(self, text: str) -> str:
         text, _, power = text.replace("−", "-").partition("e")
@@ -69,6 +69,10 @@ class Typst(Stacked):
 
     def fraction(self, above: str, below: str) -> str:
         return f"frac({above}, {below})"
+
+    def rows(self, texts: list[str]) -> str:
+        cells = "; ".join(f"display({text})" for text in [texts[0], *(f"quad {text}" for text in texts[1:])])
+        return f"mat(delim: #none, align: #left, row-gap: #0.5em, {cells})"
 
     def sqrt(self, text: str) -> str:
         return f"sqrt({text})"

@@ -61,4 +61,4 @@ def _of_one(problem: Any, signal: Any):
     rest = _at_rest(problem, signal.name, signal.primes)
     middle = rest if steady.mean is None else rest + copied([steady.mean], table)[0]
     above, below = copied(list(steady.formula.square), table)
-    return middle, middle * middle + above / (2 * below)
+    return middle, middle * middle + above / below / 2

@@ -12,6 +12,7 @@ yielded before. Texts are Unicode words, whatever a file says; Maths and Lines a
     a text                in notation: "δA = ", " + 1.44·", "ω_d = ω·√(1 − ζ²)" (report/reading.py reads it)
     Words("for ζ < 1")    words within mathematics
     SumOfTerms, WithNumbers, Factor, Either: what stands in no single node
+    Typed("2*L/3", tree, names): what the file holds, as it was typed
 
 A renderer never looks into a problem, and a section never at a format: `hang` is all that is said of the layout as
 plain text, the columns by which the lines after the first are indented (None: the line is never broken), and `inset`
@@ -70,6 +71,14 @@ class Either(NamedTuple):
     node: Any
     mark: Any
     root: Any
+
+
+class Typed(NamedTuple):
+    """An expression as it was typed, with its syntax; `names`: those of the scene."""
+
+    text: str
+    tree: Any
+    names: Any
 
 
 class Maths(NamedTuple):
@@ -169,7 +178,7 @@ class Document(NamedTuple):
     refusal: Refusal | None = None
 
 
-def maths(*parts: "str | Name | Words | Node"):
+def maths(*parts: "str | Name | Words | Typed | Node"):
     return Maths(parts)
 
 

@@ -75,7 +75,7 @@ def title_of(spec: "Spec", case: str | None) -> str:
 
 def _quoting(spec, text):
     """The words of a question, its quoted parameters as their values or symbols."""
-    from vibcli.notation.as_printed import as_printed
+    from vibcli.report.sections.parameters import as_given
 
     words = QUOTE.split(text)
     for i, part in enumerate(words):
@@ -87,7 +87,7 @@ def _quoting(spec, text):
             continue
         record = spec.parameters[plain_name(part)]
         known = "value" in record and plain_name(part) not in spec.choices
-        yield as_printed(record["value"].text, set(spec.parameters)) if known else maths(Name(plain_name(part)))
+        yield as_given(record["value"], frozenset(spec.parameters)) if known else maths(Name(plain_name(part)))
 
 
 def _with_symbols(text, names):
@@ -105,7 +105,8 @@ def _with_symbols(text, names):
 
 
 def _in_print(words):
+    from vibcli.notation.numbers import NEGATIVE
     from vibcli.notation.typed_values import SUPERSCRIPT
 
     words = re.sub(r"\^(-?\d+)(?!\d|\.\d|/\d)", lambda found: found[1].translate(SUPERSCRIPT), words)
-    return re.sub(r"(?<=\w)\*(?=\w)", "·", words).replace("sqrt(", "√(")
+    return re.sub(r"(?<=\w)\*(?=\w)", "·", NEGATIVE.sub("−", words)).replace("sqrt(", "√(")

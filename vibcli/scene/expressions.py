@@ -156,8 +156,20 @@ class Expressions:
         return dx / length, dy / length
 
     def absolute(self, node: "Node"):
-        """A node or its opposite, so that it is positive as drawn."""
+        """A node or its opposite, so that it is positive as drawn, whatever sign a letter has that may have any."""
+        either = [name for name in self.parameters.free if not self.table.is_positive(self.parameters.nodes[name])]
+        if either:
+            drawn, = self.coordinates.at_drawn(node)
+            if self._turns(drawn, either):
+                size = self.table.sqrt(textbook(drawn * drawn))
+                return size if drawn is node else textbook(node * drawn / size)
         return node if self.sign(node) > 0 else -node
+
+    def _turns(self, drawn, letters):
+        """Has a value another sign where one of the letters has the other one?"""
+        value, here = self.number(drawn), {part.name for part in reachable([drawn]) if part.op == "symbol"}
+        return any(evaluate([drawn], Floats, {**self.sample, name: -self.sample[name]})[0] * value < 0
+                   for name in here.intersection(letters))
 
     def distance(self, dx: Any, dy: Any):
         """√(dx² + dy²), rational where the direction never changes: there it is ±dx, ±dy or their projection."""

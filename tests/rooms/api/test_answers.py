@@ -125,6 +125,32 @@ def test_what_check_would_not_agree_with_is_left_out(monkeypatch, capsys):
     assert "left out: zeta[1]: check finds otherwise (" in said and "no answer can say it" in said
 
 
+LETTERS = """
+parameters: {m: , k1: , k2: , c: }
+bodies: {b: {mass: m, at: [0, 0], move: [x, y]}}
+springs:
+  s1: {k: k1, stretch: x}
+  s2: {k: K2, stretch: y}
+answers:
+  M[x,x]: m
+"""
+
+
+@pytest.mark.parametrize(("second", "said"), [
+    ("k2", "left out: frequencies, modes: the letters leave open which of the modes has the lower frequency"),
+    ("k1", "left out: modes: modes 1 and 2 share a frequency: each mix of their shapes is one")])
+def test_numbers_of_modes_that_letters_leave_open_are_no_answers(second, said, capsys):
+    found = written(LETTERS.replace("K2", second).replace("k2: , c: ", "k2: " if second == "k2" else ""))
+    assert said in capsys.readouterr().err and "mode[" not in found
+    assert ("omega[1]: sqrt(k1/m)" in found) is (second == "k1")
+
+
+def test_a_critically_damped_mode_has_no_damped_frequency(capsys):
+    found = written(TWO.split("bodies")[0].replace("k: ", "k: , c: ") + MASS[MASS.index("bodies"):MASS.index("  omega")]
+                    + "  zeta[1]: 1\nchoose:\n  c: zeta[1] = 1\n")
+    assert "omega_d" not in found + capsys.readouterr().err
+
+
 def test_what_has_no_spelling_is_named(capsys):
     written(MASS.replace("answers:", "find: [frequencies, expansion]\nanswers:"))
     assert "left out: expansion: it is not written as answers" in capsys.readouterr().err

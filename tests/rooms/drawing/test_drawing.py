@@ -526,3 +526,8 @@ def test_a_plank_lies_under_its_whole_surface_and_its_centre(place, angle, monke
     deck = on_surfaces.DECK
     assert (min(along), max(along)) == pytest.approx((min(0, place - deck), max(100, place + deck)))
     assert max(across) == pytest.approx(0, abs=1e-9) and min(across) < -12
+
+
+def test_a_radius_finds_a_ray_that_nothing_crosses():
+    """Of a half disc in the middle of which springs end and a spiral is drawn."""
+    assert "R" in words(draw(problem_of(ROOT / "tests" / "trials" / "moved_half_disc.yaml")))

@@ -346,3 +346,21 @@ def test_lengths_at_rest_have_no_sign_that_letters_leave_open():
     for b, e, h in ((0.7, 1.0, 2.0), (0.7, 2.0, 1.0), (-0.7, 1.0, 2.0)):
         found = evaluate([node], Floats, {"b": b, "e": e, "h": h, "F": 3.0})[0]
         assert found == pytest.approx(1.5 * (1 if b * (1 - e / h) > 0 else -1))
+
+
+def test_what_holds_along_an_axis_pulls_for_letters_of_either_sign():
+    """F in a link, and where a spring under preload rests, of a block that lies to the left or right of the ground."""
+    scene = """
+        parameters: {{a: {{sign: any}}, F: , N: , k: {{unused: allowed}}}}
+        bodies: {{b: {{mass: 1, at: [a, 0], slide: {{along: [1, 0], by: x}}}}}}
+        forces: {{f: {{at: b, force: [F + N, 0]}}}}
+        {}
+    """
+    held = problem(scene.format("constraints: {hold: {link: [[0, 0], b]}}"))
+    sprung = problem(scene.format("springs: {s: {k: k, between: [[0, 0], b], preload: N}}"))
+    force = held.symbolic.reactions.values["hold.force"]
+    place = sprung.symbolic.equilibrium_position["x"]
+    for a in (0.7, -0.7):
+        values, sign = {"a": a, "F": 3.0, "N": 2.0, "k": 10.0}, 1 if a > 0 else -1
+        assert evaluate([force], Floats, values)[0] == pytest.approx(5.0 * sign)
+        assert evaluate([place], Floats, values)[0] == pytest.approx((5.0 - 2.0 * sign) / 10)

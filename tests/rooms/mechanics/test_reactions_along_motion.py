@@ -7,11 +7,14 @@ import numpy as np
 import pytest
 from support.scenes import kept_problem_of, problem
 
+from vibcli.api.reports import report
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.inputs_outputs.forces_along_motion import ForcesAlong
 from vibcli.mechanics.inputs_outputs.reactions_along_motion import along_the_motion
 from vibcli.mechanics.lagrange import equation_of
 from vibcli.notation.plain import plain
+from vibcli.report.blocks import Document
+from vibcli.report.formats.text import render
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 FILES = sorted((Path(__file__).parents[3] / "problems").glob("*/*.yaml"))
@@ -36,6 +39,14 @@ def test_a_block_on_an_incline_held_by_a_load_over_a_pulley():
     assert found["block.reaction.x"] == "−m₁·g·cos α·sin α" and found["block.reaction.y"] == "m₁·g·cos² α"
     assert not any("λ" in text for text in found.values())
     assert found["pulley.reaction.x"] == "m₁·cos α·s̈ + m₁·g·cos α·sin α"
+
+
+def test_its_contact_force_is_told_along_the_normal_where_it_is_let_go():
+    falls = problem("\n".join(line for line in INCLINE.splitlines() if "springs" not in line).replace(
+        "k: {value: 90 N/m}, ", ""))
+    section = [one for one in report(falls, ["accelerations"]).sections if one.title == "Forces then"]
+    told = render([Document("", None, (), tuple(section))]).replace("\u00a0", " ")
+    assert "block.normal = m₁·g·cos α = 17.2182 N" in told
 
 
 def moving(found, draw):

@@ -5,6 +5,8 @@ import pytest
 from vibcli.notation.as_printed import as_printed
 from vibcli.notation.latex import latex
 from vibcli.notation.plain import plain
+from vibcli.notation.typed_tree import typeset
+from vibcli.symbolic.parser import parse
 
 
 @pytest.mark.parametrize(("typed", "printed"), [
@@ -24,3 +26,11 @@ def test_places_on_members_are_set_in_print():
     assert plain.symbol("blade.phi(2*L1/3)'") == "blade.φ̇(2·L₁/3)"
     assert plain.symbol("blade.slope(0 m)''") == "blade.slope(0 m)''"
     assert latex.symbol("blade.phi(L1)") == r"\text{blade.\ensuremath{\varphi}(L\ensuremath{{}_{1}})}"
+
+
+@pytest.mark.parametrize(("typed", "set_in_latex"), [
+    ("2*L/3", r"\frac{2 \, L}{3}"), ("sqrt(k/m1)", r"\sqrt{\frac{k}{m_{1}}}"), ("pi/6", r"\frac{\pi}{6}"),
+    ("L - 0.50 mm", r"L - 0.50\text{ mm}"), ("(L + 2 N/m)^2", r"\left(L + 2\text{ N/m}\right)^{2}"),
+    ("2*3 N/m*L", r"2 \cdot \left(3\text{ N/m}\right) \cdot L"), ("L - (1 - L)", r"L - \left(1 - L\right)")])
+def test_what_is_given_as_a_formula_is_set_as_one(typed, set_in_latex):
+    assert typeset(parse(typed), typed, latex).replace(" \\text", "\\text") == set_in_latex

@@ -12,12 +12,15 @@ from support.scenes import kept_problem_of
 
 from vibcli.notation.plain import plain
 from vibcli.notation.scene_language import language
+from vibcli.notation.typed_tree import typeset
+from vibcli.notation.typeset import Stacked
 from vibcli.report.document import EVERYTHING, Report
 from vibcli.report.sections.equations_of_motion import equation_rows
 from vibcli.report.sections.symbolic_modes import turned
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression import Table
 from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.parser import parse
 
 WAYS = {**printed.NOTATIONS, "language": (language, formulas.plain)}
 LETTERS = ("m", "k", "l1", "L2", "phi", "kf", "m_rot", "x'", "theta2''", "beta", "R")
@@ -83,6 +86,19 @@ def test_random_expressions_are_read_back(name):
                  for name in (letter, plain.symbol(letter))}
         text = write(node)
         assert formulas.agree(value_of(text, read, keyed), wanted), f"{node}\n{text}"
+
+
+@pytest.mark.parametrize("name", [name for name, (write, _) in WAYS.items() if isinstance(write, Stacked)])
+def test_what_was_typed_is_read_back(name):
+    """As the language writes expressions, with brackets that a file may have and the tree has not."""
+    write, read = WAYS[name]
+    for node, wanted, values in expressions():
+        text = language(node)
+        keyed = {formulas.symbol(name): value for letter, value in {**values, "pi": math.pi}.items()
+                 for name in (letter, plain.symbol(letter))}
+        for typed, due in ((text, wanted), (f"2*({text})*3 - ({text} - 1)", 5 * wanted + 1)):
+            shown = typeset(parse(typed), typed, write)
+            assert formulas.agree(value_of(shown, read, keyed), due), f"{typed}\n{shown}"
 
 
 ROOT = Path(__file__).parents[3]

@@ -1,9 +1,14 @@
 """Rows of a long formula end between clauses and words, else before a relation or a term; nothing is lost."""
 
+import pytest
+from support.renderings import too_wide
 from support.scenes import problem
 
+from vibcli.notation.latex import latex
+from vibcli.notation.mathml import mathml
 from vibcli.notation.numbers import width, wrapped
 from vibcli.notation.plain import plain
+from vibcli.notation.typst import typst
 from vibcli.report.blocks import Name, Words
 from vibcli.report.formats.formula import formula, rows
 
@@ -38,3 +43,25 @@ def test_no_row_is_a_letter_alone():
 def test_a_line_of_text_begins_at_its_indent_where_two_spaces_are_broken():
     assert wrapped("aaa bbbb,  ccc = 2", 9, indent=4) == ["aaa bbbb,", "    ccc =", "    2"]
     assert wrapped("a = 1,  b", 100) == ["a = 1,  b"]
+
+
+@pytest.mark.parametrize(("write", "row"), [(latex, r" \\ & "), (mathml, "<mtr>"), (typst, "; display(")])
+def test_what_stands_in_a_fraction_or_a_root_is_broken_where_it_is_wide(write, row):
+    names = [f"stiffness{i}" for i in range(10)]
+    scene = problem(f"parameters: {{m: , {''.join(f'{name}: , ' for name in names)}}}\n"
+                    "bodies: {b: {mass: m, slide: x}}\n"
+                    f"springs: {{s: {{k: {' + '.join(names)}, between: [ground, b]}}}}\n")
+    table, (m, *k) = scene.scene.table, (scene.scene.parameters.nodes[name] for name in ("m", *names))
+    total, few = sum(k[1:], k[0]), k[0] + k[1] + k[2]
+    for wide in (m / total, total / m, table.sqrt(total), few * few * total):
+        assert row in formula([wide], write)
+    for narrow in (m / few, table.sqrt(few), few * (k[0] + k[4])):
+        assert row not in formula([narrow], write)
+    assert row not in write(total)       # which whoever sets it breaks
+
+
+def test_what_is_wider_than_a_page_is_seen():
+    rows = "".join(f"<mtr><mtd><mi>{'a' * 99}</mi></mtd></mtr>" for _ in range(2))
+    assert not too_wide(f"<math alttext=''><mtable>{rows}</mtable></math>")
+    assert not too_wide(f"<math alttext=''><mfrac><mi>{'a' * 99}</mi><mi>{'b' * 99}</mi></mfrac></math>")
+    assert too_wide(f"<math alttext=''><mi>{'a' * 99}</mi><mo>+</mo><mi>{'b' * 30}</mi></math>")

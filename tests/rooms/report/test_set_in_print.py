@@ -70,3 +70,16 @@ def test_a_frequency_that_is_too_long_to_read_is_told_by_its_number(count):
         f"s{i}: {{k: {name}*arm{i}^2/(1 + arm{i}), between: [ground, b]}}"
         for i, name in enumerate(names)))
     assert ("\n  ω = √" in text.render([told(scene)])) is (count == 3)
+
+
+def test_signs_of_numbers_among_words_are_those_of_print():
+    braked = told("""
+        question: "What dies out as exp(-5 t)?"
+        bodies: {b: {mass: 2 kg, slide: x}}
+        springs: {s: {k: 8 N/m, between: [ground, b]}}
+        dampers: {d: {c: 10 N*s/m, between: [ground, b]}}
+    """)
+    assert "exp(−5 t)" in text.render([braked]) and "over-damped, λ = −1 1/s" in text.render([braked])
+    falling = told("gravity: 9.81 m/s^2\nfind: [accelerations]\n"
+                   "bodies: {rod: {shape: rod, mass: 2 kg, from: [0, 0], to: [1 m, 0], pin: {at: [0, 0], by: phi}}}\n")
+    assert "φ̈ = −14.715 rad/s²" in text.render([falling])

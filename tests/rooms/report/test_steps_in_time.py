@@ -5,7 +5,9 @@ import math
 import re
 
 import mpmath
+import numpy as np
 import pytest
+from scipy.linalg import expm
 from support.scenes import problem
 
 import vibcli
@@ -14,6 +16,7 @@ from vibcli.report.formats.formula import formula
 from vibcli.report.steps import dry_friction, motion_in_time
 from vibcli.report.steps.worked import worked
 
+DIGITS = str.maketrans("₁₂", "12")
 PENDULUM = """
 parameters: {m: 0.4 kg, L: 0.8 m, g: 9.81 m/s^2}
 gravity: g
@@ -135,3 +138,42 @@ def test_half_cycles_that_the_engine_has_not_are_not_told(monkeypatch):
     whole = dry_friction.coulomb
     monkeypatch.setattr(dry_friction, "coulomb", lambda scene: whole(scene)._replace(R=2 * whole(scene).R))
     assert "final(x)" not in by_name(RUBBED)
+
+
+@pytest.mark.parametrize(("c", "roots", "F"), [("6", 2, 0), ("60", 3, 0), ("6", 2, 5), ("0", 0, 5)])
+def test_a_motion_from_the_start_is_a_sum_of_modes_beside_what_is_kept_up(c, roots, F):
+    """Where damping couples them, of complex ones; held against expm of the state matrix, with the load as a state."""
+    load = "forces: {f: {at: a, force: 5 N*sin(9 rad/s*t)}}" if F else ""
+    found = problem(f"""
+        parameters: {{m1: 2 kg, m2: 1 kg, k1: 800 N/m, k2: 300 N/m}}
+        bodies: {{a: {{mass: m1, slide: x1}}, b: {{mass: m2, slide: x2}}}}
+        springs: {{s1: {{k: k1, between: [ground, a]}}, s2: {{k: k2, between: [a, b]}}}}
+        {f"dampers: {{d: {{c: {c} N*s/m, between: [a, b]}}}}" if roots else ""}
+        {load}
+        initial: {{x1: 10 mm, x2': 0.3 m/s}}
+        answers: {{x1(0.3 s): 0 m}}
+    """)
+    lines = worked(found)
+    settled = {line.settles: formula(line.parts, plain).translate(DIGITS) for line in lines}
+    assert sum(key.startswith("part ") for key in settled) == roots
+    C = float(c) * np.array([[1, -1], [-1, 1]])
+    M, K = np.diag([2.0, 1.0]), np.array([[1100.0, -300.0], [-300.0, 300.0]])
+    A = np.zeros((6, 6))        # the last two states are sin 9t and 9 cos 9t
+    A[:2, 2:4], A[2:4, :2], A[2:4, 2:4] = np.eye(2), -np.linalg.solve(M, K), -np.linalg.solve(M, C)
+    A[2, 4], A[4, 5], A[5, 4] = F / 2, 1, -81
+    t, values = 0.3, {line.settles: line.value for line in lines}
+    letters = {f"{letter}{i}{bar}": values.get(of.format(i)) for i in (1, 2) for letter, of, bar in (
+        ("δ", "decay[{}]", ""), ("ω_d", "omega_d[{}]", ""), ("ω", "omega[{}]", ""), ("X", "amplitude(x{})", ""),
+        ("|X", "amplitude(x{})", "|"), ("θ", "phase(x{})", ""))}
+    due = expm(A * t) @ np.array([0.01, 0, 0, 0.3, 0, 9])
+    for name, wanted in (("x1", due[0]), ("x2", due[1])):
+        told = settled[f"motion of {name}"].split(" = ")[1].replace("·", "*").replace("−", "-").replace("\u00a0", " ")
+        value = eval(re.sub(r"δ\d|ω_d\d|ω\d|\|X\d\||X\d|θ\d", lambda one: f"({letters[one.group()]})", told),
+                     {"cos": math.cos, "sin": math.sin, "exp": math.exp, "t": t})
+        assert value == pytest.approx(wanted, rel=2e-4)
+
+
+def test_the_energy_of_a_pendulum_let_go_level_is_zero():
+    """Not what is left of −m g L cos φ at the float next to π/2."""
+    lines = worked(problem(PENDULUM.replace("phi: 2 rad, phi': 1.5 rad/s", "phi: 90 deg")))
+    assert next(line.value for line in lines if line.settles == "E") == 0.0

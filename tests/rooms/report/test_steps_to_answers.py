@@ -89,3 +89,30 @@ def test_the_integral_of_energy_has_no_constant_that_V_lacks_and_known_signs_are
     lines = told("9_equivalents_and_corrections/weight_that_jerks_a_slack_rope.yaml")
     assert any(one.endswith("integrated:  m·ẏ²/2 + k·max(y − s₀, 0)²/2 − m·g·y = E") for one in lines)
     assert any(one.startswith("ω² = k/m,") for one in lines)
+
+
+def test_a_zero_in_letters_is_told_as_the_number_alone():
+    found = problem("""
+        parameters: {m: 2 kg, k: 800 N/m, F: 5 N, w: 10 rad/s}
+        bodies: {b: {mass: m, slide: x}}
+        springs: {s: {k: k, between: [ground, b]}}
+        dampers: {d: {c: 10 N*s/m, between: [ground, b]}}
+        forces: {f: {at: b, force: F*sin(w*t)}}
+        answers: {mean(x): 0 m}
+    """)
+    last = {line.settles: line for line in worked(found)}["mean(x)"]
+    assert formula(last.parts, plain).replace("\u00a0", " ") == "mean(x) = 0 m"
+
+
+def test_a_root_mean_square_is_told_by_the_factors_of_the_amplitude():
+    found = problem("""
+        parameters: {m: 2 kg, k: 800 N/m, c: 10 N*s/m, F: 5 N, w: 10 rad/s}
+        bodies: {b: {mass: m, slide: x}}
+        springs: {s: {k: k, between: [ground, b]}}
+        dampers: {d: {c: c, between: [ground, b]}}
+        forces: {f: {at: b, force: F*sin(w*t)}}
+        answers: {rms(x): 0 m}
+    """)
+    last = {line.settles: line for line in worked(found)}["rms(x)"]
+    assert "√(F²/(2·((m·w² − k)² + c²·w²)))" in formula(last.parts, plain)
+    assert last.value == pytest.approx(5 / math.sqrt(2 * (600**2 + 100**2)))

@@ -63,3 +63,24 @@ def test_how_it_is_damped_is_said_in_words():
              "springs: {s: {k: k, between: [ground, b]}}\ndampers: {d: {c: c, between: [ground, b]}}\n")
     for c, words in ((8, "under-damped"), (80, "critically damped"), (100, "over-damped")):
         assert next(line for line in told(problem(scene % c)) if line.startswith("ζ")).endswith(words)
+
+
+def test_why_a_coordinate_follows_is_told_where_all_constraints_are_of_one_form():
+    assert any(line.endswith("(as ropes keep their length)") for line in of("drum_on_a_slope_with_a_cord"))
+
+
+@pytest.mark.parametrize(("last", "wanted"), [
+    ("k", ["it factors: (ω² − 2·k/m)·(m³·ω⁴ − 4·m²·k·ω² + 2·m·k²) = 0"]), ("2*k", [])])
+def test_a_determinant_that_factors_is_told_as_a_product(last, wanted):
+    lines = told(problem(f"""
+        parameters: {{m: , k: }}
+        bodies: {{a: {{mass: m, slide: x1}}, b: {{mass: m, slide: x2}}, c: {{mass: m, slide: x3}}}}
+        springs: {{s1: {{k: k, between: [ground, a]}}, s2: {{k: k, between: [a, b]}}, s3: {{k: k, between: [b, c]}},
+                   s4: {{k: {last}, between: [c, ground]}}}}
+    """))
+    assert [line for line in lines if "it factors" in line] == wanted
+
+
+def test_numbers_are_put_into_the_formula_of_two_roots():
+    """√(9.99e7² − 4·810000·2.475e9) = 4.42833e7 by hand."""
+    assert any(line.endswith("= (9.99e7 ∓ 4.42833e7)/1.62e6") for line in of("car_bounce_and_pitch"))

@@ -93,7 +93,7 @@ def _radius(record, sketch):
     angles = [sense * pi / 5 for sense in (1, 4, -4, -1)]
     if record["shape"] in ("sector", "arch"):
         axis, half = sketch.number(record["angle"]) if "angle" in record else 0.0, sketch.number(record["half_angle"])
-        angles = [axis + share * half for share in (0.6, -0.6)]
+        angles = [axis + share * half for share in (0.6, -0.6, 0.85, -0.85)]
     rim, *rims = (plane.polar(centre, radius, angle) for angle in angles)
     yield Length(runs, centre, rim, True, tuple(rims)), lettering.letters(runs)
 

@@ -15,12 +15,14 @@ from vibcli.report.blocks import (
     Name,
     Paragraph,
     SumOfTerms,
+    Typed,
     WithNumbers,
     Words,
     line,
 )
 
 FEW, STUB = 40, 12  # characters of words that stay in a row; columns that no row ends with
+CLAUSE, GAP = ",  ", "  "       # what ends a clause, and what begins one
 WORD = re.compile(r"^\s+|\S+\s*")
 TENS = re.compile(r"(?<![\w.])(\d+(?:\.\d+)?)e([+-]?)0*(\d+)\b")
 BREAK = re.compile(r"(?= [+−=<>] )")
@@ -89,15 +91,18 @@ def rows(parts: Any, write: Any, columns: int) -> list[str]:
 
 
 def _clauses(parts):
-    """The parts up to each comma among words, and long words by few."""
+    """The parts up to each comma among words, from each gap before words, and long words by few."""
     clause: list[Any] = []
     for part in parts:
         *more, last = _few_by_few(part.text) if isinstance(part, Words) else (part,)
+        if clause and isinstance(part, Words) and part.text.startswith(GAP):
+            yield clause
+            clause = []
         for one in more:
             yield [*clause, one]
             clause = []
         clause.append(last)
-        if isinstance(last, Words) and last.text.endswith(",  "):
+        if isinstance(last, Words) and last.text.endswith(CLAUSE):
             yield clause
             clause = []
     if clause:
@@ -105,10 +110,10 @@ def _clauses(parts):
 
 
 def _few_by_few(text):
-    """[Words] of a text, at its spaces where it is long."""
+    """[Words] of a text, at its spaces where it is long, and where a clause ends."""
     found = [""]
     for word in WORD.findall(text):
-        if found[-1].strip() and len(found[-1]) + len(word) > FEW:
+        if found[-1].strip() and (len(found[-1]) + len(word) > FEW or found[-1].endswith(CLAUSE)):
             found.append("")
         found[-1] += word
     return map(Words, found)
@@ -121,6 +126,8 @@ def _pieces(part, write):
         return [write.words(part.text if write is plain else with_tens(part.text))]
     if isinstance(part, Name):
         return [write.symbol(part.text)]
+    if isinstance(part, Typed):
+        return [_typed(part, write)]
     if isinstance(part, Factor):
         return [write.write(part.node, 1)]
     if isinstance(part, Either):
@@ -131,6 +138,16 @@ def _pieces(part, write):
     nodes = part.nodes if isinstance(part, SumOfTerms) else (part,)
     terms = [term for node in nodes for term in _terms(node, write)]
     return [write.signed(negative, text, not i) for i, (negative, text) in enumerate(terms)]
+
+
+def _typed(part, write):
+    if write is plain:
+        from vibcli.notation.as_printed import as_printed
+
+        return as_printed(part.text, part.names)
+    from vibcli.notation.typed_tree import typeset
+
+    return typeset(part.tree, part.text, write)
 
 
 def _terms(node, write):

@@ -32,7 +32,7 @@ class Protected(Latex):
     """LaTeX that Markdown leaves as it is, should it look into formulas: no backslash before a sign, no index that
     could begin emphasis. Web pages read words within it as they stand: what is special is written as a wide letter."""
 
-    thin, thick = r"\mkern3mu", r"\mkern5mu"
+    thin, thick, newline = r"\mkern3mu", r"\mkern5mu", r"\cr"
 
     def word(self, text: str) -> str:
         first, _, rest = text.partition("_")

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 from vibcli.base.errors import NoEquilibrium, NotInLetters, PhysicsError
 from vibcli.base.units import FORCE, TIME, times
 from vibcli.notation.abbreviations import abbreviated
-from vibcli.notation.numbers import figure, with_unit
+from vibcli.notation.numbers import with_minus, with_unit
 from vibcli.report import blocks
 from vibcli.report.blocks import Name, Section, Words, line, note, paragraph, section
 from vibcli.report.keys import Key
 from vibcli.report.sections.equations_of_motion import with_lengths
 from vibcli.report.sections.numeric_equations import ROUNDING
-from vibcli.report.sections.statics import SIGNS
+from vibcli.report.sections.statics import SIGNS, normals_in_letters
 from vibcli.report.sections.too_long import brief
 from vibcli.symbolic.evaluation import Floats, evaluate
 
@@ -49,6 +49,7 @@ def accelerations(problem: "Problem", report: "Report") -> Iterator[Section]:
     yield from section("Accelerations from rest as drawn", blocks.equations(lines), *with_lengths(lengths),
                        paragraph(CONSTANT) if found.constant else None)
     forces = {signal: node for signal, node in forces.items() if node is None or not node.is_zero}
+    forces |= dict(normals_in_letters(problem, forces))
     lines, lengths = _lines(problem, report, forces, {signal: Words(signal) for signal in forces})
     yield from section(FORCES, blocks.equations(lines), *with_lengths(lengths), note(SIGNS))
 
@@ -99,7 +100,7 @@ def _with_unit(problem, key, value):
     if not key.endswith("''"):
         return with_unit(value, signal_dimension(problem.spec, key) or FORCE)
     dimension = problem.system.dimension(key[:-2])
-    return with_unit(value, times(dimension, TIME, -2)) if dimension else f"{figure(value)} rad/s²"
+    return with_unit(value, times(dimension, TIME, -2)) if dimension else f"{with_minus(value)} rad/s²"
 
 
 def _from_motion(problem):

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import Kinked
 from vibcli.notation.abbreviations import abbreviated
 from vibcli.notation.equation_sides import equation, sides
-from vibcli.notation.numbers import figure
+from vibcli.notation.numbers import figure, with_minus
 from vibcli.report import blocks
 from vibcli.report.blocks import Heading, Name, Paragraph, Section, line, maths, paragraph, section, separated
 from vibcli.report.keys import Key
@@ -56,7 +56,7 @@ def with_numbers(problem: "Problem", nodes: "Sequence[Node]") -> list[Paragraph]
     if problem.numeric.has_free_symbols:
         return [paragraph("with numbers of beams at rest whose tension varies along them", hang=4, aside=True)]
     values = zip(known, evaluate(known, Floats, problem.numeric.floats), strict=True)
-    told = sorted(f"{node.name} = {figure(value)}" for node, value in values)
+    told = sorted(f"{node.name} = {with_minus(value)}" for node, value in values)
     return [paragraph(f"with, in SI units, as tensions vary along beams, {', '.join(told)}", hang=4, aside=True)]
 
 

@@ -6,7 +6,7 @@ from itertools import pairwise
 from math import degrees, floor, log10, tau
 from typing import TYPE_CHECKING
 
-from vibcli.notation.numbers import figure, rounded_up
+from vibcli.notation.numbers import NEGATIVE, figure, rounded_up
 from vibcli.report.blocks import Name, Paragraph, TableBlock, maths, paragraph
 from vibcli.report.sections.too_long import passed_over, places_told
 
@@ -54,7 +54,7 @@ def damped_row(mode: "DampedMode") -> tuple[str, ...]:
     if not note and mode.omega_d is None and mode.omega:
         note = "real eigenvalue"
         if mode.zeta is not None:
-            note = f"over-damped, λ = {figure(_float(mode.eigenvalue.real), mode.error)} 1/s"
+            note = f"over-damped, λ = {_set(figure(_float(mode.eigenvalue.real), mode.error))} 1/s"
     if mode.growth_rate:
         note = "flutter" if mode.kind == "flutter" else "unstable"
     of_decay, of_omega_d = mode.bounds
@@ -79,7 +79,12 @@ def polar(value: complex) -> str:
     if abs(complex(value)) < NOTHING:
         return "0"
     size, angle = to_polar(complex(value))
-    return f"{size:.4g} ∠ {degrees(angle):.4g}°" if abs(degrees(angle)) > 1e-9 else f"{size:.4g}"
+    return f"{size:.4g} ∠ {_set(f'{degrees(angle):.4g}')}°" if abs(degrees(angle)) > 1e-9 else f"{size:.4g}"
+
+
+def _set(figures):
+    """A number among other signs as it is set in print."""
+    return NEGATIVE.sub("−", figures)
 
 
 def shapes_told(count: int) -> int:

@@ -1,17 +1,30 @@
 """What is given, and the coordinates."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from vibcli.base import units
 from vibcli.base.enumeration import listed
 from vibcli.language.record_calls import own
-from vibcli.report.blocks import Definition, Definitions, Name, Paragraph, Section, maths, paragraph, section, separated
+from vibcli.report.blocks import (
+    Definition,
+    Definitions,
+    Maths,
+    Name,
+    Paragraph,
+    Section,
+    Typed,
+    maths,
+    paragraph,
+    section,
+    separated,
+)
 from vibcli.report.sections.too_long import brief, passed_over, places_told
 
 if TYPE_CHECKING:
     from fractions import Fraction
 
+    from vibcli.language.reader import Expression
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
     from vibcli.scene.scene import Scene
@@ -24,20 +37,34 @@ OF_MEMBERS = {"u": "displacement", "along": "displacement along", "across": "dis
 
 
 def given(problem: "Problem", _: "Report") -> Iterator[Section]:
-    from vibcli.notation.as_printed import as_printed
-
-    items, letters, names = [], [], set(problem.spec.parameters)
+    items, letters, names = [], [], frozenset(problem.spec.parameters)
     for name, record in problem.spec.parameters.items():
         if name in problem.spec.choices:
             continue
-        value = (" = " + as_printed(record["value"].text, names),) if "value" in record else ()
-        if value or "about" in record:
-            items.append(Definition((maths(Name(name)), *value), record.get("about", "")))
+        if "value" in record or "about" in record:
+            items.append(Definition(_valued(name, record, names), record.get("about", "")))
         else:
             letters.append(maths(Name(name)))
     known = Definitions(tuple(items), "   ", not any(item.about for item in items)) if items else None
     free = Paragraph((*separated(letters), "  (in letters)"), None) if letters else None
     yield from section("Given", known, free, measured(problem))
+
+
+def _valued(name, record, names):
+    """`m = 3 kg`, in words but for a formula."""
+    if "value" not in record:
+        return (maths(Name(name)),)
+    told = as_given(record["value"], names)
+    return (maths(Name(name)), f" = {told}") if isinstance(told, str) else (maths(Name(name), " = ", *told.parts),)
+
+
+def as_given(value: "Expression", names: Collection[str]) -> str | Maths:
+    """A value as the file gives it, set in print: 3 kg in words, 2·L/3 as a formula; `names`: those of the scene."""
+    from vibcli.notation.as_printed import as_printed
+
+    if value.parts.whole:
+        return as_printed(value.text, names)
+    return maths(Typed(value.text, value.tree, names))
 
 
 def measured(problem: "Problem") -> Definitions | None:

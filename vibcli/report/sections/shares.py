@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from vibcli.notation.numbers import figure
+from vibcli.notation.numbers import figure, with_minus
 from vibcli.report.blocks import Section, paragraph
 from vibcli.report.keys import Key
 from vibcli.report.sections.insight import NOTHING, grid, numbered, require_numbers, without_end
@@ -39,7 +39,7 @@ def _per_cent(share):
 def _damped_head(mode):
     """`mode 2`, with the eigenvalue where it is one of several real ones of the mode."""
     real = not mode.eigenvalue.imag
-    return f"mode {mode.index}" + (f" (λ = {figure(float(mode.eigenvalue.real), digits=4)})" if real else "")
+    return f"mode {mode.index}" + (f" (λ = {with_minus(float(mode.eigenvalue.real), 4)})" if real else "")
 
 
 KEY = Key("shares", "whose energy each mode has, in fractions of one; negative those of what lowers the stiffness",

@@ -158,6 +158,8 @@ def _none_comes_back(problem):
 def modes(problem: "Problem", report: "Report") -> Iterator[Section]:
     names = problem.scene.coordinates
     if len(names) < 2 and not problem.scene.pieces:
+        if "modes" in (problem.spec.get("find") or ()):
+            yield from _of_one(problem)
         return
     if problem.numeric.has_free_symbols:
         from vibcli.report.sections.symbolic_modes import shape_blocks
@@ -180,6 +182,13 @@ def modes(problem: "Problem", report: "Report") -> Iterator[Section]:
         yield from _shapes(problem, report, [one_each[i] for i in sorted(one_each)],
                            "Shapes of the damped modes", words(report.normalise, members, damped=True),
                            only_complex=True)
+
+
+def _of_one(problem):
+    """What is said where shapes are asked of one coordinate, or of what is driven alone, which has no frequency."""
+    if not problem.scene.coordinates:
+        raise problem.symbolic.equations.refusal
+    yield from section("Mode shapes", paragraph("of one coordinate there is one mode, in which it moves by itself"))
 
 
 def _shapes(problem, report, modes, title, normalised, only_complex=False):

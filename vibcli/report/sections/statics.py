@@ -1,6 +1,6 @@
 """How constraints tie coordinates, the virtual work of what acts, and the reactions."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters, PhysicsError
@@ -110,7 +110,7 @@ def _in_letters(problem, report):
     """Blocks of the reactions as expressions."""
     known = {signal: node for signal, node in problem.symbolic.reactions.values.items()
              if node is None or not node.is_zero}
-    known |= dict(_normals_in_letters(problem))
+    known |= dict(normals_in_letters(problem, known))
     shown, lengths = abbreviated([node for node in known.values() if node is not None], report.roots)
     parts, lines = iter(shown), []
     for signal, node in known.items():
@@ -134,10 +134,9 @@ def _normals(problem):
     return [(f"{name}.normal", force(problem.configuration, f"{name}.normal")) for name, _ in _guided(problem, known)]
 
 
-def _normals_in_letters(problem):
-    """(B.normal, its expression as drawn)"""
-    known, scene = problem.symbolic.reactions.values, problem.scene.resting
-    known = {signal: node for signal, node in known.items() if node is not None and not node.is_zero}
+def normals_in_letters(problem: "Problem", forces: "Mapping[str, Node | None]") -> "Iterator[tuple[str, Node]]":
+    """(B.normal, its expression as drawn) where these forces act."""
+    scene, known = problem.scene.resting, {signal: node for signal, node in forces.items() if node is not None}
     for name, normal in _guided(problem, known):
         nx, ny = substitute(list(normal), scene.drawn_position)
         x, y = copied([known[f"{name}.reaction.{axis}"] for axis in "xy"], scene.table)

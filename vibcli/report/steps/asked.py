@@ -56,7 +56,7 @@ def _tell(problem, sheet, asked, joined):
     unit = unit_told(problem.spec, asked)
     node = _in_letters(problem, asked, value)
     text = as_printed(asked.text, {*problem.spec.parameters, *problem.spec.coordinates})
-    shown = [Words(text)] if node is None else [Words(f"{text}:  "), node]
+    shown = [Words(text)] if node is None or node.op == "number" else [Words(f"{text}:  "), node]
     sheet.write(*shown, *number(value, unit), settles=asked.text, node=node, value=value,
                 unit=unit, uses=[sheet.last], joined=joined)
 
@@ -70,8 +70,9 @@ def known(problem: "Problem", asked: "Expression") -> float:
 def _in_letters(problem: "Problem", asked: "Expression", value: float) -> "Node | None":
     """Its expression where that is not long and has the engine's number; None of others."""
     try:
-        node = tidy(quantity_in_letters(problem, asked.tree), [problem.numeric.floats])
+        found = quantity_in_letters(problem, asked.tree)
+        node = min(tidy(found, [problem.numeric.floats]), found, key=letters)
     except (PhysicsError, SpecError):
         return None
-    found, = evaluate([node], Floats, problem.numeric.floats)
-    return node if letters(node) <= LONG and abs(found - value) <= CLOSE * abs(value) else None
+    again, = evaluate([node], Floats, problem.numeric.floats)
+    return node if letters(node) <= LONG and abs(again - value) <= CLOSE * abs(value) else None

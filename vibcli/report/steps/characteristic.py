@@ -9,11 +9,13 @@ from collections.abc import Sequence
 from itertools import combinations, product
 from typing import TYPE_CHECKING
 
-from vibcli.report.blocks import Name, Words
+from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.held import SmallEquations
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.normal_form import is_zero
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
@@ -78,15 +80,35 @@ def tell_polynomial(about: AboutRest, sheet: WorkedSolution, found: SmallEquatio
     return names, known, lines
 
 
-def tell_roots(about: AboutRest, sheet: WorkedSolution, uses: list[int]) -> None:
+def tell_roots(about: AboutRest, sheet: WorkedSolution, found: SmallEquations, uses: list[int]) -> None:
     """Natural frequencies in letters with their ratios of amplitudes, where the determinant factors so."""
     forms = about.problem.closed_forms
-    for mode in forms.modes if forms is not None else ():
-        if mode.unstable or mode.solves is not None or letters(mode.omega) > LONG:
-            continue
+    modes = [mode for mode in (forms.modes if forms is not None else ()) if not (
+        mode.unstable or mode.solves is not None or letters(mode.omega) > LONG)]
+    if len(about.scene.q) == 3 and not found.G:
+        uses = [*uses, *_factors(about, sheet, coefficients(about, found), [mode.omega for mode in modes], uses)]
+    for mode in modes:
         letter = about.letter(sheet.letter(f"omega{mode.index}"))
         parts = [letter, " = ", mode.omega]
         if mode.readable and not mode.turns:
             parts += [Words(",  "), *[part for name in about.scene.coordinates for part in (" : ", Name(name))][1:]]
             parts += [" = ", *[part for x in mode.shape for part in (" : ", x)][1:]]
         sheet.write(*parts, settles=f"omega[{mode.index}]", node=mode.omega, uses=uses)
+
+
+def _factors(about, sheet, known, omegas, uses):
+    """The line of a₃ω⁶ − a₂ω⁴ + a₁ω² − a₀ as a product, by a root that is rational in the letters; none without one."""
+    a3, a2, a1, a0 = known
+    for omega in omegas:
+        root = about.tidy(omega ** 2)
+        if root.is_zero or any(e.denominator > 1 for part in reachable([root]) if part.op == "product"
+                               for _, e in part.args):
+            continue
+        b1 = about.tidy(a2 - a3 * root)
+        b0 = about.tidy(a1 - b1 * root)
+        if is_zero(a0 - b0 * root):
+            square = about.letter(sheet.letter("omega")) ** 2
+            rest = a3 * square ** 2 - b1 * square + b0
+            return [sheet.write(Words("it factors:  "), Factor(square - root), "·", Factor(rest), " = 0",
+                                settles="factors of det(K - omega^2*M)", uses=uses)]
+    return []

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
 
 
+TIED = "by the constraints"      # why coordinates follow from others; of scenes with constraints of one form:
+WHY = {"rope": "as ropes keep their length", "gear": "as wheels roll on each other", "belt": "as belts do not slip"}
 SHORT = 8           # letters of what a constraint leaves of a coordinate, up to which several stand in a line
 
 
@@ -34,11 +36,13 @@ def tell_coordinates(problem: "Problem", scene: "Scene", sheet: WorkedSolution) 
 def tell_constraints(scene: "Scene", sheet: WorkedSolution) -> None:
     """What constraints that close no loop leave of the other coordinates; short ones in a line."""
     loops = scene.loops.names if scene.loops is not None else ()
+    forms = {constraint.form for constraint in scene.constraints}
+    why = WHY.get(forms.pop(), TIED) if len(forms) == 1 else TIED
     known = {name: short_form(node) for name, node in scene.dependent.items() if name not in loops}
     short = {name: node for name, node in known.items() if letters(node) <= SHORT}
     for group in ([short] if short else []) + [{name: node} for name, node in known.items() if name not in short]:
         told = [part for name, node in group.items() for part in (Words(",  "), Name(name), " = ", node)][1:]
-        sheet.write(*told, Words("   (by the constraints)"), settles=", ".join(group),
+        sheet.write(*told, Words(f"   ({why})"), settles=", ".join(group),
                     node=next(iter(group.values())) if len(group) == 1 else None)
 
 

@@ -7,9 +7,7 @@ where nothing damps or what damps leaves the modes apart; and beats, where two m
 from math import pi, sqrt
 from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.mechanics.given_damping_in_letters import proportional
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.held import SmallEquations
 from vibcli.report.steps.small import AboutRest
@@ -19,12 +17,12 @@ from vibcli.symbolic.normal_form import is_zero
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
+    from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
 ALIKE = 1e-9            # relative: of sums that vanish, and of amplitudes that are the same
 CLOSE = 0.2             # of the difference of two frequencies over their sum, up to which they beat
 START = "at t = 0 of mode {}, its shape by M by the start over its modal mass:  "
-MOST = 3                # coordinates whose motion is a line to read
 
 
 class ModeFromStart(NamedTuple):
@@ -48,27 +46,11 @@ class ModeFromStart(NamedTuple):
         return (self.speed + self.delta * self.place) / self.rate
 
 
-def tell_from_modes(about: AboutRest, sheet: WorkedSolution, found: SmallEquations, uses: "Sequence[int]") -> None:
-    """Write down the motion from the start that the file gives; nothing where it has none or is not such a sum."""
-    problem = about.problem
-    if (problem.spec.get("initial") is None or problem.numeric.has_free_symbols or found.drive or found.G
-            or problem.spec.in_full or not proportional(problem.spec) or len(about.scene.q) > MOST):
-        return
-    modes = _modes(problem)
-    if modes:
-        _write(about, sheet, modes, uses)
-
-
-def _modes(problem):
-    """All modes with their start; none where they do not oscillate, or are coupled by damping."""
-    configuration, names = problem.configuration, problem.scene.coordinates
-    try:
-        place, speed = problem.initial.start
-        rest = configuration.equilibrium.values
-    except PhysicsError:
-        return []
-    M, C, _, K = configuration.linear_system.matrices()
-    start = [[place[name] - rest[name] for name in names], [speed[name] for name in names]]
+def modes_of(problem: "Problem", start: "Sequence[Sequence[float]]") -> list[ModeFromStart]:
+    """All modes with their parts of a start, places and speeds from rest; none where they do not oscillate, or are
+    coupled by damping."""
+    names = problem.scene.coordinates
+    M, C, _, K = problem.configuration.linear_system.matrices()
     found = []
     for mode in problem.modal.modes:
         u = [complex(x).real for x in problem.modal.shape(mode)]
@@ -107,7 +89,9 @@ def _complete(modes, start):
         for i, x in enumerate(column))
 
 
-def _write(about, sheet, modes, uses):
+def tell_modes(about: AboutRest, sheet: WorkedSolution, modes: "Sequence[ModeFromStart]", uses: "Sequence[int]",
+               kept: "Mapping[str, list]") -> None:
+    """Write down their sum; `kept`: what is added to coordinates, [" + ", part, …]."""
     names = about.scene.coordinates
     unit = "m" if about.problem.system.dimension(names[0]) else "rad"
     lines = [_start_of(about, sheet, mode, unit, uses) for mode in modes]
@@ -115,9 +99,9 @@ def _write(about, sheet, modes, uses):
         abs(one.place) + abs(one.B) for one in modes)]
     for i, name in enumerate(names):
         terms = [part for mode in moved for part in _terms(about, sheet, mode, mode.shape[i])]
-        if terms:
-            line = sheet.write(Words("so  "), Name(name), " = ", *terms[1:] if terms[0] == " + " else ["−", *terms[1:]],
-                               settles=f"motion of {name}", uses=lines)
+        if terms or name in kept:
+            line = motion_of(sheet, name, [*kept.get(name, []), *terms], lines)
+        if terms and not kept:
             _beats(about, sheet, name, [(mode, mode.shape[i]) for mode in moved], line)
 
 
@@ -148,16 +132,22 @@ def _letter(about, sheet, letter, mode):
 
 def _terms(about, sheet, mode, u):
     """[sign, part, …] of u pₖ."""
-    table, t = about.table, about.scene.time
-    rate = _letter(about, sheet, "omega_d" if mode.delta else "omega", mode) * t
     size = abs(mode.place) + abs(mode.B)
-    waves = [(u * value, table.call(wave, rate)) for wave, value in (("cos", mode.place), ("sin", mode.B))
-             if abs(u * value) > ALIKE * size]
+    return waves(about, sheet, mode.order, (u * mode.place, u * mode.B), ALIKE * abs(u) * size, bool(mode.delta))
+
+
+def waves(about: AboutRest, sheet: WorkedSolution, order: int, sizes: tuple[float, float], nothing: float,
+          damped: bool) -> list[Any]:
+    """[sign, part, …] of e^{−δₖt} (A cos ωₖt + B sin ωₖt), of which up to `nothing` is rounding."""
+    table, t = about.table, about.scene.time
+    rate = about.letter(sheet.letter(f"omega_d{order}" if damped else f"omega{order}")) * t
+    waves = [(value, table.call(wave, rate)) for wave, value in zip(("cos", "sin"), sizes, strict=True)
+             if abs(value) > nothing]
     if not waves:
         return []
-    if not mode.delta:
+    if not damped:
         return [part for value, wave in waves for part in (" − " if value < 0 else " + ", f"{told(abs(value))}·", wave)]
-    decay = table.call("exp", -(_letter(about, sheet, "delta", mode) * t))
+    decay = table.call("exp", -(about.letter(sheet.letter(f"delta{order}")) * t))
     if len(waves) == 1:
         value, wave = waves[0]
         return [" − " if value < 0 else " + ", f"{told(abs(value))}·", wave, "·", decay]
@@ -165,6 +155,12 @@ def _terms(about, sheet, mode, u):
     sign = " − " if one < 0 else " + "
     inner = [f"({told(abs(one))}·", cosine, " + " if one * other > 0 else " − ", f"{told(abs(other))}·", sine, ")"]
     return [sign, *inner, "·", decay]
+
+
+def motion_of(sheet: WorkedSolution, name: str, terms: "Sequence[Any]", uses: "Sequence[int]") -> int:
+    """Write down the motion of a coordinate as a sum of terms with signs."""
+    return sheet.write(Words("so  "), Name(name), " = ", *terms[1:] if terms[0] == " + " else ["−", *terms[1:]],
+                       settles=f"motion of {name}", uses=uses)
 
 
 def _beats(about, sheet, name, parts, line):

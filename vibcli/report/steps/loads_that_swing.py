@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.mechanics.given_damping_in_letters import proportional
 from vibcli.report.steps.damping_by_modes import with_damping_by_modes
+from vibcli.report.steps.from_start import tell_driven_from_start
 from vibcli.report.steps.growing_loads import tell_growing
 from vibcli.report.steps.held import SmallEquations, Untold
 from vibcli.report.steps.small import AboutRest
@@ -35,7 +36,10 @@ def tell_loads(about: AboutRest, sheet: WorkedSolution, found: SmallEquations) -
             driven.setdefault(argument, {}).setdefault(i, {})[wave] = node
     try:
         for order, (argument, loads) in enumerate(driven.items(), 1):
-            SteadyState(about, sheet, found, argument, loads).write(order, len(driven) > 1)
+            steady = SteadyState(about, sheet, found, argument, loads)
+            amplitudes = steady.write(order, len(driven) > 1)
+            if amplitudes and len(driven) == 1:
+                tell_driven_from_start(steady, amplitudes, [sheet.last])
     except (PhysicsError, ZeroDivisionError):
         del sheet.steps[before:]
 

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 LOOKED_AT = 400         # places between two turning places, of which V is nowhere below that at rest
-CLOSE = 1e-9            # relative
+CLOSE, ROUNDING = 1e-9, 4e-16          # relative; of a float and what is read off one
 
 
 def tell_motion(problem: "Problem", sheet: WorkedSolution, lines: "Sequence[int]") -> None:
@@ -64,8 +64,7 @@ class EnergyIntegral:
         if self.floats is None:
             return
         place, speed = (float(values[self.name]) for values in self.problem.initial.start)
-        E = evaluate([self.M * self.v ** 2 / 2 + self.V], Floats, {
-            **self.floats, self.q.name: place, self.v.name: speed})[0]
+        E = self._at_start(place, speed)
         start = self.sheet.write(Words("at the start  "), Name(self.name), *number(place, self.unit), Words(",  "),
                                  Name(self.name + "'"), *number(speed, f"{self.unit}/s"), Words(":  "), self.E,
                                  *number(E, "J"), settles=self.E.name, value=E, unit="J", uses=[energy])
@@ -87,6 +86,14 @@ class EnergyIntegral:
             ", integrated:  "), SumOfTerms((kinetic, self.V)), " = ", self.E, settles="integral of energy", uses=lines)
         node = 2 * (self.E - self.V) / self.M
         return self.sheet.write(self.v ** 2, " = ", node, settles=f"{self.name}'^2", node=node, uses=[line])
+
+    def _at_start(self, place, speed):
+        """½ m q̇² + V at the start, zero where the place is a float too coarse to tell it from that."""
+        slope = gradient(self.V).get(self.q, self.scene.table.zero)
+        kinetic, potential, tilt = evaluate([self.M * self.v ** 2 / 2, self.V, slope], Floats, {
+            **self.floats, self.q.name: place, self.v.name: speed})
+        known = abs(kinetic) + abs(potential) + abs(tilt * place)
+        return kinetic + potential if abs(kinetic + potential) > ROUNDING * known else 0.0
 
     def _turning(self, place, speed, E, start):
         """Where it turns, how long it takes, and how fast it is where V is least."""
@@ -125,8 +132,8 @@ class EnergyIntegral:
             return
         M = evaluate([self.M], Floats, self.floats)[0]
         value = (2 * (E - heights[0]) / M) ** 0.5
-        self.sheet.write(Words("fastest at rest's place  "), Name(self.name), *number(rest, self.unit), Words(":  "),
-                         "|", Name(self.name + "'"), "|", *number(value, f"{self.unit}/s"), uses=[line],
+        self.sheet.write(Words("fastest where it can rest,  "), Name(self.name), *number(rest, self.unit),
+                         Words(":  "), "|", Name(self.name + "'"), "|", *number(value, f"{self.unit}/s"), uses=[line],
                          settles=f"max({self.name}')", value=value, unit=f"{self.unit}/s")
 
 

@@ -9,7 +9,7 @@ from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.assumed_shapes import tell_estimates
 from vibcli.report.steps.characteristic import polynomial, tell_polynomial, tell_roots
 from vibcli.report.steps.damped_degrees import stay_apart, tell_damped
-from vibcli.report.steps.from_modes import tell_from_modes
+from vibcli.report.steps.from_start import tell_from_start
 from vibcli.report.steps.held import SmallEquations
 from vibcli.report.steps.loads_that_swing import tell_loads
 from vibcli.report.steps.small import AboutRest
@@ -53,10 +53,10 @@ class SeveralDegrees:
         elif self.two is not None:
             self.two.in_letters(lines)
         else:
-            tell_roots(self.about, self.sheet, lines)
+            tell_roots(self.about, self.sheet, self.found, lines)
         tell_estimates(self.about, self.sheet, self.found, matrices)
         tell_damped(self.about, self.sheet, self.found, matrices)
-        tell_from_modes(self.about, self.sheet, self.found, lines)
+        tell_from_start(self.about, self.sheet, self.found, lines)
         tell_loads(self.about, self.sheet, self.found)
 
     def _matrix(self, words, letter, entries: "Mapping[tuple[int, int], Node]"):

@@ -25,7 +25,7 @@ from vibcli.symbolic.normal_form import is_zero, textbook
 from vibcli.symbolic.syntax import NameRef
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
 
     from vibcli.symbolic.node import Node
 
@@ -59,8 +59,8 @@ class SteadyState:
             values[self.Omega.name], = evaluate([self.given], Floats, values)
         self.about.know(self.Omega, self.about.value(self.given))
 
-    def write(self, order: int, several: bool) -> None:
-        """Write down all of it; of a further frequency the results alone."""
+    def write(self, order: int, several: bool) -> "Sequence[complex]":
+        """Write down all of it, of a further frequency the results alone; the amplitudes in numbers."""
         self.order, self.several = order, several
         line = self._equations()
         written = self.n <= WRITTEN and order == 1
@@ -68,7 +68,7 @@ class SteadyState:
         values = self._solved()
         if values is None and not written:
             self._right_sides(line)
-            return
+            return ()
         self.phasors = Phasors(self, values or ())
         if self.phasors.known:
             self.phasors.write()
@@ -78,6 +78,7 @@ class SteadyState:
         if written and not self.several and all(self.force(i)[1].is_zero for i in range(self.n)):
             tell_fixed_points(self.about, sheet=self.sheet, found=self.found, forces=[
                 self.force(i)[0] for i in range(self.n)], Omega=self.Omega, uses=lines)
+        return values or ()
 
     def entry(self, i: int, j: int) -> "tuple[Node, Node]":
         """(real part, imaginary part) of Zᵢⱼ."""

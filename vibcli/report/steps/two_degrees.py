@@ -63,7 +63,15 @@ class TwoDegrees:
             return [*lines, self.sheet.write(omega ** 2, " = ", a0 / a1, settles="omega^2", node=a0 / a1, uses=lines)]
         mark = self.table.sqrt(self.table.parameter(MARK, positive=False))
         roots = Either((a1 + mark) / (2 * a2), mark, self.table.sqrt(a1 * a1 - 4 * a0 * a2))
-        return [*lines, self.sheet.write(omega ** 2, " = ", roots, settles="omega^2", uses=lines)]
+        return [*lines, self.sheet.write(omega ** 2, " = ", roots, *self._put_in(), settles="omega^2", uses=lines)]
+
+    def _put_in(self):
+        """The numbers of the formula of the roots, its square root drawn; nothing of letters, nor of complex ones."""
+        values = [self.about.value(node) for node in self.coefficients]
+        if None in values or values[1]**2 < 4 * values[0] * values[2]:
+            return []
+        a2, a1, a0 = values
+        return [f" = ({told(a1)} ∓ {told((a1 * a1 - 4 * a0 * a2)**0.5)})/{told(2 * a2)}"]
 
     def frequency(self, index: int, omega: float) -> "Node | None":
         """ω of the mode of this number by the coefficients; None where that is not the engine's."""
@@ -80,7 +88,7 @@ class TwoDegrees:
         """Write down the roots where their square root is none, else those of closed form, and the ratios."""
         found = self._squares()
         if not found:
-            tell_roots(self.about, self.sheet, uses)
+            tell_roots(self.about, self.sheet, self.found, uses)
         lines = [self._root_in_letters(k, node, uses) for k, node in enumerate(found, 1)]
         if self.found.G or self.row is None or self._stiffened(self.row, 0).is_zero:
             return

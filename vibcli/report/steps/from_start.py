@@ -1,0 +1,92 @@
+"""The motion of several degrees of freedom from a given start: free modes, real ones where damping leaves them apart,
+else complex ones; under one harmonic beside what it keeps up,
+
+    q = Im X e^{i(Ωt + ε)} + free modes of what the start has beside that at t = 0."""
+
+from cmath import exp
+from typing import TYPE_CHECKING, Any
+
+from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.given_damping_in_letters import proportional
+from vibcli.report.blocks import Name, Words
+from vibcli.report.steps.from_complex_modes import complex_modes_of, tell_complex_modes
+from vibcli.report.steps.from_modes import modes_of, tell_modes
+from vibcli.report.steps.from_the_start import IN_TIME
+from vibcli.report.steps.held import SmallEquations
+from vibcli.report.steps.small import AboutRest
+from vibcli.report.steps.step import WorkedSolution, number
+from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from vibcli.report.steps.steady_states import SteadyState
+
+MOST = 3                # coordinates whose motion is a line to read
+
+
+def tell_from_start(about: AboutRest, sheet: WorkedSolution, found: SmallEquations, uses: "Sequence[int]") -> None:
+    """Write down the free motion from the start that the file gives; nothing where it has none or is not such a sum."""
+    if about.problem.spec.get("initial") is not None and not found.drive and _is_told(about, found):
+        start = _start(about.problem)
+        if start is not None:
+            _tell_free(about, sheet, start, uses, {})
+
+
+def tell_driven_from_start(steady: "SteadyState", values: "Sequence[complex]", uses: "Sequence[int]") -> None:
+    """Write down the motion under one harmonic whose complex amplitudes are known, where one in time is asked."""
+    about, sheet = steady.about, steady.sheet
+    problem, names = about.problem, about.scene.coordinates
+    heads = {tree.head for answer in problem.spec.answers for tree in answer.asked.parts.quantities}
+    if not (heads & IN_TIME or "response" in (problem.spec.get("find") or ())) or not _is_told(about, steady.found):
+        return
+    start, Omega = _start(problem), about.value(steady.given)
+    if start is None or Omega is None:
+        return
+    ahead, = evaluate([steady.argument], Floats, {**problem.numeric.floats, about.scene.time.name: 0.0})
+    turned = [X * exp(1j * ahead) * (1 if steady.wave == "sin" else 1j) for X in values]
+    kept = [[X.imag for X in turned], [Omega * X.real for X in turned]]
+    left = [[x - part for x, part in zip(*both, strict=True)] for both in zip(start, kept, strict=True)]
+    told: list[Any] = [Words("beside what is kept up the start has  ")]
+    for i, name in enumerate(names):
+        unit = "m" if problem.system.dimension(name) else "rad"
+        told += [Words(",  " * bool(i)), Name(name), *number(left[0][i], unit), Words(",  "), Name(name + "'"), *number(
+            left[1][i], f"{unit}/s")]
+    line = sheet.write(*told, Words(", of which free modes are made"), settles="rest of the start", uses=uses)
+    _tell_free(about, sheet, left, [*uses, line], {name: _kept(steady, k) for k, name in enumerate(names) if values[k]})
+
+
+def _is_told(about, found):
+    problem = about.problem
+    return not (problem.numeric.has_free_symbols or found.G or problem.spec.in_full or not proportional(problem.spec)
+                or len(about.scene.q) > MOST)
+
+
+def _start(problem) -> "list[list[float]] | None":
+    """[places, speeds] at t = 0 from rest."""
+    try:
+        place, speed = problem.initial.start
+        rest = problem.configuration.equilibrium.values
+    except PhysicsError:
+        return None
+    names = problem.scene.coordinates
+    return [[float(place[name] - rest[name]) for name in names], [float(speed[name]) for name in names]]
+
+
+def _tell_free(about: AboutRest, sheet: WorkedSolution, start: "Sequence[Sequence[float]]", uses: "Sequence[int]",
+               kept: "Mapping[str, list]") -> None:
+    modes = modes_of(about.problem, start)
+    if modes:
+        tell_modes(about, sheet, modes, uses, kept)
+        return
+    complex_ones = complex_modes_of(about.problem, start)
+    if complex_ones:
+        tell_complex_modes(about, sheet, complex_ones, uses, kept)
+
+
+def _kept(steady, k):
+    """[" + ", part, …] of what is kept up of a coordinate."""
+    X = Name(steady.sheet.letter(f"X{k + 1}"))
+    if steady.undamped:
+        return [" + ", X, f"·{steady.wave}(", steady.argument, ")"]
+    return [" + ", "|", X, f"|·{steady.wave}(", steady.argument, " − ", Name(steady.sheet.letter(f"theta{k + 1}")), ")"]
