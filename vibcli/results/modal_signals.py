@@ -36,6 +36,12 @@ class ModalSignal(Signal):
     def coarse(self) -> Signal:
         return ModalSignal(self.modal, self.reads, self.asked)
 
+    def beside(self, shift: float, constant: float) -> "ModalSignal":
+        """The same so far to the right on its piece, by as many modes; constant: what it is at rest there."""
+        (point, factor), = self.reads.places.items()
+        there = point._replace(x=point.x + shift)
+        return ModalSignal(self.modal, self.reads._replace(constant=constant, places={there: factor}))
+
     def values(self, times: "np.ndarray", order: int = 0) -> "np.ndarray":
         self.require_bound(float(max(times, default=0.0)) if hasattr(times, "__len__") else float(times), order)
         return self.modal.values(self.reads, times, order)
