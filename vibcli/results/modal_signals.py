@@ -56,6 +56,14 @@ class ModalSignal(Signal):
 
         return float(self.modal.errors(self.reads, np.array([t]))[0])
 
+    def error_of_mean(self, start: float, end: float) -> float:
+        """Of its mean: what modes left out add are free vibrations on each stretch, |∫ e^{λt} dt| ≤ 2/|λ|."""
+        slowest = min(self.modal.modes.left_out)
+        begins = [start, *(one.start for one in self.modal.stretches(end) if start < one.start < end)]
+        left = [self.modal.bound(self.reads, t) for t in begins]
+        rounding = self.error(end) - self.modal.bound(self.reads, end)
+        return min(max(left), 2 * sum(left) / (slowest * (end - start)) if slowest else inf) + rounding
+
     def off(self, times: "np.ndarray", end: float, modes: int) -> "np.ndarray":
         """Bounds of the errors of its values by so many modes at instants up to an end."""
         from vibcli.analyses.continuous.modal_search import off_along
