@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from vibcli.base.errors import PhysicsError
-from vibcli.language.signal_names import LEFT_OF
+from vibcli.language.signal_names import LEFT_OF, signal_name
 from vibcli.mechanics.internal_forces import InternalForce, forces_within
+from vibcli.mechanics.rest_curves import curves_at_rest
 from vibcli.numerics.stretches import PARTS, CurveStretch
 from vibcli.symbolic.syntax import NameRef, QuantityRef
 
@@ -49,8 +50,29 @@ def forces_in_time(problem: "Problem", instant: float) -> tuple[list[InternalFor
     def signal(name):
         return problem.response.signal(NameRef(0, len(name), name, 0))
 
-    return _of_signals(problem, lambda name, _: _one_by_one(lambda one: float(signal(one).values(at)[0])),
-                       lambda name: signal(name).error(instant))
+    def values(name, between):
+        beside = _beside(problem, name, signal(name), between)
+        return _one_by_one(lambda one: float(signal(one).values(at)[0])) if beside is None else (
+            lambda names, places: np.array([float((signal(one) if x in between else beside(x)).values(at)[0])
+                                            for one, x in zip(names, places.tolist(), strict=True)]))
+
+    return _of_signals(problem, values, lambda name: signal(name).error(instant))
+
+
+def _beside(problem, name, signal, between):
+    """(place between two stations) → the signal there of one that is read by modes in the middle; None of others."""
+    from vibcli.results.modal_signals import ModalSignal
+
+    if not isinstance(signal, ModalSignal) or len(signal.reads.places) != 1 or any(signal.reads[1:5]):
+        return None
+    named, middle = signal_name(name), sum(between) / 2
+    member = problem.configuration.scene.resting.members[named.name]
+    try:
+        rest = next(one for one in curves_at_rest(problem.configuration, member, named.part)
+                    if one.start <= middle <= one.end)
+    except PhysicsError:
+        return None
+    return lambda x: signal.beside(x - middle, float(np.asarray(rest.values(np.array([x])))[0]))
 
 
 def amplitudes(problem: "Problem") -> tuple[list[InternalForce], list[str]]:

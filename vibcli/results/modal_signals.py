@@ -36,6 +36,12 @@ class ModalSignal(Signal):
     def coarse(self) -> Signal:
         return ModalSignal(self.modal, self.reads, self.asked)
 
+    def beside(self, shift: float, constant: float) -> "ModalSignal":
+        """The same so far to the right on its piece, by as many modes; constant: what it is at rest there."""
+        (point, factor), = self.reads.places.items()
+        there = point._replace(x=point.x + shift)
+        return ModalSignal(self.modal, self.reads._replace(constant=constant, places={there: factor}))
+
     def values(self, times: "np.ndarray", order: int = 0) -> "np.ndarray":
         self.require_bound(float(max(times, default=0.0)) if hasattr(times, "__len__") else float(times), order)
         return self.modal.values(self.reads, times, order)
@@ -49,6 +55,14 @@ class ModalSignal(Signal):
         import numpy as np
 
         return float(self.modal.errors(self.reads, np.array([t]))[0])
+
+    def error_of_mean(self, start: float, end: float) -> float:
+        """Of its mean: what modes left out add are free vibrations on each stretch, |∫ e^{λt} dt| ≤ 2/|λ|."""
+        slowest = min(self.modal.modes.left_out)
+        begins = [start, *(one.start for one in self.modal.stretches(end) if start < one.start < end)]
+        left = [self.modal.bound(self.reads, t) for t in begins]
+        rounding = self.error(end) - self.modal.bound(self.reads, end)
+        return min(max(left), 2 * sum(left) / (slowest * (end - start)) if slowest else inf) + rounding
 
     def off(self, times: "np.ndarray", end: float, modes: int) -> "np.ndarray":
         """Bounds of the errors of its values by so many modes at instants up to an end."""

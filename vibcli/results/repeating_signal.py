@@ -164,7 +164,7 @@ def _aside(response, tree, signal, start):
     fine, coarse = (_mean(signal, start, edges, order) for order in NODES)
     mean = still.motion.steady.mean(still.output)
     size = float(np.abs(signal.values(start + edges)).max())
-    return fine - mean, abs(fine - coarse) + DEAD * size + signal.error(start + float(edges[-1]))
+    return fine - mean, abs(fine - coarse) + DEAD * size + signal.error_of_mean(start, start + float(edges[-1]))
 
 
 def _mean(signal, start, edges, order):

@@ -92,6 +92,10 @@ class Signal:
             self._extremes[asked] = extreme_of_signal(self, *asked)
         return self._extremes[asked]
 
+    def error_of_mean(self, start: float, end: float) -> float:
+        """How far its mean between two instants may be off."""
+        return self.error(end)
+
     @property
     def coarse(self) -> "Signal":
         """The same, whose extremes are looked at no more closely than values at instants."""

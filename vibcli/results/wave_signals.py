@@ -72,7 +72,7 @@ def _zeros(signal, start: float, end: float) -> list[float]:
     """Instants at which it passes, touches or leaps over zero."""
     from vibcli.analyses.continuous.travelling_waves_search import zeros
 
-    return zeros(_along(signal, start, end), end).tolist()
+    return zeros(_along(signal, start, end), end, signal.error(end)).tolist()
 
 
 def _read_at(signal, t: float) -> Signal:

@@ -10,10 +10,14 @@ from support.scenes import problem
 from vibcli.analyses.continuous import modal_motion, modal_states, uncounted_modes
 from vibcli.analyses.continuous.mode_basis import ModeBasis
 from vibcli.base.errors import NoBound, PhysicsError
+from vibcli.language.signal_names import LEFT_OF
 from vibcli.language.signals_of_places import with_places
+from vibcli.results.internal_forces import forces_in_time
 from vibcli.results.modal_response import ModalResponse
+from vibcli.results.modal_signals import ModalSignal
 from vibcli.results.wave_response import WaveResponse
 from vibcli.symbolic.parser import parse
+from vibcli.symbolic.syntax import NameRef
 
 CANTILEVER = dedent("""\
     parameters: {L: 1 m, EI: 1 N*m^2, mu: 1 kg/m}
@@ -332,3 +336,32 @@ def test_values_need_no_sums_of_what_is_left_out_of_them(monkeypatch):
     assert all(signal.values(np.array([0.1]))[0] for signal in signals)
     assert {len(pieces) for _, _, pieces, *_ in found} == {2}       # of loads alone: none of a piece parted at a place
     assert 0 < signals[1].error(0.1) < np.inf and len(found[-1][2]) == 3
+
+
+def test_forces_along_a_piece_are_read_of_one_motion(monkeypatch):
+    """Those at the ends of pieces as any others, by signals of their own."""
+    scene = problem(CANTILEVER.replace("length: L", "from: [0, 0], to: [L, 0]").replace(
+        "right: free", "attached: [{at: 0.4 m, mass: 1 kg}]") + dedent("""\
+        gravity: 9.81 m/s^2
+        forces: {blow: {body: arm, per_length: 1 N/m*sin(3 rad/s*t)}}
+        """))
+    places, asked, plain = np.array([0.13, 0.27, 0.4]), [], ModalResponse.signal
+    monkeypatch.setattr(ModalResponse, "signal", lambda self, tree: asked.append(tree) or plain(self, tree))
+    found = {force.part: force.stretches[0].values(places) for force in forces_in_time(scene, 0.2)[0]}
+    for part in ("shear", "moment"):
+        names = [f"arm.{part}({x} m{LEFT_OF * bool(x == 0.4)})" for x in places]
+        single = [plain(scene.response, NameRef(0, len(name), name, 0)).values(np.array([0.2]))[0] for name in names]
+        assert found[part] == pytest.approx(single, rel=1e-12)
+    assert len(asked) < 20
+
+
+def test_a_mean_is_known_better_than_values():
+    """What modes left out add swings faster than those counted."""
+    bar = "    bars: {arm: {length: L, EA: 1 N, mass_per_length: 1 kg/m, left: clamped, drag: 0.1 kg/m/s}}\n"
+    scene = problem("parameters: {L: 1 m}\n" + dedent(bar) + "points: {tip: {body: arm, at: L}}\n"
+                    "forces: {push: {at: tip, force: 1 N*step(t - 0.1 s)}}\n")
+    reads = signal(scene, "arm.u(L)").reads
+    few, many = (ModalSignal(scene.response.motion(count), reads) for count in (16, 512))
+    at = 0.3 + 0.6 * (np.arange(8000) + 0.5) / 8000
+    off = abs(few.values(at).mean() - many.values(at).mean())
+    assert 0 < off <= few.error_of_mean(0.3, 0.9) < few.error(0.3) / 10

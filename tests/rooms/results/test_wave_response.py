@@ -10,6 +10,7 @@ from support.scenes import problem
 from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signals_of_places import with_places
+from vibcli.results.modal_signals import ModalSignal
 from vibcli.results.wave_response import WaveResponse
 from vibcli.symbolic.parser import parse
 
@@ -42,6 +43,34 @@ def test_mass_equal_to_that_of_the_bar():
     assert values(scene, "rod.u'(L)", [1.0]) == pytest.approx([np.exp(-1) - 1], abs=1e-13)
     assert values(scene, "rod.force(L)*rod.u'(L)", [1.0]) == pytest.approx([np.exp(-1) * (np.exp(-1) - 1)], abs=1e-13)
     assert signal(scene, "rod.force(0)").error(3.0) < 1e-13
+
+
+def at_rest(more, load):
+    """A bar whose free end is pushed at t = 0."""
+    return problem(UNIT + dedent(f"""\
+        bars: {{rod: {{length: L, E: E, A: A, rho: rho, left: clamped{more}}}}}
+        points: {{tip: {{body: rod, at: L}}}}
+        forces: {{push: {{at: tip, force: {load}}}}}
+        """))
+
+
+def test_what_rests_at_zero_has_one_zero_as_it_leaves():
+    pulse = "1 N*(step(t) - step(t - 0.3 s))"
+    waves = at_rest("", pulse)
+    assert signal(waves, "rod.u(L/2)").zeros(0.0, 5.0) == pytest.approx([0.5, 2.5, 4.5])
+    assert signal(waves, "rod.u'(L/2)").zeros(0.0, 5.0) == pytest.approx([0.5, 1.5, 2.5, 3.5, 4.5])
+    assert signal(at_rest("", "1 N*s*impulse(t)"), "rod.u(L/2)").zeros(0.0, 5.0) == pytest.approx([0.5, 2.5, 4.5])
+    modes = at_rest(", drag: 1e-3 kg/m/s", pulse)
+    few = ModalSignal(modes.response.motion(64), signal(modes, "rod.u(L/2)").reads)
+    assert few.zeros(0.0, 2.7) == pytest.approx([0.5, 2.5], abs=1e-2)
+
+
+def test_a_blow_that_is_never_swallowed_leaves_no_limit():
+    tip = signal(at_rest("", "1 N*s*impulse(t)"), "rod.u(L/2)")
+    with pytest.raises(PhysicsError, match="limit"):
+        tip.final()
+    swallowed = signal(at_rest(", right: {c: A*sqrt(E*rho)}", "1 N*s*impulse(t)"), "rod.u(L/2)")
+    assert (swallowed.final(), swallowed.waves.still_from(5.0)) == (0.0, 2.0)
 
 
 def test_free_end_leaves_a_rectangle():

@@ -55,6 +55,8 @@ class ModalMotion:
 
     def under(self, forcing: "Forcing") -> "ModalMotion":
         """The same motion, whose outputs read further channels of the loads."""
+        if forcing is self.reads:
+            return self
         return ModalMotion(self.modes, self.transfer, self.forcing, self.work, forcing)
 
     def stretches(self, until: float) -> list[FreeStretch]:

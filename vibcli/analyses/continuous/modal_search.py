@@ -27,6 +27,7 @@ NEAR = 1e-10                    # of an extreme: a bound that is near enough
 WINDOWS, HALVES = 8, 40         # stretches whose beginnings are looked at apart, and times that these are halved
 OCTAVES = 24                    # of a stretch, at which bounds are looked at
 ALIKE = 0.99                    # of a bound: no smaller
+BESIDE = 16                     # instants between zeros
 
 
 def extreme(motion: "ModalMotion", output: "LinearOutput", start: float, end: float,
@@ -84,7 +85,7 @@ def error_of_extreme(motion: "ModalMotion", output: "LinearOutput", start: float
 
 
 def zeros(motion: "ModalMotion", output: "LinearOutput", start: float, end: float) -> list[float]:
-    """Instants at which it passes zero."""
+    """Instants at which it passes zero; where it rests there but for its errors, the instant at which it leaves."""
     def near(cells, values, rest):
         if np.abs(values).max() + rest == 0:
             return np.zeros(len(cells), bool)
@@ -102,8 +103,19 @@ def zeros(motion: "ModalMotion", output: "LinearOutput", start: float, end: floa
         middle = (low + high) / 2
         same = motion.values(output, middle) * below > 0
         low, high = np.where(same, middle, low), np.where(same, high, middle)
-    found = [*((low + high) / 2).tolist(), *edges[values == 0].tolist()]
-    return sorted(found)
+    found = np.sort([*(low + high) / 2, *edges[values == 0]])
+    return found[_told_apart(motion, output, found, end)].tolist()
+
+
+def _told_apart(motion, output, found, end):
+    """Which of the zeros count: of those between which no value is larger than its error the last one, unless it stays
+    so up to the end."""
+    width = np.diff(np.append(found, end))
+    times = found[:, None] + width[:, None] * ((np.arange(BESIDE) + 0.5) / BESIDE)
+    values = np.abs(motion.values(output, times.ravel()))
+    leaves = (values > off_along(motion, output, times.ravel(), end, motion.count)).reshape(times.shape).any(axis=1)
+    left = np.flatnonzero(leaves)
+    return leaves | (np.arange(len(found)) > (left[-1] if len(left) else -1))
 
 
 def width_of_top(motion: "ModalMotion", output: "LinearOutput", t: float, sense: int) -> float:

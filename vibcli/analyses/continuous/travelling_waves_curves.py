@@ -65,14 +65,14 @@ class PiecewiseSeries:
 
     @property
     def even_from(self) -> tuple[float, float]:
-        """(the instant from which its rate has been constant, as far as it is known, infinite where it is not; that
-        rate)."""
+        """(the instant from which its rate has been constant and it has not leapt, as far as it is known, infinite
+        where its rate still changes; that rate)."""
         rates = self._series[:self.count, 1]
         last = float(rates[-1, 0])
         other = rates[:, 1:].any(axis=1) | (np.abs(rates[:, 0] - last) > EVEN * self.scale[1])
         changing = np.flatnonzero(other)
         first = int(changing[-1]) + 1 if len(changing) else 0
-        return (float(self._starts[first]) if first < self.count else np.inf), last
+        return (max(float(self._starts[first]), *self.leaps, 0.0) if first < self.count else np.inf), last
 
     def rounding(self, times: np.ndarray, level: int) -> np.ndarray:
         """How often the rounding of a number the values may be off: that of each stretch so far adds to it, and each

@@ -70,15 +70,21 @@ def extreme(parts: Stretches, sense: int, off: float = 0.0) -> tuple[float, floa
     return min(t for t, value in found if value >= best - rounding), sense * best
 
 
-def zeros(parts: Stretches, end: float) -> np.ndarray:
-    """All times where the function passes, touches or leaps over zero, ascending; where it rests at zero, none, but the
-    instant at which it leaves it."""
+def zeros(parts: Stretches, end: float, off: float = 0.0) -> np.ndarray:
+    """All times where the function passes, touches or leaps over zero, ascending; where it rests at zero but for errors
+    `off`, none, but the instant at which it leaves it, by a leap too."""
     times: list[float] = []
-    before = 0.0
+    before, rests = 0.0, None
     for begin, length, series in zip(*parts, strict=True):
+        if np.abs(series).sum() <= off:
+            before, rests = 0.0, begin if rests is None else rests
+            continue
         left = float(summed(series, np.array([-1.0]))[0])
-        if before * left < 0:
+        if rests is not None and times and times[-1] >= rests - SAME * end:
+            times.pop()
+        if before * left < 0 or rests is not None:
             times.append(float(begin))
+        rests = None
         if np.abs(series[1:]).sum() >= abs(series[0]):
             times += [float(begin + length * (1 + x) / 2) for x in passages(series)]
         before = float(series.sum())
