@@ -6,6 +6,7 @@ import pytest
 from mpmath import findroot, mp
 
 import vibcli
+from vibcli.analyses.continuous import travelling_waves_march
 from vibcli.base.errors import PhysicsError
 
 TIP = "points: {tip: {body: b, at: 2 m}}\nforces: {f: {at: tip, force: 10 N*%s}}\n"
@@ -61,7 +62,9 @@ def test_the_largest_of_a_slow_swing(scene, modes, count):
                                                 (PLANE, 1 / 150), (STRING, 10 / 1050)])
 @pytest.mark.parametrize(("load", "most"), [("sin(0.01 rad/s*t)", 1), ("(1-cos(0.02 rad/s*t))", 2),
                                             ("(exp(-t/(100 s))-exp(-t/(50 s)))", 0.25)])
-def test_as_slow_as_to_be_at_rest(scene, at_rest, load, most):
+def test_as_slow_as_to_be_at_rest(scene, at_rest, load, most, monkeypatch):
+    if scene is STRING and "exp" in load:       # its waves are too many: that is seen of a tenth of them, too
+        monkeypatch.setattr(travelling_waves_march, "MOST", 600)
     found = vibcli.loads(scene % load)["max(b.u(2 m))"].value
     assert found == pytest.approx(most * at_rest, rel=2e-3)
 
