@@ -1,6 +1,8 @@
 """Modes of beams and bodies in mpmath from their element data, by formulas of their own: D(ω²) of u = Σ cⱼ fⱼ, fⱼ of
 cos βx, sin βx, cosh βx, sinh βx, and inverse iteration from frequencies that are known in floats."""
 
+from functools import lru_cache
+
 import mpmath
 import numpy as np
 from mpmath import mp, mpf
@@ -16,6 +18,7 @@ def along(piece, z, x):
     return mp.matrix([[beta**k * value for value in row] for k, row in enumerate(rows)])
 
 
+@lru_cache(maxsize=64)          # of a few pieces and modes, at which many places are read
 def stiffness(piece, z):
     """d, and the coefficients of unit end values."""
     left, right, B = along(piece, z, 0), along(piece, z, piece.length), piece.bending
@@ -56,13 +59,23 @@ class ExactModes:
         return found
 
     def _mode(self, z):
-        x, step = mp.matrix([mp.sin(7 * i + 1) + mpf(1) / 3 for i in range(self.elements.n)]), z * mpf(10) ** -20
-        for near in (GUESS, GUESS, SHARP, SHARP, SHARP):
+        x, slope = mp.matrix([mp.sin(7 * i + 1) + mpf(1) / 3 for i in range(self.elements.n)]), self._slope(z)
+        for near in (GUESS, GUESS, SHARP, SHARP, SHARP):        # the slope is off by as little as z is at first
             x = mp.lu_solve(self.D(z * (1 + near)), x)
-            slope = (self.D(z - step) - self.D(z + step)) / (2 * step)
-            x = x / mp.sqrt((x.T * slope * x)[0])
-            z = z + (x.T * self.D(z) * x)[0]
-        return z, x
+            z = z + (x.T * self.D(z) * x)[0] / (x.T * slope * x)[0]
+        return z, x / mp.sqrt((x.T * self._slope(z) * x)[0])
+
+    def _slope(self, z):
+        """−∂D/∂z."""
+        step = z * mpf(10) ** -20
+        return (self.D(z - step) - self.D(z + step)) / (2 * step)
+
+    @lru_cache(maxsize=1)       # noqa: B019 - one place after the other is read of it
+    def _steady(self, coordinate, z):
+        """The coordinates under a unit load that swings."""
+        load = mp.matrix(self.elements.n, 1)
+        load[coordinate] = 1
+        return mp.lu_solve(self.D(z), load)
 
     def _at(self, place, z, q):
         """What is read at a FieldPoint of coordinates q."""
@@ -73,9 +86,7 @@ class ExactModes:
     def under_a_sine(self, place, coordinate, Omega, times):
         """What sin Ωt on a coordinate brings from rest at a FieldPoint, with these modes beside the steady motion."""
         with mpmath.workdps(DIGITS):
-            load = mp.matrix(self.elements.n, 1)
-            load[coordinate] = 1
-            steady = self._at(place, Omega**2, mp.lu_solve(self.D(mpf(Omega) ** 2), load))
+            steady = self._at(place, mpf(Omega) ** 2, self._steady(coordinate, mpf(Omega) ** 2))
             rates = [mp.sqrt(z) for z in self.z]
             sizes = [self._at(place, z, x) * x[coordinate] * Omega / rate / (z - Omega**2)
                      for z, x, rate in zip(self.z, self.shapes, rates, strict=True)]

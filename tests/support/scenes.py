@@ -33,6 +33,15 @@ def kept_problem_of(path):
 
 
 @cache
+def kept_drawing_of(path, case=""):
+    """What is drawn of it, or of one of its cases, to be looked at by several tests."""
+    from vibcli.drawing.drawing import draw
+
+    found = kept_problem_of(path)
+    return tuple(draw(found.case(case) if case else found))
+
+
+@cache
 def kept_instances_of(path, case=""):
     """Its Instances with numbers, of one of its cases where that is named; they, too, are the same for all tests."""
     found = kept_problem_of(path)

@@ -36,6 +36,11 @@ class SeriesResponse(FullResponse):
     def known(self):
         return self.until
 
+    @property
+    def digits(self) -> int:
+        """To so many it is followed: those of floats at least, so that values take no march of their own."""
+        return max(self.problem.digits, FLOAT_DIGITS)
+
     def require_series(self) -> None:
         """PhysicsError where the motion has no more digits, for what its equations are made of."""
         self.precise.until(Fraction(0))
@@ -47,7 +52,7 @@ class SeriesResponse(FullResponse):
             from vibcli.analyses.time_integration.series_trajectory import SeriesTrajectory
 
             instant = Fraction(until)
-            march = self.precise.until(instant).followed(self.problem.digits, instant)
+            march = self.precise.until(instant).followed(self.digits, instant)
             self._trajectory = SeriesTrajectory(march, self.precise.scene.coordinates, until)
         return self._trajectory
 
@@ -74,15 +79,14 @@ class SeriesSignal(FullSignal):
         super().__init__(motion, node, forces, shared)
         self._seen: dict[TaylorMarch, SignalAlong] = {}
 
-    @property
-    def _digits(self):
-        return max(self.motion.problem.digits, FLOAT_DIGITS)
+    def precise(self, t: Fraction, digits: int) -> "mpmath.mpf":
+        return super().precise(t, max(digits, self.motion.digits))
 
     def values(self, times: np.ndarray, order: int = 0) -> np.ndarray:
         times = np.asarray(times, dtype=float)
         if order or self.forces or times.size > ALONE:
             return super().values(times, order)
-        found = [float(self.precise(Fraction(t), self._digits)) for t in times.ravel().tolist()]
+        found = [float(self.precise(Fraction(t), self.motion.digits)) for t in times.ravel().tolist()]
         return np.array(found).reshape(times.shape)
 
     @cached_property
@@ -98,7 +102,7 @@ class SeriesSignal(FullSignal):
     def extreme(self, start: Any, end: float, sense: int) -> tuple[float, float]:
         if self.series is None:
             return self._sampled(start, end).extreme(sense)
-        t, value = self.precise_extreme(start, end, sense, self._digits)
+        t, value = self.precise_extreme(start, end, sense, self.motion.digits)
         return float(t), float(value)
 
     def _sampled(self, start, end, level=0.0):
@@ -118,7 +122,7 @@ class SeriesSignal(FullSignal):
     def zeros(self, start: float, end: float, level: float = 0.0) -> list[float]:
         if self.series is None:
             return [t for t in self._sampled(start, end, level).zeros() if start <= t <= end]
-        march = self.motion.precise.until(Fraction(end)).followed(self._digits, Fraction(end))
+        march = self.motion.precise.until(Fraction(end)).followed(self.motion.digits, Fraction(end))
         along = self._along_march(march)
         found = along.passages(*(_fixed(x, march.bits) for x in (start, end, level)))
         return [to_float(along.time(place), march.bits) for place in found]

@@ -13,7 +13,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-from support.scenes import kept_problem_of, problem, problem_of
+from support.scenes import kept_drawing_of, kept_problem_of, problem, problem_of
 
 from vibcli.base.errors import PhysicsError
 from vibcli.cli.program import run
@@ -77,8 +77,8 @@ def test_there_are_files():
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_every_scene_is_drawn(path):
     given = kept_problem_of(path)
-    for scene in (given, *(given.case(name) for name in given.spec.cases)):
-        found = draw(scene)
+    for case in ("", *given.spec.cases):
+        found = kept_drawing_of(path, case)
         assert all(math.isfinite(x) for part in found for stroke in part.strokes() for point in stroke for x in point)
         assert not overlapping([part.box for part in texts(found)])
         left, bottom, right, top = extent(found)

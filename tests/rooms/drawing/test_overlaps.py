@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 from support.overlaps import cross, crossed, grounded, measured, touching
-from support.scenes import kept_problem_of, problem
+from support.scenes import kept_drawing_of, problem
 
 from vibcli.drawing.canvas.primitives import ARROW, SURFACE, Circle, Hatch, LetterRuns, Polygon, Polyline
 from vibcli.drawing.drawing import draw
@@ -20,7 +20,7 @@ MOST = 0.02
 @pytest.mark.sweep
 def test_words_and_arrows_of_problems_and_examples_touch_nothing():
     paths = sorted([*ROOT.glob("problems/[1-9]*/*.yaml"), *ROOT.glob("vibcli/examples/*.yaml")])
-    figures = {path.stem: draw(kept_problem_of(path)) for path in paths}
+    figures = {path.stem: kept_drawing_of(path) for path in paths}
     assert len(figures) > 300
     for check in (touching, crossed, measured):
         found = {name: told for name, figure in figures.items() if (told := check(figure))}
@@ -90,7 +90,7 @@ def test_a_spring_lies_above_the_floor_on_which_a_ladder_slides():
 
 
 def test_a_bed_is_open_where_springs_lead_through_it():
-    drawn = draw(kept_problem_of(ROOT / "vibcli/examples/beams.yaml"))
+    drawn = kept_drawing_of(ROOT / "vibcli/examples/beams.yaml")
     small = [part for part in drawn if isinstance(part, Polyline) and part.role == "spring" and part.width < 1.0]
     assert grounded(drawn) == [] and len(small) == 6
 
@@ -107,7 +107,7 @@ def test_the_names_of_a_spring_and_a_damper_at_one_place_stand_on_their_own_side
 
 
 def test_the_name_of_a_body_stands_in_no_other_on_which_it_does_not_lie():
-    drawn = draw(kept_problem_of(ROOT / "vibcli/examples/roller_between_plates.yaml"))
+    drawn = kept_drawing_of(ROOT / "vibcli/examples/roller_between_plates.yaml")
     small, = [part for part in drawn if isinstance(part, LetterRuns) and _text(part) == "m" and part.box[0] > 150.0]
     bodies = [part.points for part in drawn if isinstance(part, Polygon) and part.fill == "body"]
     boxes = [points for points in bodies if len(points) == 4]
@@ -156,7 +156,7 @@ def test_loads_of_bars_lie_beside_these_where_a_damper_follows():
 
 
 def test_arcs_of_a_joint_meet_no_arrow():
-    drawn = draw(kept_problem_of(ROOT / "problems/8_continuous/portal_frame.yaml"))
+    drawn = kept_drawing_of(ROOT / "problems/8_continuous/portal_frame.yaml")
     paths = [part.points for part in drawn
              if isinstance(part, Polyline) and part.role == "coordinate" and part.layer == ARROW]
     crossing = [(a, b) for i, a in enumerate(paths) for b in paths[:i] if cross(a, b) and not set(a) & set(b)]
@@ -164,7 +164,7 @@ def test_arcs_of_a_joint_meet_no_arrow():
 
 
 def test_arcs_begin_at_no_spring_that_is_wound_about_a_rod():
-    drawn = draw(kept_problem_of(ROOT / "vibcli/examples/bead_on_a_turning_rod.yaml"))
+    drawn = kept_drawing_of(ROOT / "vibcli/examples/bead_on_a_turning_rod.yaml")
     springs = [part.points for part in drawn if part.role == "spring"]
     arcs = [part.points for part in drawn
             if isinstance(part, Polyline) and part.role == "driven" and len(part.points) > 2]
@@ -172,7 +172,7 @@ def test_arcs_begin_at_no_spring_that_is_wound_about_a_rod():
 
 
 def test_leaders_of_two_lengths_lie_on_one_another_and_the_longer_stands_outside():
-    drawn = draw(kept_problem_of(ROOT / "vibcli/examples/boom_on_a_spring.yaml"))
+    drawn = kept_drawing_of(ROOT / "vibcli/examples/boom_on_a_spring.yaml")
     lines = [part.points for part in drawn if isinstance(part, Polyline) and part.role == "measure"
              and part.layer == ARROW and part.width > 0.6]
     assert len(lines) == 2 and measured(drawn) == []
@@ -192,14 +192,14 @@ def test_the_arrow_of_a_coordinate_turns_as_the_body_does_about_its_joint(turn, 
 
 
 def test_a_rod_that_lies_on_a_pier_has_a_bearing_there():
-    drawn = draw(kept_problem_of(ROOT / "problems/1_statics_and_energy/gerber_bridge_with_crane.yaml"))
+    drawn = kept_drawing_of(ROOT / "problems/1_statics_and_energy/gerber_bridge_with_crane.yaml")
     rollers = [part.centre[0] for part in drawn if isinstance(part, Circle) and part.radius == 2.0]
     floors = [part for part in drawn if isinstance(part, Hatch) and part.layer == SURFACE]
     assert len(rollers) == 4 and len(floors) == 2
 
 
 def test_a_load_leaves_what_is_welded_where_it_acts():
-    drawn = draw(kept_problem_of(ROOT / "problems/4_free_damped/galloping_sign_arm.yaml"))
+    drawn = kept_drawing_of(ROOT / "problems/4_free_damped/galloping_sign_arm.yaml")
     shaft, = [part.points for part in drawn if part.role == "load" and isinstance(part, Polyline)]
     tops = [plane.bounds(part.points)[3] for part in drawn
             if isinstance(part, Polygon) and part.fill == "body" and plane.inside((shaft[0][0], 0), list(part.points))]
@@ -207,7 +207,7 @@ def test_a_load_leaves_what_is_welded_where_it_acts():
 
 
 def test_the_name_of_a_disc_stands_at_it_beside_a_rod_that_hangs_before_it():
-    drawn = draw(kept_problem_of(ROOT / "problems/6_two_degrees/disc_in_track_with_rod.yaml"))
+    drawn = kept_drawing_of(ROOT / "problems/6_two_degrees/disc_in_track_with_rod.yaml")
     track, = [part for part in drawn if isinstance(part, Hatch) and part.layer == SURFACE]
     name, = [part for part in drawn if isinstance(part, LetterRuns) and _text(part) == "m1"]
     assert touching(drawn) == [] and name.box[1] > min(y for _, y in track.points)
@@ -219,7 +219,7 @@ def test_the_name_of_a_disc_stands_at_it_beside_a_rod_that_hangs_before_it():
     ("problems/6_two_degrees/epicyclic_gear_with_sprung_ring.yaml", ["R", "rp", "rs"]),
     ("vibcli/examples/beams.yaml", ["3L1/2", "H", "L", "L1", "L1/2"])])
 def test_lengths_that_find_no_room_stand_further_off_and_radii_at_another_angle(path, lengths):
-    drawn = draw(kept_problem_of(ROOT / path))
+    drawn = kept_drawing_of(ROOT / path)
     told = [_text(part) for part in drawn if isinstance(part, LetterRuns) and part.role == "measure"]
     assert sorted(told) == lengths and touching(drawn) == measured(drawn) == crossed(drawn) == []
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
-from support.scenes import kept_problem_of, problem, problem_of
+from support.scenes import kept_drawing_of, kept_problem_of, problem, problem_of
 
 from vibcli.base.errors import PhysicsError
 from vibcli.drawing import animation
@@ -49,7 +49,7 @@ def points(path):
 def test_every_scene_is_drawn_within_its_frame():
     for path in FILES:
         given = kept_problem_of(path)
-        drawn = draw(given)
+        drawn = kept_drawing_of(path)
         root = parsed(picture(drawn, given.spec.get("title") or "", contents(given.spec)))
         left, top, width, height = map(float, root.get("viewBox").split())
         box = extent(drawn)

@@ -9,6 +9,7 @@ from support.scenes import problem
 from vibcli.language.signals_of_places import with_places
 from vibcli.quantities.expression import measure
 from vibcli.results.escalation import extreme_of_signal, value_of_signal
+from vibcli.results.modal_response import ModalResponse
 from vibcli.symbolic.parser import parse
 
 SCENE = """\
@@ -22,11 +23,15 @@ SCENE = """\
     forces: {push: {at: tip, force: 1 N*step(t)}}
     find: [{response: {until: %s}}]
     """
+MOST = 1024
 
 
 @pytest.fixture(scope="module")
 def long_one():
-    return problem(SCENE % "3 h")
+    """By no more modes than are found at once: thousands of them are in test_many_modes."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(ModalResponse, "limit", MOST)
+        yield problem(SCENE % "3 h")
 
 
 def measured(scene, text):

@@ -44,9 +44,10 @@ class Series:
 
     def __init__(self, m, c, first, less):
         b = np.append(first, (np.arange(2, MANY + 1) - less) * np.pi) + 0j
-        for _ in range(12):
-            step, value = 1e-6, self._off(b, m, c)
-            b = b - value * step * 2 / (self._off(b + step, m, c) - self._off(b - step, m, c))
+        off, step = np.ones_like(b), 1e-6
+        while abs(off).max() > 1e-7:        # the next would leave what rounds: slopes are good to 1e-5
+            off = self._off(b, m, c) * step * 2 / (self._off(b + step, m, c) - self._off(b - step, m, c))
+            b = b - off
         assert (np.diff(b.real) > 2.2).all() and np.abs(np.diff(b.real[9:]) / np.pi - 1).max() < 1e-2
         self.a, self.d, self.q, S, end = _parts(b)
         self.b, self.rates, e = b, 1j * b**2, np.exp(-b)

@@ -6,6 +6,7 @@ import pytest
 from mpmath import findroot, mp
 
 import vibcli
+from vibcli.analyses.continuous import travelling_waves_march
 from vibcli.base.errors import PhysicsError
 
 TIP = "points: {tip: {body: b, at: 2 m}}\nforces: {f: {at: tip, force: 10 N*%s}}\n"
@@ -41,16 +42,18 @@ def test_the_largest_of_a_slow_swing(scene, modes, count):
     omega, share, steady = modes(count)
     free = share * SLOW / omega / (omega**2 - SLOW**2)
 
-    def tip(t):
-        return 10 * (steady * np.sin(SLOW * t) - np.sin(np.outer(t, omega)) @ free)
+    def tip(t, later):
+        """At instants some time later: sin ω(t + τ) = sin ωt cos ωτ + cos ωt sin ωτ."""
+        (s, c), (sine, cosine) = ((np.sin(part), np.cos(part)) for part in (np.outer(t, omega), np.outer(omega, later)))
+        return 10 * (steady * np.sin(SLOW * np.add.outer(t, later)) - (s * free) @ cosine - (c * free) @ sine)
     found, instant = (vibcli.loads(scene % f"sin({SLOW} rad/s*t)")[f"{head}(b.u(2 m))"].value
                       for head in ("max", "argmax"))
-    assert tip(np.array([instant]))[0] == pytest.approx(found, rel=1e-9)
+    assert tip(np.array([instant]), np.zeros(1))[0, 0] == pytest.approx(found, rel=1e-9)
     span, seen = np.sqrt(8 * free.sum() / steady), 0        # beyond that it is not so large
     for swing in range(10):
         middle = (2 * swing + 0.5) * np.pi
-        for part in np.array_split(np.linspace(middle - span, middle + span, 40_000) / SLOW, 8):
-            seen = max(seen, tip(part).max())
+        grid = np.linspace(middle - span, middle + span, 40_000).reshape(200, 200) / SLOW
+        seen = max(seen, tip(grid[:, 0], grid[0] - grid[0, 0]).max())
     assert -1e-12 * found < found - seen < 1e-6 * found
 
 
@@ -59,7 +62,9 @@ def test_the_largest_of_a_slow_swing(scene, modes, count):
                                                 (PLANE, 1 / 150), (STRING, 10 / 1050)])
 @pytest.mark.parametrize(("load", "most"), [("sin(0.01 rad/s*t)", 1), ("(1-cos(0.02 rad/s*t))", 2),
                                             ("(exp(-t/(100 s))-exp(-t/(50 s)))", 0.25)])
-def test_as_slow_as_to_be_at_rest(scene, at_rest, load, most):
+def test_as_slow_as_to_be_at_rest(scene, at_rest, load, most, monkeypatch):
+    if scene is STRING and "exp" in load:       # its waves are too many: that is seen of a tenth of them, too
+        monkeypatch.setattr(travelling_waves_march, "MOST", 600)
     found = vibcli.loads(scene % load)["max(b.u(2 m))"].value
     assert found == pytest.approx(most * at_rest, rel=2e-3)
 

@@ -59,12 +59,17 @@ class KnownCounts:
         self._merge([self.system.number(z)], [J], [J], [J])
 
     def _merge(self, z, below, above, held):
-        z = np.append(self.z, np.array([*z], self.z.dtype))
-        order = np.argsort(z, kind="stable")
-        self.z, self.below, self.above, self.held = (found[order] for found in (
-            z, np.append(self.below, below), np.append(self.above, above), np.append(self.held, held)))
-        self._least = np.minimum.accumulate(self.above[::-1])[::-1]     # of `above` from each z on
-        self._most = np.maximum.accumulate(self.below)                  # of `below` up to each z
+        """What lies below all of these stays where it is."""
+        z = np.array([*z], self.z.dtype)
+        kept = int(self.z.searchsorted(z.min()))
+        order = np.argsort(np.append(self.z[kept:], z), kind="stable")
+        self.z, self.below, self.above, self.held = (
+            np.concatenate([old[:kept], np.append(old[kept:], new)[order]]) for old, new in (
+                (self.z, z), (self.below, below), (self.above, above), (self.held, held)))
+        least = np.minimum.accumulate(self.above[kept:][::-1])[::-1]
+        most = np.maximum.accumulate(self.below[kept:])
+        self._least = np.append(np.minimum(self._least[:kept], least[0]), least)            # of `above` from each z on
+        self._most = np.append(self._most[:kept], np.maximum(most, self._most[:kept][-1:]) if kept else most)
 
     def bracket(self, index: int) -> Bracket | None:
         """The narrowest of the frequency of this index; None where J is not known far enough."""

@@ -133,12 +133,22 @@ def _multiplicities(divisions, s):
 
 def _eigenvalues(matrices):
     """Of a stack of matrices; NaN of those whose are not found."""
+    if matrices.shape[1] == 2:
+        return _of_two(matrices)
     try:
         return np.linalg.eigvals(matrices)
     except np.linalg.LinAlgError:
         if len(matrices) > 1:
             return np.concatenate([_eigenvalues(matrix[None]) for matrix in matrices])
         return np.full(matrices.shape[:2], np.nan, complex)
+
+
+def _of_two(matrices):
+    """Of a stack of 2 × 2 matrices whose diagonals are m ± d: λ = m ± √(d² + bc)."""
+    (a, b), (c, d) = np.moveaxis(matrices.astype(complex), 0, -1)
+    with np.errstate(all="ignore"):
+        middle, root = (a + d) / 2, np.sqrt(((a - d) / 2)**2 + b * c)
+    return np.stack([middle + root, middle - root], axis=1)
 
 
 def _solved(D, slope):

@@ -94,8 +94,8 @@ class PiecewiseSeries:
             begin, lasts = self.exact[first]
             tau = float(start - begin) + points
             inside = tau >= 0 if first else slice(None)
-            values[:, inside] = np.array([summed(np.broadcast_to(row, (N, WIDTH)), 2 * tau / float(lasts) - 1)
-                                          for row in self._series[first]])[:, inside]
+            rows = np.broadcast_to(self._series[first][:, None], (LEVELS, N, WIDTH))
+            values[:, inside] = summed(rows, 2 * tau / float(lasts) - 1)[:, inside]
             if begin + lasts >= start + length:
                 break
             first += 1
@@ -148,13 +148,13 @@ class Loads:
 
 def _in_powers(waves, found, tau, order):
     """The same while no wave has turned far, in powers of the time, of which those that cancel leave nothing."""
-    sums = np.zeros((len(found), MOST_POWERS))
+    sums = {wave.channel: np.zeros(MOST_POWERS) for wave in waves}
     for wave in waves:
         s, factor = complex(wave.exponent), complex(wave.coefficient)
         for power in range(wave.power, MOST_POWERS):
-            sums[wave.channel, power] += factor.real
+            sums[wave.channel][power] += factor.real
             factor *= s / (power - wave.power + 1)
-    for channel, row in enumerate(sums):
+    for channel, row in sums.items():
         found[channel] = np.polynomial.polynomial.polyval(tau, np.polynomial.polynomial.polyder(row, order))
     return found
 

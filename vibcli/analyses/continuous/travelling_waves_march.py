@@ -67,6 +67,7 @@ class WaveMarch:
                  forcing: "Forcing", n: int, work: "Work", loads: Sequence[Sequence[LoadAlong]]):
         self.pieces, self.stations, self.forcing, self.work = pieces, stations, forcing, work
         self.delays = [Fraction(piece.length / piece.speed) for piece in pieces]
+        self._shortest = float(min(self.delays, default=0))
         self.coordinates, self.leaving = [PiecewiseSeries() for _ in range(n)], []
         self.home = {end.number: k for k, station in enumerate(stations) for end in station.ends}
         self.now, self.known = [Fraction(0)] * len(stations), 0.0
@@ -171,16 +172,20 @@ class WaveMarch:
         heappush(self._events[self.home[number]], (instant, number, leap))
 
     def _tolerance(self, instant):
-        return Fraction(SAME) * max(abs(instant), min(self.delays, default=Fraction(0)))
+        return SAME * max(abs(float(instant)), self._shortest)
+
+    def _is_reached(self, instant, now):
+        """Is it before this one, or next to it?"""
+        return instant <= now or float(instant - now) <= self._tolerance(now)
 
     def _advance(self, k, until, task):
         """The next stretch of a station."""
         station, now, events = self.stations[k], self.now[k], self._events[k]
-        if events and events[0][0] <= now + self._tolerance(now):
+        if events and self._is_reached(events[0][0], now):
             self._front(k)
         limit = min((self.now[self.home[end.number ^ 1]] + self.delays[end.number // 2] for end in station.ends),
                     default=until)
-        if events and events[0][0] <= limit + self._tolerance(limit):
+        if events and self._is_reached(events[0][0], limit):
             limit = events[0][0]
         if limit - now > 1.5 * self._pace[k]:
             limit = now + Fraction(self._pace[k])
@@ -224,7 +229,7 @@ class WaveMarch:
         """All that reaches a station at this instant."""
         station, now, events = self.stations[k], self.now[k], self._events[k]
         arrived = dict.fromkeys((end.number for end in station.ends), 0.0)
-        while events and events[0][0] <= now + self._tolerance(now):
+        while events and self._is_reached(events[0][0], now):
             _, number, leap = heappop(events)
             if number >= 0:
                 arrived[number] += leap

@@ -7,6 +7,7 @@ until two results agree.
 
 import math
 from collections.abc import Sequence
+from itertools import count
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
 GUARD, MORE, TRIES = 64, 96, 12
+SMALL = 8           # binary orders below 1 of what a series is of
 EPSILON = 2.0**-50
 ALIKE, KEPT = 2**20, 16     # rounding of a length of time between jumps; exponentials that are kept
 
@@ -53,7 +55,7 @@ def precise_values(M: "Sequence[list[float | mpmath.mpf]]", C: "Sequence[list[fl
             state = precise_motion(M, C, K, forcing, q0, v0).at(time, bits)
             found = [state.read(output, order) for output in outputs]
             small = mp.mpf(10) ** (-digits - 1)
-            if before is not None and all(abs(x - y) < abs(x) * small for x, y in zip(found, before, strict=True)):
+            if before is not None and all(abs(x - y) <= abs(x) * small for x, y in zip(found, before, strict=True)):
                 break
         before, bits = found, bits + max(MORE, bits // 3)
     return found
@@ -114,14 +116,14 @@ class PreciseMotion:
             for i in range(len(state) if channel < self.n else 0):
                 state[i] += self.system.B[i, channel] * real(size)
         G, z, forces, Q = _generator(self.system, piece.waves, state, self.forcing.channels, self.n)
-        return G, forces, Q, _times(self._exponential(G, piece.waves, length, bits), z) if length else z
+        return G, forces, Q, _times(self._exponential(G, len(state), piece.waves, length, bits), z) if length else z
 
-    def _exponential(self, G, waves, length, bits):
+    def _exponential(self, G, first, waves, length, bits):
         """e^{Gτ} as of _exponential, known already where an equal stretch has been passed."""
         for known, tau, found in self.exponentials:
             if known is waves and abs(length - tau) <= tau * mp.eps * ALIKE:
                 return found
-        found = _exponential(G, length, bits)
+        found = _exponential(G, first, length, bits)
         self.exponentials = [*self.exponentials[-KEPT:], (waves, length, found)]
         return found
 
@@ -180,22 +182,33 @@ def _generator(system, waves, state, channels, n):
     return G, z, forces, np.concatenate([system.Q, system.F.dot(loads)], axis=1)
 
 
-def _exponential(G, tau, bits):
-    """(e^{Gτ} in fixed point, its bits)."""
+def _exponential(G, first, tau, bits):
+    """(e^{Gτ} in fixed point, its bits): Taylor's series in powers of a power of G, Paterson and Stockmeyer."""
     size = len(G)
     norm = np.abs(G).sum(axis=1).max(initial=0) * abs(tau)
-    halvings = max(0, int(mp.ceil(mp.log(norm, 2))) + 8) if norm else 0
+    halvings = max(0, int(mp.ceil(mp.log(norm, 2))) + SMALL) if norm else 0
     wide = bits + 2 * halvings + GUARD
     step = np.array([fx.fixed(x, wide - halvings) for x in (G * tau).flat], object).reshape(G.shape)
-    total = term = fx.identity(size, wide)
-    k = 0
-    while np.abs(term).max(initial=0) > 1:               # rounding down leaves −1
-        k += 1
-        term = fx.product(term, step, wide) // k
-        total = total + term
+    last = next(k for k in count(1) if SMALL * k + math.lgamma(k + 1) / math.log(2) > wide)
+    powers, together = [fx.identity(size, wide), step], math.isqrt(last) + 1
+    while len(powers) <= together:
+        powers.append(_product(powers[-1], step, first, wide))
+    total = np.zeros_like(step)
+    for k in reversed(range(0, last + 1, together)):
+        total = _product(total, powers[-1], first, wide) + sum(
+            power // math.factorial(k + i) for i, power in enumerate(powers[:-1]))
     for _ in range(halvings):
-        total = fx.product(total, total, wide)
+        total = _product(total, total, first, wide)
     return total, wide
+
+
+def _product(a, b, first, bits):
+    """a b of what drives the first coordinates and does not feel them."""
+    found = np.zeros_like(a)
+    found[:first, :first] = fx.product(a[:first, :first], b[:first, :first], bits)
+    found[:first, first:] = fx.product(a[:first], b[:, first:], bits)
+    found[first:, first:] = fx.product(a[first:, first:], b[first:, first:], bits)
+    return found
 
 
 def _times(exponential, z):

@@ -11,6 +11,7 @@ import pytest
 from support.scenes import kept_problem_of, problem, problem_of
 
 import vibcli
+from vibcli.analyses.modal.ritz import ritz
 from vibcli.base.errors import PhysicsError
 from vibcli.check.instances import Instances
 from vibcli.cli.program import run
@@ -54,11 +55,11 @@ def asking(text, shapes):
 
 
 def estimates(scene, shapes):
-    """The Ritz estimates of a Problem by other shapes than its file assumes."""
+    """The Ritz estimates of a Problem by other shapes than its file assumes, beside modes that are found once."""
     text = json.dumps([{"ritz": {"shapes": [dict(zip(scene.scene.coordinates, shape, strict=True))
                                             for shape in shapes]}}])
     questions = QUESTIONS.read(read(f"find: {text}".encode(), "scene.yaml")[0].entries["find"][1], Reader())
-    return scene.with_spec(scene.spec.with_sections(find=questions)).modal.result("ritz")
+    return ritz(scene.modal, questions.about("ritz"))
 
 
 def number(written):

@@ -4,13 +4,13 @@ import math
 
 import numpy as np
 import pytest
-from support.responses import EPS, FREE, STEP, case, chain, errors, one, q, rates, systems, v
+from support.responses import EPS, FREE, STEP, case, chain, errors, exact_values, one, q, rates, systems, v
 
 from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
 from vibcli.analyses.excitation.linear_output import LinearOutput
 from vibcli.analyses.transient.exponential_differences import differences
 from vibcli.analyses.transient.extremes import ExtremeSearch
-from vibcli.analyses.transient.high_precision import precise_value, precise_values
+from vibcli.analyses.transient.high_precision import precise_value
 from vibcli.analyses.transient.linear_response import linear_motion
 from vibcli.base.errors import PhysicsError
 
@@ -38,12 +38,11 @@ def test_one_degree_to_a_few_roundings(load):
     swept = 0
     for zeta in ZETAS:
         motion = one(1.0, 6 * zeta, 9.0, LOADS[load], 1.0 if load == "start" else 0.0)
-        for t in (1e-6, 0.01, 0.3, 1.0, 1.002, 2.0, 10.0, 100.0, 333.0):
-            x, speed = precise_values([[1.0]], [[6 * zeta]], [[9.0]], motion.forcing, motion.q0, motion.v0,
-                                      [q(0), v(0)], t, 20)
-            before = np.linspace(0, t, 300)
-            highest = np.abs(motion.values(q(0), before)).max()
-            fastest = max(np.abs(motion.values(v(0), before)).max(), OMEGA * highest)
+        times, highest, fastest = (1e-6, 0.01, 0.3, 1.0, 1.002, 2.0, 10.0, 100.0, 333.0), 0.0, 0.0
+        for t, (x, speed) in zip(times, exact_values(motion, [q(0), v(0)], times), strict=True):
+            before = np.linspace(0, t, 100)
+            highest = max(highest, np.abs(motion.values(q(0), before)).max())
+            fastest = max(fastest, np.abs(motion.values(v(0), before)).max(), OMEGA * highest)
             allowed = 4 * EPS * max(1.0, OMEGA * t)
             assert abs(motion.values(q(0), [t])[0] - x) <= allowed * highest, (zeta, t)
             assert abs(motion.values(v(0), [t])[0] - speed) <= allowed * fastest, (zeta, t)
