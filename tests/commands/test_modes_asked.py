@@ -77,3 +77,15 @@ def test_shapes_that_there_are_not_are_no_blank_page(tmp_path, capsys, motion, s
                     f"bodies: {{b: {{mass: 1 kg, slide: {motion}}}}}\nfind: [modes]\n")
     assert run(["solve", str(path)]) == (4 if "nothing" in said else 0)
     assert said in "".join(capsys.readouterr())
+
+
+@pytest.mark.parametrize(("asked", "said"), [
+    ("1000 GHz", "modes are asked for; at most 10000 are found at once"),
+    ("-3 Hz", "is negative, and no mode has such a frequency"), ("1 Hz", "there is no mode up to 6.28319 rad/s")])
+def test_a_frequency_up_to_which_no_modes_or_too_many_are_is_refused_where_it_is_written(capsys, tmp_path, asked, said):
+    path = tmp_path / "wing.yaml"
+    path.write_text("beams: {wing: {length: 2 m, EI: 300 N*m^2, mass_per_length: 1 kg/m, left: clamped}}\n"
+                    f"find: [{{modes: {{up_to: {asked}}}}}]\n")
+    assert run(["solve", str(path)]) in (3, 4)
+    told = capsys.readouterr().err
+    assert said in told and "wing.yaml:2:24" in told and "^" * len(asked) in told

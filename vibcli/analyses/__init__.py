@@ -5,7 +5,8 @@ What is asked with particulars has its ELEMENT there: the keys by which the read
 """
 
 FIND = {
-    "equations": "energies and equations of motion, in full and for small oscillations",
+    "equations": "energies and equations of motion, in full and for small oscillations, of members with their "
+                 "frequency equation",
     "energies": "kinetic and potential energy and the dissipation function",
     "matrices": "M, C, G and K of the small oscillations, in letters and in numbers",
     "equilibrium": "the position of rest that is reached from the drawn one, or is nearest to the place that "

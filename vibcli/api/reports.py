@@ -18,7 +18,7 @@ STATICS = ("given", "chosen", "coordinates", "reactions")       # of a scene wit
 PRESCRIBED = ("given", "chosen", "coordinates", "energies", "equations", "prescribed")    # of what is driven alone
 SLOPES = ("frequencies", "modes", "damping", *OF_MODES)       # what needs a slope of the forces
 OF_ONE_KEY = ("equivalents", "backbone", "expansion", "phase_plane", "steps")       # sections that give their own key
-FOUND_BY = {"equations": ("energies", "equations"), "energies": ("energies",),
+FOUND_BY = {"equations": ("energies", "equations", "frequency_equation"), "energies": ("energies",),
             "matrices": ("matrices",),
             "equilibrium": ("equilibrium", "virtual_work"), "frequencies": ("frequencies",), "modes": ("modes",),
             "damping": ("damping",), "accelerations": ("accelerations",),
@@ -61,7 +61,7 @@ STEPS = ("given", "chosen", "steps")        # of a worked solution
 
 def derivation(problem: "Problem") -> Sequence[str]:
     """The sections of the energies and equations of motion; of the conditions of equilibrium where nothing moves."""
-    return STATICS[1:] if problem.scene.held else ("chosen", "coordinates", *FOUND_BY["equations"], "accelerations")
+    return STATICS[1:] if problem.scene.held else ("chosen", "coordinates", "energies", "equations", "accelerations")
 
 
 def illustrated(sections: Sequence[str]) -> list[str]:

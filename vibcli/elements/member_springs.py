@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from vibcli.symbolic.node import Node
 
-SMALL, DEPTH = 0.25, 24
+SMALL, TINY, DEPTH = 0.25, 1e-6, 24     # below TINY the functions themselves are right to fewer digits than are shown
 
 
 def springs_along(scene: Any, length: "Node", tension: "Node", foundation: "Node",
@@ -83,7 +83,7 @@ def _graded(scene, r):
     """(r/artanh r, (1 − r/artanh r)/r) of u′ ~ 1/(N + n x), near r = 0 by the continued fraction
     r/artanh r = 1 − r²/(3 − 4r²/(5 − …))."""
     table = scene.table
-    if abs(scene.number(r)) < SMALL:
+    if abs(scene.number(r)) < SMALL and not scene.parameters.untold:
         above, below = _fraction(table, r * r, [-((k + 1) ** 2) for k in range(1, DEPTH)])
         return 1 - r * r * below / above, r * below / above
     found = 2 * r / table.call("log", (1 + r) / (1 - r))
@@ -104,14 +104,16 @@ def mean_across(scene: Any, length: "Node", bending: "Node", tension: "Node", fo
 
 
 def _stability_functions(scene, z):
-    """g(z) = λ coth λ and 4z/(g − 1), z = λ²; near z = 0, where their difference loses digits, by Lambert's continued
-    fraction g = 1 + z/(3 + z/(5 + …)), which is then right to more digits than anybody asks for."""
+    """g(z) = λ coth λ and 4z/(g − 1), z = λ²; of numbers near z = 0, where their difference loses digits, by Lambert's
+    continued fraction g = 1 + z/(3 + z/(5 + …)), which is then right to more digits than anybody asks for."""
     table, value = scene.table, scene.number(z)
-    if abs(value) < SMALL:
-        above, below = _fraction(table, z, [1] * (DEPTH - 1))
-        return 1 + z * below / above, 4 * above / below
     root = table.sqrt(z if value > 0 else -z)
     even = root / table.call("tanh" if value > 0 else "tan", root)
+    if abs(value) < SMALL and not scene.parameters.untold:
+        above, below = _fraction(table, z, [1] * (DEPTH - 1))
+        if abs(value) > TINY:
+            scene.contents.fractions.update({above: z / (even - 1), 4 * above: 4 * z / (even - 1), below: table.one})
+        return 1 + z * below / above, 4 * above / below
     return even, 4 * z / (even - 1)
 
 

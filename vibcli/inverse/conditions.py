@@ -8,7 +8,7 @@ the margin to flutter and divergence (margin.py).
 
 from collections.abc import Sequence
 from fractions import Fraction
-from math import isfinite
+from math import isfinite, pi
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, SpecError
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 HOLDS = 1e-8
+SEVERAL, APART = 6, 4       # modes without end among which is one whose ω² is so many times that of the slowest
 NEAR = 1e-6         # a misfit from which on a look is enough, at numbers whose bounds are not found
 
 
@@ -133,7 +134,10 @@ class ConditionSystem:
         if found is not None:
             value, size = found
             return 0.5 * (size + value), 0.5 * (size - value)
-        modes = instance.modal.modes.shown()
+        if any(_waves_under_pressure(placed.piece) > SEVERAL for placed in instance.configuration.linear_system.pieces):
+            return 0.0, 1.0
+        every = instance.modal.modes
+        modes = every.first(SEVERAL) if not every.finite and every.grow else every.shown()
         rigid = sum(mode.rigid for mode in modes)
         self.rigid = rigid if self.rigid is None else min(rigid, self.rigid)
         if rigid > self.rigid:
@@ -141,8 +145,9 @@ class ConditionSystem:
         mode = next((mode for mode in modes if not mode.rigid), None)
         if mode is None:
             raise PhysicsError("nothing holds this scene: it has no limit of stability", "add a spring")
-        value = float(mode.omega) ** 2 if mode.omega is not None else -(float(mode.growth_rate) ** 2)
-        size = _stiffness_size(instance.configuration.linear_system, mode.shape)
+        value = _square(mode)
+        size = _stiffness_size(instance.configuration.linear_system, mode.shape) if every.finite else _next_size(
+            abs(value), modes)
         return 0.5 * (size + value), 0.5 * (size - value)
 
     def misfits(self, values: Sequence[float]) -> list[float]:
@@ -249,6 +254,26 @@ def balance(instance: Any) -> list[tuple[float, float]]:
         values = evaluate(terms, Floats, place)
         found.append((sum(x for x in values if not x < 0), -sum(x for x in values if x < 0)))
     return found
+
+
+def _waves_under_pressure(piece):
+    """In how many half waves, at least, a piece buckles with all that it is held to at rest: what lies in that half of
+    it which is pressed most, clamped there, buckles under the pressure at the middle in √(−N/B) l/(2π) − 1."""
+    pressure = -float(piece.tension + piece.gradient * piece.length / 2)
+    if piece.foundation or not piece.bending or pressure <= 0:
+        return 0
+    return int((pressure / float(piece.bending)) ** 0.5 * float(piece.length) / (2 * pi)) - 1
+
+
+def _square(mode):
+    """ω², negative of what grows."""
+    return float(mode.omega) ** 2 if mode.omega is not None else -(float(mode.growth_rate) ** 2)
+
+
+def _next_size(size, modes):
+    """The least ω² of modes that is well above this one."""
+    others = sorted(abs(_square(mode)) for mode in modes)
+    return next((other for other in others if other > APART * size), others[-1])
 
 
 def _stiffness_size(elements, shape):

@@ -95,19 +95,23 @@ def _may_be_negative(tree):
 class Parameters:
     """The parameters of a scene as leaves of its table: `nodes` by name, `definitions` of those that have a value;
     `in_letters`: what those that are defined by letters stand for in the scene; `like`: those of the same leaves, of
-    which some are `changed` to literals of the same sign."""
+    which some are `changed` to literals of the same sign; `untold`: those without value that neither are `given` one
+    nor are chosen."""
 
     order: list[str]
     nodes: "dict[str, Node]"
     definitions: "dict[str, Node]"
     free: list[str]
+    untold: list[str]
     in_letters: "dict[str, Node]"
 
-    def __init__(self, spec: "Spec", table: "Table", like: "Parameters | None" = None, changed: Iterable[str] = ()):
+    def __init__(self, spec: "Spec", table: "Table", like: "Parameters | None" = None, changed: Iterable[str] = (),
+                 given: Iterable[str] = ()):
         self.table = table
         self.records = spec.parameters
         if like is not None:
             self.order, self.nodes, self.free, self.in_letters = like.order, like.nodes, like.free, like.in_letters
+            self.untold = like.untold
             self.definitions = {**like.definitions, **self._lowered(changed)}
             return
         self.order = definition_order(spec.parameters)
@@ -116,6 +120,7 @@ class Parameters:
         self.nodes = {name: table.parameter(name, name not in unsigned) for name in spec.parameters}
         self.definitions = self._lowered(self.order)
         self.free = [name for name in spec.parameters if name not in self.definitions]
+        self.untold = [name for name in self.free if name not in given and name not in spec.choices]
         self.in_letters = self._letters() if self.free else {}
 
     def _not_positive(self):

@@ -111,7 +111,7 @@ def equations(symbolic: "SymbolicSystem") -> EquationsOfMotion:
 
 def _full(symbolic):
     scene, loose = symbolic.scene, symbolic.system.scene_with_multipliers
-    full, multipliers, conditions = full_equations(loose) if len(loose.q) <= LETTERS else [], {}, []
+    full, multipliers, conditions = full_equations(loose.written) if len(loose.q) <= LETTERS else [], {}, []
     if loose is not scene and full:
         full, multipliers, conditions = _with_multipliers(loose, full)
     return EquationsOfMotion(list(loose.coordinates), full, multipliers, conditions)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters, defined_as_drawn
 from vibcli.base.stage import Stage
+from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
@@ -63,7 +64,7 @@ class SymbolicSystem:
 
             require_autonomous(self.configuration, self.scene.drawn_values)
         self._require_held()
-        found = matrices_in_letters(self.linearisation)
+        found = matrices_in_letters(self._written)
         if self.spec.get("damping") is not None and not self.scene.pieces:
             from vibcli.mechanics.given_damping_in_letters import in_letters
 
@@ -75,6 +76,14 @@ class SymbolicSystem:
             from vibcli.symbolic.common_denominator import shorter
         with self.work.task("the matrices in letters"):
             return tuple({pair: shorter(node) for pair, node in matrix.items()} for matrix in found)
+
+    @property
+    def _written(self):
+        """The Linearisation without fractions that stand for functions."""
+        form, fractions = self.linearisation, self.scene.fractions
+        weights = substitute([weight for weight, _ in form.springs], fractions) if fractions else []
+        return form._replace(springs=[(weight, row) for weight, (_, row) in zip(weights, form.springs, strict=True)]
+                             ) if fractions else form
 
     def _require_held(self):
         """PhysicsError where a load drives what nothing holds, so that there is no equilibrium to oscillate about."""
@@ -222,7 +231,7 @@ class SymbolicSystem:
         """T, V and Φ of the scene, brought into the form a textbook prints."""
         from vibcli.mechanics.energies import textbook_energies
 
-        return textbook_energies(self.system.scene_with_multipliers)
+        return textbook_energies(self.system.scene_with_multipliers.written)
 
     @cached_property
     def expanded_equations(self) -> "tuple[list[Node], list[Node]]":

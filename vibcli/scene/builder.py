@@ -45,7 +45,7 @@ class Builder:
         self.spec, self.variant, self.owner, self.reports, self.idle = spec, variant, None, Reports(), False
         records = spec.sections.get("records") or {}
         self.table = table = Table({name: record["samples"] for name, record in records.items()})
-        self.parameters = Parameters(spec, table)
+        self.parameters = Parameters(spec, table, given=given)
         self.sample = self.parameters.values(Floats, _samples(spec, self.parameters.free, given, attempt))
         if watched:
             self.sample = watched(self.sample)

@@ -65,7 +65,8 @@ class Contents(NamedTuple):
     """`points`: {name: (drawn, present)}; `spread_loads`: SpreadLoads along members; `energies`: T, V and Φ that
     are written out, and the laws once they are settled; `static_preloads`: [(symbol, record)] of unknown
     tensions; `shaken`: {kind: terms} as functions of the symbols of driven displacements, empty where nothing is
-    driven."""
+    driven; `fractions`: {part of a fraction that stands for a function where numbers are formed: how that is written,
+    so that the fraction is the function}."""
 
     gravity: tuple
     bodies: dict
@@ -86,12 +87,13 @@ class Contents(NamedTuple):
     matrices: dict
     static_preloads: list
     shaken: dict
+    fractions: dict
 
     @classmethod
     def empty(cls, table: "Table") -> "Contents":
         """Contents to which elements may add."""
         energies = {"T": table.zero, "V": table.zero, "Phi": table.zero}
-        return cls(None, {}, {}, {}, [], *([] for _ in TERMS), energies, {}, [], {})  # type: ignore[arg-type]
+        return cls(None, {}, {}, {}, [], *([] for _ in TERMS), energies, {}, [], {}, {})  # type: ignore[arg-type]
 
     @property
     def nodes(self) -> "list[Node]":

@@ -105,7 +105,8 @@ class Scene:
         self.distance, self.height_of = expressions.distance, expressions.height_of
         (self.gravity, self.bodies, self.points, self.members, self.spread_loads, self.inertias, self.springs,
          self.dampers, self.weights, self.forces, self.laws, self.constraints, self.pieces, self.spread_forces,
-         self.inner_stretches, self.energies, self.matrices, self.static_preloads, self.shaken) = contents
+         self.inner_stretches, self.energies, self.matrices, self.static_preloads, self.shaken,
+         self.fractions) = contents
         places = Places(self.spec, expressions, self.bodies, self.points, self.members)
         self.frame, self.place, self.place_of, self.rim = places.frame, places.place, places.place_of, places.rim
         self.extent, self.unit_of = places.extent, places.unit_of
@@ -143,6 +144,11 @@ class Scene:
         """The same with its static preloads, {symbol: node}; so is the scene at rest."""
         found = self.replaced(tensions, contents=self.contents._replace(static_preloads=[]))
         return found.with_parts(still=self.still and self.still.with_preloads(tensions))
+
+    @property
+    def written(self) -> "Scene":
+        """The same in the letters of textbooks, without fractions that stand for functions."""
+        return self.replaced(self.fractions) if self.fractions else self
 
     def with_multipliers(self) -> "Scene":
         """The same with all its coordinates, its constraints to be held by multipliers."""

@@ -6,6 +6,9 @@ import mpmath
 import pytest
 from support.scenes import problem
 
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression_graph import reachable
+
 DIGITS = 60
 
 
@@ -65,3 +68,32 @@ def test_the_springs_of_a_piece_are_its_equation_at_rest(kind, sign, k):
         for j in range(order):
             size = max(abs(float(exact[i][j])), 1e-3 * abs(float(exact[0][0])))
             assert K[i, j] == pytest.approx(float(exact[i][j]), abs=2e-12 * size)
+
+
+COLUMN = {"L": 1.2, "EI": 2000.0, "g": 9.81, "M": 30.0}
+
+
+def column(sign, values):
+    """A light beam down (-) or up from its clamp, with a mass at its end."""
+    given = ", ".join(f"{name}: {values.get(name, '')}" for name in COLUMN)
+    return problem(f"""
+        gravity: g
+        parameters: {{{given}}}
+        beams: {{c: {{from: [0, 0], to: [0, {sign}L], EI: EI, left: clamped, attached: [{{at: L, mass: M}}]}}}}
+        """)
+
+
+@pytest.mark.parametrize("sign", "-+")
+def test_a_light_beam_under_the_weight_of_a_mass_is_written_with_the_functions_of_textbooks(sign):
+    with mpmath.workdps(DIGITS):
+        L, EI, g, M = map(mpmath.mpf, COLUMN.values())
+        p = mpmath.sqrt(M * g / EI)
+        exact = float(mpmath.sqrt(g * p / (p * L - mpmath.tanh(p * L) if sign == "-" else mpmath.tan(p * L) - p * L)))
+    valued = column(sign, COLUMN)
+    assert float(valued.modal.modes[0].omega) == pytest.approx(exact, rel=4e-15)
+    shown = [valued.symbolic.energies["V"], *valued.symbolic.equations.full, *valued.symbolic.equations.linear]
+    assert max(abs(node.coefficient) for node in reachable(shown) if node.coefficient) < 100
+    K = valued.configuration.linear_system.stiffness_array()
+    for found in (valued, column(sign, {})):
+        for (i, j), node in found.symbolic.matrices[3].items():
+            assert evaluate([node], Floats, COLUMN)[0] == pytest.approx(K[i, j], rel=1e-12)

@@ -9,6 +9,7 @@ import pytest
 from support.scenes import problem
 
 from vibcli.inverse import search, settled
+from vibcli.inverse.conditions import HOLDS, ConditionSystem
 from vibcli.inverse.stability_margin import free_roots, margin
 from vibcli.mechanics.factored_system import FactoredSystem
 
@@ -178,3 +179,16 @@ def test_where_nothing_holds_and_dampers_cancel_stability_is_at_its_limit():
     elements = elements_of(mpmath.eye(2), zero, zero, zero)
     elements.dampers = [(1.0, {0: 1, 1: -1}), (-1.0, {0: 1, 1: -1})]
     assert margin(elements, free_roots(elements)) == (0.0, 0.0)
+
+
+def test_the_load_that_buckles_members_with_mass_is_told_by_their_slowest_mode_and_far_beyond_without_modes():
+    found = problem("""
+        parameters: {L: 2 m, EI: 1 kN*m^2, mu: 3 kg/m}
+        beams:
+          left: {length: L, EI: EI, mass_per_length: mu, preload: -P, left: clamped}
+          right: {length: L, EI: EI, mass_per_length: mu, preload: -P, left: clamped}
+        choose: {P: stability limit}
+        """)
+    system, limit = ConditionSystem(found), math.pi**2 * 1000 / 16
+    below, above, far = (system.misfits([limit * factor])[0] for factor in (1 - 1e-12, 1 + 1e-12, 1e12))
+    assert -HOLDS < above < 0 < below < HOLDS and far == -1

@@ -5,6 +5,7 @@ from support.printed_equations import PrintedEquation, numbers, orthogonality, p
 from support.scenes import problem
 
 from vibcli.analyses.continuous.shapes import shape_along
+from vibcli.api.reports import report, solution
 
 BAR, BEAM = "EA: 2 MN, mass_per_length: 2.5 kg/m", "EI: 4 kN*m^2, mass_per_length: 2.5 kg/m"
 SHAFT = "GIo: 4 kN*m^2, inertia_per_length: 2 kg*m"
@@ -231,3 +232,12 @@ def test_letters_of_equations_are_none_of_the_scene():
         """))
     assert one[0] == "k₁ + D₁ + D₂ − M·p² = 0,  p the circular frequency" and "Q = k − M·p²" in one
     assert three[:3] == ["tan\u00a0βL = −EA·Z·βL/(L·Q)", "Q = k − M·ω·p²", "p = βL·√(EA·k·Z/(μ·k₁))/L"]
+
+
+def test_equations_that_are_asked_for_have_the_frequency_equation_with_them():
+    found = problem("""
+        beams: {wing: {length: 2, EI: 3, mass_per_length: 1, left: clamped}}
+        find: [equations]
+        """)
+    titles = [section.title for section in report(found, solution(found)).sections]
+    assert titles[-2:] == ["Equations of free vibration", "Frequency equation"]

@@ -4,7 +4,7 @@ end."""
 from typing import TYPE_CHECKING
 
 from vibcli.analyses.modal.mode_sequence import Selection
-from vibcli.base.errors import PhysicsError
+from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
 from vibcli.reader.sections.find import MODES
 from vibcli.report.wanted import Wanted
 
@@ -24,25 +24,44 @@ def selection(problem: "Problem", wanted: Wanted | None = None) -> Selection | N
     """The Selection that is asked for; None where nobody says which."""
     if wanted is not None and wanted.modes is not None:
         return wanted.modes
-    find = problem.spec.get("find")
-    record = find.about(MODES) if find is not None else None
+    record = _written(problem)
     if record is None:
         return None
     if "up_to" in record:
-        from vibcli.quantities.expression import number_of
-
-        return Selection(up_to=number_of(problem, record["up_to"].tree))
+        return Selection(up_to=_highest(problem, record["up_to"]))
     numbers = record["numbers"]
     return Selection(last=numbers) if isinstance(numbers, int) else Selection(*numbers)
+
+
+def _written(problem):
+    """The Record of the modes that the file asks for, or None."""
+    find = problem.spec.get("find")
+    return find.about(MODES) if find is not None else None
+
+
+def _highest(problem, asked):
+    """The angular frequency up to which modes are asked for."""
+    from vibcli.quantities.expression import number_of
+
+    found = number_of(problem, asked.tree)
+    if found < 0:
+        raise SpecError([Diagnostic(asked.where, f"'{asked.text}' is negative, and no mode has such a frequency",
+                                    "mind the signs")])
+    return found
 
 
 def shown(problem: "Problem", wanted: Wanted | None = None, modes: "Modes | None" = None) -> "list[Mode]":
     """The undamped modes that are printed, of `modes` where those are found to more digits."""
     modes, asked = problem.modal.modes if modes is None else modes, selection(problem, wanted)
-    found = modes.shown(asked)
-    if not found and modes and asked is not None:
-        raise _none(modes, asked)
-    return found
+    try:
+        found = modes.shown(asked)
+        if not found and modes and asked is not None:
+            raise _none(modes, asked)
+        return found
+    except PhysicsError as refusal:
+        record = _written(problem)
+        written = record is not None and (wanted is None or wanted.modes is None) and "up_to" in record
+        raise (refusal.told(record["up_to"].where) if written else refusal) from None
 
 
 def _none(modes, asked):

@@ -79,7 +79,7 @@ class AboutRest:
 
     def __init__(self, problem: "Problem", place: "Mapping[Node, Node]", values: Mapping[str, float],
                  sheet: WorkedSolution | None = None):
-        self.problem, self.scene, self.table = problem, problem.scene, problem.scene.table
+        self.problem, self.scene, self.table = problem, problem.scene.written, problem.scene.table
         scene, zero = self.scene, self.table.zero
         drives = scene.held_drives
         begun = substitute(list(drives.values()), {scene.time: zero})
