@@ -63,7 +63,7 @@ def worth_a_picture(one: "WorkPrecision") -> bool:
 def _row(point: "Point"):
     low, middle, high = (f"{1e3 * second:.3g}" for second in point.seconds)
     if point.error is None:
-        return point.method, point.setting, middle, point.why, ""
+        return point.method, point.setting, middle if point.seconds[1] else "", point.why, ""
     return (point.method, point.setting, f"{middle} ({low} … {high})" if point.runs > 1 else f"{middle} (one run)",
             f"{point.error:.1e}", "" if point.bound is None else f"{float(point.bound):.1e}")
 
