@@ -58,15 +58,18 @@ LAWS = (_of_units(1, 0, 0), _of_units(0, 1, 0), _of_units(0, 0, 1), SceneLaw("el
 
 def shaken_as_a_whole(problem: Problem, remade: Callable[[Callable], Problem]) -> Iterator[Shake]:
     """The Shakes of a scene in numbers; remade(change): the Problem of its document changed."""
+    letters = set(problem.given).difference(problem.spec.choices or ())
     known = {what: numbers for what, find in GROUPS.items() if (numbers := _found(find, problem)[0])}
     for law in LAWS:
         if law.change is in_parallel and not problem.spec.get("springs"):
             continue
         turned: set[str] = set()
         try:
-            if law.powers != NONE and problem.spec.free_numbers:
-                raise PhysicsError("its numbers have no units: nobody says how they change")
+            if law.powers != NONE and (problem.spec.free_numbers or letters):
+                raise PhysicsError(f"its {'letters' if letters else 'numbers'} have no units: nobody says how they "
+                                   "change")
             other = remade(partial(_changed, law, turned))
+            other.draw()
         except NotDrawn:
             continue
         except (PhysicsError, SpecError) as error:
