@@ -1,10 +1,12 @@
 """Whole scenes shaken: written otherwise they rest, swing and answer as before, and one that does not is seen."""
 
+import json
 from functools import partial
 
 import pytest
 from rooms.evidence.test_stress import scene_read_again
 
+from vibcli.cli.program import run
 from vibcli.evidence.stress import whole_scene
 from vibcli.evidence.stress.rewritten import decimal_of, in_parallel, reordered, scaled, with_numbers
 from vibcli.evidence.stress.shaken import BROKEN, EQUAL, REFUSED, WITHIN
@@ -62,6 +64,20 @@ def test_numbers_without_units_and_what_cannot_be_read_are_refused():
              "coordinates": {"x": "one", "y": "two"}, "answers": {"omega[2]": "2"}}
     found = shaken(plain)
     assert [one.verdict for one in found.values()][:3] == [REFUSED] * 3 and found["elements reordered: modes"].compared
+
+
+@pytest.mark.parametrize(("unit", "load", "refused"), [("N", "f(t)", 3), ("m/s^2", "-m*f(t)", 2)])
+def test_a_record_is_not_scaled_and_so_nothing_is_called_broken(unit, load, refused, tmp_path, capsys):
+    """That of a force has all units in it, that of an acceleration no masses."""
+    (tmp_path / "f.csv").write_text("0,0\n0.25,3\n1,-1\n", encoding="utf-8")
+    (tmp_path / "s.yaml").write_text(
+        f"records: {{f: {{file: f.csv, unit: {unit}}}}}\nparameters: {{m: 1.25 kg}}\n"
+        "bodies: {b: {mass: m, slide: x}}\nsprings: {s: {k: 80 N/m, between: [ground, b]}}\n"
+        f"forces: {{F: {{at: b, force: {load}}}}}\nfind: [{{response: {{until: 2 s}}}}]\n"
+        "answers: {max(x): 1 cm}\n", encoding="utf-8")
+    assert run(["stress", str(tmp_path / "s.yaml"), "--json"]) == 0
+    told = [one["verdict"] for one in json.loads(capsys.readouterr().out)["shaken"]]
+    assert told.count(REFUSED) == refused
 
 
 @pytest.mark.parametrize(("text", "powers", "expected"), [

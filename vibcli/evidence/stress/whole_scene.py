@@ -16,6 +16,7 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.stress.mirrored import NotDrawn, mirrored, turned_round
 from vibcli.evidence.stress.rewritten import OF_ELEMENTS, in_parallel, power_of_two, reordered, scaled, with_numbers
 from vibcli.evidence.stress.shaken import BROKEN, EQUAL, REFUSED, WITHIN, Shake
+from vibcli.language.sections.record import dimension
 from vibcli.quantities.dimensions import asked_dimension, dimension_of
 from vibcli.quantities.expression import bounded
 from vibcli.quantities.quantity import COMPLEX, LEAPING, OF_STATE, kind_of
@@ -58,16 +59,13 @@ LAWS = (_of_units(1, 0, 0), _of_units(0, 1, 0), _of_units(0, 0, 1), SceneLaw("el
 
 def shaken_as_a_whole(problem: Problem, remade: Callable[[Callable], Problem]) -> Iterator[Shake]:
     """The Shakes of a scene in numbers; remade(change): the Problem of its document changed."""
-    letters = set(problem.given).difference(problem.spec.choices or ())
     known = {what: numbers for what, find in GROUPS.items() if (numbers := _found(find, problem)[0])}
     for law in LAWS:
         if law.change is in_parallel and not problem.spec.get("springs"):
             continue
         turned: set[str] = set()
         try:
-            if law.powers != NONE and (problem.spec.free_numbers or letters):
-                raise PhysicsError(f"its {'letters' if letters else 'numbers'} have no units: nobody says how they "
-                                   "change")
+            _require_units(problem, law)
             other = remade(partial(_changed, law, turned))
             other.draw()
         except NotDrawn:
@@ -80,6 +78,24 @@ def shaken_as_a_whole(problem: Problem, remade: Callable[[Callable], Problem]) -
             if told:
                 yield _shake(problem, other, law, what, {
                     key: one._replace(value=-one.value) if key in turned else one for key, one in told.items()})
+
+
+def _require_units(problem, law):
+    """PhysicsError where units change, and not all that is given changes with them."""
+    if law.powers == NONE:
+        return
+    letters = set(problem.given).difference(problem.spec.choices or ())
+    if problem.spec.free_numbers or letters:
+        raise PhysicsError(f"its {'letters' if letters else 'numbers'} have no units: nobody says how they change")
+    for record in (problem.spec.get("records") or {}).values():
+        if law.powers[2] or _power(dimension(record) or {}, law):
+            raise PhysicsError("its records stay as they were measured")
+
+
+def _power(measured, law):
+    """That of 4 by which what has a dimension grows."""
+    return sum((step * Fraction(measured.get(base, 0)) for base, step in
+                zip(("m", "kg", "s"), law.powers, strict=True)), Fraction(0))
 
 
 def _changed(law, turned, top):
@@ -116,9 +132,7 @@ def _shake(problem, other, law, what, numbers):
 
 def _back(one, law):
     """A number of the scene written otherwise in the units of the first."""
-    power = sum((step * Fraction(one.dimension.get(base, 0)) for base, step in
-                 zip(("m", "kg", "s"), law.powers, strict=True)), Fraction(0))
-    factor = float(power_of_two(power))
+    factor = float(power_of_two(_power(one.dimension, law)))
     return Bounded(one.value / factor, one.error / factor, one.dimension)
 
 
