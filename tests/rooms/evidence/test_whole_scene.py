@@ -59,6 +59,12 @@ def test_a_law_that_does_not_hold_is_broken(law, broken, monkeypatch):
         change for change, one in shaken(CHAIN).items() if one.verdict == BROKEN}
 
 
+def test_entries_by_the_numbers_of_coordinates_are_others_in_another_order(monkeypatch):
+    monkeypatch.setattr(whole_scene, "LAWS", [law for law in whole_scene.LAWS if law.change is reordered])
+    found = shaken({**CHAIN, "answers": {"M[1,1]": "2 kg", "K[x,y]": "1 N/m", "omega[1]": "1 rad/s"}})
+    assert found["elements reordered: answers"].compared == 2 and BROKEN not in {one.verdict for one in found.values()}
+
+
 def test_numbers_without_units_and_what_cannot_be_read_are_refused():
     plain = {"matrices": {"M": [["9", "0"], ["0", "1"]], "K": [["27", "-3"], ["-3", "3"]]},
              "coordinates": {"x": "one", "y": "two"}, "answers": {"omega[2]": "2"}}

@@ -28,6 +28,7 @@ RATE = {"s": -1}
 NONE = 0, 0, 0
 WORD = re.compile(r"[^\W\d]\w*")
 SENSED = re.compile(r"\b(arg|phase|ritz|rayleigh|[MCKG])\b|\.(?=[^\W\d])")      # what hangs on the sense of coordinates
+NUMBERED = re.compile(r"\b[MCKG]\[\d")         # by the numbers of coordinates
 OF_ORDER = re.compile(r"\bmode(_d)?\[")         # shapes in which the first coordinate is 1, whichever that is
 
 
@@ -137,10 +138,13 @@ def _back(one, law):
 
 
 def _is_told(key, law, problem, turned):
-    """Where springs are two, what is asked of one by its name is another thing; what has a sense is in a mirror."""
+    """Where springs are two, what is asked of one by its name is another thing; what has a sense is in a mirror, what
+    is numbered in another order."""
     if law.change is mirrored and key not in problem.scene.coordinates:
         named = {name for kind in OF_ELEMENTS for name in problem.spec.get(kind) or ()} | turned
         return named.isdisjoint(WORD.findall(key)) and not SENSED.search(key)
+    if law.change is reordered:
+        return not NUMBERED.search(key)
     return law.change is not in_parallel or not any(
         re.search(rf"\b{re.escape(name)}[.\]]", key) for name in problem.spec.get("springs") or ())
 
