@@ -59,6 +59,13 @@ def test_a_law_that_does_not_hold_is_broken(law, broken, monkeypatch):
         change for change, one in shaken(CHAIN).items() if one.verdict == BROKEN}
 
 
+def test_what_is_asked_of_a_spring_by_its_name_is_another_thing_where_it_is_two(monkeypatch):
+    monkeypatch.setattr(whole_scene, "LAWS", [law for law in whole_scene.LAWS if law.change is in_parallel])
+    found = shaken({**CHAIN, "answers": {"law[s, d^3]": "2 N/mm^3", "omega[1]": "1 rad/s"}})
+    assert found["springs as two in parallel: answers"].compared == 1
+    assert BROKEN not in {one.verdict for one in found.values()}
+
+
 def test_entries_by_the_numbers_of_coordinates_are_others_in_another_order(monkeypatch):
     monkeypatch.setattr(whole_scene, "LAWS", [law for law in whole_scene.LAWS if law.change is reordered])
     found = shaken({**CHAIN, "answers": {"M[1,1]": "2 kg", "K[x,y]": "1 N/m", "omega[1]": "1 rad/s"}})

@@ -146,7 +146,7 @@ def _is_told(key, law, problem, turned):
     if law.change is reordered:
         return not NUMBERED.search(key)
     return law.change is not in_parallel or not any(
-        re.search(rf"\b{re.escape(name)}[.\]]", key) for name in problem.spec.get("springs") or ())
+        re.search(rf"\b{re.escape(name)}[.,\]]", key) for name in problem.spec.get("springs") or ())
 
 
 def _places(problem):
