@@ -66,6 +66,31 @@ def test_what_is_asked_of_a_spring_by_its_name_is_another_thing_where_it_is_two(
     assert BROKEN not in {one.verdict for one in found.values()}
 
 
+def test_what_is_chosen_by_the_name_of_a_spring_is_refused_where_that_is_two(monkeypatch):
+    monkeypatch.setattr(whole_scene, "LAWS", [law for law in whole_scene.LAWS if law.change is in_parallel])
+    one, = shaken({"parameters": {"g": "9.81 m/s^2"}, "gravity": "g",
+                   "choose": {"k": "equilibrium[s.force]^2 = k*1 N*m"},
+                   "bodies": {"b": {"mass": "2 kg", "at": ["0", "-1 m"], "slide": {"along": ["0", "-1"], "by": "y"}}},
+                   "springs": {"s": {"k": "k", "between": [["0", "0"], "b"]}}, "answers": {"k": "385 N/m"}}).values()
+    assert one.verdict == REFUSED and "by name" in one.why
+
+
+def test_a_rate_at_a_limit_of_stability_may_be_what_rounding_leaves(monkeypatch):
+    """A rod upright on a torsion spring: m g L/2 = k."""
+    found = shaken({"parameters": {"g": "9.81 m/s^2"}, "gravity": "g", "choose": {"k": "stability limit"},
+                    "bodies": {"b": {"shape": "rod", "mass": "1.3 kg", "from": ["0", "0"], "to": ["0", "0.7 m"],
+                                     "pin": {"at": ["0", "0"], "by": "p"}}, "c": {"mass": "1 kg", "slide": "x"}},
+                    "springs": {"s": {"torsion": "k", "between": ["ground", "b"]},
+                                "t": {"k": "90 N/m", "between": ["ground", "c"]}}, "answers": {"k": "4.46 N*m"}})
+    assert BROKEN not in {one.verdict for one in found.values()} and found["masses × 4: modes"].compared == 2
+
+
+@pytest.mark.parametrize(("key", "told"), [("equilibrium[mast.u(1 m)]", False), ("equilibrium[mast.u(L/2)]", True),
+                                           ("x(2 s)", True), ("frf[b.u(L/2), F](5 Hz)", True)])
+def test_places_in_numbers_within_brackets_stay_where_lengths_grow(key, told):
+    assert whole_scene._is_told(key, whole_scene.LAWS[0], None, ()) is told
+
+
 def test_entries_by_the_numbers_of_coordinates_are_others_in_another_order(monkeypatch):
     monkeypatch.setattr(whole_scene, "LAWS", [law for law in whole_scene.LAWS if law.change is reordered])
     found = shaken({**CHAIN, "answers": {"M[1,1]": "2 kg", "K[x,y]": "1 N/m", "omega[1]": "1 rad/s"}})

@@ -25,10 +25,12 @@ from vibcli.symbolic.running_errors import error_in, number_in
 from vibcli.symbolic.syntax import ExpressionError, QuantityRef
 
 RATE = {"s": -1}
+CHOSEN = 2.0**-26       # of the largest rate: by what rounding of what is chosen at a limit of stability moves others
 NONE = 0, 0, 0
 WORD = re.compile(r"[^\W\d]\w*")
 SENSED = re.compile(r"\b(arg|phase|ritz|rayleigh|[MCKG])\b|\.(?=[^\W\d])")      # what hangs on the sense of coordinates
 NUMBERED = re.compile(r"\b[MCKG]\[\d")         # by the numbers of coordinates
+PLACED = re.compile(r"\[[^\]]*\([^)\]]*\d\s+[^\W\d]")     # at a place in numbers within [ ], which stay as they are
 OF_ORDER = re.compile(r"\bmode(_d)?\[")         # shapes in which the first coordinate is 1, whichever that is
 
 
@@ -66,7 +68,7 @@ def shaken_as_a_whole(problem: Problem, remade: Callable[[Callable], Problem]) -
             continue
         turned: set[str] = set()
         try:
-            _require_units(problem, law)
+            _require_told(problem, law)
             other = remade(partial(_changed, law, turned))
             other.draw()
         except NotDrawn:
@@ -81,8 +83,12 @@ def shaken_as_a_whole(problem: Problem, remade: Callable[[Callable], Problem]) -
                     key: one._replace(value=-one.value) if key in turned else one for key, one in told.items()})
 
 
-def _require_units(problem, law):
-    """PhysicsError where units change, and not all that is given changes with them."""
+def _require_told(problem, law):
+    """PhysicsError where units change, and not all that is given does with them, or springs, and what is chosen hangs
+    on the name of one."""
+    conditions = [record["so"].text for record in (problem.spec.choices or {}).values()]
+    if law.change is in_parallel and any(_names_a_spring(problem.spec, text) for text in conditions):
+        raise PhysicsError("what is chosen hangs on one of its springs by name")
     if law.powers == NONE:
         return
     letters = set(problem.given).difference(problem.spec.choices or ())
@@ -145,8 +151,13 @@ def _is_told(key, law, problem, turned):
         return named.isdisjoint(WORD.findall(key)) and not SENSED.search(key)
     if law.change is reordered:
         return not NUMBERED.search(key)
-    return law.change is not in_parallel or not any(
-        re.search(rf"\b{re.escape(name)}[.,\]]", key) for name in problem.spec.get("springs") or ())
+    if law.powers != NONE and PLACED.search(key):
+        return False
+    return law.change is not in_parallel or not _names_a_spring(problem.spec, key)
+
+
+def _names_a_spring(spec, text):
+    return any(re.search(rf"\b{re.escape(name)}[.,\]]", text) for name in spec.get("springs") or ())
 
 
 def _places(problem):
@@ -162,7 +173,8 @@ def _rates(problem):
         return {}
     natural = [(complex(mode.growth_rate or 0.0, mode.omega or 0.0), float(mode.error)) for mode in problem.modal.modes]
     damped = [(complex(mode.eigenvalue), float(mode.error)) for mode in problem.modal.damped or ()]
-    return {f"{what} {number}": Bounded(rate, abs(rate) * error, RATE)
+    felt = CHOSEN * max((abs(rate) for rate, _ in natural + damped), default=0.0) if problem.spec.choices else 0.0
+    return {f"{what} {number}": Bounded(rate, max(abs(rate) * error, felt), RATE)
             for what, found in (("mode", natural), ("damped mode", damped))
             for number, (rate, error) in enumerate(sorted(found, key=lambda one: (one[0].imag, one[0].real)), 1)}
 
