@@ -122,7 +122,10 @@ def _found(find, problem):
 
 def _shake(problem, other, law, what, numbers):
     """The Shake of the numbers of a scene beside those of the one written otherwise."""
-    name, (its, why) = f"{law.name}: {what}", _found(GROUPS[what], other)
+    name = f"{law.name}: {what}"
+    if what == "answers" and set(other.scene.coordinates) != set(problem.scene.coordinates):
+        return Shake(name, 0, 0.0, REFUSED, "other coordinates are independent then, and begin at rest")
+    its, why = _found(GROUPS[what], other)
     if law.powers != NONE and what == "answers":        # by their places, as numbers within them are others
         its = dict(zip(numbers, its.values(), strict=False)) if len(its) == len(numbers) else {}
     pairs = {key: (one, _back(its[key], law)) for key, one in numbers.items() if key in its}
