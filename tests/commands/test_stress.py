@@ -76,10 +76,19 @@ def test_a_scene_is_shaken_and_its_digits_are_told(scene, capsys):
     assert [one["parameter"] for one in found["supported"]] == ["k"]
 
 
-def test_what_does_not_go_together_or_cannot_be_shaken(scene, tmp_path, capsys):
+def test_what_does_not_go_together(scene):
     assert run(["stress", scene, "--family", "mass_ratio"]) == 2
     assert run(["stress", "--set", "m=1 kg"]) == 2
+
+
+def test_letters_without_value_are_given_the_same_ones_at_every_run_which_are_no_data(tmp_path, capsys):
     letters = tmp_path / "letters.yaml"
     letters.write_text(SCENE.partition("cases")[0] % "", encoding="utf-8")
-    assert run(["stress", str(letters)]) == 4
-    assert "a scene in letters is not shaken" in capsys.readouterr().err
+    assert run(["stress", str(letters), "--json"]) == 0
+    first = capsys.readouterr().out
+    found = json.loads(first)
+    assert list(found["drawn"]) == ["k"] and {one["verdict"] for one in found["shaken"]} == {"equal", "refused"}
+    assert [one["parameter"] for one in found["supported"]] == ["m"]
+    assert run(["stress", str(letters), "--json"]) == 0 and capsys.readouterr().out == first
+    assert run(["stress", str(letters)]) == 0
+    assert "k = " + found["drawn"]["k"] + ": drawn for letters that have none" in capsys.readouterr().out

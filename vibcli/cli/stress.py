@@ -57,6 +57,7 @@ def _scene(file: str, settings: Sequence[str], case: str | None, as_json: bool, 
     """Shake a scene of the user's."""
     from vibcli.base.work import Work
     from vibcli.cli.progress import teller
+    from vibcli.evidence.compared import in_numbers
     from vibcli.evidence.stress import told
     from vibcli.evidence.stress.read_again import read_again
     from vibcli.evidence.stress.shaken import BROKEN, shaken
@@ -64,15 +65,16 @@ def _scene(file: str, settings: Sequence[str], case: str | None, as_json: bool, 
     from vibcli.evidence.stress.whole_scene import shaken_as_a_whole
 
     source = source_of(file)
-    chosen(problem_in(source, settings, patience), case)        # whatever is wrong with it
-    top, remade = read_again(source.node, file, settings_in(source, settings), case, lambda: Work(patience, teller()))
+    drawn = in_numbers(chosen(problem_in(source, settings, patience), case)[0][1])[1]
+    top, remade = read_again(source.node, file, settings_in(source, settings), case, lambda: Work(patience, teller()),
+                             drawn)
     problem = remade(lambda same: same)
     shakes = [*shaken(problem), *shaken_as_a_whole(problem, remade)]
     answers = list(supported(problem, top, remade))
     if as_json:
-        click.echo(json.dumps(told.scene_data(shakes, answers), ensure_ascii=False, allow_nan=False, indent=1))
+        click.echo(json.dumps(told.scene_data(shakes, answers, drawn), ensure_ascii=False, allow_nan=False, indent=1))
     else:
-        _print(told.scene_sections(shakes, answers))
+        _print(told.scene_sections(shakes, answers, drawn))
     return int(any(one.verdict == BROKEN for one in shakes))
 
 

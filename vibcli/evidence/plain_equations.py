@@ -42,7 +42,7 @@ class PlainEquations(NamedTuple):
 
 
 def plain_equations(motion: "Motion", node: "Node", until: float, feature: str) -> PlainEquations:
-    """Of a signal: `value` at the end, `max`, `min`, `argmax` or `argmin` until then."""
+    """Of a signal: `value` at the end, `max`, `min`, `argmax` or `argmin` until then, `zero 2`: its second zero."""
     start = np.array([float(x) / 2.0**200 for x in motion.start(200)])
     times = np.array([0.0, until]) if feature == "value" else np.linspace(0.0, until, SAMPLES)
     linear = _linear(motion) if motion.rested else None
@@ -51,6 +51,8 @@ def plain_equations(motion: "Motion", node: "Node", until: float, feature: str) 
     def read(states: np.ndarray, times: np.ndarray) -> float:
         known = _known(motion, times, states, rates if any(node.mask & a.mask for a in motion.scene.a) else None)
         values = np.broadcast_to(evaluate([node], Arrays, known)[0], times.shape)
+        if feature.startswith("zero"):
+            return _zero(times, values, int(feature[len("zero"):]))
         return float(values[-1]) if feature == "value" else _extreme(times, values, feature)
 
     return PlainEquations(rates, start, times, read, linear)
@@ -80,6 +82,21 @@ def _extreme(times, values, feature):
     if feature.startswith("arg"):
         return float(times[i] + move * (times[1] - times[0]))
     return float(top - 0.25 * (low - high) * move)
+
+
+def _zero(times, values, number):
+    """The instant of a zero: that of the parabola through the sample before it and the two after."""
+    at = [] if values[0] else [0]
+    at += (np.flatnonzero(values[1:-1] * values[2:] <= 0) + 1).tolist() if values[0] == 0 else np.flatnonzero(
+        values[:-1] * values[1:] <= 0).tolist()
+    if len(at) < number:
+        raise RuntimeError(f"{len(at)} zeros of this solution")
+    i = at[number - 1]
+    if not values[i]:
+        return float(times[i])
+    i = min(i, len(values) - 3)
+    roots = np.roots(np.polyfit(times[i:i + 3] - times[i], values[i:i + 3], 2)).real
+    return float(times[i] + min(roots, key=lambda root: abs(root - 0.5 * (times[i + 1] - times[i]))))
 
 
 def _rates(motion: "Motion"):

@@ -1,6 +1,7 @@
 """Methods timed by turns after a warm-up, in processor time, each answer beside the true one."""
 
 import math
+from collections import Counter
 from collections.abc import Sequence
 from statistics import quantiles
 from time import process_time
@@ -12,7 +13,7 @@ from vibcli.evidence.subject import Deadline, MethodAnswer, MethodRun, Subject, 
 RUNS, FEW, SLOW = 7, 3, 0.5     # of each; of those whose one run takes longer [s]
 STOP, TIMES = 5.0, 100.0        # s, and times ours, after which a method is stopped
 LEAST, SHORT = 1e-3, 0.02       # s of one measurement, which repeats what is shorter; of runs that are never spared
-LONGER = 1.5                    # times that the next setting of a method takes
+LONGER = 1.5                    # times that the next setting of a method takes at least
 STOPPED, SPENT = "stopped", "left out: too long"
 
 
@@ -34,23 +35,33 @@ def measured(subject: Subject, attempts: Sequence[MethodRun], runs: int = RUNS,
     """A Point of each attempt, the first of which is ours. After one that was stopped the later ones of its method are
     left out: their settings take longer; so are those for which no time is left, of `patience` s for all runs."""
     tried, over, last, left = [], set(), {}, patience / 2
-    for attempt in attempts:
+    for attempt in _in_turns(attempts):
         method = attempt.method
         if method in over:
             continue
-        if tried and last.get(method, 0.0) * LONGER > left:
+        before, growth = last.get(method, (0.0, LONGER))
+        if tried and before * growth > left:
             over.add(method)
-            tried.append((attempt, last.get(method, 0.0), None, SPENT))
+            tried.append((attempt, before, None, SPENT))
             continue
         one = _tried(attempt, max(STOP, TIMES * tried[0][1]) if tried else STOP)
         tried.append(one)
-        last[method], left = one[1], left - one[1]
+        last[method], left = (one[1], max(LONGER, one[1] / before) if before else LONGER), left - one[1]
         if one[3] == STOPPED:
             over.add(method)
     spent = _by_turns(tried, runs, left + patience / 2)
     points = [_point(subject, *one, times) for one, times in zip(tried, spent, strict=True)]
     order = list(dict.fromkeys(point.method for point in points))
     return sorted(points, key=lambda point: order.index(point.method))
+
+
+def _in_turns(attempts):
+    """The first settings of all methods, their second ones …: no method takes the time of the others."""
+    ranks, turns = Counter(), []
+    for attempt in attempts:
+        turns.append((ranks[attempt.method], attempt))
+        ranks[attempt.method] += 1
+    return [attempt for _, attempt in sorted(turns, key=lambda turn: turn[0])]
 
 
 def _tried(attempt, allowed):

@@ -1,6 +1,6 @@
 """Evidence in words and tables, as a report that every format renders, and as data."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
@@ -19,11 +19,16 @@ def document(found: "Evidence", pictures: bool = False) -> Document:
     """A section for each quantity, with its table and its sentence, and what was left out."""
     title = found.problem.spec.get("title") or "Run time and true error"
     sections = [_section(one, pictures, number) for number, one in enumerate(found.compared, 1)]
-    if found.drawn:
-        values = ", ".join(f"{name} = {value}" for name, value in found.drawn.items())
-        sections.insert(0, Section("Values", (paragraph(
-            f"{values}: drawn for letters that have none, the same at every run; --set gives others."),)))
-    return Document(title, None, (), (*sections, *_left_out(found), *_stages(found)))
+    return Document(title, None, (), (*drawn_values(found.drawn), *sections, *_left_out(found), *_stages(found)))
+
+
+def drawn_values(drawn: Mapping[str, str]) -> tuple[Section, ...]:
+    """A section with the values that letters without one are given."""
+    if not drawn:
+        return ()
+    values = ", ".join(f"{name} = {value}" for name, value in drawn.items())
+    return (Section("Values", (paragraph(
+        f"{values}: drawn for letters that have none, the same at every run; --set gives others."),)),)
 
 
 def _section(one, pictures, number):
@@ -63,7 +68,7 @@ def worth_a_picture(one: "WorkPrecision") -> bool:
 def _row(point: "Point"):
     low, middle, high = (f"{1e3 * second:.3g}" for second in point.seconds)
     if point.error is None:
-        return point.method, point.setting, middle, point.why, ""
+        return point.method, point.setting, middle if point.seconds[1] else "", point.why, ""
     return (point.method, point.setting, f"{middle} ({low} … {high})" if point.runs > 1 else f"{middle} (one run)",
             f"{point.error:.1e}", "" if point.bound is None else f"{float(point.bound):.1e}")
 

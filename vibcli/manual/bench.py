@@ -70,7 +70,8 @@ STRESS = [
     "Last, each figure of the file that is written with three digits or more (fewer are exact), in parameters or "
     "elsewhere, is moved by half a unit of its last digit: told is how many digits of each answer the data support, "
     "−log₁₀ of the sum of the relative changes, and which figure takes most of them. Cases are shaken with --case, but "
-    "what they alone give is not moved.",
+    "what they alone give is not moved. Letters without value are given the same ones at every run, which are told and "
+    "not moved.",
     "Of any scene `--timings`, and `certificate` of `--json`, tell what is left of the equations when the results are "
     "put back into them: of modes ‖λ²Mφ + λ(C + G)φ + Kφ‖ over (|λ|²‖M‖ + |λ|‖C + G‖ + ‖K‖)‖φ‖ n ε, as LAPACK's tests "
     "have it, of their orthogonality ‖ΦᵀMΦ − I‖/(n ε), of rest the forces over ε and the size of their terms: up to 20 "

@@ -278,6 +278,13 @@ class Configuration:
         return reactions(self)
 
     @cached_property
+    def reaction_errors(self) -> dict[str, float]:
+        """{signal: what a force in constraints and supports in equilibrium is off by at most}."""
+        from vibcli.mechanics.inputs_outputs.reactions import reaction_errors
+
+        return reaction_errors(self)
+
+    @cached_property
     def moving_reactions(self) -> "MovingReactions":
         """Forces in constraints and supports during small oscillations."""
         from vibcli.mechanics.inputs_outputs.dynamic_reactions import MovingReactions

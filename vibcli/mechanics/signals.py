@@ -96,6 +96,14 @@ def force(configuration: "Configuration", text: str) -> float:
     return known[text]
 
 
+def reaction_error(configuration: "Configuration", text: str) -> float:
+    """What the force of a constraint or support in equilibrium is off by at most."""
+    errors, (name, part, *_) = configuration.reaction_errors, signal_name(text)
+    if part in ("normal", "friction"):
+        return sum(errors[f"{name}.reaction.{axis}"] for axis in "xy")
+    return errors[reaction_of(configuration.system, text, errors)]
+
+
 def not_fixed(text: str, known: "Mapping[str, Any]") -> NotFixed:
     """The refusal of a force in equilibrium that is one of those without value among {signal: value}, which share."""
     others = [signal for signal, value in known.items() if value is None and signal != text]

@@ -58,9 +58,7 @@ def _equilibrium(problem, tree, args):
     if node is None and part == "energy" and (laws := scene.terms_of(name, "laws")):
         node = scene.table.total([law.energy(scene) for law in laws])
     if node is None:
-        from vibcli.mechanics.signals import force
-
-        return force(problem.configuration, signal), ROUNDING
+        return _force(problem, signal)
     jumps = problem.configuration.equilibrium.jumps
     if jumps is not None:
         node = _opened(problem, jumps, node, signal)
@@ -68,6 +66,15 @@ def _equilibrium(problem, tree, args):
         return measured(evaluate([node], *problem.configuration.bounded_rest)[0])
     inner, values = problem.configuration.precise_rest(problem.digits)
     return measured(evaluate([node], RunningErrors(inner, unit(problem)), values)[0], 10.0**-problem.digits)
+
+
+def _force(problem, signal):
+    from vibcli.mechanics.signals import force, reaction_error
+
+    found = force(problem.configuration, signal)
+    if not found or not is_reaction(problem.spec, signal):
+        return found, ROUNDING
+    return found, min(1.0, max(ROUNDING, reaction_error(problem.configuration, signal) / abs(found)))
 
 
 def _opened(problem, jumps, node, signal):

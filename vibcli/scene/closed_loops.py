@@ -65,12 +65,13 @@ class Loops:
         return {name: float(value) if name in self._used else value for name, value in values.items()}
 
     def _sense(self, values):
-        """The sign of det ∂G/∂z: it changes where the loops are singular."""
+        """The sign of det ∂G/∂z: it changes where the loops are singular; NaN where that is no number."""
         import numpy as np
 
         n = len(self.names)
         flat = evaluate(self.slopes, Floats, values)
-        return np.linalg.slogdet(np.array(flat).reshape(n, n))[0]
+        with np.errstate(invalid="ignore"):
+            return np.linalg.slogdet(np.array(flat).reshape(n, n))[0]
 
     def _closed(self, values, n, gaps=0.0):
         """Newton's method for G = gaps, in place; False where it does not contract from the first step on."""

@@ -11,7 +11,7 @@ from vibcli import evidence
 from vibcli.api.source import problem_of, text_source
 from vibcli.base.errors import PhysicsError
 from vibcli.bench import scenes
-from vibcli.evidence import told
+from vibcli.evidence import timing, told
 from vibcli.evidence.asked import subjects
 from vibcli.evidence.compared import evidence as compared
 from vibcli.evidence.methods import METHODS, held_inputs
@@ -135,6 +135,27 @@ def test_where_no_time_is_left_methods_are_left_out():
     found = measured(subject, [*runs(vibcli=lambda _: MethodAnswer([1])), *runs(other=lambda _: MethodAnswer([1]))], 3,
                      patience=-1.0)
     assert [one.why for one in found] == ["", SPENT]
+
+
+def test_methods_are_tried_in_turns_and_what_would_outgrow_the_time_left_is_not_begun(monkeypatch):
+    clock, begun = [0.0], []
+    monkeypatch.setattr(timing, "process_time", lambda: clock[0])
+
+    def lasting(method, setting, seconds):
+        def run(_):
+            begun.append(method + setting)
+            clock[0] += seconds
+            return MethodAnswer([1])
+
+        return MethodRun(method, setting, run)
+
+    subject = Subject("motion", "x(1 s)", "", None, ONE, None, None, relative_error)
+    found = measured(subject, [lasting("vibcli", "", 0.01), *(lasting("grid", str(k), 0.6 * 8**k) for k in range(4)),
+                               lasting("odeint", "0", 1.0), lasting("odeint", "1", 1.0)], 3, patience=40.0)
+    assert begun[:6] == ["vibcli", "grid0", "odeint0", "grid1", "odeint1", "vibcli"] and "grid2" not in begun
+    assert [(one.method, one.setting, one.why) for one in found] == [
+        ("vibcli", "", ""), ("grid", "0", ""), ("grid", "1", ""), ("grid", "2", SPENT), ("odeint", "0", ""),
+        ("odeint", "1", "")]
 
 
 def test_a_deadline_ends_what_asks():

@@ -26,6 +26,21 @@ SCENE = {
     "initial": {"phi": "0.3 rad", "u'": "0.2 m/s"}, "motion": "small",
     "answers": {"omega[1]": "1 rad/s", "x(0.5 s)": "1 cm", "phi(0.5 s)": "0.1 rad", "max(v)": "1 cm", "T(1 s)": "1 J"}}
 
+TIED = {
+    "parameters": {"g": "9.81 m/s^2", "n": "sqrt(5)"}, "gravity": "g",
+    "surfaces": {"slope": {"line": [["0 m", "0 m"], ["2 m", "1 m"]]}},
+    "bodies": {"roller": {"shape": "disc", "mass": "2 kg", "radius": "0.1 m", "roll": {"surface": "slope", "turn": "w"},
+                          "at": ["1 m - 0.1 m/n", "0.5 m + 0.2 m/n"]},
+               "arm": {"shape": "rod", "mass": "3 kg", "from": ["-1 m", "0 m"], "to": ["-0.7 m", "-0.8 m"],
+                       "pin": {"at": ["-1 m", "0 m"], "by": "phi"}},
+               "wheel": {"inertia": "0.3 kg*m^2", "turn": "psi"},
+               "weight": {"mass": "1 kg", "at": ["2.6 m", "0 m"], "slide": {"by": "y", "along": ["0", "-1"]}}},
+    "springs": {"s": {"k": "90 N/m", "between": [["-0.8 m", "0.6 m"], "roller"], "free_length": "1.1 m"},
+                "t": {"torsion": "9 N*m", "between": ["ground", "wheel"]}},
+    "constraints": {"gear": {"equation": "psi = 2*phi + 0.3*w^2 + w/5"},
+                    "cord": {"rope": ["roller", {"right_of": ["2.5 m", "1 m"], "radius": "0.1 m"}, "weight"]}},
+    "motion": "small", "answers": {"omega[1]": "1 rad/s"}}
+
 
 def seen(scene):
     return {change: one for change, one in shaken(scene).items() if change.startswith("mirrored")}
@@ -39,20 +54,22 @@ def test_it_rests_and_swings_as_before():
         "mirrored: rest": 4, "mirrored: modes": 8, "mirrored: answers": 4}
 
 
-@pytest.mark.parametrize("forgotten", ["load", "start", "body", "connection"])
-def test_a_sense_that_is_forgotten_is_seen(forgotten, monkeypatch):
-    plain = {"start": lambda self, name, node: node}.get(forgotten, lambda self, record: record)
-    monkeypatch.setattr(mirrored._Sections, forgotten, plain)
+@pytest.mark.parametrize(("scene", "forgotten"), [
+    (SCENE, "load"), (SCENE, "start"), (SCENE, "body"), (SCENE, "connection"),
+    (TIED, "expression"), (TIED, "_guide"), (TIED, "surface")])
+def test_a_sense_that_is_forgotten_is_seen(scene, forgotten, monkeypatch):
     monkeypatch.setattr(whole_scene, "LAWS", whole_scene.LAWS[-1:])
-    assert BROKEN in {one.verdict for one in seen(SCENE).values()}
+    assert {one.verdict for one in seen(scene).values()} <= {EQUAL, WITHIN}
+    monkeypatch.setattr(mirrored._Sections, forgotten, lambda self, *args: args[-1])
+    assert {one.verdict for one in seen(scene).values()} & {BROKEN, REFUSED}
 
 
 @pytest.mark.sweep
 def test_what_is_not_drawn_is_left_out_and_what_is_not_known_refused_by_its_name():
     assert seen(CHAIN) == {}
     top = scene_read_again(SCENE)[1]
-    with pytest.raises(PhysicsError, match="what 'constraints' is in a mirror"):
-        mirrored.mirrored(Mapping(None, {**top.entries, "constraints": (Scalar("constraints", None), Mapping(None))}))
+    with pytest.raises(PhysicsError, match="what 'beams' is in a mirror"):
+        mirrored.mirrored(Mapping(None, {**top.entries, "beams": (Scalar("beams", None), Mapping(None))}))
     unbalanced = {**SCENE, "forces": {"F": {"at": "bob", "unbalance": "0.1 kg*m", "speed": "3 rad/s"}}}
     assert seen(unbalanced)["mirrored"].verdict == REFUSED and "unbalance" in seen(unbalanced)["mirrored"].why
 

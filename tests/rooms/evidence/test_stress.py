@@ -152,7 +152,7 @@ def test_figures_of_conditions_are_data_and_those_that_hold_each_other_are_told(
     omega, = supported.supported(*scene_read_again(scene))
     assert omega.held == ("0.105 of coordinates.q", "0.105 of constraints.gear")
     assert omega.parameter == "91.5 of springs.s"
-    said = str(told.scene_sections([], [omega])[1])
+    said = str(told.scene_sections([], [omega], {})[1])
     assert "Not moved, since nothing fits together with it alone: 0.105 of coordinates.q and 0.105 of cons" in said
 
 

@@ -3,10 +3,12 @@
 from fractions import Fraction
 
 import mpmath
+import numpy as np
 import pytest
 
 from vibcli.api.source import problem_of, text_source
 from vibcli.base.errors import PhysicsError
+from vibcli.evidence.plain_equations import plain_equations
 from vibcli.evidence.reference import frequency_response, motion, steady_state
 from vibcli.evidence.reference.taylor_steps import TakesMinutes
 
@@ -49,6 +51,35 @@ def test_a_free_motion_and_where_it_turns():
         at = mpmath.findroot(lambda t: mpmath.diff(x, t), 0.15)
         assert close(found.values[0], x(mpmath.mpf(7) / 10))
         assert close(when.values[0], at, 25) and close(top.values[0], x(at))
+
+
+def test_the_zeros_of_a_free_motion():
+    """x = e^{−t} (cos √24 t + sin √24 t/√24)/4, whose rate begins at zero."""
+    problem = oscillator("initial: {x: 25 cm}")
+    moving = motion.small(problem)
+    place, rate = (moving.coordinate("x", primes) for primes in (0, 1))
+    with mpmath.workdps(60):
+        w = mpmath.sqrt(24)
+        for number in (1, 2):
+            found = motion.zeros(moving, place, Fraction(2), number, problem.work).values[0]
+            assert close(found, (number * mpmath.pi - mpmath.atan(w)) / w, 25)
+            found = motion.zeros(moving, rate, Fraction(2), number, problem.work).values[0]
+            assert close(found, (number - 1) * mpmath.pi / w, 25)
+    plain = plain_equations(moving, place, 2.0, "zero 2")
+    w, t = 24**0.5, plain.times
+    states = np.exp(-t) * np.array([np.cos(w * t) + np.sin(w * t) / w, -25 * np.sin(w * t) / w])
+    assert plain.read(states.T, t) == pytest.approx((2 * np.pi - np.arctan(w)) / w, rel=1e-9)
+    with pytest.raises(PhysicsError, match="finds 3 zeros"):
+        motion.zeros(moving, place, Fraction(2), 4, problem.work)
+
+
+def test_where_a_signal_may_touch_zero_there_is_no_reference():
+    """1 − cos t comes back to zero after 2π."""
+    problem = problem_of(text_source("bodies: {b: {mass: 1 kg, slide: x}}\nforces: {F: {at: b, force: 1 N*step(t)}}\n"
+                                     "springs: {s: {k: 1 N/m, between: [ground, b]}}\n"))
+    moving = motion.small(problem)
+    with pytest.raises(PhysicsError, match="may touch zero"):
+        motion.zeros(moving, moving.coordinate("x"), Fraction(8), 2, problem.work)
 
 
 def test_a_load_that_begins_and_ends():

@@ -1,10 +1,12 @@
 """Whole scenes shaken: written otherwise they rest, swing and answer as before, and one that does not is seen."""
 
+import json
 from functools import partial
 
 import pytest
 from rooms.evidence.test_stress import scene_read_again
 
+from vibcli.cli.program import run
 from vibcli.evidence.stress import whole_scene
 from vibcli.evidence.stress.rewritten import decimal_of, in_parallel, reordered, scaled, with_numbers
 from vibcli.evidence.stress.shaken import BROKEN, EQUAL, REFUSED, WITHIN
@@ -57,11 +59,73 @@ def test_a_law_that_does_not_hold_is_broken(law, broken, monkeypatch):
         change for change, one in shaken(CHAIN).items() if one.verdict == BROKEN}
 
 
+def test_what_is_asked_of_a_spring_by_its_name_is_another_thing_where_it_is_two(monkeypatch):
+    monkeypatch.setattr(whole_scene, "LAWS", [law for law in whole_scene.LAWS if law.change is in_parallel])
+    found = shaken({**CHAIN, "answers": {"law[s, d^3]": "2 N/mm^3", "omega[1]": "1 rad/s"}})
+    assert found["springs as two in parallel: answers"].compared == 1
+    assert BROKEN not in {one.verdict for one in found.values()}
+
+
+def test_what_is_chosen_by_the_name_of_a_spring_is_refused_where_that_is_two(monkeypatch):
+    monkeypatch.setattr(whole_scene, "LAWS", [law for law in whole_scene.LAWS if law.change is in_parallel])
+    one, = shaken({"parameters": {"g": "9.81 m/s^2"}, "gravity": "g",
+                   "choose": {"k": "equilibrium[s.force]^2 = k*1 N*m"},
+                   "bodies": {"b": {"mass": "2 kg", "at": ["0", "-1 m"], "slide": {"along": ["0", "-1"], "by": "y"}}},
+                   "springs": {"s": {"k": "k", "between": [["0", "0"], "b"]}}, "answers": {"k": "385 N/m"}}).values()
+    assert one.verdict == REFUSED and "by name" in one.why
+
+
+def test_a_rate_at_a_limit_of_stability_may_be_what_rounding_leaves(monkeypatch):
+    """A rod upright on a torsion spring: m g L/2 = k."""
+    found = shaken({"parameters": {"g": "9.81 m/s^2"}, "gravity": "g", "choose": {"k": "stability limit"},
+                    "bodies": {"b": {"shape": "rod", "mass": "1.3 kg", "from": ["0", "0"], "to": ["0", "0.7 m"],
+                                     "pin": {"at": ["0", "0"], "by": "p"}}, "c": {"mass": "1 kg", "slide": "x"}},
+                    "springs": {"s": {"torsion": "k", "between": ["ground", "b"]},
+                                "t": {"k": "90 N/m", "between": ["ground", "c"]}}, "answers": {"k": "4.46 N*m"}})
+    assert BROKEN not in {one.verdict for one in found.values()} and found["masses × 4: modes"].compared == 2
+
+
+@pytest.mark.parametrize(("key", "told"), [("equilibrium[mast.u(1 m)]", False), ("equilibrium[mast.u(L/2)]", True),
+                                           ("x(2 s)", True), ("frf[b.u(L/2), F](5 Hz)", True)])
+def test_places_in_numbers_within_brackets_stay_where_lengths_grow(key, told):
+    assert whole_scene._is_told(key, whole_scene.LAWS[0], None, ()) is told
+
+
+def test_where_another_coordinate_begins_at_rest_motions_are_others(monkeypatch):
+    monkeypatch.setattr(whole_scene, "LAWS", [law for law in whole_scene.LAWS if law.change is reordered])
+    found = shaken({"bodies": {"a": {"mass": "2 kg", "slide": "x"}, "b": {"mass": "1 kg", "slide": "y"}},
+                    "springs": {"s": {"k": "80 N/m", "between": ["ground", "a"]}},
+                    "constraints": {"tie": {"equation": "y = x + (2 cm)*sin(3 rad/s*t)"}},
+                    "answers": {"y(1 s)": "1 cm"}})
+    assert found["elements reordered: answers"].verdict == REFUSED
+    assert found["elements reordered: modes"].verdict in (EQUAL, WITHIN)
+
+
+def test_entries_by_the_numbers_of_coordinates_are_others_in_another_order(monkeypatch):
+    monkeypatch.setattr(whole_scene, "LAWS", [law for law in whole_scene.LAWS if law.change is reordered])
+    found = shaken({**CHAIN, "answers": {"M[1,1]": "2 kg", "K[x,y]": "1 N/m", "omega[1]": "1 rad/s"}})
+    assert found["elements reordered: answers"].compared == 2 and BROKEN not in {one.verdict for one in found.values()}
+
+
 def test_numbers_without_units_and_what_cannot_be_read_are_refused():
     plain = {"matrices": {"M": [["9", "0"], ["0", "1"]], "K": [["27", "-3"], ["-3", "3"]]},
              "coordinates": {"x": "one", "y": "two"}, "answers": {"omega[2]": "2"}}
     found = shaken(plain)
     assert [one.verdict for one in found.values()][:3] == [REFUSED] * 3 and found["elements reordered: modes"].compared
+
+
+@pytest.mark.parametrize(("unit", "load", "refused"), [("N", "f(t)", 3), ("m/s^2", "-m*f(t)", 2)])
+def test_a_record_is_not_scaled_and_so_nothing_is_called_broken(unit, load, refused, tmp_path, capsys):
+    """That of a force has all units in it, that of an acceleration no masses."""
+    (tmp_path / "f.csv").write_text("0,0\n0.25,3\n1,-1\n", encoding="utf-8")
+    (tmp_path / "s.yaml").write_text(
+        f"records: {{f: {{file: f.csv, unit: {unit}}}}}\nparameters: {{m: 1.25 kg}}\n"
+        "bodies: {b: {mass: m, slide: x}}\nsprings: {s: {k: 80 N/m, between: [ground, b]}}\n"
+        f"forces: {{F: {{at: b, force: {load}}}}}\nfind: [{{response: {{until: 2 s}}}}]\n"
+        "answers: {max(x): 1 cm}\n", encoding="utf-8")
+    assert run(["stress", str(tmp_path / "s.yaml"), "--json"]) == 0
+    told = [one["verdict"] for one in json.loads(capsys.readouterr().out)["shaken"]]
+    assert told.count(REFUSED) == refused
 
 
 @pytest.mark.parametrize(("text", "powers", "expected"), [

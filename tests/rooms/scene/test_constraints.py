@@ -18,7 +18,7 @@ from vibcli.mechanics.energies import kinetic, potential
 from vibcli.mechanics.inputs_outputs.reactions import slack
 from vibcli.mechanics.inputs_outputs.reactions_along_motion import along_the_motion
 from vibcli.results.random_states import states
-from vibcli.scene.closed_loops import nearby
+from vibcli.scene.closed_loops import Loops, nearby
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
 
@@ -350,6 +350,14 @@ def test_implicit_derivatives_of_a_four_bar(phi):
                 node = gradient(node)[scene.q[0]]
                 exact = mpmath.diff(lambda x, name=name: four_bar(x)[name], mpmath.mpf(phi), order)
                 assert abs(evaluate([node], multiprecision(), values)[0] - exact) <= abs(exact) * mpmath.mpf(10) ** -25
+
+
+@pytest.mark.filterwarnings("error")
+def test_where_the_slope_of_a_loop_is_no_number_it_is_not_followed_in_silence():
+    table = problem(ATWOOD).scene.table
+    z, slope = (table.parameter(name, positive=False) for name in ("z", "slope"))
+    start, target = ({"z": 0.0, "slope": x} for x in (math.nan, math.inf))
+    assert Loops(["z"], [z], [slope], [1.0]).followed(start, target) is None
 
 
 def test_digits_of_a_closed_loop():

@@ -78,8 +78,11 @@ def roots_at(whole: Whole, s: complex) -> list[DampedRoot]:
     aside = _scaled(whole.at(s * (1 + ALIKE)), s)
     several = max(1, int((abs(_steps(*aside[:2])) < 3 * ALIKE * abs(s)).sum()))
     w, x = left[:, -several:], right[-several:].conj().T
-    away = np.linalg.eigvals(np.linalg.solve(w.conj().T @ slope @ x, -(w.conj().T @ D @ x)))
-    gain = np.linalg.norm(np.linalg.inv(w.conj().T @ slope @ x), 2)
+    try:
+        away = np.linalg.eigvals(np.linalg.solve(w.conj().T @ slope @ x, -(w.conj().T @ D @ x)))
+        gain = np.linalg.norm(np.linalg.inv(w.conj().T @ slope @ x), 2)
+    except np.linalg.LinAlgError:       # det D has a zero of higher order there
+        return []
     spread = (abs(w).sum(axis=0) ** 2).sum() ** 0.5 * (abs(x).sum(axis=0) ** 2).sum() ** 0.5
     given = np.sqrt(found.given[:, 0]) * scale
     felt = ((given @ abs(w)) ** 2).sum() ** 0.5 * ((given @ abs(x)) ** 2).sum() ** 0.5

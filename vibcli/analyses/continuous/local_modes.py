@@ -54,14 +54,16 @@ def _within(bracket, z):
 
 def projected(system: "ContinuousSystem", entries: np.ndarray, slope: np.ndarray, x: np.ndarray
               ) -> tuple[np.ndarray, np.ndarray]:
-    """The eigenvalues by which z moves and the vectors of D, D′ in the space of x."""
+    """The eigenvalues by which z moves and the vectors of D, D′ in the space of x; LinAlgError where these are no
+    numbers."""
     size = x.shape[1]
     stiff, mass = np.empty((size, size), x.dtype), np.empty((size, size), x.dtype)
-    x = x / np.sqrt(abs(quadratic(system.pattern, slope, x)))
-    for j in range(size):
-        column = x[:, j:j + 1]
-        stiff[:, j] = quadratic(system.pattern, entries, x, column)
-        mass[:, j] = quadratic(system.pattern, slope, x, column)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        x = x / np.sqrt(abs(quadratic(system.pattern, slope, x)))
+        for j in range(size):
+            column = x[:, j:j + 1]
+            stiff[:, j] = quadratic(system.pattern, entries, x, column)
+            mass[:, j] = quadratic(system.pattern, slope, x, column)
     moved, basis = _pencil(stiff, mass)
     return moved, x @ basis
 

@@ -19,6 +19,7 @@ from vibcli.analyses.continuous.counting import GUARD, SLACK, count, rounding, s
 from vibcli.analyses.continuous.local_modes import local_modes
 from vibcli.analyses.continuous.rayleigh_steps import rayleigh_step, settled, start
 from vibcli.analyses.continuous.refinement import PARTS, divided_at_poles
+from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.sparse_elimination import quadratic
 
@@ -190,8 +191,13 @@ def _rounded_tension(system, z):
 
 
 def _local(counts, bracket, members):
-    """The roots within a tight bracket, or one with a pole."""
-    system, z, x, indices = local_modes(counts.system, bracket)
+    """The roots within a tight bracket, or one with a pole; PhysicsError where the kinetic energy of shapes is no
+    number."""
+    try:
+        system, z, x, indices = local_modes(counts.system, bracket)
+    except np.linalg.LinAlgError:
+        raise PhysicsError("the data are so far apart that floats do not hold what the modes of members are found by",
+                           "look for lengths and stiffnesses of very different size") from None
     if len(z) < len(indices):
         return {}
     wanted = np.array([i in members for i in indices])

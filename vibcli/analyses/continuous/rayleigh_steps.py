@@ -22,13 +22,14 @@ def start(system: "ContinuousSystem", count_: int) -> np.ndarray:
 
 def rayleigh_step(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, np.ndarray, Any]:
     """One Rayleigh quotient of each column: z, x with xᵀD′x = 1, and by how much z has moved. Taken beside z, where D
-    has an inverse: it ends within aside² of the frequency."""
+    has an inverse: it ends within aside² of the frequency; a column that has no such x is no number."""
     here = beside(system, z)
-    entries, sizes, slope = system.dynamic_stiffness(here)
-    x = system.eliminated(entries, sizes).solved(product(system.pattern, slope, x))
-    x = x / np.sqrt(quadratic(system.pattern, slope, x).real)
-    new = here + quadratic(system.pattern, entries, x).real
-    return new, x, new - z
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        entries, sizes, slope = system.dynamic_stiffness(here)
+        x = system.eliminated(entries, sizes).solved(product(system.pattern, slope, x))
+        x = x / np.sqrt(quadratic(system.pattern, slope, x).real)
+        new = here + quadratic(system.pattern, entries, x).real
+        return new, x, new - z
 
 
 def nearer(system: "ContinuousSystem", z: np.ndarray, loads: np.ndarray) -> np.ndarray:

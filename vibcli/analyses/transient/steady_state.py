@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
 RESONANT, DIGITS = 1e-12, 12      # relative: a frequency that counts as a natural one
 POINTS = 20         # of Gauss's rule
+MOST_CELLS = 200_000    # stretches of a mean, a second or so
 UNFORCED, EPSILON = 1e-13, 2.0**-52
 
 
@@ -183,11 +184,16 @@ def lost_forces(forcing: Forcing, n: int) -> np.ndarray:
 
 
 def mean_square(motion: "SteadyMotion", output: "LinearOutput", start: float, end: float) -> float:
-    """(1/(end − start)) ∫ y² dt by Gauss's rule on stretches shorter than any wave in it, exact to rounding."""
+    """(1/(end − start)) ∫ y² dt by Gauss's rule on stretches shorter than any wave in it, exact to rounding;
+    PhysicsError where these are too many."""
     pieces = motion.pieces(end)
     y = pieces.terms(output, 0)
     cells = stretches(pieces.timeline, start, end)
-    cells = cells.divided(max(1, int(np.ceil(fastest(y.nodes()) * cells.width.max() / 8))))
+    parts = np.ceil(fastest(y.nodes()) * cells.width.max() / 8)
+    if not parts * len(cells) <= MOST_CELLS:
+        raise PhysicsError("its fastest part is so short beside a period that the mean of its square is not found",
+                           "look for stiffnesses and masses of very different size")
+    cells = cells.divided(max(1, int(parts)))
     at, weights = np.polynomial.legendre.leggauss(POINTS)
     half = cells.width / 2
     tau = (cells.early + half)[:, None] + half[:, None] * at

@@ -16,7 +16,7 @@ def attempts(subject: Subject) -> Iterator[MethodRun]:
 
     if subject.data is None:        # constraints: no equations of first order
         return
-    for tolerance in TOLERANCES:        # so that none takes the time of the others
+    for tolerance in TOLERANCES:
         yield MethodRun("odeint", f"{tolerance:.0e}", partial(_by_odeint, subject, tolerance))
         for method in SOLVERS:
             yield MethodRun(method, f"{tolerance:.0e}", partial(_by_solve_ivp, subject, method, tolerance))

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import mpmath
 
+from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.reference.taylor_steps import TaylorSteps
 from vibcli.symbolic.evaluation import evaluate, multiprecision
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
 
 SAMPLES = 12            # of a step
 NEAR = 1e-6             # of the range of values: maxima so near to the largest are looked at
+TOUCH = 1e-3            # of the largest value: extremes so near to zero may touch it
 HALVINGS, SECANTS = 12, 60
 
 
@@ -69,25 +71,51 @@ def _sampled(signal, steps):
     return [(t, signal.along(steps, [signal.node], t)[0]) for t in times]
 
 
+def zero(signal: SignalAlongSteps, steps: TaylorSteps, number: int) -> Any:
+    """The instant of a zero, counted from 1, that of a start there among them; PhysicsError where there are fewer, or
+    where the signal may touch zero between samples."""
+    sampled, found = _sampled(signal, steps), []
+    size = max(abs(x) for _, x in sampled)
+    if abs(sampled[0][1]) <= mpmath.ldexp(size, -steps.accuracy // 2):
+        found, sampled = [sampled[0][0]], sampled[1:]
+    for before, (t, x), after in zip([None, *sampled], sampled, [*sampled[1:], None], strict=False):
+        if after is None or len(found) == number:
+            break
+        if x * after[1] <= 0:
+            sense = 1 if x > after[1] else -1
+            found.append(_passage(lambda at, sense=sense: sense * signal.along(steps, [signal.node], at)[0],
+                                  (t, after[0]), steps))
+        elif before and before[1] * x > 0 and abs(x) <= min(TOUCH * size, abs(before[1]), abs(after[1])):
+            raise PhysicsError("no reference is found of where a signal may touch zero")
+    if len(found) < number:
+        raise PhysicsError(f"the reference finds {len(found)} zeros")
+    return steps.time(found[number - 1])
+
+
 def _top(signal, steps, ends, t, sense):
-    """The instant between two at which the rate passes through zero: by halves, then by secants; where it does not, as
-    at a corner or an end, the one that is given."""
+    """The instant between two at which the rate passes through zero; where it does not, as at a corner or an end, the
+    one that is given."""
     def rate(at):
         return sense * signal.along(steps, [signal.rate], at)[0]
 
-    low, high = ends
-    below, above = rate(low), rate(high)
-    if not (below > 0 > above):
+    if not (rate(ends[0]) > 0 > rate(ends[1])):
         return t
+    return _passage(rate, ends, steps)
+
+
+def _passage(function, ends, steps):
+    """The instant between two at which a function falls through zero: by halves, then by secants."""
+    low, high = ends
+    below, above = function(low), function(high)
     for _ in range(HALVINGS):
         middle = (low + high) // 2
-        x = rate(middle)
+        x = function(middle)
         low, below, high, above = (middle, x, high, above) if x > 0 else (low, below, middle, x)
     kept = 0                            # the end that stayed last: once more, and it counts half (Illinois)
     for _ in range(SECANTS):
         with mpmath.workprec(2 * steps.bits):
             place = low + int((high - low) * (below / (below - above)))
-        x = rate(place)
+        x = function(place)
         if not x or min(place - low, high - place) <= 1 << steps.bits - steps.accuracy:
             return place
         if x > 0:

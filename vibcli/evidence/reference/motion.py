@@ -17,7 +17,7 @@ from vibcli.analyses.time_integration.smooth_pieces import SmoothPieces
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.reference.blows import Blows, blows, without_impulses
-from vibcli.evidence.reference.features import SignalAlongSteps, extreme, value
+from vibcli.evidence.reference.features import SignalAlongSteps, extreme, value, zero
 from vibcli.evidence.reference.records import PiecesOfRecords, driving_records, strikes
 from vibcli.evidence.reference.settled import TrueValues, settled
 from vibcli.evidence.reference.taylor_steps import TaylorSteps
@@ -168,6 +168,11 @@ def extremes(motion: Motion, node: "Node", until: Fraction, sense: int, instant:
         return ([time], until) if instant else ([top], size)
 
     return _settled(motion, until, work, found)
+
+
+def zeros(motion: Motion, node: "Node", until: Fraction, number: int, work: Any) -> TrueValues:
+    """The instant of a zero of a signal, counted from 1; about: `until`."""
+    return _settled(motion, until, work, lambda steps: ([zero(motion.signal(node), steps, number)], until))
 
 
 def _settled(motion, until, work, look):

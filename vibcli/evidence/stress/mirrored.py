@@ -15,9 +15,12 @@ from vibcli.language.document.nodes import Mapping, Scalar, Sequence
 
 AS_IT_IS = (*TOLD, "answers", "parameters", "records", "motion", "find", "damping", "variants")
 BODY = ("shape", "mass", "density", "inertia", "gyration", "radius", "width", "height", "a", "b", "weld", "looks")
-CONNECTION = ("k", "c", "law", "stretch", "free_length", "preload", "acts", "gap", "torsion")
+CONNECTION = ("k", "c", "friction", "law", "stretch", "free_length", "preload", "acts", "gap", "torsion")
 SENSES = ("law", "preload", "gap", "acts")      # of a torsion, what tells one sense from the other
 LOPSIDED = ("sector", "arch")
+TURNS = {"pin": ("by",), "turn": ("by",), "move": ("by",), "roll": ("turn", "swing")}
+TIES = {"equation", "join", "link", "rope", "point", "surface"}
+OTHER_SIDE = {"left_of": "right_of", "right_of": "left_of"}
 EXPONENT = re.compile(r"(?<![^\W\d])[\d.][eE]$")
 PLAIN = re.compile(r"[^\W\d]\w*")
 
@@ -39,13 +42,17 @@ def turned_round(top: Mapping) -> frozenset[str]:
     found: set[str] = set()
     bodies = top.entries.get("bodies", (None, None))[1]
     for _, record in bodies.entries.values() if isinstance(bodies, Mapping) else ():
-        for kind in ("pin", "turn", "move"):
+        for kind, keys in TURNS.items():
             motion = record.entries.get(kind, (None, None))[1] if isinstance(record, Mapping) else None
-            motion = motion.entries.get("by", (None, None))[1] if isinstance(motion, Mapping) else motion
-            parts = motion.items[::2] if isinstance(motion, Sequence) else [motion]
-            found |= {part.text.strip() for part in parts if isinstance(part, Scalar)
-                      and PLAIN.fullmatch(part.text.strip())}
+            for key in keys if isinstance(motion, Mapping) else keys[:1]:
+                found |= _names(motion.entries.get(key, (None, None))[1] if isinstance(motion, Mapping) else motion)
     return frozenset(found)
+
+
+def _names(motion):
+    """Of a motion, or of [x, y, phi], those that are counted by the axes."""
+    parts = motion.items[::2] if isinstance(motion, Sequence) else [motion]
+    return {part.text.strip() for part in parts if isinstance(part, Scalar) and PLAIN.fullmatch(part.text.strip())}
 
 
 def _sequences(node: Any) -> Iterator[Sequence]:
@@ -83,7 +90,8 @@ class _Sections:
         if name in AS_IT_IS:
             return node
         change = {"bodies": self.body, "springs": self.connection, "dampers": self.connection, "forces": self.load,
-                  "points": self.point}.get(name)
+                  "points": self.point, "constraints": self.constraint, "surfaces": self.surface,
+                  "energies": self.expression}.get(name)
         if name in ("initial", "equilibrium") and isinstance(node, Mapping):
             return _each(node, self.start)
         if name == "coordinates":
@@ -128,7 +136,7 @@ class _Sections:
         """A body with what moves it."""
         shape = record.entries.get("shape", (None, None))[1] if isinstance(record, Mapping) else None
         if isinstance(shape, Scalar) and shape.text in LOPSIDED:
-            raise PhysicsError(f"how a {shape.text} stands in a mirror is not told")
+            raise PhysicsError(f"how the shape '{shape.text}' stands in a mirror is not told")
         return _each(record, self._part_of_body)
 
     def _part_of_body(self, name, node):
@@ -138,6 +146,8 @@ class _Sections:
             return self.vector(node)
         if name in ("pin", "turn", "move", "slide"):
             return self._motion(name, node)
+        if name == "roll":
+            return _each(node, self._part_of_roll)
         if name == "angle":
             return self.negative(node)      # of what is the same after half a turn
         raise PhysicsError(f"what '{name}' of a body is in a mirror is not told")
@@ -155,6 +165,22 @@ class _Sections:
             key, along = entries.get("along", (Scalar("along", node.where), _right(node.where)))
             entries["along"] = key, self.vector(along)
         return Mapping(node.where, entries)
+
+    def _part_of_roll(self, name, node):
+        if name in TURNS["roll"]:
+            return self._turned_by(node)
+        if name == "flat":
+            return self._ends(node)
+        if name not in ("surface", "between", "radius", "travel"):
+            raise PhysicsError(f"what '{name}' of what rolls is in a mirror is not told")
+        return self._displacement(node) if name == "travel" else node
+
+    def surface(self, record: Any) -> Any:
+        """A line or a circle."""
+        if not isinstance(record, Mapping) or "curve" in record.entries:
+            raise PhysicsError("a surface given by a curve is not mirrored")
+        return _each(record, lambda name, node: self._ends(node) if name == "line" else
+                     self.vector(node) if name == "circle" else node)
 
     def _displacement(self, node):
         return node if PLAIN.fullmatch(node.text.strip()) else self.expression(node)
@@ -193,6 +219,23 @@ class _Sections:
             self.negative(node) if name == "moment" or (name == "value" and other)
             else self.vector(node) if isinstance(node, Sequence)
             else self.expression(node) if name in ("force", "value") else node))
+
+    def constraint(self, record: Any) -> Any:
+        """An equation, a joint or a link of two points, a rope over pulleys, a point on a surface."""
+        if not isinstance(record, Mapping) or not record.entries.keys() <= TIES:
+            raise PhysicsError("only equations, joints, links, ropes and points on surfaces are mirrored")
+        return _each(record, lambda name, node: self.expression(node) if name == "equation" else
+                     self._ends(node) if isinstance(node, Sequence) and name != "point" else self.vector(node))
+
+    def _ends(self, node):
+        found = Sequence(node.where)
+        found.items.extend(self._guide(one) if isinstance(one, Mapping) else self.vector(one) for one in node.items)
+        return found
+
+    def _guide(self, record):
+        """A pulley that a rope passes, on its other side."""
+        return Mapping(record.where, {OTHER_SIDE.get(name, name): (key, self.vector(node))
+                                      for name, (key, node) in record.entries.items()})
 
     def point(self, record: Any) -> Any:
         """A point, fixed or carried."""

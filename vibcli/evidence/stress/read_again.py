@@ -1,6 +1,7 @@
 """A scene file as it is read again with its document changed."""
 
 from collections.abc import Callable, Mapping
+from fractions import Fraction
 from functools import partial
 from typing import Any
 
@@ -17,15 +18,17 @@ Remade = Callable[[Callable[[DocumentMapping], DocumentMapping]], Problem]
 
 
 def read_again(top: DocumentMapping, file: str, settings: Mapping[str, tuple[Any, Scalar]], case: str | None,
-               work: Callable[[], Any] = lambda: None) -> tuple[DocumentMapping, Remade]:
+               work: Callable[[], Any] = lambda: None, drawn: Mapping[str, str] | None = None
+               ) -> tuple[DocumentMapping, Remade]:
     """(the document of a case, of the scene itself where none is named, with other values of parameters; what makes the
-    Problem of it changed). work(): what counts the long work of one."""
+    Problem of it changed). work(): what counts the long work of one; drawn: values of letters that have none in it."""
     found = with_settings(document_of_case(top, case), settings)
     found = DocumentMapping(found.where, {key: entry for key, entry in found.entries.items() if key != "cases"})
 
     def remade(change: Callable[[DocumentMapping], DocumentMapping]) -> Problem:
         problem = Problem(read_alone(change(found), file), work=work())
-        return settled(problem) if problem.spec.choices else problem
+        problem = settled(problem) if problem.spec.choices else problem
+        return problem.with_values({name: Fraction(value) for name, value in drawn.items()}) if drawn else problem
 
     return found, remade
 

@@ -1,7 +1,7 @@
 """Families in tables, and as data."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from vibcli.base.enumeration import listed
@@ -9,6 +9,7 @@ from vibcli.evidence.stress.point import StressPoint
 from vibcli.evidence.stress.shaken import Shake
 from vibcli.evidence.stress.supported import SupportedAnswer
 from vibcli.evidence.stress.sweep import FamilyPoints, about, counts
+from vibcli.evidence.told import drawn_values
 from vibcli.report.blocks import Section, TableBlock, paragraph
 
 MOVED = "Each figure of three digits or more was moved by half a unit of its last digit."
@@ -48,11 +49,13 @@ def data(found: Sequence[FamilyPoints]) -> dict[str, Any]:
                      for key, x in point._asdict().items()} for point in one.points]} for one in found]}
 
 
-def scene_sections(shakes: Sequence[Shake], answers: Sequence[SupportedAnswer]) -> list[Section]:
-    """Of a scene of the user's: what was shaken, and how far its data reach."""
+def scene_sections(shakes: Sequence[Shake], answers: Sequence[SupportedAnswer], drawn: Mapping[str, str]
+                   ) -> list[Section]:
+    """Of a scene of the user's: the values drawn for its letters, what was shaken, and how far its data reach."""
     rows = tuple((one.change, str(one.compared), one.verdict, f"{one.apart:.2g} {one.why}" if one.apart else one.why)
                  for one in shakes)
-    found = [Section("Shaken", (TableBlock(("change", "compared", "verdict", "apart/bounds"), rows),))]
+    head = "change", "compared", "verdict", "apart/bounds"
+    found = [*drawn_values(drawn), Section("Shaken", (TableBlock(head, rows),))]
     if answers:
         lines = tuple((one.asked, "" if one.value is None else f"{one.value:.6g}", _digits(one),
                        one.parameter or one.why) for one in answers)
@@ -72,7 +75,9 @@ def _digits(one: SupportedAnswer) -> str:
     return "" if one.value is None else "all" if one.digits is None else f"{one.digits:.1f}"
 
 
-def scene_data(shakes: Sequence[Shake], answers: Sequence[SupportedAnswer]) -> dict[str, Any]:
+def scene_data(shakes: Sequence[Shake], answers: Sequence[SupportedAnswer], drawn: Mapping[str, str]
+               ) -> dict[str, Any]:
     """The same as data."""
-    return {"shaken": [{**one._asdict(), "apart": one.apart if math.isfinite(one.apart) else None} for one in shakes],
+    return {"drawn": drawn or None,
+            "shaken": [{**one._asdict(), "apart": one.apart if math.isfinite(one.apart) else None} for one in shakes],
             "supported": [one._asdict() for one in answers]}

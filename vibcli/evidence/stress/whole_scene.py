@@ -16,6 +16,7 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.stress.mirrored import NotDrawn, mirrored, turned_round
 from vibcli.evidence.stress.rewritten import OF_ELEMENTS, in_parallel, power_of_two, reordered, scaled, with_numbers
 from vibcli.evidence.stress.shaken import BROKEN, EQUAL, REFUSED, WITHIN, Shake
+from vibcli.language.sections.record import dimension
 from vibcli.quantities.dimensions import asked_dimension, dimension_of
 from vibcli.quantities.expression import bounded
 from vibcli.quantities.quantity import COMPLEX, LEAPING, OF_STATE, kind_of
@@ -24,9 +25,12 @@ from vibcli.symbolic.running_errors import error_in, number_in
 from vibcli.symbolic.syntax import ExpressionError, QuantityRef
 
 RATE = {"s": -1}
+CHOSEN = 2.0**-26       # of the largest rate: by what rounding of what is chosen at a limit of stability moves others
 NONE = 0, 0, 0
 WORD = re.compile(r"[^\W\d]\w*")
 SENSED = re.compile(r"\b(arg|phase|ritz|rayleigh|[MCKG])\b|\.(?=[^\W\d])")      # what hangs on the sense of coordinates
+NUMBERED = re.compile(r"\b[MCKG]\[\d")         # by the numbers of coordinates
+PLACED = re.compile(r"\[[^\]]*\([^)\]]*\d\s+[^\W\d]")     # at a place in numbers within [ ], which stay as they are
 OF_ORDER = re.compile(r"\bmode(_d)?\[")         # shapes in which the first coordinate is 1, whichever that is
 
 
@@ -64,9 +68,9 @@ def shaken_as_a_whole(problem: Problem, remade: Callable[[Callable], Problem]) -
             continue
         turned: set[str] = set()
         try:
-            if law.powers != NONE and problem.spec.free_numbers:
-                raise PhysicsError("its numbers have no units: nobody says how they change")
+            _require_told(problem, law)
             other = remade(partial(_changed, law, turned))
+            other.draw()
         except NotDrawn:
             continue
         except (PhysicsError, SpecError) as error:
@@ -77,6 +81,28 @@ def shaken_as_a_whole(problem: Problem, remade: Callable[[Callable], Problem]) -
             if told:
                 yield _shake(problem, other, law, what, {
                     key: one._replace(value=-one.value) if key in turned else one for key, one in told.items()})
+
+
+def _require_told(problem, law):
+    """PhysicsError where units change, and not all that is given does with them, or springs, and what is chosen hangs
+    on the name of one."""
+    conditions = [record["so"].text for record in (problem.spec.choices or {}).values()]
+    if law.change is in_parallel and any(_names_a_spring(problem.spec, text) for text in conditions):
+        raise PhysicsError("what is chosen hangs on one of its springs by name")
+    if law.powers == NONE:
+        return
+    letters = set(problem.given).difference(problem.spec.choices or ())
+    if problem.spec.free_numbers or letters:
+        raise PhysicsError(f"its {'letters' if letters else 'numbers'} have no units: nobody says how they change")
+    for record in (problem.spec.get("records") or {}).values():
+        if law.powers[2] or _power(dimension(record) or {}, law):
+            raise PhysicsError("its records stay as they were measured")
+
+
+def _power(measured, law):
+    """That of 4 by which what has a dimension grows."""
+    return sum((step * Fraction(measured.get(base, 0)) for base, step in
+                zip(("m", "kg", "s"), law.powers, strict=True)), Fraction(0))
 
 
 def _changed(law, turned, top):
@@ -96,7 +122,10 @@ def _found(find, problem):
 
 def _shake(problem, other, law, what, numbers):
     """The Shake of the numbers of a scene beside those of the one written otherwise."""
-    name, (its, why) = f"{law.name}: {what}", _found(GROUPS[what], other)
+    name = f"{law.name}: {what}"
+    if what == "answers" and set(other.scene.coordinates) != set(problem.scene.coordinates):
+        return Shake(name, 0, 0.0, REFUSED, "other coordinates are independent then, and begin at rest")
+    its, why = _found(GROUPS[what], other)
     if law.powers != NONE and what == "answers":        # by their places, as numbers within them are others
         its = dict(zip(numbers, its.values(), strict=False)) if len(its) == len(numbers) else {}
     pairs = {key: (one, _back(its[key], law)) for key, one in numbers.items() if key in its}
@@ -113,19 +142,25 @@ def _shake(problem, other, law, what, numbers):
 
 def _back(one, law):
     """A number of the scene written otherwise in the units of the first."""
-    power = sum((step * Fraction(one.dimension.get(base, 0)) for base, step in
-                 zip(("m", "kg", "s"), law.powers, strict=True)), Fraction(0))
-    factor = float(power_of_two(power))
+    factor = float(power_of_two(_power(one.dimension, law)))
     return Bounded(one.value / factor, one.error / factor, one.dimension)
 
 
 def _is_told(key, law, problem, turned):
-    """Where springs are two, what is asked of one by its name is another thing; what has a sense is in a mirror."""
+    """Where springs are two, what is asked of one by its name is another thing; what has a sense is in a mirror, what
+    is numbered in another order."""
     if law.change is mirrored and key not in problem.scene.coordinates:
         named = {name for kind in OF_ELEMENTS for name in problem.spec.get(kind) or ()} | turned
         return named.isdisjoint(WORD.findall(key)) and not SENSED.search(key)
-    return law.change is not in_parallel or not any(
-        re.search(rf"\b{re.escape(name)}[.\]]", key) for name in problem.spec.get("springs") or ())
+    if law.change is reordered:
+        return not NUMBERED.search(key)
+    if law.powers != NONE and PLACED.search(key):
+        return False
+    return law.change is not in_parallel or not _names_a_spring(problem.spec, key)
+
+
+def _names_a_spring(spec, text):
+    return any(re.search(rf"\b{re.escape(name)}[.,\]]", text) for name in spec.get("springs") or ())
 
 
 def _places(problem):
@@ -141,7 +176,8 @@ def _rates(problem):
         return {}
     natural = [(complex(mode.growth_rate or 0.0, mode.omega or 0.0), float(mode.error)) for mode in problem.modal.modes]
     damped = [(complex(mode.eigenvalue), float(mode.error)) for mode in problem.modal.damped or ()]
-    return {f"{what} {number}": Bounded(rate, abs(rate) * error, RATE)
+    felt = CHOSEN * max((abs(rate) for rate, _ in natural + damped), default=0.0) if problem.spec.choices else 0.0
+    return {f"{what} {number}": Bounded(rate, max(abs(rate) * error, felt), RATE)
             for what, found in (("mode", natural), ("damped mode", damped))
             for number, (rate, error) in enumerate(sorted(found, key=lambda one: (one[0].imag, one[0].real)), 1)}
 

@@ -7,7 +7,7 @@ SUBJECTS = {
     "mode": NATURAL, "modal_mass": NATURAL,
     "zeta": DAMPED, "omega_d": DAMPED, "period_d": DAMPED, "decay": DAMPED, "eigenvalue": DAMPED, "mode_d": DAMPED,
     "value": ("motions", "of_motion"), "max": ("motions", "of_motion"), "min": ("motions", "of_motion"),
-    "argmax": ("motions", "of_motion"), "argmin": ("motions", "of_motion"),
+    "argmax": ("motions", "of_motion"), "argmin": ("motions", "of_motion"), "zero": ("motions", "of_motion"),
     "equilibrium": ("static_positions", "at_rest"),
     "frf": ("frequency_responses", "at_frequency"), "transmissibility": ("frequency_responses", "at_frequency"),
     "re": ("frequency_responses", "of_part"), "im": ("frequency_responses", "of_part"),

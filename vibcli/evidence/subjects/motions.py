@@ -22,22 +22,25 @@ KINDS = {"small": "motion", "full": "full motion"}
 
 
 def of_motion(problem: "Problem", tree: QuantityRef) -> Subject:
-    """A value, max, min, argmax or argmin of a signal."""
+    """A value, max, min, argmax, argmin or zero of a signal."""
     kind = problem.response.KIND
     if kind not in KINDS:
         raise PhysicsError("no reference is found of this kind of motion")
     motion = (reference.small if kind == "small" else reference.full)(problem)
     motion, node = _node(problem, motion, tree.args[0])
+    feature = tree.head
     if tree.head in SENSES:
         until = Fraction(problem.response.until)
         problem, until, true, cut = _until(problem, until, lambda end: reference.extremes(
             motion, node, end, SENSES[tree.head], tree.head.startswith("arg"), problem.work))
+    elif tree.head == "zero":
+        until, cut, feature = Fraction(problem.response.until), "", f"zero {tree.indices[0]}"
+        true = reference.zeros(motion, node, until, int(tree.indices[0]), problem.work)
     else:
-        until, cut = _instant(problem, tree.args[1]), ""
+        until, cut, feature = _instant(problem, tree.args[1]), "", "value"
         true = reference.at_instant(motion, node, until, problem.work)
     scale = float(true.about) or 1.0
-    plain = None if motion.parts.gaps or motion.blows else plain_equations(motion, node, float(until), tree.head
-                                                           if tree.head in SENSES else "value")
+    plain = None if motion.parts.gaps or motion.blows else plain_equations(motion, node, float(until), feature)
 
     def ours() -> MethodAnswer:
         value, bound = measure(problem.afresh(), tree)

@@ -19,6 +19,7 @@ from vibcli.mechanics.linearise import linearise
 from vibcli.mechanics.static_preload import take_over
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.running_errors import UNIT, error_in, number_in
 
 if TYPE_CHECKING:
     import numpy as np
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
 
 OPEN = 1e-9
+ROUNDINGS = 4           # of a term, preloads that statics gives among them
 LENGTHENING = ("rope", "link", "gear", "belt", "equation")
 
 
@@ -109,8 +111,37 @@ def solved(G: "np.ndarray", E: "np.ndarray") -> "tuple[np.ndarray, np.ndarray]":
     scale[scale == 0.0] = 1.0       # of what ties supports alone
     u, s, vt = np.linalg.svd((G / scale[:, None]).T, full_matrices=True)
     rank = int(np.sum(s > OPEN * s[0]))
-    multipliers = vt[:rank].T @ ((u[:, :rank].T @ -E) / s[:rank])
+    inverse = vt[:rank].T / s[:rank] @ u[:, :rank].T
+    multipliers = inverse @ -E
+    multipliers -= inverse @ (E + (G / scale[:, None]).T @ multipliers)     # which left hundreds of roundings
     return multipliers / scale, vt[rank:] / scale
+
+
+def reaction_errors(configuration: "Configuration") -> dict[str, float]:
+    """{signal: what a Reaction is off by at most}, to first order: the errors of E and G and what is left of the
+    balance, through the pseudoinverse of G."""
+    import numpy as np
+
+    released = Released(configuration.numeric)
+    scene, n, (arithmetic, rest) = released.scene.resting, len(released.real), configuration.bounded_rest
+    names, at_rest = [q.name for q in released.real], configuration.scene.resting
+    values = {**rest, **dict(zip(names, evaluate([at_rest.symbol(name) for name in names], arithmetic, rest),
+                                 strict=True)), **dict.fromkeys((q.name for q in released.held), 0.0)}
+    terms = residual_terms(linearise(scene, still=True))
+    flat = evaluate([*map(scene.table.total, terms), *constraint_slopes(scene)], arithmetic, values)
+    sums = [evaluate(row, Floats, {name: number_in(x) for name, x in values.items()}) for row in terms]
+    shape = len(scene.constraints), len(terms)
+    E, G = (np.array([number_in(x) for x in part], float) for part in (flat[:len(terms)], flat[len(terms):]))
+    off, leaning = (np.array([error_in(x) for x in part], float) for part in (flat[:len(terms)], flat[len(terms):]))
+    G, leaning = G.reshape(shape), leaning.reshape(shape)
+    multipliers = solved(G[:, :n], E[:n])[0]
+    size = np.array([sum(map(abs, row)) for row in sums]) + abs(multipliers) @ abs(G)
+    off += abs(multipliers) @ leaning + ROUNDINGS * UNIT * (len(G) + 1) * size
+    off[:n] += abs(E + multipliers @ G)[:n]
+    far = abs(np.linalg.pinv(G[:, :n].T, rcond=OPEN)) @ off[:n] if len(G) else np.zeros(0)
+    held = off[n:] + far @ abs(G[:, n:])
+    return dict(zip([*(constraint.signal for constraint in scene.constraints), *(q.name for q in released.held)],
+                    map(float, (*far, *held)), strict=True))
 
 
 def slack(reactions: Sequence[Reaction]) -> list[Any]:

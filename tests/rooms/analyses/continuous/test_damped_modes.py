@@ -10,6 +10,7 @@ import pytest
 
 from tests.support.random_members import at_rest, random_members
 from tests.support.scenes import problem
+from vibcli.analyses.continuous import damped_roots
 from vibcli.analyses.continuous.argument_count import zeros_within
 from vibcli.analyses.continuous.damped_source import DampedModes
 from vibcli.analyses.continuous.dynamic_matrix import dynamic_matrix
@@ -306,3 +307,11 @@ def test_a_chain_beside_a_damped_string_is_not_looked_for_from_afar():
     found = trial_eigenvalues(dynamic_matrix(system), [12, 4], 20.0)
     expected = [0.5 * float(mpmath.besseljzero(0, n)) * (10 / 1.2)**0.5 for n in (1, 2, 3)]
     assert sorted(found.imag)[:3] == pytest.approx(expected, rel=1e-9)
+
+
+def test_where_a_rate_has_no_inverse_no_root_is_told(monkeypatch):
+    """As near a damper that drives a bar as strongly as its waves can bear."""
+    nothing = np.zeros((2, 2), complex)
+    monkeypatch.setattr(damped_roots, "_scaled", lambda found, s: (nothing, nothing, np.ones(2)))
+    monkeypatch.setattr(damped_roots.Whole, "at", lambda self, s: None)
+    assert damped_roots.roots_at(damped_roots.Whole(None), 1j) == []

@@ -238,3 +238,13 @@ def test_what_moves_freely_beside_what_its_weight_bends_is_left_where_it_is(leng
     size = 1.3 if length != "L" else 1.0
     bent = [(x / size) ** 2 * (80 / 0.9) ** 0.5 for x in (4.730040744862704, 7.853204624095838)]
     assert both == pytest.approx(sorted([0, 0, *alone, *bent])[:8], rel=1e-11)
+
+
+@pytest.mark.filterwarnings("error")
+def test_a_beam_of_next_to_no_length_is_refused():
+    """Floats hold its frequencies, but not the unit of kinetic energy of its shapes."""
+    one = problem("beams: {b: {length: 3e-40 m, EI: 1.75e9 N*m^2, mass_per_length: 1200 kg/m, left: pinned, "
+                  "right: pinned}}\npoints: {middle: {body: b, at: 1.5e-40 m}}\n"
+                  "forces: {F: {at: middle, force: 1 N}}\n")
+    with pytest.raises(PhysicsError, match="so far apart"):
+        one.modal.modes.first(2)

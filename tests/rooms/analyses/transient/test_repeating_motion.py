@@ -98,3 +98,12 @@ def test_a_load_with_a_mean_drives_away_what_nothing_holds():
     scene = vibcli.loads(LOOSE + "forces: {f: {at: a, force: 5 N*(1 + square(4 rad/s*t))}}")
     with pytest.raises(vibcli.PhysicsError, match="a constant force drives a motion that nothing holds"):
         scene["max(steady(x))"]
+
+
+def test_a_mean_over_billions_of_waves_is_refused():
+    """As many as a mode of 1e10 rad/s makes in a period of 1000 s."""
+    scene = vibcli.loads("bodies: {b: {mass: 1 kg, slide: x}}\nsprings: {s: {k: 1e20 N/m, between: [ground, b]}}\n"
+                         "dampers: {d: {c: 1e9 N*s/m, between: [ground, b]}}\n"
+                         "forces: {F: {at: b, force: 1 N*square(0.006 rad/s*t)}}\n")
+    with pytest.raises(vibcli.PhysicsError, match="the mean of its square is not found"):
+        scene["rms(x)"]
