@@ -6,12 +6,11 @@ from pathlib import Path
 
 import pytest
 from support.renderings import FORMATS, Page, faults, unbalanced
-from support.scenes import kept_problem_of
+from support.scenes import kept_settled_of
 
 from vibcli.api.reports import data, report, solution
 from vibcli.base.errors import PhysicsError
 from vibcli.cli.program import run
-from vibcli.inverse import settled
 from vibcli.report.blocks import Document, paragraph, section
 from vibcli.report.formats import text
 
@@ -21,7 +20,7 @@ FILES = sorted((Path(__file__).parents[2] / "problems").glob("*/*.yaml"))
 @pytest.mark.sweep
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_of_all_problems(path):
-    found = settled(kept_problem_of(path))
+    found = kept_settled_of(path)
     sections = solution(found)
     assert not faults(report(found, sections).document(), FORMATS)
     with suppress(PhysicsError):
