@@ -12,7 +12,7 @@ from xdist.scheduler import LoadScopeScheduling
 
 ROOT = Path(__file__).parents[2]
 PER_PART = 3        # processes
-KEPT = {"variants": "kept_variants_of", "problems": "kept_(problem|instances|drawing)_of"}      # {name: what keeps}
+KEPT = {"variants": "kept_variants_of", "problems": "kept_(problem|settled|instances|drawing)_of"}  # {name: keeper}
 
 
 @cache

@@ -3,10 +3,10 @@ elements, braces and environments that are not closed."""
 
 import re
 from collections.abc import Iterable, Iterator
-from html.parser import HTMLParser
 from types import ModuleType
 from typing import Any
 from xml.etree import ElementTree
+from xml.parsers import expat
 
 from vibcli.notation.numbers import width
 from vibcli.report.blocks import Document, Equations, Paragraph, TableBlock
@@ -16,13 +16,13 @@ WIDEST = 102
 WIDEST_FORMULA, SPACED = 125, "+−=<>≤"     # columns of formulas of a page; signs between spaces
 FORMULA = re.compile("<math .*?</math>", re.DOTALL)
 FORMATS = (text, markdown, latex, html, asciidoc, typst)
-TYPED = re.compile(r"\bN\*|\*s/m\b|\bkg\*m|\bm/s\^2|\d deg\b")
-TOO_LONG = re.compile(r"an expression of \d+ characters(?!;\W+in\b)")
-NOTHING = re.compile(r"\b(None|nan|NaN)\b(?! [a-z])")
+WRONG = {word: re.compile(wrong) for word, wrong in {      # {what stands in it: what is wrong}
+    "N*": r"\bN\*", "*s/m": r"\*s/m\b", "kg*m": r"\bkg\*m", "m/s^2": r"\bm/s\^2", " deg": r"\d deg\b",
+    "an expression of": r"an expression of \d+ characters(?!;\W+in\b)",
+    **{word: rf"\b{word}\b(?! [a-z])" for word in ("None", "nan", "NaN")}}.items()}
 ROUNDING = re.compile(r"(?<![\d.])\d(?:\.\d+)?e-1[3-9]")
 BOUNDS = re.compile("error|what is left|residual|left of")    # heads of numbers that tell how small something is
 BOUNDED = re.compile("what is left|by a search|holds to|agrees to|stay closed|±")
-VOID = {"meta", "br", "img", "link", "hr", "input"}
 # Attributes of the elements of a page that the standards of HTML and MathML know; others than `id` and `class` of all.
 ATTRIBUTES = {
     "html": "lang", "meta": "charset name content http-equiv", "a": "href", "nav": "aria-label", "p": "role",
@@ -30,34 +30,33 @@ ATTRIBUTES = {
     "mtable": "columnalign displaystyle", "mo": "stretchy fence separator form lspace rspace minsize maxsize symmetric",
     "mfrac": "linethickness displaystyle", "mpadded": "width lspace height depth voffset", "mtd": "columnspan rowspan",
     "mstyle": "displaystyle scriptlevel", "mrow": "displaystyle"}
+GLOBAL = {"id", "class"}
+KNOWN = {tag: {*GLOBAL, *names.split()} for tag, names in ATTRIBUTES.items()}
 
 
-class Page(HTMLParser):
-    """HTML in which every element is closed where it should be and has attributes that it may have; paths of pictures
-    say where they run."""
+class Page:
+    """What is `wrong` with HTML that is XML as well: elements that are not closed where they should be, attributes that
+    they may not have, paths of pictures that do not say where they run."""
 
-    def __init__(self):
-        super().__init__()
-        self.open, self.wrong = [], []
+    def __init__(self, text: str):
+        self.wrong: list[str] = []
+        self._pictures = 0      # that stand open
+        parser = expat.ParserCreate()
+        parser.StartElementHandler, parser.EndElementHandler = self._begins, self._ends
+        try:
+            parser.Parse(text, True)
+        except expat.ExpatError as error:
+            self.wrong.append(str(error))
 
-    def handle_starttag(self, tag, attrs):
-        self._look(tag, dict(attrs))
-        if tag not in VOID:
-            self.open.append(tag)
-
-    def handle_startendtag(self, tag, attrs):
-        self._look(tag, dict(attrs))
-
-    def _look(self, tag, attributes):
-        if "svg" in self.open:
+    def _begins(self, tag, attributes):
+        if self._pictures:
             self.wrong += ["path without d"] * (tag == "path" and "d" not in attributes)
-        elif tag != "svg":
-            known = {"id", "class", *ATTRIBUTES.get(tag, "").split()}
-            self.wrong += [f"{tag} {name}" for name in attributes if name not in known]
+        elif tag != "svg" and attributes:
+            self.wrong += [f"{tag} {name}" for name in attributes if name not in KNOWN.get(tag, GLOBAL)]
+        self._pictures += tag == "svg"
 
-    def handle_endtag(self, tag):
-        if not self.open or self.open.pop() != tag:
-            self.wrong.append(tag)
+    def _ends(self, tag):
+        self._pictures -= tag == "svg"
 
 
 def numbers_in(block: Any) -> Iterator[str]:
@@ -117,15 +116,12 @@ def faults(document: Document, formats: Iterable[ModuleType]) -> list[str]:
         found += [f"{section.title}: {told}" for told in small]
     for kind in formats:
         shown = kind.render([document], None)
-        found += [f"{kind.__name__}: {one.group()}" for wrong in (TYPED, NOTHING, TOO_LONG)
+        found += [f"{kind.__name__}: {one.group()}" for word, wrong in WRONG.items() if word in shown
                   for one in wrong.finditer(shown)]
         if kind is text:
             found += [line for line in shown.split("\n") if width(line) > WIDEST]
         elif kind is html:
-            page = Page()
-            page.feed(shown)
-            found += [f"html: {page.wrong or page.open}"] * bool(page.wrong or page.open)
-            found += too_wide(shown)
+            found += [f"html: {wrong}" for wrong in Page(shown).wrong] + too_wide(shown)
         elif kind is latex:
             found += ["latex: not ASCII"] * (not shown.isascii()) + unbalanced(shown)
     return found

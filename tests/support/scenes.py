@@ -1,10 +1,12 @@
 """Scenes for tests: a text to a Problem, and the value of an expression by a walk of its own over the syntax tree."""
 
 import math
-from functools import cache
+from functools import cache, wraps
+from pathlib import Path
 from textwrap import dedent
 
 from vibcli.check.instances import Instances
+from vibcli.inverse import settled
 from vibcli.language.document.document import read, read_file
 from vibcli.quantities.expression import measure
 from vibcli.reader.read import read_spec
@@ -26,13 +28,19 @@ def problem_of(path):
     return Problem(read_spec(node, str(path), diagnostics))
 
 
-@cache
+def kept(of_file):
+    """One for all tests of a process that only read what it finds, however they name the file."""
+    known = cache(of_file)
+    return wraps(of_file)(lambda path, *more: known(Path(path).resolve(), *more))
+
+
+@kept
 def kept_problem_of(path):
-    """The same, one for all tests of a process: for those that only read what it finds."""
+    """The Problem of a file."""
     return problem_of(path)
 
 
-@cache
+@kept
 def kept_drawing_of(path, case=""):
     """What is drawn of it, or of one of its cases, to be looked at by several tests."""
     from vibcli.drawing.drawing import draw
@@ -41,11 +49,19 @@ def kept_drawing_of(path, case=""):
     return tuple(draw(found.case(case) if case else found))
 
 
-@cache
+@kept
+def kept_settled_of(path):
+    """The same with the first solution for what it chooses."""
+    return settled(kept_problem_of(path))
+
+
+@kept
 def kept_instances_of(path, case=""):
-    """Its Instances with numbers, of one of its cases where that is named; they, too, are the same for all tests."""
+    """Its Instances with numbers, of one of its cases where that is named."""
     found = kept_problem_of(path)
-    return Instances(found.case(case) if case else found)
+    if case:
+        return Instances(found.case(case))
+    return Instances(found if found.symbolic.letters else kept_settled_of(path))
 
 
 def number(tree, names, functions=math):

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from support.decays import wrong_decays
-from support.scenes import problem_of
+from support.scenes import kept_problem_of
 
 from vibcli.check.verdicts import check
 
@@ -19,7 +19,7 @@ TRIALS = sorted(Path(__file__).parent.glob("*.yaml"))
 def test_its_answers_agree(path):
     """And the decay of each damped mode is its ζω."""
     assert path.read_text(encoding="utf-8").startswith("# ")
-    scene = problem_of(path)
+    scene = kept_problem_of(path)
     verdicts = check(scene)
     assert verdicts and not [verdict for verdict in verdicts if not verdict.agrees]
     assert not wrong_decays(scene)

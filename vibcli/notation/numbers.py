@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 SHOWN = 6
 FEWER = "?"         # behind a number with fewer digits than are asked for, all that the bound of its error allows
 NEGATIVE = re.compile(r"(?<![\w.])-(?=[\d.])")        # the sign of a number in a text, not of an exponent
+COMBINING = re.compile("[\u0300-\u036f]")      # dots over letters
 LARGEST = 48        # denominators up to here are written as fractions
 LONGEST, FIGURES = 999, 4       # up to here they may be, where a decimal has more figures than so many
 
@@ -87,7 +88,7 @@ def table(rows: Sequence[list[str]], head: Sequence[str]):
 
 def width(text: str) -> int:
     """Columns of a text: combining dots take none."""
-    return len(text) if text.isascii() else sum(1 for letter in text if not "\u0300" <= letter <= "\u036f")
+    return len(text) if text.isascii() else len(text) - len(COMBINING.findall(text))
 
 
 def padded(text: str, columns: int) -> str:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 def split(value: Fraction | int, factors: "Sequence[tuple[Node, Any]]") -> tuple[Any, ...]:
     """(value, above, below, under the root above, under it below) of value·Π base^e: lists of (node, exponent > 0)."""
-    above, below, root_above, root_below, inside, powers = [], [], [], [], Fraction(1), []
+    above, below, root_above, root_below, inside, powers = [], [], [], [], ONE, []
     for base, exponent in (rooted_square(*pair) for pair in factors):
         if exponent.denominator == 4:
             (root_above if exponent > 0 else root_below).append((base, 2 * abs(exponent)))
@@ -42,11 +42,11 @@ def split(value: Fraction | int, factors: "Sequence[tuple[Node, Any]]") -> tuple
         power = powers[0][0].table.product(*((base, e * d) for base, e in powers)), Fraction(1, d)
         above.insert(place(above, [power]), power)
     outside, inside = square_part(inside)
-    value, inside = value * outside, Fraction(inside)
+    value = value * outside
     if root_above or root_below:
         value, inside = _shared(value, inside)
         if value.numerator == 1 and root_above and root_below and not above and _joins(value, below):
-            inside /= value.denominator**2
+            inside = Fraction(inside) / value.denominator**2
             value, root_below, below = ONE, _squares(below, root_below), []
     return value, *_with_number(inside, factors, above, below, root_above, root_below)
 
@@ -61,7 +61,7 @@ def place(above: Any, root_above: "Sequence[tuple[Node, Fraction | int]]") -> in
 def _shared(value, inside):
     """The rational outside and that under the root, in which no factor stands below the one and above the other."""
     if inside != 1 and value.denominator <= LARGEST and gcd(inside.numerator, value.denominator) > 1:
-        return value.numerator, inside / value.denominator**2
+        return value.numerator, Fraction(inside) / value.denominator**2
     return value, inside
 
 

@@ -1,9 +1,12 @@
 """A canvas of text: dots of braille (two by four to a cell), one layer a curve, and characters where no dots are."""
 
 from collections.abc import Sequence
+from functools import reduce
 from itertools import pairwise
+from operator import or_
 
 _BITS = ((0x01, 0x02, 0x04, 0x40), (0x08, 0x10, 0x20, 0x80))
+_EMPTY = 0x2800     # the character of braille without dots
 
 
 class Canvas:
@@ -41,9 +44,10 @@ class Canvas:
             self.dot(layer, *map(rounded, points[0]))
         for (x, y), (x_end, y_end) in pairwise(points):
             steps = max(abs(rounded(x_end) - rounded(x)), abs(rounded(y_end) - rounded(y)), 1)
+            across, down = x_end - x, y_end - y
             for i in range(steps + 1):
                 if pattern[(count + i) % period] == "x":
-                    self.dot(layer, rounded(x + (x_end - x) * i / steps), rounded(y + (y_end - y) * i / steps))
+                    self.dot(layer, rounded(x + across * i / steps), rounded(y + down * i / steps))
             count += steps
 
     def used(self, row: int, column: int) -> list[int]:
@@ -71,16 +75,15 @@ class Canvas:
 
     def lines(self) -> list[str]:
         """The rows as text, in braille."""
-        return ["".join(self.letters.get((row, column)) or self._braille(row, column)
-                        or self.behind.get((row, column), " ") for column in range(self.columns))
-                for row in range(self.rows)]
-
-    def _braille(self, row, column):
-        place = row * self.columns + column
-        dots = 0
-        for layer in self.layers:
-            dots |= layer[place]
-        return chr(0x2800 + dots) if dots else ""
+        dots = reduce(or_, (int.from_bytes(layer, "big") for layer in self.layers), 0)
+        found = [chr(_EMPTY + dot) if dot else " " for dot in dots.to_bytes(self.columns * self.rows, "big")]
+        for (row, column), cell in self.behind.items():
+            if found[row * self.columns + column] == " ":
+                found[row * self.columns + column] = cell
+        for (row, column), cell in self.letters.items():
+            if cell:
+                found[row * self.columns + column] = cell
+        return ["".join(found[i:i + self.columns]) for i in range(0, len(found), self.columns)]
 
 
 def rounded(value: float) -> int:

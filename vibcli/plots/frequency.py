@@ -63,7 +63,7 @@ def lag(values: "Sequence[complex] | np.ndarray") -> tuple[float, ...]:
             continue
         angle = -math.degrees(cmath.phase(h))
         angle = angle + 360 if angle < -180 + 1e-9 else angle
-        if last is not None:
+        if last is not None and not -180 <= angle - last <= 180:
             turns = (angle - last) / 360
             angle -= 360 * (math.ceil(turns - 0.5 - 1e-9) if turns > 0 else math.floor(turns + 0.5 + 1e-9))
         found.append(angle)

@@ -107,8 +107,11 @@ def _places(values, log):
 
 
 def _strokes(curve, panel):
+    xs, ys = _places(curve.x, panel.x_log), _places(curve.y, panel.y_log)
+    if xs and None not in xs and None not in ys:
+        return [list(zip(xs, ys, strict=True))]
     runs, run = [], []
-    for x, y in zip(_places(curve.x, panel.x_log), _places(curve.y, panel.y_log), strict=True):
+    for x, y in zip(xs, ys, strict=True):
         if x is None or y is None:
             if run:
                 runs.append(run)

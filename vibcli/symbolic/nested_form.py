@@ -31,6 +31,7 @@ def nested(table: "Table", terms: Any) -> "Node":
     return _nested(table, terms, {})
 
 
+@remembered
 def letters(node: "Node") -> int:
     """The number of symbols, functions, numbers other than one, and powers a node shows when it is written out."""
     if node.op == "product":

@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import wraps
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
-from vibcli.symbolic.rationals import HALF, ONE, ZERO, exact_root
+from vibcli.symbolic.rationals import HALF, ONE, exact_root
 
 if TYPE_CHECKING:
     from vibcli.symbolic.expression import Table
@@ -133,12 +133,22 @@ def rooted_square(base: Node, exponent: Fraction) -> tuple[Node, Fraction]:
 
 def times(a: Sequence[tuple[Node, Fraction | int]], b: Any,
           power: int = 1) -> tuple[tuple[Node, Fraction | int], ...]:
-    """The monomial a·b^power."""
-    exponents = dict(a)
+    """The monomial a·b^power; the atoms of a are in the order of their indices."""
+    exponents, as_in_a = dict(a), True
     for atom, e in b:
-        total = exponents.get(atom, ZERO) + e * power
-        if total:
-            exponents[atom] = total
+        total = e * power
+        if atom in exponents:
+            total = exponents[atom] + total
+            if not total:
+                del exponents[atom]
+                continue
+        elif total:
+            as_in_a = False
         else:
-            exponents.pop(atom, None)
-    return tuple(sorted(exponents.items(), key=lambda pair: pair[0].index))
+            continue
+        exponents[atom] = total
+    return tuple(exponents.items()) if as_in_a else tuple(sorted(exponents.items(), key=_index))
+
+
+def _index(pair):
+    return pair[0].index

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.node import remembered, times
-from vibcli.symbolic.rationals import HALF, ONE, ZERO, exact_root
+from vibcli.symbolic.rationals import HALF, ONE, ZERO, exact, exact_root
 
 if TYPE_CHECKING:
     from vibcli.symbolic.expression import Table
@@ -77,10 +77,12 @@ def multiplied(left: Any, right: Any) -> "dict[tuple[tuple[Node, Fraction | int]
     found = {}
     if len(left) * len(right) > 20 * MOST:
         raise TooLong
+    folds = any(atom.op in ("number", "product") for terms in (left, right) for monomial in terms
+                for atom, _ in monomial)
     for a, x in left.items():
         for b, y in right.items():
             monomial, value = times(a, b), x * y
-            if any(e.denominator == 1 and atom.op in ("number", "product") for atom, e in monomial):
+            if folds and any(atom.op in ("number", "product") and e.denominator == 1 for atom, e in monomial):
                 product = monomial[0][0].table.product(*monomial)  # a number too long to fold stays an atom
                 parts = {monomial: product.coefficient} if product.args == monomial else expanded(product, ())
                 for part, c in parts.items():
@@ -109,12 +111,17 @@ def _shorten(terms, monomial):
         a.args != b.args and _addition(terms, monomial, a, b) for (a, _), (b, _) in combinations(sines, 2))
 
 
+@remembered
+def _swapped(atom):
+    """cos u of sin u, and sin u of cos u."""
+    return atom.table.call("cos" if atom.name == "sin" else "sin", *atom.args)
+
+
 def _square(terms, monomial, atom):
     """c·R·f² + c·R·g² = c·R for f, g = sin u, cos u; and c·R − c·R·f² = c·R·g²."""
     value = terms[monomial]
-    rest = times(monomial, ((atom, Fraction(2)),), -1)
-    other = atom.table.call("cos" if atom.name == "sin" else "sin", *atom.args)
-    partner = times(rest, ((other, Fraction(2)),))
+    rest = times(monomial, ((atom, 2),), -1)
+    partner = times(rest, ((_swapped(atom), 2),))
     for other, left, c in ((partner, rest, value), (rest, partner, -value)):
         if terms.get(other) == c:
             _move(terms, (monomial, other), left, c)
@@ -124,11 +131,9 @@ def _square(terms, monomial, atom):
 
 def _fourth_power(terms, monomial, atom):
     """c·R·f⁴ + 2·c·R·f²·g² + c·R·g⁴ = c·R for f, g = sin u, cos u."""
-    value = terms[monomial]
-    other = atom.table.call("cos" if atom.name == "sin" else "sin", *atom.args)
-    rest = times(monomial, ((atom, Fraction(4)),), -1)
-    mixed, last = (times(rest, factors) for factors in (((atom, Fraction(2)), (other, Fraction(2))),
-                                                        ((other, Fraction(4)),)))
+    value, other = terms[monomial], _swapped(atom)
+    rest = times(monomial, ((atom, 4),), -1)
+    mixed, last = (times(rest, factors) for factors in (((atom, 2), (other, 2)), ((other, 4),)))
     if terms.get(mixed) != 2 * value or terms.get(last) != value:
         return False
     _move(terms, (monomial, mixed, last), rest, value)
@@ -138,9 +143,8 @@ def _fourth_power(terms, monomial, atom):
 def _addition(terms, monomial, a, b):
     """cos a cos b ± sin a sin b = cos(a ∓ b) and sin a cos b ± cos a sin b = sin(a ± b)."""
     table, value = a.table, terms[monomial]
-    swap = {"sin": "cos", "cos": "sin"}
     rest = times(monomial, ((a, ONE), (b, ONE)), -1)
-    partner = times(rest, ((table.call(swap[a.name], *a.args), ONE), (table.call(swap[b.name], *b.args), ONE)))
+    partner = times(rest, ((_swapped(a), ONE), (_swapped(b), ONE)))
     other = terms.get(partner)
     if other is None or abs(other) != abs(value):
         return False
@@ -251,10 +255,10 @@ def factors_of(table: "Table", terms: Any) -> "tuple[tuple[Node, Fraction | int]
               for atom in {atom for monomial in monomials for atom, _ in monomial}}
     content = tuple(sorted((pair for pair in common.items() if pair[1]), key=lambda pair: pair[0].index))
     scale = _scale(list(terms.values()))
-    inner = {times(monomial, content, -1): value / scale for monomial, value in terms.items()}
+    inner = {times(monomial, content, -1): exact(value / scale) for monomial, value in terms.items()}
     root = square_root(inner)
     node = _node(table, inner if root is None else reduced(root))
-    return ((table.number(scale), ONE), (node, ONE if root is None else Fraction(2)), *content)
+    return ((table.number(scale), ONE), (node, ONE if root is None else 2), *content)
 
 
 def _node(table, terms):
@@ -272,7 +276,8 @@ def square_root(terms: Any) -> "dict[tuple[tuple[Node, Fraction], ...], Fraction
     """The polynomial whose square this is (up to sign), None where there is none of up to four terms."""
     squares = {monomial: exact_root(value) for monomial, value in terms.items()
                if all(e.denominator == 1 and e.numerator % 2 == 0 for _, e in monomial) and value > 0}
-    roots = [(tuple((atom, e * HALF) for atom, e in monomial), value) for monomial, value in squares.items() if value]
+    roots = [(tuple((atom, e.numerator // 2) for atom, e in monomial), exact(value))
+             for monomial, value in squares.items() if value]
     k = len(roots)
     if not 2 <= k <= 4 or len(terms) != k * (k + 1) // 2:
         return None

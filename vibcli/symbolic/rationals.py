@@ -41,7 +41,9 @@ def rational_power(base: Fraction | int, exponent: Fraction | int) -> Fraction |
         raise ZeroDivisionError("division by zero")
     if exponent.denominator == 1:
         power = exponent.numerator
-        return exact(Fraction(base)**power) if bits(base) * abs(power) <= BITS else None
+        if bits(base) * abs(power) > BITS:
+            return None
+        return base**power if base.__class__ is int and power > 0 else exact(Fraction(base)**power)
     if exponent.denominator == 2 and base >= 0:
         root = exact_root(base)
         return None if root is None else rational_power(exact(root), exact(exponent * 2))
@@ -56,12 +58,16 @@ def exact_root(value: Fraction | int):
 
 def square_part(value: Fraction | int) -> tuple[Fraction | int, Fraction | int]:
     """(r, n) with value = r²·n and n an integer without small square factors: √8 = 2√2, √(1/2) = √2/2."""
-    inside, outside = value.numerator * value.denominator, Fraction(1, value.denominator)
-    if value <= 0 or inside.bit_length() > BITS // 2:
+    inside, outside = value.numerator * value.denominator, 1
+    if inside <= 0 or inside.bit_length() > BITS // 2:
         return ONE, value
     for prime in (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31):
+        if prime**2 > inside:
+            break
         while inside % prime**2 == 0:
             inside //= prime**2
             outside *= prime
     root = isqrt(inside)
-    return (exact(outside * root), 1) if root * root == inside else (exact(outside), inside)
+    if root * root == inside:
+        outside, inside = outside * root, 1
+    return outside if value.__class__ is int else exact(Fraction(outside, value.denominator)), inside

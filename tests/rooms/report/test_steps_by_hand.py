@@ -6,9 +6,8 @@ import math
 from pathlib import Path
 
 import pytest
-from support.scenes import kept_problem_of
+from support.scenes import kept_settled_of
 
-from vibcli.inverse import settled
 from vibcli.notation.plain import plain
 from vibcli.report.formats.formula import formula
 from vibcli.report.steps.worked import worked
@@ -20,7 +19,7 @@ G = 9.81
 @pytest.fixture
 def lines(request):
     found, = Path("problems").glob(f"*/{request.param}.yaml")
-    return {line.settles: line for line in worked(settled(kept_problem_of(found)))}
+    return {line.settles: line for line in worked(kept_settled_of(found))}
 
 
 def text(line):

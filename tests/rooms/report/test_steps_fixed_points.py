@@ -5,9 +5,8 @@ from pathlib import Path
 
 import mpmath
 import pytest
-from support.scenes import kept_problem_of, problem
+from support.scenes import kept_problem_of, kept_settled_of, problem
 
-from vibcli.inverse import settled
 from vibcli.report.steps.worked import worked
 from vibcli.symbolic.evaluation import Floats, evaluate
 
@@ -51,7 +50,7 @@ def test_a_load_that_is_another_at_each_frequency_has_none():
 
 
 def test_the_spring_that_makes_them_equally_high():
-    lines = told(settled(kept_problem_of(Path("vibcli/examples/damped_absorber.yaml"))))
+    lines = told(kept_settled_of(Path("vibcli/examples/damped_absorber.yaml")))
     heights = [lines[f"height of fixed point {letter}"].value for letter in "PQ"]
     assert heights == pytest.approx([50 / 8000 * 21**0.5] * 2, rel=1e-12)
     assert lines["one height"].number + 1 == lines["k2"].number

@@ -4,10 +4,9 @@ import math
 from pathlib import Path
 
 import pytest
-from support.scenes import kept_problem_of, problem
+from support.scenes import kept_problem_of, kept_settled_of, problem
 
 from vibcli.base.errors import PhysicsError
-from vibcli.inverse import settled
 from vibcli.notation.plain import plain
 from vibcli.report.formats.formula import formula
 from vibcli.report.steps.ends import Ends
@@ -25,7 +24,7 @@ def told(lines):
 @pytest.mark.parametrize("path", MEMBERS, ids=lambda path: path.stem)
 def test_every_member_has_its_lines(path):
     """Frequencies are those of the engine; each root gives its frequency by its own line."""
-    scene = settled(kept_problem_of(path))
+    scene = kept_settled_of(path)
     if path.stem in UNTOLD:
         with pytest.raises(PhysicsError, match="equilibrium is not known in letters"):
             worked(scene)
@@ -118,7 +117,7 @@ answers: {rope.force.1(0 s): 40 N, rope.force.2(0 s): 36 N}
                                     "π·r₁·d⁴·G/(32·r₂)·∂φ/∂x of two at x = 0"]), ("cantilever_with_tip_mass", [])])
 def test_what_members_are_held_to_has_its_balance(stem, wanted):
     """Newton's and Euler's laws of a cart under the shear at the foot of its mast, of a pair of wheels on shafts."""
-    lines = told(worked(settled(kept_problem_of(Path("problems/8_continuous") / f"{stem}.yaml"))))
+    lines = told(worked(kept_settled_of(Path("problems/8_continuous") / f"{stem}.yaml")))
     assert [line.partition(":  ")[2] for line in lines if line.startswith("what it is held to")] == wanted
 
 

@@ -77,17 +77,25 @@ def with_tens(text: str) -> str:
 def rows(parts: Any, write: Any, columns: int) -> list[str]:
     """A formula broken into rows of about so many columns of plain text: between clauses and words where that is
     enough, else before a relation or a term."""
-    found, size = [[]], 0
+    return [text for text, _ in rows_and_plain(parts, write, columns)]
+
+
+def rows_and_plain(parts: Any, write: Any, columns: int) -> list[tuple[str, str]]:
+    """[(row, the same in plain text)] of a formula broken into rows."""
+    found, size = [([], [])], 0
     for clause in _clauses(parts):
-        widths = [width(said) for said in pieces(clause, plain)]
+        told = pieces(clause, plain)
+        texts = told if write is plain else pieces(clause, write)
+        widths = list(map(width, told))
         together = sum(widths) if sum(widths) <= columns else sum(widths[:2])
-        for i, (wide, text) in enumerate(zip(widths, pieces(clause, write), strict=True)):
+        for i, (wide, text, said) in enumerate(zip(widths, texts, told, strict=True)):
             if size > STUB and size + (wide if i else together) > columns:
-                found.append([])
+                found.append(([], []))
                 size = 0
-            found[-1].append(text)
+            found[-1][0].append(text)
+            found[-1][1].append(said)
             size += wide
-    return [write.beside(*row).strip() for row in found]
+    return [(write.beside(*row).strip(), plain.beside(*said).strip()) for row, said in found]
 
 
 def _clauses(parts):

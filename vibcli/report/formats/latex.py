@@ -18,7 +18,7 @@ from vibcli.report.blocks import (
     Refusal,
     TableBlock,
 )
-from vibcli.report.formats.formula import apart, formula, rows, without_words
+from vibcli.report.formats.formula import apart, formula, rows, rows_and_plain, without_words
 from vibcli.report.formats.text import running
 
 COLUMNS = 95        # of plain text, in a row of a formula
@@ -76,8 +76,8 @@ def _equations(block):
 
 def _fitted_rows(parts, write, columns):
     """Rows of a formula, made smaller where they may be too wide for a page."""
-    return [rf"\wide{{$\displaystyle {row}$}}" if width(text) > FITTING else row for row, text in zip(
-        rows(parts, write, columns), rows(parts, plain, columns), strict=True)]
+    return [rf"\wide{{$\displaystyle {row}$}}" if width(text) > FITTING else row
+            for row, text in rows_and_plain(parts, write, columns)]
 
 
 def aligned(block: Equations, write: Latex, broken: Callable = rows) -> list[str]:
