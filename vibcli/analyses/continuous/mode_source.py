@@ -15,6 +15,7 @@ from vibcli.analyses.continuous.rigid_motions import never_grows, rigid_count, r
 from vibcli.analyses.continuous.system import continuous_system
 from vibcli.analyses.continuous.uniform_members import uniform_member
 from vibcli.analyses.continuous.uniform_shapes import uniform_modes
+from vibcli.analyses.modal.scaling import mechanism
 from vibcli.analyses.modal.undamped import Mode
 from vibcli.base.errors import PhysicsError
 from vibcli.numerics.sparse_elimination import quadratic
@@ -40,6 +41,7 @@ class NaturalModes:
         if elements.circulatory:
             raise PhysicsError("modes of members are not found where forces follow what they act on",
                                "take the force along a fixed direction, or make the member massless")
+        _require_tied(elements)
         self.elements, self.precise, self.digits = elements, precise, digits
         self._known: dict[int | None, KnownCounts] = {}
         self.ground, self._resting = self._grounded()
@@ -174,6 +176,15 @@ def _rate(root):
 
     with working(digits):
         return mp.sqrt(abs(root.z))
+
+
+def _require_tied(elements):
+    """UnheldCoordinate of a coordinate without inertia that no spring and no member ties."""
+    ends = [row for placed in elements.pieces for row in placed.rows]
+    rows = [*(row for _, row in elements.springs), *elements.K, *elements.G, *ends]
+    for i in elements.massless:
+        if not any(i in row for row in rows):
+            raise mechanism(i)
 
 
 def _undecided():

@@ -248,3 +248,14 @@ def test_a_beam_of_next_to_no_length_is_refused():
                   "forces: {F: {at: middle, force: 1 N}}\n")
     with pytest.raises(PhysicsError, match="so far apart"):
         one.modal.modes.first(2)
+
+
+def test_what_has_no_inertia_beside_a_member_is_a_mechanism():
+    """A bob that is pinned at its own place."""
+    one = problem("parameters: {g: 9.81 m/s^2}\ngravity: g\n"
+                  "beams: {arm: {from: [0 m, 0 m], to: [1.2 m, 0 m], EI: 2400 N*m^2, mass_per_length: 3 kg/m, "
+                  "left: clamped, right: {clamped: motor}}}\nbodies:\n"
+                  "  motor: {mass: 5 kg, at: [1.2 m, 0 m], move: [0, y, psi]}\n"
+                  "  bob: {mass: 1 kg, at: [1.2 m, -0.3 m], pin: {carrier: motor, by: phi}}\n")
+    with pytest.raises(PhysicsError, match="'phi' has no inertia and no spring ties it"):
+        one.modal.modes.first(1)
