@@ -46,10 +46,17 @@ def _side(product, sign, text, write):
     parts = [part for power, part in product.parts if power == sign]
     if len(parts) < 2:
         return typeset(parts[0], text, write) if parts else write.numeral("1") * (sign > 0)
-    dotted = write.with_values({"": ""}) if any(isinstance(part, Number) for part in parts[1:]) else write
+    dotted = write.with_values({"": ""}) if any(map(_begins_with_figure, parts[1:])) else write
     return dotted.multiplied([
         _bracketed(part, text, write, isinstance(part, Sum) or (part is not parts[-1] and getattr(part, "units", ())))
         for part in parts])
+
+
+def _begins_with_figure(tree):
+    """Would it, right behind a figure, be read as one number with that?"""
+    while isinstance(tree, (Power, Product)):
+        tree = tree.base if isinstance(tree, Power) else tree.parts[0][1]
+    return isinstance(tree, Number)
 
 
 def _call(tree, text, write, may_be_bare=True):

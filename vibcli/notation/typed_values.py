@@ -4,7 +4,7 @@ import re
 from collections.abc import Callable, Collection
 
 TOKENS = re.compile(r"(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<mode>(?:omega_d|omega|zeta)\[\d+\])|"
-                    r"(?P<name>[^\W\d]\w*'*)|(?P<power>\^\s*-?\d+(?![\d.]))|(?P<times>\s*\*\s*)|(?P<minus>-)|"
+                    r"(?P<name>[^\W\d]\w*'*)|(?P<power>\^\s*-?\d+(?![\d.]|\s*\^))|(?P<times>\s*\*\s*)|(?P<minus>-)|"
                     r"(?P<other>.)", re.DOTALL)
 PLACED = re.compile(r"(\w+\.)(\w+)\((.*)\)('*)")
 DEGREES = re.compile(r"(?<=\d) deg\b")

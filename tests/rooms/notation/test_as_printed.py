@@ -17,6 +17,7 @@ from vibcli.symbolic.parser import parse
     ("phi deg", "φ deg"), ("sqrt(2)*k", "√(2)·k"),
     ("omega[2] = 3*omega[1]", "ω₂ = 3·ω₁"), ("omega_d[12]", "ω_d₁₂"), ("phi'(2 s)", "φ̇(2 s)"),
     ("abs(frf[y, drive](omega)) = 1/(m1*omega^2)", "|frf[y, drive](ω)| = 1/(m₁·ω²)"),
+    ("(k/m1)^2^(1/2)", "(k/m₁)^2^(1/2)"), ("2^3", "2³"),
     ("2*(abs(k - 1) + 1)", "2·(|k − 1| + 1)"), ("4 N/m^12.5", "4 N/m^12.5"), ("zeta[1] = zeta1", "zeta[1] = ζ₁")])
 def test_signs_are_those_of_print(typed, printed):
     assert as_printed(typed, {"f1", "m1", "g", "k", "omega", "phi", "zeta1"}) == printed
@@ -31,6 +32,8 @@ def test_places_on_members_are_set_in_print():
 @pytest.mark.parametrize(("typed", "set_in_latex"), [
     ("2*L/3", r"\frac{2 \, L}{3}"), ("sqrt(k/m1)", r"\sqrt{\frac{k}{m_{1}}}"), ("pi/6", r"\frac{\pi}{6}"),
     ("L - 0.50 mm", r"L - 0.50\text{ mm}"), ("(L + 2 N/m)^2", r"\left(L + 2\text{ N/m}\right)^{2}"),
-    ("2*3 N/m*L", r"2 \cdot \left(3\text{ N/m}\right) \cdot L"), ("L - (1 - L)", r"L - \left(1 - L\right)")])
+    ("2*3 N/m*L", r"2 \cdot \left(3\text{ N/m}\right) \cdot L"), ("L - (1 - L)", r"L - \left(1 - L\right)"),
+    ("2*(3*L)", r"2 \cdot 3 \, L"), ("2*(1/3)", r"2 \cdot \frac{1}{3}"), ("3*2^3", r"3 \cdot 2^{3}"),
+    ("2*(L/3)", r"2 \, \frac{L}{3}")])
 def test_what_is_given_as_a_formula_is_set_as_one(typed, set_in_latex):
     assert typeset(parse(typed), typed, latex).replace(" \\text", "\\text") == set_in_latex

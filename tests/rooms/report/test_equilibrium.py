@@ -89,3 +89,15 @@ def test_what_is_driven_alone_has_nothing_of_what_is_asked_by_name(asked):
         answers: {{"b.x(0.05 s)": 0.004244 m}}
     """)
     assert "nothing moves freely" in report(found, solution(found)).refusal.message
+
+
+@pytest.mark.parametrize("parameters", ["{k: 10 N/m, m: 1 kg, a: 1 m}", "{k: , m: , a: }"])
+def test_where_nothing_takes_a_force_it_is_said(parameters):
+    found = problem(f"""
+        parameters: {parameters}
+        bodies: {{A: {{mass: m, at: [a, 0], slide: {{along: [1, 0], by: x}}}}}}
+        springs: {{s: {{k: k, between: [[0, 0], A]}}}}
+        find: [equilibrium, reactions]
+    """)
+    told = text.render([report(found, solution(found)).document()], None)
+    assert "none: neither a constraint nor a support takes any force" in told

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 SIGNS = "tension positive; what supports exert on the body, in fixed axes"
+NONE = "none: neither a constraint nor a support takes any force"
 READABLE = 60           # letters of a condition, beyond which it is written in numbers where it has them
 WRITTEN_OUT = 16        # coordinates whose generalised forces are printed
 
@@ -89,9 +90,11 @@ def reactions(problem: "Problem", report: "Report") -> Iterator[Section]:
         if any(".drive" in signal for signal, _ in rows):
             signs = signs.replace("supports", "supports and drives")
         pushed = slack_ropes(problem) if problem.scene.held else []
-        yield from section(title, TableBlock(("force", "value"), tuple(rows)), *pushed, note(signs))
+        told = TableBlock(("force", "value"), tuple(rows)) if rows else paragraph(NONE)
+        yield from section(title, told, *pushed, note(signs) if rows else None)
     elif problem.scene.held or _balanced_as_drawn(problem):
-        yield from section(title, *_in_letters(problem, report), note(signs))
+        told = list(_in_letters(problem, report))
+        yield from section(title, *told, note(signs) if told else paragraph(NONE))
     if not problem.scene.held:
         yield from section("Reactions along a motion", blocks.equations(
             line(Words(signal), " = ", brief(node)) for signal, node in along_the_motion(problem.numeric).items()))
@@ -111,6 +114,8 @@ def _in_letters(problem, report):
     known = {signal: node for signal, node in problem.symbolic.reactions.values.items()
              if node is None or not node.is_zero}
     known |= dict(normals_in_letters(problem, known))
+    if not known:
+        return []
     shown, lengths = abbreviated([node for node in known.values() if node is not None], report.roots)
     parts, lines = iter(shown), []
     for signal, node in known.items():

@@ -12,6 +12,7 @@ from vibcli.report.blocks import Words
 from vibcli.report.steps.characteristic import LONG
 from vibcli.report.steps.directions import tell_direction
 from vibcli.report.steps.instants import tell_instant
+from vibcli.report.steps.place_of_rest import as_counted
 from vibcli.report.steps.small import tidy
 from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -57,8 +58,8 @@ def _tell(problem, sheet, asked, joined):
     node = _in_letters(problem, asked, value)
     text = as_printed(asked.text, {*problem.spec.parameters, *problem.spec.coordinates})
     shown = [Words(text)] if node is None or node.op == "number" else [Words(f"{text}:  "), node]
-    sheet.write(*shown, *number(value, unit), settles=asked.text, node=node, value=value,
-                unit=unit, uses=[sheet.last], joined=joined)
+    sheet.write(*shown, *number(value, unit), *as_counted(problem, asked.tree), settles=asked.text, node=node,
+                value=value, unit=unit, uses=[sheet.last], joined=joined)
 
 
 def known(problem: "Problem", asked: "Expression") -> float:

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 RULE = ("each complex mode has of the start its shape by (M·speeds + (λ·M + C)·places) over its shape by (2·λ·M + C) "
         "by its shape")
+PAIRS = ", and a pair of roots adds twice the real part of one"
 
 
 class ComplexMode(NamedTuple):
@@ -40,7 +41,8 @@ class ComplexMode(NamedTuple):
 def tell_complex_modes(about: AboutRest, sheet: WorkedSolution, modes: "Sequence[ComplexMode]", uses: "Sequence[int]",
                        kept: "Mapping[str, list]") -> None:
     """Write down their sum; `kept`: what is added to coordinates, [" + ", part, …]."""
-    lines = [sheet.write(Words(RULE), settles="parts of the start", uses=uses)]
+    pairs = any(mode.root.imag for mode in modes)
+    lines = [sheet.write(Words(RULE + PAIRS * pairs), settles="parts of the start", uses=uses)]
     lines += [_part_of(about, sheet, mode, lines[:1]) for mode in modes]
     for i, name in enumerate(about.scene.coordinates):
         nothing = ALIKE * max(abs(mode.sizes[i]) for mode in modes)

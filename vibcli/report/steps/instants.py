@@ -9,6 +9,7 @@ from vibcli.mechanics.initial_state import start_in_letters
 from vibcli.notation.as_printed import as_printed
 from vibcli.quantities.expression import value_of
 from vibcli.report.blocks import Words
+from vibcli.report.steps.place_of_rest import as_counted
 from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -42,8 +43,8 @@ def tell_instant(problem: "Problem", sheet: WorkedSolution, asked: "Expression")
         if abs(found - value) <= CLOSE * abs(value):
             shown = [" = ", node] if line is None and node.op != "number" else []
             unit = unit_told(problem.spec, asked)
-            sheet.write(Words(as_printed(asked.text, names)), *shown, *number(value, unit), settles=asked.text,
-                        node=node, value=value, unit=unit, uses=[line])
+            sheet.write(Words(as_printed(asked.text, names)), *shown, *number(value, unit), *as_counted(problem, tree),
+                        settles=asked.text, node=node, value=value, unit=unit, uses=[line])
             return True
     return False
 

@@ -1,8 +1,8 @@
 """Where a scene rests: as drawn, in letters, or where a search found it, told with letters of its own."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import NotInLetters
+from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.mechanics.linearisation import residual_terms
 from vibcli.notation.numbers import figure
 from vibcli.report.blocks import Name, Words
@@ -10,11 +10,14 @@ from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.parser import VALUE
+from vibcli.symbolic.syntax import NameRef
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 UNMOVED = 1e-12         # relative: how far from the drawn place rounding alone brings a coordinate at rest
+OF_PLACES = VALUE, "max", "min", "mean"         # what one asks of a place, which has its unit and zero
 RECKONED = ("from now on ", " is counted from there")
 
 
@@ -39,6 +42,23 @@ def about_rest(problem: "Problem", sheet: WorkedSolution) -> AboutRest:
                         Words(RECKONED[1]), settles=f"equilibrium[{q.name}]", node=named[q.name],
                         value=value, unit=unit)
     return about
+
+
+def as_counted(problem: "Problem", tree: Any) -> list[Words]:
+    """Words where a place in time is asked of a coordinate that lines count from rest, and the file as drawn."""
+    place = tree.args[0] if getattr(tree, "head", "") in OF_PLACES and tree.args else None
+    if not isinstance(place, NameRef) or place.primes or problem.spec.in_full:
+        return []
+    try:
+        if problem.symbolic.balanced_as_drawn:
+            return []
+        rest, drawn = problem.configuration.equilibrium.values, problem.scene.drawn_values
+    except PhysicsError:        # nothing is counted from rest
+        return []
+    name, moved = place.name, place.name in problem.scene.dependent
+    if name in problem.scene.coordinates:
+        moved = abs(rest[name] - drawn[name]) > UNMOVED * (1 + abs(drawn[name]))
+    return [Words(" (counted as drawn)")] * moved
 
 
 def _about_numbers(problem, sheet):
