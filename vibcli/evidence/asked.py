@@ -54,7 +54,8 @@ def _makers(problem, asked, or_modes):
 
 
 def _maker(tree: QuantityRef):
-    found = SUBJECTS.get("value" if declared(tree) is named("value") else tree.head)
+    made = declared(tree)
+    found = SUBJECTS.get("value" if made is named("value") else "arg" if made is named("phase(frf)") else tree.head)
     return None if found in (NATURAL, DAMPED) and tree.args else found      # period(x) is that of a motion
 
 

@@ -1,5 +1,6 @@
 """Motions and frequency responses of the reference beside closed forms."""
 
+import math
 from fractions import Fraction
 
 import mpmath
@@ -8,9 +9,12 @@ import pytest
 
 from vibcli.api.source import problem_of, text_source
 from vibcli.base.errors import PhysicsError
+from vibcli.evidence.asked import subjects
+from vibcli.evidence.methods import dense_grids
 from vibcli.evidence.plain_equations import plain_equations
 from vibcli.evidence.reference import frequency_response, motion, steady_state
 from vibcli.evidence.reference.taylor_steps import TakesMinutes
+from vibcli.evidence.subject import Deadline
 
 OSCILLATOR = """
 bodies: {{b: {{mass: 1 kg, slide: x}}}}
@@ -119,10 +123,32 @@ def test_a_frequency_response_its_peak_and_its_steady_state():
         assert close(there, 1 / mpmath.mpc(9, 8), 45)
         assert close(frequency_response.peak(problem, "x", "F", 1, True).values[0], mpmath.sqrt(23), 45)
         assert close(frequency_response.peak(problem, "x", "F", 1, False).values[0], 1 / (2 * mpmath.sqrt(24)), 45)
-        steady = steady_state.feature(steady_state.driven(problem), "x", 1, "amplitude").values[0]
+        moving = motion.small(problem)
+        steady = steady_state.of_wave(steady_state.driven(moving), moving.coordinate("x", 1), "amplitude").values[0]
         assert close(steady, 20 / mpmath.sqrt(145), 45)
+        squares = 23 - 4 * mpmath.sqrt(6), 23 + 4 * mpmath.sqrt(6)      # of Ω at which |H|² is half that of the peak
+        for number, square in enumerate(squares, 1):
+            assert close(frequency_response.half_power(problem, "x", "F", number).values[0], mpmath.sqrt(square), 45)
     with pytest.raises(PhysicsError, match="finds 1 peak"):
         frequency_response.peak(problem, "x", "F", 2, True)
+
+
+def test_antiresonances_of_what_nothing_damps_and_grids_that_see_them():
+    """Of the first of two: Ω² = k/m of the second; the damped one beside it is where d|H|²/dΩ = 0."""
+    text = ("bodies: {a: {mass: 1 kg, slide: x}, b: {mass: 2 kg, slide: y}}\n"
+            "springs: {s: {k: 30 N/m, between: [ground, a]}, u: {k: 18 N/m, between: [a, b]}}\n"
+            "forces: {F: {at: a, force: 1 N*sin(5 rad/s*t)}}\nanswers: {'antiresonance[1](frf[x, F])': 3 rad/s}\n%s")
+    plain, damped = (problem_of(text_source(text % more)) for more in (
+        "", "dampers: {d: {c: 0.1 N*s/m, between: [a, b]}}"))
+    assert close(frequency_response.antiresonance(plain, "x", "F", 3.0).values[0], 3, 45)
+    for problem in (plain, damped):
+        subject, = subjects(problem, [answer.asked for answer in problem.spec.answers])
+        assert subject.error(subject.ours().values, subject.true) < 1e-13
+        errors = [subject.error(run.run(Deadline(math.inf)).values, subject.true)
+                  for run in list(dense_grids.attempts(subject))[:2]]
+        assert 1e-2 > errors[0] > 3 * errors[1]
+    with pytest.raises(PhysicsError, match="no minimum near 4"):
+        frequency_response.antiresonance(plain, "x", "F", 4.0)
 
 
 @pytest.mark.parametrize("force", ["5 N*cos(4 rad/s*t) + 1 N*cos(5 rad/s*t)", "5 N*cos(4 rad/s*t)^2",
@@ -130,4 +156,5 @@ def test_a_frequency_response_its_peak_and_its_steady_state():
 def test_loads_of_several_frequencies_have_no_reference(force):
     problem = oscillator(f"forces: {{F: {{at: b, force: {force}}}}}")
     with pytest.raises(PhysicsError, match="a reference of steady states"):
-        steady_state.feature(steady_state.driven(problem), "x", 0, "amplitude")
+        moving = motion.small(problem)
+        steady_state.of_wave(steady_state.driven(moving), moving.coordinate("x"), "amplitude")

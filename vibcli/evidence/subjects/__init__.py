@@ -11,7 +11,8 @@ SUBJECTS = {
     "equilibrium": ("static_positions", "at_rest"),
     "frf": ("frequency_responses", "at_frequency"), "transmissibility": ("frequency_responses", "at_frequency"),
     "re": ("frequency_responses", "of_part"), "im": ("frequency_responses", "of_part"),
-    "arg": ("frequency_responses", "of_part"), "phase": ("frequency_responses", "of_part"),
-    "peak": ("frequency_responses", "peak"), "amplitude": ("frequency_responses", "amplitude"),
-    "rms": ("frequency_responses", "amplitude"),
+    "arg": ("frequency_responses", "of_part"), "peak": ("frequency_responses", "of_curve"),
+    "antiresonance": ("frequency_responses", "of_curve"), "half_power": ("frequency_responses", "of_curve"),
+    "amplitude": ("steady_states", "of_wave"), "phase": ("steady_states", "of_wave"),
+    "mean": ("steady_states", "over_a_period"), "rms": ("steady_states", "over_a_period"),
 }
