@@ -9,8 +9,8 @@ import pytest
 
 from vibcli.api.source import problem_of, text_source
 from vibcli.base.errors import PhysicsError
-from vibcli.evidence.asked import subjects
-from vibcli.evidence.methods import dense_grids
+from vibcli.evidence.asked import NotCompared, subjects
+from vibcli.evidence.methods import dense_grids, integrators
 from vibcli.evidence.plain_equations import plain_equations
 from vibcli.evidence.reference import frequency_response, motion, steady_state
 from vibcli.evidence.reference.taylor_steps import TakesMinutes
@@ -75,6 +75,28 @@ def test_the_zeros_of_a_free_motion():
     assert plain.read(states.T, t) == pytest.approx((2 * np.pi - np.arctan(w)) / w, rel=1e-9)
     with pytest.raises(PhysicsError, match="finds 3 zeros"):
         motion.zeros(moving, place, Fraction(2), 4, problem.work)
+
+
+def test_the_period_of_a_wide_swing():
+    """4 K(sin ½) √(L/g), the elliptic integral; by Taylor's series, as an integrator has it, and ours."""
+    problem = problem_of(text_source(PENDULUM + "answers: {period(p): 2 s, period(2*p): 2 s}\n"))
+    asked, double = (answer.asked for answer in problem.spec.answers)
+    subject, = subjects(problem, [asked])
+    with mpmath.workdps(50):
+        exact = 4 * mpmath.ellipk(mpmath.sin(mpmath.mpf(1) / 2) ** 2) / mpmath.sqrt(mpmath.mpf("9.81"))
+        assert close(subject.true.values[0], exact, 28)
+    assert subject.error(subject.ours().values, subject.true) < 1e-14
+    dop853 = next(run for run in integrators.attempts(subject) if (run.method, run.setting) == ("DOP853", "1e-08"))
+    assert subject.error(dop853.run(Deadline(math.inf)).values, subject.true) < 1e-6
+    assert isinstance(next(subjects(problem, [double])), NotCompared)
+
+
+def test_expanded_equations_are_not_compared_with_those_that_they_are_made_of():
+    text = PENDULUM.replace("motion: full", "motion: {order: 3}\nfind: [{response: {until: 1 s}}]")
+    problem = problem_of(text_source(text
+                                     + "answers: {period(p): 2 s, p(1 s): 1}\n"))
+    for answer in problem.spec.answers:
+        assert next(subjects(problem, [answer.asked])).why == "no reference is found of this kind of motion"
 
 
 def test_where_a_signal_may_touch_zero_there_is_no_reference():

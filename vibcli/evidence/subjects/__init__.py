@@ -8,6 +8,7 @@ SUBJECTS = {
     "zeta": DAMPED, "omega_d": DAMPED, "period_d": DAMPED, "decay": DAMPED, "eigenvalue": DAMPED, "mode_d": DAMPED,
     "value": ("motions", "of_motion"), "max": ("motions", "of_motion"), "min": ("motions", "of_motion"),
     "argmax": ("motions", "of_motion"), "argmin": ("motions", "of_motion"), "zero": ("motions", "of_motion"),
+    "period()": ("motions", "period"), "phase(frf)": ("frequency_responses", "of_part"),
     "equilibrium": ("static_positions", "at_rest"),
     "frf": ("frequency_responses", "at_frequency"), "transmissibility": ("frequency_responses", "at_frequency"),
     "re": ("frequency_responses", "of_part"), "im": ("frequency_responses", "of_part"),

@@ -9,24 +9,22 @@ from vibcli.evidence.reference import motion as reference
 from vibcli.evidence.reference.outputs import signal
 from vibcli.evidence.reference.taylor_steps import TakesMinutes
 from vibcli.evidence.subject import Subject, of_signal
-from vibcli.quantities.expression import number_of
+from vibcli.quantities.expression import measure, number_of
 from vibcli.symbolic.evaluation import evaluate_rational
 from vibcli.symbolic.semantics import lower
-from vibcli.symbolic.syntax import QuantityRef
+from vibcli.symbolic.syntax import NameRef, QuantityRef
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 SENSES = {"max": 1, "min": -1, "argmax": 1, "argmin": -1}
+AHEAD = 2.05        # periods, in which three turns of a rate are
 KINDS = {"small": "motion", "full": "full motion"}
 
 
 def of_motion(problem: "Problem", tree: QuantityRef) -> Subject:
     """A value, max, min, argmax, argmin or zero of a signal."""
-    kind = problem.response.KIND
-    if kind not in KINDS:
-        raise PhysicsError("no reference is found of this kind of motion")
-    motion = (reference.small if kind == "small" else reference.full)(problem)
+    kind, motion = _followed(problem)
     motion, node = signal(problem, motion, tree.args[0])
     feature = tree.head
     if tree.head in SENSES:
@@ -41,6 +39,29 @@ def of_motion(problem: "Problem", tree: QuantityRef) -> Subject:
         true = reference.at_instant(motion, node, until, problem.work)
     plain = None if motion.parts.gaps or motion.blows else plain_equations(motion, node, float(until), feature)
     return of_signal(KINDS[kind], problem, tree, f"of {problem.response.words}{cut}", true, plain)
+
+
+def period(problem: "Problem", tree: QuantityRef) -> Subject:
+    """period(x) of the only coordinate, where nothing drives it and nothing strikes."""
+    kind, motion = _followed(problem)
+    if problem.scene.timed or len(problem.scene.q) > 1 or not isinstance(tree.args[0], NameRef):
+        raise PhysicsError("of periods a reference is found where nothing drives the only coordinate, and of it alone")
+    if motion.parts.gaps or motion.blows:
+        raise PhysicsError("no reference is found of periods of what strikes or is struck")
+    until = Fraction(AHEAD * measure(problem, tree)[0])
+    true = reference.period(motion, until, problem.work)
+    plain = plain_equations(motion, motion.scene.v[0], float(until), "period")
+    return of_signal(KINDS[kind], problem, tree, f"of {problem.response.words}", true, plain)
+
+
+def _followed(problem):
+    """(what kind of motion it is, the Motion of the reference)."""
+    from vibcli.results.expanded_response import ExpandedResponse
+
+    kind = problem.response.KIND
+    if kind not in KINDS or isinstance(problem.response, ExpandedResponse):
+        raise PhysicsError("no reference is found of this kind of motion")
+    return kind, (reference.small if kind == "small" else reference.full)(problem)
 
 
 def _until(problem, end, found):
