@@ -12,7 +12,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.evidence.asked import NotCompared, subjects
 from vibcli.evidence.methods import dense_grids, integrators
 from vibcli.evidence.plain_equations import plain_equations
-from vibcli.evidence.reference import frequency_response, motion, steady_state
+from vibcli.evidence.reference import frequency_response, harmonics, motion, steady_state
 from vibcli.evidence.reference.taylor_steps import TakesMinutes
 from vibcli.evidence.subject import Deadline
 
@@ -180,3 +180,16 @@ def test_loads_of_several_frequencies_have_no_reference(force):
     with pytest.raises(PhysicsError, match="a reference of steady states"):
         moving = motion.small(problem)
         steady_state.of_wave(steady_state.driven(moving), moving.coordinate("x"), "amplitude")
+
+
+def test_harmonics_under_a_square_wave():
+    """4F/(nπ)/|k − m(nΩ)² + inΩc| of odd ones; of |sin Ωt| the fundamental is another."""
+    problem = oscillator("forces: {F: {at: b, force: 5 N*square(4 rad/s*t)}}\n"
+                         "answers: {'harmonic[3](x)': 1 m}")
+    third, = subjects(problem, [answer.asked for answer in problem.spec.answers])
+    with mpmath.workdps(60):
+        assert close(third.true.values[0], 20 / (3 * mpmath.pi) / abs(mpmath.mpc(25 - 144, 24)), 45)
+    assert third.error(third.ours().values, third.true) < 1e-14
+    moving = motion.small(oscillator("forces: {F: {at: b, force: 5 N*abs(sin(4 rad/s*t))}}"))
+    with pytest.raises(PhysicsError, match="repeat itself within the period"):
+        harmonics.harmonic(harmonics.repeated(moving), moving.coordinate("x"), 1)

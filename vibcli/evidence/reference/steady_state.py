@@ -3,6 +3,7 @@ them all: x = Re H e^{iΩt}. Ω is the rate of the angle in their sines and cosi
 period, and hold at other instants.
 """
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import mpmath
@@ -45,16 +46,28 @@ def driven(motion: Motion) -> HarmonicLoads:
 
 def transfer(known: HarmonicLoads, node: "Node") -> tuple[Transfer, Any]:
     """(the response of a linear signal to all loads, Ω) at the working precision."""
-    motion, n = known.motion, len(known.loads)
-    numbers = motion.values(mpmath.mp.prec)
+    numbers, Omega = rate(known)
+    return response(known, node, lambda nodes: _waves(known, nodes, numbers, Omega)[0]), Omega
+
+
+def rate(known: HarmonicLoads) -> tuple[Any, Any]:
+    """({name: number}, Ω) at the working precision; PhysicsError of several frequencies."""
+    numbers = known.motion.values(mpmath.mp.prec)
     Omega, *others = (abs(x) for x in evaluate(known.rates, multiprecision(), numbers))
     if any(abs(x - Omega) > mpmath.mpf(10) ** (5 - mpmath.mp.dps) * Omega for x in others):
         raise PhysicsError("a reference of steady states is found of loads of one frequency")
+    return numbers, Omega
+
+
+def response(known: HarmonicLoads, node: "Node", phasors: Callable[[list], list]) -> Transfer:
+    """That of a linear signal to all loads; phasors(functions of time): of their waves of a frequency."""
+    motion, n = known.motion, len(known.loads)
+    numbers = motion.values(mpmath.mp.prec)
     M, C, K = (mpmath.matrix([[numbers[f"{part}[{i};{j}]"] for j in range(n)] for i in range(n)]) for part in "MCK")
     zero = mpmath.zeros(n, 1)
-    b = [mpmath.matrix(_waves(known, known.loads, numbers, Omega)[0]), zero, zero]
     slopes, still = _slopes(motion.scene, node, numbers)
-    return Transfer(M, C, K, b, slopes, [_waves(known, [still], numbers, Omega)[0][0], *[mpmath.mpf(0)] * 2]), Omega
+    return Transfer(M, C, K, [mpmath.matrix(phasors(known.loads)), zero, zero], slopes,
+                    [phasors([still])[0], *[mpmath.mpf(0)] * 2])
 
 
 def _slopes(scene, node, numbers):

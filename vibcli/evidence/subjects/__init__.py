@@ -15,5 +15,6 @@ SUBJECTS = {
     "arg": ("frequency_responses", "of_part"), "peak": ("frequency_responses", "of_curve"),
     "antiresonance": ("frequency_responses", "of_curve"), "half_power": ("frequency_responses", "of_curve"),
     "amplitude": ("steady_states", "of_wave"), "phase": ("steady_states", "of_wave"),
+    "harmonic": ("steady_states", "harmonic"),
     "mean": ("steady_states", "over_a_period"), "rms": ("steady_states", "over_a_period"),
 }

@@ -9,7 +9,7 @@ import numpy as np
 
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.plain_equations import plain_equations
-from vibcli.evidence.reference import steady_state
+from vibcli.evidence.reference import harmonics, steady_state
 from vibcli.evidence.reference.frequency_response import in_floats
 from vibcli.evidence.reference.motion import small
 from vibcli.evidence.reference.outputs import signal
@@ -41,6 +41,18 @@ def of_wave(problem: "Problem", tree: QuantityRef) -> Subject:
                    _turned if tree.head == "phase" else relative_error)
 
 
+def harmonic(problem: "Problem", tree: QuantityRef) -> Subject:
+    """harmonic[n](x) of a linear signal; the others are given what the Fourier series of the loads has."""
+    motion, node = _small_signal(problem, tree)
+    number = int(tree.indices[0])
+    loads = harmonics.repeated(motion)
+    true = harmonics.harmonic(loads, node, number)
+    with mpmath.workdps(30):
+        exact, Omega = harmonics.transfer(loads, node, number)
+    return of_signal("response", problem, tree, "steady state under a load that repeats itself", true,
+                     (in_floats(exact), float(Omega), abs))
+
+
 def over_a_period(problem: "Problem", tree: QuantityRef) -> Subject:
     """mean(x) or rms(x) of a signal, be it a power or a product, under loads of one frequency."""
     known, node = _driven(problem, tree)
@@ -54,10 +66,14 @@ def over_a_period(problem: "Problem", tree: QuantityRef) -> Subject:
 
 def _driven(problem, tree):
     """(HarmonicLoads, the expression of the signal) of a quantity of one."""
+    motion, node = _small_signal(problem, tree)
+    return steady_state.driven(motion), node
+
+
+def _small_signal(problem, tree):
     if problem.response.KIND != "small":
         raise PhysicsError("no reference is found of steady states of this kind of motion")
-    motion, node = signal(problem, small(problem), tree.args[0])
-    return steady_state.driven(motion), node
+    return signal(problem, small(problem), tree.args[0])
 
 
 def _turned(found, true):
