@@ -8,6 +8,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.subject import ALONE, Subject
 from vibcli.evidence.subjects import DAMPED, NATURAL, SUBJECTS
+from vibcli.quantities import FORMS
 from vibcli.quantities.quantity import declared, named
 from vibcli.symbolic.syntax import QuantityRef
 
@@ -54,8 +55,9 @@ def _makers(problem, asked, or_modes):
 
 
 def _maker(tree: QuantityRef):
-    found = SUBJECTS.get("value" if declared(tree) is named("value") else tree.head)
-    return None if found in (NATURAL, DAMPED) and tree.args else found      # period(x) is that of a motion
+    made = declared(tree)
+    found = SUBJECTS.get(next((form for form in FORMS if form in SUBJECTS and made is named(form)), tree.head))
+    return None if found in (NATURAL, DAMPED) and tree.args else found
 
 
 def _function(make) -> Callable[["Problem", QuantityRef | None], Subject]:

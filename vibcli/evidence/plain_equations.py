@@ -32,17 +32,20 @@ class LinearEquations(NamedTuple):
 
 class PlainEquations(NamedTuple):
     """ẏ = rates(t, y) of y = (q, q̇) from `start` on until an instant; times: at which the solution is asked for;
-    read(Y, times): the number from the states there, one a row; linear: the same of linear motions, else None."""
+    read(Y, times): the number from the states there, one a row; linear: the same of linear motions, else None;
+    sizes: of the states, where they are known."""
 
     rates: Callable[[float, Any], Any]
     start: np.ndarray
     times: np.ndarray
     read: Callable[[np.ndarray, np.ndarray], float]
     linear: LinearEquations | None
+    sizes: "np.ndarray | None" = None
 
 
 def plain_equations(motion: "Motion", node: "Node", until: float, feature: str) -> PlainEquations:
-    """Of a signal: `value` at the end, `max`, `min`, `argmax` or `argmin` until then, `zero 2`: its second zero."""
+    """Of a signal: `value` at the end, `max`, `min`, `argmax` or `argmin` until then, `zero 2`: its second zero;
+    of a whole period its `mean` or `rms`; of a rate the `period`, from a zero to the next but one."""
     start = np.array([float(x) / 2.0**200 for x in motion.start(200)])
     times = np.array([0.0, until]) if feature == "value" else np.linspace(0.0, until, SAMPLES)
     linear = _linear(motion) if motion.rested else None
@@ -53,6 +56,10 @@ def plain_equations(motion: "Motion", node: "Node", until: float, feature: str) 
         values = np.broadcast_to(evaluate([node], Arrays, known)[0], times.shape)
         if feature.startswith("zero"):
             return _zero(times, values, int(feature[len("zero"):]))
+        if feature == "period":
+            return _zero(times, values, 3) - _zero(times, values, 1)
+        if feature in ("mean", "rms"):
+            return float(np.mean(values[:-1]) if feature == "mean" else np.sqrt(np.mean(values[:-1] ** 2)))
         return float(values[-1]) if feature == "value" else _extreme(times, values, feature)
 
     return PlainEquations(rates, start, times, read, linear)

@@ -37,6 +37,25 @@ class Subject(NamedTuple):
     scale: float = 1.0
 
 
+def of_signal(kind: str, problem: "Problem", tree: Any, title: str, true: "TrueValues", data: Any) -> Subject:
+    """A number of a signal, whose errors are relative to its largest value, `about` its true one."""
+    from vibcli.quantities.expression import measure
+
+    scale = float(true.about) or 1.0
+
+    def ours() -> MethodAnswer:
+        value, bound = measure(problem.afresh(), tree)
+        return MethodAnswer([value], bound * abs(value) / scale)
+
+    def error(found: Sequence[Any], known: "TrueValues") -> float:
+        import mpmath
+
+        with mpmath.workdps(known.working):
+            return float(abs(mpmath.mpf(float(found[0])) - known.values[0]) / scale)
+
+    return Subject(kind, tree.text, title, problem, true, ours, data, error, scale)
+
+
 class TimeIsOver(Exception):
     """A method took longer than it is given."""
 

@@ -21,7 +21,7 @@ from vibcli.evidence.subject import Deadline, MethodAnswer, MethodRun, Subject, 
 from vibcli.evidence.subjects import SUBJECTS
 from vibcli.evidence.timing import SPENT, STOPPED, Point, measured
 from vibcli.evidence.verdict import verdict
-from vibcli.quantities import FAMILIES
+from vibcli.quantities import FAMILIES, FORMS
 
 FOLDER = Path(evidence.__file__).parent
 ONE = TrueValues([mpmath.mpf(1)], 47, 60, 30)
@@ -34,7 +34,7 @@ def test_faces_tell_of_every_file():
     assert all(callable(import_module(f"vibcli.evidence.methods.{file}").attempts) for file in METHODS)
     assert all(callable(getattr(import_module(f"vibcli.evidence.subjects.{file}"), name))
                for file, name in SUBJECTS.values())
-    assert set(SUBJECTS) - {"value"} <= set(FAMILIES)
+    assert set(SUBJECTS) <= {*FAMILIES, *FORMS}
     assert all(0 < len(about) <= 90 for _, about in METHODS.values())
 
 

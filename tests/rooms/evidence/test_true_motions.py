@@ -1,5 +1,6 @@
 """Motions and frequency responses of the reference beside closed forms."""
 
+import math
 from fractions import Fraction
 
 import mpmath
@@ -8,9 +9,12 @@ import pytest
 
 from vibcli.api.source import problem_of, text_source
 from vibcli.base.errors import PhysicsError
+from vibcli.evidence.asked import NotCompared, subjects
+from vibcli.evidence.methods import dense_grids, integrators
 from vibcli.evidence.plain_equations import plain_equations
-from vibcli.evidence.reference import frequency_response, motion, steady_state
+from vibcli.evidence.reference import frequency_response, harmonics, motion, steady_state
 from vibcli.evidence.reference.taylor_steps import TakesMinutes
+from vibcli.evidence.subject import Deadline
 
 OSCILLATOR = """
 bodies: {{b: {{mass: 1 kg, slide: x}}}}
@@ -73,6 +77,28 @@ def test_the_zeros_of_a_free_motion():
         motion.zeros(moving, place, Fraction(2), 4, problem.work)
 
 
+def test_the_period_of_a_wide_swing():
+    """4 K(sin ½) √(L/g), the elliptic integral; by Taylor's series, as an integrator has it, and ours."""
+    problem = problem_of(text_source(PENDULUM + "answers: {period(p): 2 s, period(2*p): 2 s}\n"))
+    asked, double = (answer.asked for answer in problem.spec.answers)
+    subject, = subjects(problem, [asked])
+    with mpmath.workdps(50):
+        exact = 4 * mpmath.ellipk(mpmath.sin(mpmath.mpf(1) / 2) ** 2) / mpmath.sqrt(mpmath.mpf("9.81"))
+        assert close(subject.true.values[0], exact, 28)
+    assert subject.error(subject.ours().values, subject.true) < 1e-14
+    dop853 = next(run for run in integrators.attempts(subject) if (run.method, run.setting) == ("DOP853", "1e-08"))
+    assert subject.error(dop853.run(Deadline(math.inf)).values, subject.true) < 1e-6
+    assert isinstance(next(subjects(problem, [double])), NotCompared)
+
+
+def test_expanded_equations_are_not_compared_with_those_that_they_are_made_of():
+    text = PENDULUM.replace("motion: full", "motion: {order: 3}\nfind: [{response: {until: 1 s}}]")
+    problem = problem_of(text_source(text
+                                     + "answers: {period(p): 2 s, p(1 s): 1}\n"))
+    for answer in problem.spec.answers:
+        assert next(subjects(problem, [answer.asked])).why == "no reference is found of this kind of motion"
+
+
 def test_where_a_signal_may_touch_zero_there_is_no_reference():
     """1 − cos t comes back to zero after 2π."""
     problem = problem_of(text_source("bodies: {b: {mass: 1 kg, slide: x}}\nforces: {F: {at: b, force: 1 N*step(t)}}\n"
@@ -119,10 +145,32 @@ def test_a_frequency_response_its_peak_and_its_steady_state():
         assert close(there, 1 / mpmath.mpc(9, 8), 45)
         assert close(frequency_response.peak(problem, "x", "F", 1, True).values[0], mpmath.sqrt(23), 45)
         assert close(frequency_response.peak(problem, "x", "F", 1, False).values[0], 1 / (2 * mpmath.sqrt(24)), 45)
-        steady = steady_state.feature(steady_state.driven(problem), "x", 1, "amplitude").values[0]
+        moving = motion.small(problem)
+        steady = steady_state.of_wave(steady_state.driven(moving), moving.coordinate("x", 1), "amplitude").values[0]
         assert close(steady, 20 / mpmath.sqrt(145), 45)
+        squares = 23 - 4 * mpmath.sqrt(6), 23 + 4 * mpmath.sqrt(6)      # of Ω at which |H|² is half that of the peak
+        for number, square in enumerate(squares, 1):
+            assert close(frequency_response.half_power(problem, "x", "F", number).values[0], mpmath.sqrt(square), 45)
     with pytest.raises(PhysicsError, match="finds 1 peak"):
         frequency_response.peak(problem, "x", "F", 2, True)
+
+
+def test_antiresonances_of_what_nothing_damps_and_grids_that_see_them():
+    """Of the first of two: Ω² = k/m of the second; the damped one beside it is where d|H|²/dΩ = 0."""
+    text = ("bodies: {a: {mass: 1 kg, slide: x}, b: {mass: 2 kg, slide: y}}\n"
+            "springs: {s: {k: 30 N/m, between: [ground, a]}, u: {k: 18 N/m, between: [a, b]}}\n"
+            "forces: {F: {at: a, force: 1 N*sin(5 rad/s*t)}}\nanswers: {'antiresonance[1](frf[x, F])': 3 rad/s}\n%s")
+    plain, damped = (problem_of(text_source(text % more)) for more in (
+        "", "dampers: {d: {c: 0.1 N*s/m, between: [a, b]}}"))
+    assert close(frequency_response.antiresonance(plain, "x", "F", 3.0).values[0], 3, 45)
+    for problem in (plain, damped):
+        subject, = subjects(problem, [answer.asked for answer in problem.spec.answers])
+        assert subject.error(subject.ours().values, subject.true) < 1e-13
+        errors = [subject.error(run.run(Deadline(math.inf)).values, subject.true)
+                  for run in list(dense_grids.attempts(subject))[:2]]
+        assert 1e-2 > errors[0] > 3 * errors[1]
+    with pytest.raises(PhysicsError, match="no minimum near 4"):
+        frequency_response.antiresonance(plain, "x", "F", 4.0)
 
 
 @pytest.mark.parametrize("force", ["5 N*cos(4 rad/s*t) + 1 N*cos(5 rad/s*t)", "5 N*cos(4 rad/s*t)^2",
@@ -130,4 +178,18 @@ def test_a_frequency_response_its_peak_and_its_steady_state():
 def test_loads_of_several_frequencies_have_no_reference(force):
     problem = oscillator(f"forces: {{F: {{at: b, force: {force}}}}}")
     with pytest.raises(PhysicsError, match="a reference of steady states"):
-        steady_state.feature(steady_state.driven(problem), "x", 0, "amplitude")
+        moving = motion.small(problem)
+        steady_state.of_wave(steady_state.driven(moving), moving.coordinate("x"), "amplitude")
+
+
+def test_harmonics_under_a_square_wave():
+    """4F/(nπ)/|k − m(nΩ)² + inΩc| of odd ones; of |sin Ωt| the fundamental is another."""
+    problem = oscillator("forces: {F: {at: b, force: 5 N*square(4 rad/s*t)}}\n"
+                         "answers: {'harmonic[3](x)': 1 m}")
+    third, = subjects(problem, [answer.asked for answer in problem.spec.answers])
+    with mpmath.workdps(60):
+        assert close(third.true.values[0], 20 / (3 * mpmath.pi) / abs(mpmath.mpc(25 - 144, 24)), 45)
+    assert third.error(third.ours().values, third.true) < 1e-14
+    moving = motion.small(oscillator("forces: {F: {at: b, force: 5 N*abs(sin(4 rad/s*t))}}"))
+    with pytest.raises(PhysicsError, match="repeat itself within the period"):
+        harmonics.harmonic(harmonics.repeated(moving), moving.coordinate("x"), 1)

@@ -1,14 +1,18 @@
 """True values of forces and places, of rms values, of frequency responses of members: beside closed forms, and beside
 what the program answers by other means."""
 
+import math
+
 import mpmath
 import pytest
 from support.scenes import problem
 
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.asked import subjects
-from vibcli.evidence.reference import member_responses, steady_state
-from vibcli.evidence.subject import ALONE, Subject
+from vibcli.evidence.methods import held_inputs, integrators
+from vibcli.evidence.reference import member_responses
+from vibcli.evidence.subject import Deadline
+from vibcli.evidence.subjects import steady_states
 from vibcli.evidence.subjects.motions import of_motion
 from vibcli.quantities.expression import measure
 
@@ -61,15 +65,18 @@ def test_an_acceleration_and_a_sum_of_forces():
         assert true.digits == 40 and measure(one, tree)[0] == pytest.approx(float(true.values[0]), rel=1e-12)
 
 
-def test_what_a_load_enters_itself_is_not_compared():
+def test_what_a_load_enters_itself_is_compared_where_all_is_linear():
     one, (tree,) = asked(ONE % ("(3 N)*sin((17 rad/s)*t)", "F.power(1 s): 1 W"))
-    with pytest.raises(PhysicsError):
+    assert measure(one, tree)[0] == pytest.approx(float(of_motion(one, tree).true.values[0]), rel=1e-13)
+    bent = ONE.replace("[[0, 1 m], a]}}\ndampers", "[[1 m, 1 m], a]}}\ndampers")
+    one, (tree,) = asked(bent % ("(3 N)*sin((17 rad/s)*t)", "F.power(1 s): 1 W"))
+    with pytest.raises(PhysicsError, match="quadratic in the motion"):
         of_motion(one, tree)
 
 
 def test_an_rms_value_is_that_of_what_swings_about_where_it_rests():
     one, (tree,) = asked(ONE % ("(3 N)*sin((17 rad/s)*t) + 5 N", "rms(x): 1 cm"))
-    found = steady_state.feature(steady_state.driven(one), "x", 0, "rms")
+    found = steady_states.over_a_period(one, tree).true
     with mpmath.workdps(60):
         H = 3 / abs(mpmath.mpc(800 - 2 * 17**2, 8 * 17))
         rest = (mpmath.mpf("19.62") - 5) / 800
@@ -89,16 +96,34 @@ answers: {'%s(x)': 1 cm}
 def test_what_is_free_to_move_swings_about_no_place_of_its_own():
     for head in ("amplitude", "rms"):
         one, _ = asked(FREE % ("(3 N)*sin((17 rad/s)*t)", "0 N", head))
-        true = steady_state.feature(steady_state.driven(one), "x", 0, head)
+        subject, = subjects(one, [answer.asked for answer in one.spec.answers], False)
+        true = subject.true
         with mpmath.workdps(60):
             H = 3 * (800 - 2 * mpmath.mpf(17) ** 2) / (17**2 * (4 * mpmath.mpf(17) ** 2 - 3200))
             H = abs(H) / (1 if head == "amplitude" else mpmath.sqrt(2))
             assert abs(true.values[0] / H - 1) < mpmath.mpf(10) ** -38
-        subject, = subjects(one, [answer.asked for answer in one.spec.answers], False)
-        assert isinstance(subject, Subject)
-    one, _ = asked(FREE % ("(3 N)*sin((17 rad/s)*t) + 1 N", "-1 N", "rms"))
+    one, (tree,) = asked(FREE % ("(3 N)*sin((17 rad/s)*t) + 1 N", "-1 N", "rms"))
     with pytest.raises(PhysicsError, match="degenerate"):
-        steady_state.feature(steady_state.driven(one), "x", 0, "rms")
+        steady_states.over_a_period(one, tree)
+
+
+def test_what_is_read_of_a_steady_state():
+    """x = X cos(Ωt + φ) about x₀: powers, products and forces over a period, and the lag of what a shaker drives."""
+    one, trees = asked(ONE % ("(3 N)*sin((17 rad/s)*t)", "mean(x^2*x'^2): 1 m^4/s^2, mean(s.force*x'): 0, "
+                              "rms(d.power): 1 W, phase(s.force): 1"))
+    with mpmath.workdps(60):
+        W, rest = mpmath.mpf(17), mpmath.mpf("19.62") / 800
+        H = 3 / mpmath.mpc(800 - 2 * 17**2, 8 * 17)
+        X = abs(H)
+        exact = [X**4 * W**2 / 8 + rest**2 * X**2 * W**2 / 2, 0, 4 * W**2 * X**2 * mpmath.sqrt(1.5),
+                 mpmath.pi + mpmath.arg(H)]
+        for tree, true in zip(trees, exact, strict=True):
+            subject, = subjects(one, [answer.asked for answer in one.spec.answers if answer.asked.tree is tree])
+            off = abs(abs(subject.true.values[0]) - abs(true))
+            assert off < mpmath.mpf(10) ** -40 and subject.error(subject.ours().values, subject.true) < 1e-14
+            for attempt in (next(integrators.attempts(subject)), next(held_inputs.attempts(subject))
+                            ) if subject.asked == "mean(s.force*x')" else ():
+                assert subject.error(attempt.run(Deadline(math.inf)).values, subject.true) < 1e-2
 
 
 def test_a_beam_alone_has_the_receptance_of_its_closed_form():
@@ -136,8 +161,8 @@ def test_the_period_of_a_motion_is_none_of_a_mode():
     one = problem("parameters: {m: 2 kg, k: 100 N/m}\nbodies: {b: {mass: m, slide: x}}\n"
                   "springs: {s: {law: 'k*d + (10 N/m^3)*d^3', between: [ground, b]}}\nmotion: full\n"
                   "initial: {x: 0.1 m}\nanswers: {period(x): 1 s, 'period[1]': 1 s}\n")
-    left, modes = subjects(one, [answer.asked for answer in one.spec.answers])
-    assert (left.asked, left.why) == ("period(x)", ALONE) and modes.kind == "modes"
+    swing, modes = subjects(one, [answer.asked for answer in one.spec.answers])
+    assert (swing.asked, swing.kind) == ("period(x)", "full motion") and modes.kind == "modes"
 
 
 @pytest.mark.parametrize(("when", "push"), [("t - 0.2 s", 1), ("2*t - 0.4 s", 0.5), ("t", 1)])

@@ -5,6 +5,7 @@ from functools import partial
 
 import pytest
 from rooms.evidence.test_stress import scene_read_again
+from support.scenes import problem
 
 from vibcli.cli.program import run
 from vibcli.evidence.stress import whole_scene
@@ -83,6 +84,15 @@ def test_a_rate_at_a_limit_of_stability_may_be_what_rounding_leaves(monkeypatch)
                     "springs": {"s": {"torsion": "k", "between": ["ground", "b"]},
                                 "t": {"k": "90 N/m", "between": ["ground", "c"]}}, "answers": {"k": "4.46 N*m"}})
     assert BROKEN not in {one.verdict for one in found.values()} and found["masses × 4: modes"].compared == 2
+
+
+@pytest.mark.parametrize(("choose", "vanishing", "others"), [
+    ("parameters: {k: 9 N/m}", 0, 0), ("choose: {k: 'omega[1] = 3 rad/s'}", 2.0**-40, 2.0**-40),
+    ("choose: {k: stability limit}", 2.0**-26, 2.0**-40), ("choose: {k: 'K[x,x] = 0'}", 2.0**-26, 2.0**-40)])
+def test_what_is_chosen_moves_rates_little_but_those_that_vanish_at_a_limit(choose, vanishing, others):
+    felt = whole_scene._felt(problem("bodies: {b: {mass: 2 kg, slide: x}}\nsprings: {s: {k: k, between: [ground, b]}}\n"
+                                     + choose), 8.0)
+    assert felt(0.0) == felt(2.0**-23) == 8 * vanishing and felt(2.0**-22) == felt(8.0) == 8 * others
 
 
 @pytest.mark.parametrize(("key", "told"), [("equilibrium[mast.u(1 m)]", False), ("equilibrium[mast.u(L/2)]", True),

@@ -4,6 +4,7 @@ import math
 import random
 from types import SimpleNamespace
 
+import mpmath
 import pytest
 from support.scenes import problem
 
@@ -47,6 +48,18 @@ def test_a_truss_snaps_at_its_limit_load(b, h, k):
     assert float(first.values["P"]) == pytest.approx(load, rel=1e-9)
     assert found.configuration.equilibrium.values["w"] == pytest.approx(sunk, rel=1e-6)
     assert [mode.rigid for mode in found.modal.modes] == [True]
+
+
+def test_a_limit_load_is_known_to_the_last_digits():
+    """Of a shallow truss, whose force in floats is what 200 times as large ones leave."""
+    scene = problem(TRUSS.format(b=1, h=0.1, k=1000, more=", P: 0.19 N", choose="").replace("choose: {}", ""))
+    branch = Branch(scene.numeric, "P")
+    found = branch.fold(branch.start(0.19, scene.configuration.equilibrium.values))
+    with mpmath.workdps(30):
+        length = mpmath.sqrt(1 + mpmath.mpf("0.1")**2)
+        shorter = mpmath.cbrt(length)
+        load = 1000 * (length / shorter - 1) * mpmath.sqrt(shorter**2 - 1)
+        assert abs(found.value - load) <= 2.0**-52 * load
 
 
 @pytest.mark.sweep

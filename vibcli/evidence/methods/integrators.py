@@ -27,7 +27,7 @@ def _by_solve_ivp(subject: Subject, method: str, tolerance: float, deadline: Dea
 
     plain = subject.data
     found = solve_ivp(_watched(plain.rates, deadline), (0.0, plain.times[-1]), plain.start, method, plain.times,
-                      rtol=tolerance, atol=tolerance * subject.scale)
+                      rtol=tolerance, atol=_least(subject, tolerance))
     if not found.success:
         raise RuntimeError(found.message)
     return MethodAnswer([plain.read(found.y.T, plain.times)])
@@ -42,8 +42,14 @@ def _by_odeint(subject: Subject, tolerance: float, deadline: Deadline) -> Method
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         states = odeint(_watched(plain.rates, deadline), plain.start, plain.times, tfirst=True, rtol=tolerance,
-                        atol=tolerance * subject.scale, mxstep=MOST)
+                        atol=_least(subject, tolerance), mxstep=MOST)
     return MethodAnswer([plain.read(states, plain.times)])
+
+
+def _least(subject, tolerance):
+    """atol: relative to the sizes of the states where these are known, else to the largest value of the signal."""
+    sizes = subject.data.sizes
+    return tolerance * (subject.scale if sizes is None else sizes)
 
 
 def _watched(rates, deadline):

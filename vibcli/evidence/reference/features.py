@@ -71,9 +71,9 @@ def _sampled(signal, steps):
     return [(t, signal.along(steps, [signal.node], t)[0]) for t in times]
 
 
-def zero(signal: SignalAlongSteps, steps: TaylorSteps, number: int) -> Any:
-    """The instant of a zero, counted from 1, that of a start there among them; PhysicsError where there are fewer, or
-    where the signal may touch zero between samples."""
+def zeros(signal: SignalAlongSteps, steps: TaylorSteps, number: int) -> list[Any]:
+    """The instants of so many zeros, that of a start there among them; PhysicsError where there are fewer, or where the
+    signal may touch zero between samples."""
     sampled, found = _sampled(signal, steps), []
     size = max(abs(x) for _, x in sampled)
     if abs(sampled[0][1]) <= mpmath.ldexp(size, -steps.accuracy // 2):
@@ -89,7 +89,7 @@ def zero(signal: SignalAlongSteps, steps: TaylorSteps, number: int) -> Any:
             raise PhysicsError("no reference is found of where a signal may touch zero")
     if len(found) < number:
         raise PhysicsError(f"the reference finds {len(found)} zeros")
-    return steps.time(found[number - 1])
+    return [steps.time(t) for t in found[:number]]
 
 
 def _top(signal, steps, ends, t, sense):

@@ -1,6 +1,6 @@
-"""H(iΩ) = cᵀ (K + s C + s² M)⁻¹ b + d, s = iΩ, and its peaks, to many digits from the element data.
+"""H(iΩ) = cᵀ (K + s C + s² M)⁻¹ b + d, s = iΩ, its peaks, minima and half-power points, to many digits by element data.
 
-Peaks are looked for on a grid that is dense about each natural frequency, and refined where d|H|²/dΩ vanishes;
+Extremes are looked for on a grid that is dense about each natural frequency, and refined where d|H|²/dΩ vanishes;
 x = D⁻¹ b has the rates D x′ = b′ − D′ x and D x″ = b″ − 2 D′ x′ − D″ x.
 """
 
@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 BESIDE, ALONG = 400, 4000       # samples about a natural frequency, and along all frequencies
 FAR = 100.0                     # times the lowest and the highest of these
 STEPS = 60
+UNDAMPED, FINEST = 1e-14, 1e-10         # of a frequency: a decay that is none; the width of what has none
+BY = 1e-3               # of a frequency: what is as near to it is meant
 
 
 class Transfer(NamedTuple):
@@ -50,7 +52,7 @@ def in_floats(exact: Transfer) -> Transfer:
 
     return Transfer(*(array(part) for part in exact[:3]), *([array(part).ravel() for part in parts]
                                                            for parts in exact[3:5]),
-                    [float(mpmath.re(x)) for x in exact.d])
+                    array(mpmath.matrix(exact.d)).ravel().tolist())
 
 
 def at(exact: Transfer, Omega: Any) -> list[Any]:
@@ -77,7 +79,7 @@ def value(problem: "Problem", signal: str, driver: str, Omega: Callable[[], Any]
 
 def peak(problem: "Problem", signal: str, driver: str, number: int, place: bool) -> TrueValues:
     """|H| at its peak of that number, or its Ω."""
-    near = peaks(in_floats(transfer(problem, signal, driver)))
+    near = extremes(in_floats(transfer(problem, signal, driver)), 1)
     if number > len(near):
         raise PhysicsError(f"the reference finds {len(near)} peaks")
 
@@ -89,22 +91,72 @@ def peak(problem: "Problem", signal: str, driver: str, number: int, place: bool)
     return settled(found, DIGITS)
 
 
-def peaks(curve: Transfer) -> list[float]:
-    """The places of all maxima of |H| that the grid shows."""
+def antiresonance(problem: "Problem", signal: str, driver: str, near: float) -> TrueValues:
+    """Ω of the minimum of |H|, of a zero perhaps, next to a frequency; about: its number among all minima."""
+    every = extremes(in_floats(transfer(problem, signal, driver)), -1)
+    about = min(every, key=lambda Omega: abs(Omega - near), default=0.0)
+    if abs(about - near) > BY * near:
+        raise PhysicsError(f"the reference finds no minimum near {near:.6g} rad/s")
+    true = settled(lambda: ([_turn(transfer(problem, signal, driver), mpmath.mpf(about))], None), DIGITS)
+    return true._replace(about=every.index(about) + 1)
+
+
+def half_power(problem: "Problem", signal: str, driver: str, number: int) -> TrueValues:
+    """Ω below and above each peak, counted from 1, at which |H| is 1/√2 of it."""
+    curve = in_floats(transfer(problem, signal, driver))
+    tops = extremes(curve, 1)
+    if (number + 1) // 2 > len(tops):
+        raise PhysicsError(f"the reference finds {len(tops)} peaks")
+    top = tops[(number - 1) // 2]
+    near = fallen(np.abs(values(curve, grid(curve))), grid(curve), top, number % 2 == 1)
+
+    def found():
+        exact = transfer(problem, signal, driver)
+        level, Omega = abs(at(exact, _turn(exact, mpmath.mpf(top)))[0]) ** 2 / 2, mpmath.mpf(near)
+        for _ in range(STEPS):
+            H, first, _ = at(exact, Omega)
+            step = (abs(H) ** 2 - level) / (2 * mpmath.im(mpmath.conj(H) * first))
+            Omega += step
+            if abs(step) <= mpmath.eps * 10**8 * Omega:
+                return [Omega], None
+        raise ValueError("no half-power point is found near by")
+
+    return settled(found, DIGITS)
+
+
+def fallen(size: np.ndarray, Omega: np.ndarray, top: float, below: bool) -> float:
+    """Where samples of |H| pass 1/√2 of that at a peak first, on the straight line between two; RuntimeError where
+    they do not."""
+    k, step = int(np.searchsorted(Omega, top)), -1 if below else 1
+    level = size[k] / np.sqrt(2)
+    while size[k] > level:
+        k += step
+        if not 0 <= k < len(size):
+            raise RuntimeError("it does not fall to 1/√2 of its peak on this grid")
+    part = (level - size[k]) / (size[k - step] - size[k])
+    return float(Omega[k] + part * (Omega[k - step] - Omega[k]))
+
+
+def extremes(curve: Transfer, sense: int) -> list[float]:
+    """The places of all maxima of |H| that the grid shows, or minima (sense −1)."""
     Omega = grid(curve)
-    size = np.abs(values(curve, Omega))
-    inner = (size[1:-1] > size[:-2]) & (size[1:-1] >= size[2:])
-    return Omega[1:-1][inner].tolist()
+    return Omega[tops(sense * np.abs(values(curve, Omega)))].tolist()
+
+
+def tops(samples: np.ndarray) -> np.ndarray:
+    """The indices of those that are the largest of three."""
+    return np.flatnonzero((samples[1:-1] > samples[:-2]) & (samples[1:-1] >= samples[2:])) + 1
 
 
 def grid(curve: Transfer) -> np.ndarray:
-    """Frequencies that are dense about each natural one, by its decay."""
+    """Frequencies that are dense about each natural one, by its decay, and not at those without."""
     poles = [x for x in np.linalg.eigvals(state_matrix(*curve[:3])) if x.imag > 0]
     if not poles:
         raise PhysicsError("the reference finds no peaks: nothing oscillates")
     sizes = np.abs(poles)
     near = np.concatenate([[0.0], np.geomspace(1e-3, 1e4, BESIDE)])
-    beside = [x.imag + sign * max(-x.real, 1e-14 * x.imag) * near for x in poles for sign in (1, -1)]
+    beside = [x.imag + sign * (-x.real * near if -x.real > UNDAMPED * x.imag else FINEST * x.imag * near[1:])
+              for x in poles for sign in (1, -1)]
     every = np.concatenate([*beside, np.geomspace(sizes.min() / FAR, sizes.max() * FAR, ALONG)])
     return np.unique(every[(every > 0) & (every < sizes.max() * FAR)])
 
@@ -125,7 +177,7 @@ def values(curve: Transfer, Omega: np.ndarray) -> np.ndarray:
 
 
 def _turn(exact, Omega):
-    """Where |H| has its maximum, by Newton's method: with H′ = dH/ds, d|H|²/dΩ = −2 Im(H̄ H′)."""
+    """Where |H| has an extreme, by Newton's method: with H′ = dH/ds, d|H|²/dΩ = −2 Im(H̄ H′)."""
     for _ in range(STEPS):
         H, first, second = at(exact, Omega)
         slope = -mpmath.im(mpmath.conj(H) * first)
@@ -134,4 +186,4 @@ def _turn(exact, Omega):
         Omega += step
         if abs(step) <= mpmath.eps * 10**8 * Omega:
             return Omega
-    raise ValueError("no peak is found near by")
+    raise ValueError("no extreme is found near by")

@@ -17,7 +17,8 @@ from vibcli.analyses.time_integration.smooth_pieces import SmoothPieces
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.reference.blows import Blows, blows, without_impulses
-from vibcli.evidence.reference.features import SignalAlongSteps, extreme, value, zero
+from vibcli.evidence.reference.features import SignalAlongSteps, extreme, value
+from vibcli.evidence.reference.features import zeros as first_zeros
 from vibcli.evidence.reference.records import PiecesOfRecords, driving_records, strikes
 from vibcli.evidence.reference.settled import TrueValues, settled
 from vibcli.evidence.reference.taylor_steps import TaylorSteps
@@ -172,7 +173,23 @@ def extremes(motion: Motion, node: "Node", until: Fraction, sense: int, instant:
 
 def zeros(motion: Motion, node: "Node", until: Fraction, number: int, work: Any) -> TrueValues:
     """The instant of a zero of a signal, counted from 1; about: `until`."""
-    return _settled(motion, until, work, lambda steps: ([zero(motion.signal(node), steps, number)], until))
+    return _settled(motion, until, work, lambda steps: (
+        first_zeros(motion.signal(node), steps, number)[-1:], until))
+
+
+def period(motion: Motion, until: Fraction, work: Any) -> TrueValues:
+    """The time after which a motion of one coordinate repeats itself: from one turn to the next but one, where of a
+    full motion it is in the same place again; about: it, too."""
+    place, rate = motion.scene.q[0], motion.scene.v[0]
+
+    def found(steps):
+        first, _, last = first_zeros(motion.signal(rate), steps, 3)
+        ends = [motion.signal(place).along(steps, [place], int(mpmath.ldexp(t, steps.bits)))[0] for t in (first, last)]
+        if not motion.rested and abs(ends[1] - ends[0]) > mpmath.ldexp(abs(ends[0]), -steps.accuracy // 2):
+            raise PhysicsError("the reference finds that this motion does not come back to where it was")
+        return [last - first], last - first
+
+    return _settled(motion, until, work, found)
 
 
 def _settled(motion, until, work, look):

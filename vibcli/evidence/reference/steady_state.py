@@ -3,6 +3,7 @@ them all: x = Re H e^{iΩt}. Ω is the rate of the angle in their sines and cosi
 period, and hold at other instants.
 """
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import mpmath
@@ -10,15 +11,16 @@ import mpmath
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.reference.frequency_response import Transfer, at
-from vibcli.evidence.reference.motion import Motion, small
+from vibcli.evidence.reference.motion import Motion
 from vibcli.evidence.reference.settled import DIGITS, TrueValues, settled
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import evaluate, multiprecision
 from vibcli.symbolic.expression_graph import reachable
 
 if TYPE_CHECKING:
-    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
+SAMPLES = tuple(2**k for k in range(3, 11))
 TRIED = ("0.137", "0.421", "0.773")     # parts of a period
 
 
@@ -30,9 +32,8 @@ class HarmonicLoads(NamedTuple):
     rates: list
 
 
-def driven(problem: "Problem") -> HarmonicLoads:
-    """Of a scene whose loads are sines and cosines of one angle; PhysicsError of others."""
-    motion = small(problem)
+def driven(motion: Motion) -> HarmonicLoads:
+    """Of a small motion whose loads are sines and cosines of one angle; PhysicsError of others."""
     scene = motion.scene
     still = dict.fromkeys((*scene.q, *scene.v), scene.table.zero)
     loads = [-node for node in substitute(motion.parts.h, still)]
@@ -43,28 +44,49 @@ def driven(problem: "Problem") -> HarmonicLoads:
     return HarmonicLoads(motion, loads, rates)
 
 
-def transfer(known: HarmonicLoads, name: str, primes: int) -> tuple[Transfer, Any]:
-    """(the response of a rate of a coordinate to all loads, Ω) at the working precision."""
-    motion, n = known.motion, len(known.loads)
-    numbers = motion.values(mpmath.mp.prec)
+def transfer(known: HarmonicLoads, node: "Node") -> tuple[Transfer, Any]:
+    """(the response of a linear signal to all loads, Ω) at the working precision."""
+    numbers, Omega = rate(known)
+    return response(known, node, lambda nodes: _waves(known, nodes, numbers, Omega)[0]), Omega
+
+
+def rate(known: HarmonicLoads) -> tuple[Any, Any]:
+    """({name: number}, Ω) at the working precision; PhysicsError of several frequencies."""
+    numbers = known.motion.values(mpmath.mp.prec)
     Omega, *others = (abs(x) for x in evaluate(known.rates, multiprecision(), numbers))
     if any(abs(x - Omega) > mpmath.mpf(10) ** (5 - mpmath.mp.dps) * Omega for x in others):
         raise PhysicsError("a reference of steady states is found of loads of one frequency")
+    return numbers, Omega
+
+
+def response(known: HarmonicLoads, node: "Node", phasors: Callable[[list], list]) -> Transfer:
+    """That of a linear signal to all loads; phasors(functions of time): of their waves of a frequency."""
+    motion, n = known.motion, len(known.loads)
+    numbers = motion.values(mpmath.mp.prec)
     M, C, K = (mpmath.matrix([[numbers[f"{part}[{i};{j}]"] for j in range(n)] for i in range(n)]) for part in "MCK")
     zero = mpmath.zeros(n, 1)
-    row = mpmath.matrix([int(other == name) for other in motion.scene.coordinates])
-    c = [zero] * 3
-    c[primes] = row
-    b = [mpmath.matrix(_loads_over_a_period(known, numbers, Omega)[0]), zero, zero]
-    return Transfer(M, C, K, b, c, [mpmath.mpf(0)] * 3), Omega
+    slopes, still = _slopes(motion.scene, node, numbers)
+    return Transfer(M, C, K, [mpmath.matrix(phasors(known.loads)), zero, zero], slopes,
+                    [phasors([still])[0], *[mpmath.mpf(0)] * 2])
 
 
-def _loads_over_a_period(known, numbers, Omega):
-    """(the phasors of the loads, their means)."""
+def _slopes(scene, node, numbers):
+    """([∂node/∂q, ∂node/∂q̇, ∂node/∂q̈], what is left of it where all of these rest)."""
+    slopes, state = gradient(node), (*scene.q, *scene.v, *scene.a)
+    moved = [slopes.get(symbol, scene.table.zero) for symbol in state]
+    if any(node.mask & symbol.mask for node in moved for symbol in (*state, scene.time)):
+        raise PhysicsError("a reference of amplitudes and phases is found of linear signals alone")
+    found, n = evaluate(moved, multiprecision(), numbers), len(scene.q)
+    still, = substitute([node], dict.fromkeys(state, scene.table.zero))
+    return [mpmath.matrix(found[k:k + n]) for k in (0, n, 2 * n)], still
+
+
+def _waves(known, nodes, numbers, Omega):
+    """(the phasors of loads or other functions of time, their means)."""
     period = 2 * mpmath.pi / Omega
 
     def loads(part):
-        return evaluate(known.loads, multiprecision(), {**numbers, known.motion.scene.time.name: part * period})
+        return evaluate(nodes, multiprecision(), {**numbers, known.motion.scene.time.name: part * period})
 
     start, quarter, half, last = (loads(mpmath.mpf(k) / 4) for k in range(4))
     found = [mpmath.mpc((a - c) / 2, (d - b) / 2) for a, b, c, d in zip(start, quarter, half, last, strict=True)]
@@ -78,27 +100,71 @@ def _loads_over_a_period(known, numbers, Omega):
     return found, means
 
 
-def middle(known: HarmonicLoads, name: str, primes: int) -> Any:
-    """The mean of a coordinate in the steady state, at the working precision: where it rests, moved by K⁻¹ of the mean
-    loads; of its rates 0."""
-    if primes:
-        return mpmath.mpf(0)
-    motion, n = known.motion, len(known.loads)
-    numbers = motion.values(mpmath.mp.prec)
-    exact, Omega = transfer(known, name, 0)
-    found, means = _loads_over_a_period(known, numbers, Omega)
+def _middles(known):
+    """(Ω, phasors, means) of the coordinates: where they rest, moved by K⁻¹ of the mean loads."""
+    scene, n = known.motion.scene, len(known.loads)
+    numbers = known.motion.values(mpmath.mp.prec)
+    exact, Omega = transfer(known, scene.table.zero)
+    found, means = _waves(known, known.loads, numbers, Omega)
     rounding = mpmath.mpf(10) ** (8 - mpmath.mp.dps) * max(map(abs, found))
     loaded = max(map(abs, means)) > rounding
     moved = mpmath.lu_solve(exact.K, mpmath.matrix(means)) if loaded else mpmath.zeros(n, 1)
-    rest, = evaluate([motion.coordinate(name)], multiprecision(), {**numbers, **dict.fromkeys(
-        motion.scene.coordinates, mpmath.mpf(0))})
-    return rest + moved[motion.scene.coordinates.index(name)]
+    s = mpmath.mpc(0, Omega)
+    return Omega, mpmath.lu_solve(exact.K + s * (exact.C + s * exact.M), exact.b[0]), moved
 
 
-def feature(known: HarmonicLoads, name: str, primes: int, head: str) -> TrueValues:
-    """The amplitude |X| in the steady state or the rms value √(x̄² + |X|²/2) of a coordinate, or of a rate of it."""
+def _along(known, node, t, Omega, phasors, means):
+    """A signal at an instant of the steady state."""
+    scene, wave = known.motion.scene, mpmath.expj(Omega * t)
+    numbers = {**known.motion.values(mpmath.mp.prec), scene.time.name: t}
+    for primes in range(3):
+        turned = mpmath.mpc(0, Omega) ** primes * wave
+        numbers |= {name + "'" * primes: mpmath.re(X * turned) + (0 if primes else mean)
+                    for name, X, mean in zip(scene.coordinates, phasors, means, strict=True)}
+    return evaluate([node], multiprecision(), numbers)[0]
+
+
+def _over_a_period(known, node, head):
+    """(the mean or rms value of a signal, its largest magnitude), by more and more samples until two of their numbers
+    give the same: of powers of waves a few are all that it takes."""
+    steady, before = _middles(known), None
+    period, small = 2 * mpmath.pi / steady[0], mpmath.mpf(10) ** (8 - mpmath.mp.dps)
+    for count in SAMPLES:
+        values = [_along(known, node, period * k / count, *steady) for k in range(count)]
+        size = max(map(abs, values))
+        found = sum(x if head == "mean" else x * x for x in values) / count
+        if before is not None and abs(found - before) <= small * max(size, size**2 if head == "rms" else 0):
+            found = found if head == "mean" else mpmath.sqrt(found)
+            return (found if abs(found) > small * size else mpmath.mpf(0)), size
+        before = found
+    raise PhysicsError("no reference is found of the mean of a signal that bends")
+
+
+def at_the_start(known: HarmonicLoads) -> tuple[float, list[float], list[float]]:
+    """(2π/Ω, [q, q̇] of the steady state at t = 0, counted from rest, the largest values of each)."""
+    Omega, phasors, means = _middles(known)
+    start = [*(mpmath.re(X) + mean for X, mean in zip(phasors, means, strict=True)),
+             *(-Omega * mpmath.im(X) for X in phasors)]
+    sizes = [*(abs(X) + abs(mean) for X, mean in zip(phasors, means, strict=True)), *(Omega * abs(X) for X in phasors)]
+    least = sum(sizes) * mpmath.mpf(2) ** -52
+    return float(2 * mpmath.pi / Omega), list(map(float, start)), [float(max(size, least)) for size in sizes]
+
+
+def over_a_period(known: HarmonicLoads, node: "Node", head: str) -> TrueValues:
+    """The mean or rms value of a signal, a power or product perhaps; about: its largest magnitude."""
     def found():
-        size = abs(at(*transfer(known, name, primes))[0])
-        return size if head == "amplitude" else mpmath.sqrt(middle(known, name, primes) ** 2 + size**2 / 2)
+        number, size = _over_a_period(known, node, head)
+        return [number], size
 
-    return settled(lambda: ([found()], None), DIGITS)
+    return settled(found, DIGITS, sized=True)
+
+
+def of_wave(known: HarmonicLoads, node: "Node", head: str) -> TrueValues:
+    """The amplitude |X| of a linear signal in the steady state, or the lag θ of X sin(Ωt − θ), −π < θ ≤ π."""
+    def found():
+        X = at(*transfer(known, node))[0]
+        lag = -mpmath.arg(mpmath.mpc(0, 1) * X)
+        return [abs(X) if head == "amplitude" else
+                lag if abs(lag) < mpmath.pi * (1 - mpmath.mpf(10) ** (8 - mpmath.mp.dps)) else +mpmath.pi], None
+
+    return settled(found, DIGITS)

@@ -20,12 +20,14 @@ from vibcli.language.sections.record import dimension
 from vibcli.quantities.dimensions import asked_dimension, dimension_of
 from vibcli.quantities.expression import bounded
 from vibcli.quantities.quantity import COMPLEX, LEAPING, OF_STATE, kind_of
+from vibcli.reader.sections.choose import LIMIT
 from vibcli.results.problem import Problem
 from vibcli.symbolic.running_errors import error_in, number_in
 from vibcli.symbolic.syntax import ExpressionError, QuantityRef
 
 RATE = {"s": -1}
-CHOSEN = 2.0**-26       # of the largest rate: by what rounding of what is chosen at a limit of stability moves others
+AT_LIMIT = 2.0**-26     # of the largest rate: what rounding leaves of one that vanishes at a limit of stability
+CHOSEN = 2.0**-40       # of the largest rate: by what rounding of what is chosen moves others
 NONE = 0, 0, 0
 WORD = re.compile(r"[^\W\d]\w*")
 SENSED = re.compile(r"\b(arg|phase|ritz|rayleigh|[MCKG])\b|\.(?=[^\W\d])")      # what hangs on the sense of coordinates
@@ -176,10 +178,19 @@ def _rates(problem):
         return {}
     natural = [(complex(mode.growth_rate or 0.0, mode.omega or 0.0), float(mode.error)) for mode in problem.modal.modes]
     damped = [(complex(mode.eigenvalue), float(mode.error)) for mode in problem.modal.damped or ()]
-    felt = CHOSEN * max((abs(rate) for rate, _ in natural + damped), default=0.0) if problem.spec.choices else 0.0
-    return {f"{what} {number}": Bounded(rate, max(abs(rate) * error, felt), RATE)
+    felt = _felt(problem, max((abs(rate) for rate, _ in natural + damped), default=0.0))
+    return {f"{what} {number}": Bounded(rate, max(abs(rate) * error, felt(abs(rate))), RATE)
             for what, found in (("mode", natural), ("damped mode", damped))
             for number, (rate, error) in enumerate(sorted(found, key=lambda one: (one[0].imag, one[0].real)), 1)}
+
+
+def _felt(problem, largest):
+    """By how much what is chosen may be off in a rate of a size."""
+    conditions = [record["so"] for record in (problem.spec.choices or {}).values()]
+    vanishing = AT_LIMIT * largest * any(one.word == LIMIT or "0" in [side.text for side in one.sides]
+                                         for one in conditions)
+    others = CHOSEN * largest * bool(conditions)
+    return lambda size: max(others, vanishing if size <= vanishing else 0.0)
 
 
 def _answers(problem):

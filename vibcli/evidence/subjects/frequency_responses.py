@@ -1,6 +1,5 @@
-"""Frequency responses at a frequency, and their peaks."""
+"""Frequency responses at a frequency, their peaks, antiresonances and half-power points."""
 
-import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
@@ -8,20 +7,18 @@ import mpmath
 
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.reference import frequency_response as reference
-from vibcli.evidence.reference import member_responses, steady_state
+from vibcli.evidence.reference import member_responses
 from vibcli.evidence.reference.settled import relative_error
 from vibcli.evidence.subject import ALONE, MethodAnswer, Subject
 from vibcli.quantities.cycle_count import counts_cycles
 from vibcli.quantities.expression import argument_in_letters, measure, number_of
 from vibcli.symbolic.evaluation import evaluate, multiprecision
-from vibcli.symbolic.syntax import NameRef, QuantityRef, parts_of
+from vibcli.symbolic.syntax import QuantityRef, parts_of
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
-
-READ: dict[str, Callable[[float], Callable]] = {        # of X about a middle
-    "amplitude": lambda middle: abs, "rms": lambda middle: lambda X: math.sqrt(middle**2 + abs(X) ** 2 / 2)}
+TITLES = {"peak": "peak", "antiresonance": "antiresonance", "half_power": "half-power point"}
 
 
 def at_frequency(problem: "Problem", tree: QuantityRef) -> Subject:
@@ -52,39 +49,28 @@ def at_frequency(problem: "Problem", tree: QuantityRef) -> Subject:
                     true, (curve, number_of(problem, tree.args[0]), read))
 
 
-def peak(problem: "Problem", tree: QuantityRef) -> Subject:
-    """peak[i](frf[x, F]).value or .Omega"""
-    indices, number = tree.args[0].indices, int(tree.indices[0])
-    measure(problem, tree)          # refuses a peak without bound, or one that there is not
-    true = reference.peak(problem, *indices, number, tree.component == "Omega")
+def of_curve(problem: "Problem", tree: QuantityRef) -> Subject:
+    """peak[i](frf[x, F]).value or .Omega, antiresonance[i](frf[x, F]), half_power[i](frf[x, F])."""
+    indices, number, feature = tree.args[0].indices, int(tree.indices[0]), tree.component or tree.head
+    near, _ = measure(problem, tree)        # refuses a peak without bound, or one that there is not
+    if tree.head == "antiresonance":
+        true = reference.antiresonance(problem, *indices, near)
+        number = true.about
+    elif tree.head == "half_power":
+        true = reference.half_power(problem, *indices, number)
+    else:
+        true = reference.peak(problem, *indices, number, feature == "Omega")
     with mpmath.workdps(30):
         curve = reference.in_floats(reference.transfer(problem, *indices))
-    data = curve, number, tree.component == "Omega"
-    return _subject(problem, tree, "peak", "peak of a frequency response", true, data)
+    return _subject(problem, tree, "peak", f"{TITLES[tree.head]} of a frequency response", true,
+                    (curve, number, feature))
 
 
 def of_part(problem: "Problem", tree: QuantityRef) -> Subject:
     """re, im, arg or phase of frf[x, F](Ω), by that complex number."""
-    inner = tree.args[0] if tree.args else None
-    if getattr(inner, "head", None) != "frf":
+    if getattr(tree.args[0], "head", None) != "frf":
         raise PhysicsError(ALONE)
-    return at_frequency(problem, inner)
-
-
-def amplitude(problem: "Problem", tree: QuantityRef) -> Subject:
-    """amplitude(x) or rms(x) of a coordinate or a rate of it, under loads of one frequency."""
-    if problem.response.KIND != "small":
-        raise PhysicsError("no reference is found of steady states of this kind of motion")
-    signal = tree.args[0]
-    if not isinstance(signal, NameRef) or signal.name not in problem.scene.coordinates or signal.primes > 2:
-        raise PhysicsError("a reference of steady states is found of coordinates and their rates alone")
-    known = steady_state.driven(problem)
-    true = steady_state.feature(known, signal.name, signal.primes, tree.head)
-    with mpmath.workdps(30):
-        exact, Omega = steady_state.transfer(known, signal.name, signal.primes)
-        middle = steady_state.middle(known, signal.name, signal.primes) if tree.head == "rms" else 0
-    data = reference.in_floats(exact), float(Omega), READ[tree.head](float(middle))
-    return _subject(problem, tree, "response", "steady state under loads of one frequency", true, data)
+    return at_frequency(problem, tree.args[0])
 
 
 def _subject(problem, tree, kind, title, true, data):

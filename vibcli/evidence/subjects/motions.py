@@ -1,33 +1,31 @@
 """Numbers of a motion in time: values at instants, extremes and where they are, of coordinates and their rates."""
 
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.plain_equations import plain_equations
 from vibcli.evidence.reference import motion as reference
-from vibcli.evidence.reference.outputs import with_output
+from vibcli.evidence.reference.outputs import signal
 from vibcli.evidence.reference.taylor_steps import TakesMinutes
-from vibcli.evidence.subject import MethodAnswer, Subject
+from vibcli.evidence.subject import Subject, of_signal
 from vibcli.quantities.expression import measure, number_of
 from vibcli.symbolic.evaluation import evaluate_rational
 from vibcli.symbolic.semantics import lower
-from vibcli.symbolic.syntax import QuantityRef
+from vibcli.symbolic.syntax import NameRef, QuantityRef
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 SENSES = {"max": 1, "min": -1, "argmax": 1, "argmin": -1}
+AHEAD = 2.05        # periods, in which three turns of a rate are
 KINDS = {"small": "motion", "full": "full motion"}
 
 
 def of_motion(problem: "Problem", tree: QuantityRef) -> Subject:
     """A value, max, min, argmax, argmin or zero of a signal."""
-    kind = problem.response.KIND
-    if kind not in KINDS:
-        raise PhysicsError("no reference is found of this kind of motion")
-    motion = (reference.small if kind == "small" else reference.full)(problem)
-    motion, node = _node(problem, motion, tree.args[0])
+    kind, motion = _followed(problem)
+    motion, node = signal(problem, motion, tree.args[0])
     feature = tree.head
     if tree.head in SENSES:
         until = Fraction(problem.response.until)
@@ -39,15 +37,31 @@ def of_motion(problem: "Problem", tree: QuantityRef) -> Subject:
     else:
         until, cut, feature = _instant(problem, tree.args[1]), "", "value"
         true = reference.at_instant(motion, node, until, problem.work)
-    scale = float(true.about) or 1.0
     plain = None if motion.parts.gaps or motion.blows else plain_equations(motion, node, float(until), feature)
+    return of_signal(KINDS[kind], problem, tree, f"of {problem.response.words}{cut}", true, plain)
 
-    def ours() -> MethodAnswer:
-        value, bound = measure(problem.afresh(), tree)
-        return MethodAnswer([value], bound * abs(value) / scale)
 
-    return Subject(KINDS[kind], tree.text, f"of {problem.response.words}{cut}", problem, true, ours, plain,
-                   lambda found, known: _error(found, known, scale), scale)
+def period(problem: "Problem", tree: QuantityRef) -> Subject:
+    """period(x) of the only coordinate, where nothing drives it and nothing strikes."""
+    kind, motion = _followed(problem)
+    if problem.scene.timed or len(problem.scene.q) > 1 or not isinstance(tree.args[0], NameRef):
+        raise PhysicsError("of periods a reference is found where nothing drives the only coordinate, and of it alone")
+    if motion.parts.gaps or motion.blows:
+        raise PhysicsError("no reference is found of periods of what strikes or is struck")
+    until = Fraction(AHEAD * measure(problem, tree)[0])
+    true = reference.period(motion, until, problem.work)
+    plain = plain_equations(motion, motion.scene.v[0], float(until), "period")
+    return of_signal(KINDS[kind], problem, tree, f"of {problem.response.words}", true, plain)
+
+
+def _followed(problem):
+    """(what kind of motion it is, the Motion of the reference)."""
+    from vibcli.results.expanded_response import ExpandedResponse
+
+    kind = problem.response.KIND
+    if kind not in KINDS or isinstance(problem.response, ExpandedResponse):
+        raise PhysicsError("no reference is found of this kind of motion")
+    return kind, (reference.small if kind == "small" else reference.full)(problem)
 
 
 def _until(problem, end, found):
@@ -60,43 +74,8 @@ def _until(problem, end, found):
             f", cut at t = {float(cut):.6g} s: beyond, the reference takes minutes")
 
 
-def _error(found, true, scale):
-    import mpmath
-
-    with mpmath.workdps(true.working):
-        return float(abs(mpmath.mpf(float(found[0])) - true.values[0]) / scale)
-
-
 def _instant(problem, tree):
     """An instant, exactly where it is rational."""
     found = evaluate_rational([lower(tree, problem.scene.table, lambda name, *_: problem.scene.parameters.nodes[name])],
                               problem.numeric.rational)
     return Fraction(number_of(problem, tree)) if found is None else found[0]
-
-
-def _node(problem, motion, tree) -> Any:
-    """(motion, the expression of a signal): of coordinates and their rates, of full motions also of places and
-    stretches, of small ones of what is linear in the deviations."""
-    scene = motion.scene
-
-    def symbol(name, primes, part):
-        nonlocal motion
-        if name in scene.parameters.nodes and not primes and not isinstance(part, QuantityRef):
-            return scene.parameters.nodes[name]
-        if name in scene.coordinates:
-            return motion.coordinate(name, primes)
-        if motion.rested and not isinstance(part, QuantityRef):
-            motion, found = with_output(problem, motion, name + "'" * primes)
-            return found
-        if isinstance(part, QuantityRef) or scene is not problem.scene:
-            raise PhysicsError("of this motion a reference is found of coordinates and their rates alone")
-        from vibcli.mechanics.signals import moving
-
-        try:
-            return moving(problem.system, name, primes)
-        except PhysicsError:
-            raise PhysicsError("of full motions a reference is found of coordinates, places, energies, and of the "
-                               "forces of springs and dampers alone") from None
-
-    node = lower(tree, scene.table, symbol)
-    return motion, node

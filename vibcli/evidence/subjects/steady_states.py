@@ -1,0 +1,82 @@
+"""Steady states under loads of one frequency: amplitudes and phases, means and rms values."""
+
+import cmath
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import mpmath
+import numpy as np
+
+from vibcli.base.errors import PhysicsError
+from vibcli.evidence.plain_equations import plain_equations
+from vibcli.evidence.reference import harmonics, steady_state
+from vibcli.evidence.reference.frequency_response import in_floats
+from vibcli.evidence.reference.motion import small
+from vibcli.evidence.reference.outputs import signal
+from vibcli.evidence.reference.settled import relative_error
+from vibcli.evidence.subject import MethodAnswer, Subject, of_signal
+from vibcli.quantities.expression import measure
+from vibcli.symbolic.syntax import QuantityRef
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+
+TITLE = "steady state under loads of one frequency"
+READ: dict[str, Callable] = {"amplitude": abs, "phase": lambda X: -cmath.phase(1j * X)}     # of X in Re X e^{iΩt}
+
+
+def of_wave(problem: "Problem", tree: QuantityRef) -> Subject:
+    """amplitude(x) or phase(x) of a linear signal under loads of one frequency."""
+    known, node = _driven(problem, tree)
+    true = steady_state.of_wave(known, node, tree.head)
+    with mpmath.workdps(30):
+        exact, Omega = steady_state.transfer(known, node)
+    data = in_floats(exact), float(Omega), READ[tree.head]
+
+    def ours() -> MethodAnswer:
+        value, bound = measure(problem.afresh(), tree)
+        return MethodAnswer([value], float(bound) * (abs(value) if tree.head == "phase" else 1))
+
+    return Subject("response", tree.text, TITLE, problem, true, ours, data,
+                   _turned if tree.head == "phase" else relative_error)
+
+
+def harmonic(problem: "Problem", tree: QuantityRef) -> Subject:
+    """harmonic[n](x) of a linear signal; the others are given what the Fourier series of the loads has."""
+    motion, node = _small_signal(problem, tree)
+    number = int(tree.indices[0])
+    loads = harmonics.repeated(motion)
+    true = harmonics.harmonic(loads, node, number)
+    with mpmath.workdps(30):
+        exact, Omega = harmonics.transfer(loads, node, number)
+    return of_signal("response", problem, tree, "steady state under a load that repeats itself", true,
+                     (in_floats(exact), float(Omega), abs))
+
+
+def over_a_period(problem: "Problem", tree: QuantityRef) -> Subject:
+    """mean(x) or rms(x) of a signal, be it a power or a product, under loads of one frequency."""
+    known, node = _driven(problem, tree)
+    true = steady_state.over_a_period(known, node, tree.head)
+    with mpmath.workdps(30):
+        period, start, sizes = steady_state.at_the_start(known)
+    plain = plain_equations(known.motion, node, period, tree.head)._replace(
+        start=np.array(start), sizes=np.array(sizes))
+    return of_signal("steady motion", problem, tree, TITLE, true, plain)
+
+
+def _driven(problem, tree):
+    """(HarmonicLoads, the expression of the signal) of a quantity of one."""
+    motion, node = _small_signal(problem, tree)
+    return steady_state.driven(motion), node
+
+
+def _small_signal(problem, tree):
+    if problem.response.KIND != "small":
+        raise PhysicsError("no reference is found of steady states of this kind of motion")
+    return signal(problem, small(problem), tree.args[0])
+
+
+def _turned(found, true):
+    """Between two angles, in full turns."""
+    with mpmath.workdps(true.working):
+        return float(abs(mpmath.arg(mpmath.expj(mpmath.mpf(float(found[0])) - true.values[0]))))
