@@ -7,7 +7,7 @@ import os
 import sys
 from contextlib import suppress
 
-YOUNG = 1_000_000   # objects, some 100 MB between searches for garbage: what is imported is none, and searches are slow
+YOUNG = 1_000_000   # objects, some 100 MB beside arrays, between searches for garbage: imports are none
 
 
 def main():

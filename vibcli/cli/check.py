@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from vibcli.base.diagnostics import escaped
+from vibcli.base.garbage import GARBAGE
 from vibcli.cli.checking.files import scenes_below
 from vibcli.cli.checking.found import CheckedFile
 from vibcli.cli.checking.text import is_told, summary, tell_in_full, tell_in_short, tell_troubles
@@ -150,6 +151,7 @@ def _each(files: Sequence[str], jobs: int, cache: "Cache | None", settings: Sequ
 
 
 def _checked(cache, settings, patience, file):
+    GARBAGE.clear()
     from vibcli.cli.checking.work import checked_file
 
     check = partial(checked_file, settings=settings, patience=patience)

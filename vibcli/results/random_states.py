@@ -2,7 +2,7 @@
 
 import random
 from collections.abc import Iterator, Mapping, Sequence
-from functools import cache
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 from weakref import WeakKeyDictionary
 
@@ -62,14 +62,15 @@ def _states(problem):
     return _closed(problem, found), [slice(i * each, (i + 1) * each) for i in range(len(groups))]
 
 
-@cache
+@lru_cache(8)
 def _units(coordinates, count):
     """(random numbers from 0 to 1 for the places, velocities and accelerations of so many coordinates, as many for the
     time)."""
     import numpy as np
 
     generator = random.Random("states")
-    rows = np.array([generator.random() for _ in range((3 * coordinates + 1) * count)]).reshape(-1, count)
+    found = (generator.random() for _ in range((3 * coordinates + 1) * count))
+    rows = np.fromiter(found, float).reshape(-1, count)
     return rows[:-1].reshape(coordinates, 3, count), rows[-1]
 
 

@@ -245,6 +245,13 @@ def test_a_matched_damper_ends_the_motion():
     assert (force.before(1.25), force.before(1.0)) == (pytest.approx(0.5), None)
     assert not force.values(np.array([1.25, 1.7, 4.9])).any()
     assert problem(BAR.replace("RIGHT", "right: {c: 2*A*sqrt(E*rho)}")).response.alone.still_from(5.0) == np.inf
+    beside = BAR.replace("RIGHT}", "right: {c: A*sqrt(E*rho)}}\n  still: {length: 4*L, E: E, A: A, rho: rho}")
+    assert problem(beside).response.alone.still_from(5.0) == 2.0
+
+
+def test_what_never_moves_is_still_from_the_start():
+    scene = problem(UNIT + "bars: {rod: {length: L, E: E, A: A, rho: rho}}\n")
+    assert scene.response.alone.still_from(5.0) == 0.0
 
 
 def test_a_value_behind_too_many_fronts_is_found_by_modes():

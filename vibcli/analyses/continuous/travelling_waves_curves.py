@@ -72,7 +72,7 @@ class PiecewiseSeries:
         other = rates[:, 1:].any(axis=1) | (np.abs(rates[:, 0] - last) > EVEN * self.scale[1])
         changing = np.flatnonzero(other)
         first = int(changing[-1]) + 1 if len(changing) else 0
-        return (max(float(self._starts[first]), *self.leaps, 0.0) if first < self.count else np.inf), last
+        return (max([float(self._starts[first]), *self.leaps]) if first < self.count else np.inf), last
 
     def rounding(self, times: np.ndarray, level: int) -> np.ndarray:
         """How often the rounding of a number the values may be off: that of each stretch so far adds to it, and each
