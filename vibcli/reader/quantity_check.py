@@ -142,6 +142,10 @@ def check_questions(spec: "Spec", reader: "Reader", signals: "Sequence[Expressio
         if not isinstance(expression.tree, NameRef) or input_dimension(spec, expression.text) is None:
             reader.report(expression.where, f"this scene has no input {quoted(expression.text)}",
                           nearest(expression.text, inputs(spec)))
+    if (signals or amplitudes) and len(reader.diagnostics) == before:
+        from vibcli.reader.division_check import check_divisions
+
+        check_divisions(reader, (*signals, *(largest for _, largest in amplitudes)))
     for signal, largest in amplitudes if spec.coordinates and len(reader.diagnostics) == before else ():
         tree = NameRef(0, 0, next(iter(spec.coordinates)), 0) if signal is None else signal.tree
         _number(spec, reader, largest, "amplitude", largest.tree, QuantityRef(0, 0, "", "", (), "", (tree,)))
@@ -254,7 +258,7 @@ def _number(spec, reader, expression, kind, arg, tree):
     wanted, words, example = _wanted(spec, reader, expression, kind, tree)
     bare = spec.free_numbers == ALL_NUMBERS or (
         spec.free_numbers and not any(part.units for part in parts_of(arg).numbers))
-    if found is None or bare or spec.dimensions.equate(found, wanted):
+    if None in (found, wanted) or bare or spec.dimensions.equate(found, wanted):
         return _counted(spec, reader, expression, kind, arg)
     reader.report(expression.scalar.place(arg.start, arg.end - arg.start),
                   f"expected {words}, found {units.name(spec.dimensions.resolve(found))}",
@@ -273,8 +277,8 @@ def _wanted(spec, reader, expression, kind, tree):
         unit = ("m" if found in (units.LENGTH, units.SPEED) else "rad") + "/s" * rate
         return found, f"a {'rate of ' * rate}deflection ({unit})", f"0.1 {unit}"
     found = _dimension(spec, reader, expression, tree.args[0])
-    name = units.name(spec.dimensions.resolve(found))
-    return found, f"an amplitude of the signal before it, {name}", "10 cm of a length"
+    name = "" if found is None else f", {units.name(spec.dimensions.resolve(found))}"
+    return found, f"an amplitude of the signal before it{name}", "10 cm of a length"
 
 
 def _counted(spec, reader, expression, kind, arg):

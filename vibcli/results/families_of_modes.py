@@ -12,7 +12,7 @@ from vibcli.analyses.nonlinear.free_equations import FreeEquations
 from vibcli.analyses.nonlinear.harmonics import AmplitudeOfCombination, AmplitudeOfSignal
 from vibcli.analyses.nonlinear.small_amplitudes_of_modes import kappa_of_mode, near_resonance
 from vibcli.base.errors import PhysicsError
-from vibcli.results.motion_signals import amplitude_told, node_of, require_positive
+from vibcli.results.motion_signals import amplitude_told, node_of, require_changing, require_positive
 from vibcli.symbolic.compiled_arrays import Compiled
 from vibcli.symbolic.derivatives import gradient
 
@@ -85,6 +85,7 @@ class FamiliesOfModes:
 
     def _range(self, tree):
         node, speeds = node_of(self.problem, tree), self.scene.v
+        require_changing(node)
         slopes = gradient(node)
         if any(v in slopes for v in speeds):
             raise PhysicsError("the amplitude of a family of free motions is that of a displacement or a spring's "

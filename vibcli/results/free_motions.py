@@ -13,7 +13,7 @@ from vibcli.analyses.nonlinear.motions_by_amplitude import motions_by_amplitude
 from vibcli.analyses.nonlinear.period import periods_of
 from vibcli.analyses.nonlinear.well import Well
 from vibcli.base.errors import Kinked, NotInLetters, PhysicsError
-from vibcli.results.motion_signals import amplitude_told, node_of, require_families, require_positive
+from vibcli.results.motion_signals import amplitude_told, node_of, require_changing, require_families, require_positive
 from vibcli.symbolic.compiled_arrays import Compiled
 from vibcli.symbolic.evaluation import multiprecision
 
@@ -109,6 +109,7 @@ class FreeMotions:
         return float(found.left[0, 0]), float(found.right[0, 0])
 
     def _motions(self, tree, node, amplitudes):
+        require_changing(node)
         try:
             return motions_by_amplitude(self.family, self._signal(node), amplitudes)
         except NoSuchAmplitude as error:

@@ -45,6 +45,12 @@ def node_of(problem: "Problem", tree: Any) -> "Node":
     return lower(tree, scene.table, symbol)
 
 
+def require_changing(node: "Node") -> None:
+    """PhysicsError where a signal is the same in all motions."""
+    if not node.mask:
+        raise PhysicsError("this signal does not change: it has no amplitude", "ask for that of what moves")
+
+
 def amplitude_told(problem: "Problem", tree: Any, amplitude: float) -> str:
     """An amplitude of a signal with its unit."""
     spec = problem.spec

@@ -10,6 +10,7 @@ from vibcli.api.values import given_expression
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.cli.program import run
 from vibcli.quantities.expression import measure
+from vibcli.symbolic.parser import parse
 
 TWO_WELLS = """
 parameters: {m: 1 kg, k: 4 N/m, b: 100 N/m^3}
@@ -112,10 +113,19 @@ def test_a_curve_is_printed_drawn_and_in_the_json(tmp_path, capsys):
     ("{of: [x], up_to: 3 s}", "expected an amplitude of the signal before it, a length"),
     ("{of: [z], up_to: 3 cm}", "no coordinate or signal 'z'"),
     ("{of: [x]}", "up_to"),
+    ("{of: [x/0], up_to: 3 cm}", "divides by zero"),
+    ("{of: [x], up_to: 3 cm/0}", "divides by zero"),
 ])
 def test_a_curve_that_is_asked_wrongly_is_told(asked_for, message):
     with pytest.raises(SpecError, match=message):
         problem(DUFFING + f"find: [{{backbone: {asked_for}}}]\n")
+
+
+@pytest.mark.parametrize(("signal", "message"), [("0*phi", "does not change"), ("phi+pi-phi", "does not change"),
+                                                 ("sin(phi)^2+cos(phi)^2", "no free motion")])
+def test_what_does_not_change_has_no_amplitude(signal, message):
+    with pytest.raises(PhysicsError, match=message):
+        problem(PENDULUM).free_motions.curve(1, parse(signal), [0.3])
 
 
 CUBE_ROOT = """

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from vibcli.analyses.modal.damped_modes import DampedMode
+from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
     from vibcli.mechanics.factored_system import FactoredSystem
@@ -44,6 +45,27 @@ def _ended(elements, piece, felt):
     if not abs(damper - own) <= SAME * own:
         return None
     return float(2 * piece.length * (piece.inertia / piece.tension) ** 0.5)
+
+
+def require_bounded_answers(elements: "FactoredSystem") -> None:
+    """PhysicsError where c = −√(Nμ) stands alone at an end of one uniform bar, shaft or string, however divided:
+    N cosh(τs)/L·τs + c s = N/L·τs e^{−τs}, and no mode is there."""
+    if elements.springs or any(m for m, _ in elements.inertias) or len(elements.dampers) != 1 or any(
+            any(part.values()) for part in (elements.M, elements.C, elements.G, elements.K, elements.drag)):
+        return
+    c, row = elements.dampers[0]
+    felt = [i for i, x in row.items() if x]
+    plain = {(one.piece.order, one.piece.tension, one.piece.inertia) for one in elements.pieces
+             if not (one.retardation or one.piece.gradient or one.piece.drag or one.piece.foundation)}
+    ends = [i for one in elements.pieces for end in one.rows for i, x in end.items() if abs(x) == 1]
+    if len(felt) != 1 or len(plain) != 1 or ends.count(felt[0]) != 1 or max(map(ends.count, ends)) > 2 or any(
+            len(end) > 1 for one in elements.pieces for end in one.rows):
+        return
+    (order, tension, inertia), = plain
+    own, damper = (max(tension, 0.0) * inertia) ** 0.5, c * row[felt[0]] ** 2
+    if order == 2 and damper < 0 and abs(damper + own) <= SAME * own:
+        raise PhysicsError("no mode vibrates: a damper of −√(Nμ) at the end of a bar, shaft or string answers a wave "
+                           "that arrives without bound", "give it another value")
 
 
 def left_over(elements: "FactoredSystem") -> list[DampedMode]:

@@ -77,8 +77,9 @@ def _of_members(elements, natural, digits):
         raise PhysicsError("damped modes of members with distributed inertia are found in floats alone",
                            "leave --digits out, or take out what damps")
     from vibcli.analyses.continuous.damped_source import DampedModes
-    from vibcli.analyses.continuous.matched_damper import dies_after, left_over
+    from vibcli.analyses.continuous.matched_damper import dies_after, left_over, require_bounded_answers
 
+    require_bounded_answers(elements)
     return DampedModes(elements, natural) if dies_after(elements) is None else left_over(elements)
 
 

@@ -82,7 +82,7 @@ class FamilyOfMotions:
             if found is not None:
                 slope = self._growth(signal, found)
                 newton = place - (found.size - wanted) / slope if slope else trial
-                if abs(newton - place) <= 2 * EPS * abs(newton - self.bottom) or found.size == wanted:
+                if found.size == wanted or (slope and abs(newton - place) <= 2 * EPS * abs(newton - self.bottom)):
                     return self._known(signal, found, wanted)
                 trial = newton if low < newton < high else trial
             if trial in (low, high):

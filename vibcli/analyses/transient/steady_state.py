@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 RESONANT, DIGITS = 1e-12, 12      # relative: a frequency that counts as a natural one
 POINTS = 20         # of Gauss's rule
-MOST_CELLS = 200_000    # stretches of a mean, a second or so
+BATCH, MOST = 400_000, 200_000_000      # values of one exponential each that a mean takes together, and in all
 UNFORCED, EPSILON = 1e-13, 2.0**-52
 
 
@@ -189,13 +189,23 @@ def mean_square(motion: "SteadyMotion", output: "LinearOutput", start: float, en
     pieces = motion.pieces(end)
     y = pieces.terms(output, 0)
     cells = stretches(pieces.timeline, start, end)
-    parts = np.ceil(fastest(y.nodes()) * cells.width.max() / 8)
-    if not parts * len(cells) <= MOST_CELLS:
+    nodes = y.nodes()
+    parts, values = max(1.0, np.ceil(fastest(nodes) * cells.width.max() / 8)), POINTS * max(1, len(nodes))
+    if not values * parts * len(cells) <= MOST:
         raise PhysicsError("its fastest part is so short beside a period that the mean of its square is not found",
                            "look for stiffnesses and masses of very different size")
-    cells = cells.divided(max(1, int(parts)))
+    many = max(1.0, BATCH // values)
+    rough = cells.divided(int(np.ceil(parts / many)))
+    fine = int(np.ceil(parts * len(cells) / len(rough)))
+    step = max(1, int(many // fine))
+    batches = (rough.where(slice(i, i + step)).divided(fine) for i in range(0, len(rough), step))
+    return sum(_square(y, batch) for batch in batches) / (end - start)
+
+
+def _square(y, cells):
+    """∫ y² dt over short Cells."""
     at, weights = np.polynomial.legendre.leggauss(POINTS)
     half = cells.width / 2
     tau = (cells.early + half)[:, None] + half[:, None] * at
     values = y.at(np.repeat(cells.segment, POINTS), tau.ravel()).reshape(tau.shape)
-    return float(half @ (values**2 @ weights)) / (end - start)
+    return float(half @ (values**2 @ weights))

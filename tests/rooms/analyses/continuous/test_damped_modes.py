@@ -78,6 +78,14 @@ def test_a_matched_damper_lets_nothing_come_back():
     assert zeros_within(dynamic_matrix(bar(1.0)), 2.0) == 0
 
 
+@pytest.mark.parametrize("divided", ["", "points: {p: {body: b, at: 0.5 m}}\nforces: {F: {at: p, force: 1 N}}\n"])
+def test_a_damper_that_answers_without_bound_leaves_no_mode(divided):
+    scene = problem("bars: {b: {length: 2 m, EA: 400 N, mass_per_length: 4 kg/m, left: clamped, "
+                    "right: {c: -40 N*s/m}}}\n" + divided)
+    with pytest.raises(PhysicsError, match="answers a wave that arrives without bound"):
+        scene.modal.damped.first(1)
+
+
 @pytest.mark.parametrize("r", [1 - 1e-5, 1 + 1e-6, 1 - 1e-9, 1 + 1e-12, 1 - 1e-12])
 def test_a_damper_that_is_nearly_matched(r):
     """To rounding of the numbers as given; the bound holds for these rounded too."""

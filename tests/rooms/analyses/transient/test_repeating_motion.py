@@ -10,6 +10,7 @@ from support.scenes import problem
 from support.signals import signal_of
 
 import vibcli
+from vibcli.analyses.transient import steady_state
 from vibcli.results.precise_signals import precise_signal
 
 SERIES = 4001       # harmonics; those behind them are less than 1e-10 of the first
@@ -98,6 +99,16 @@ def test_a_load_with_a_mean_drives_away_what_nothing_holds():
     scene = vibcli.loads(LOOSE + "forces: {f: {at: a, force: 5 N*(1 + square(4 rad/s*t))}}")
     with pytest.raises(vibcli.PhysicsError, match="a constant force drives a motion that nothing holds"):
         scene["max(steady(x))"]
+
+
+def test_a_mean_over_many_waves_is_put_together_from_parts(monkeypatch):
+    """Of a step each half period, as long as its vibration lasts and longer."""
+    text = ("bodies: {b: {mass: 1 kg, slide: x}}\nsprings: {s: {k: 1e6 N/m, between: [ground, b]}}\n"
+            "dampers: {d: {c: 100 N*s/m, between: [ground, b]}}\n"
+            "forces: {F: {at: b, force: 1 N*square(2*pi*%s rad/s*t)}}\n")
+    whole = [vibcli.loads(text % rate)["rms(x)"].value for rate in ("1", "3")]
+    monkeypatch.setattr(steady_state, "BATCH", 1000)
+    assert [vibcli.loads(text % rate)["rms(x)"].value for rate in ("1", "3")] == pytest.approx(whole, rel=1e-14)
 
 
 def test_a_mean_over_billions_of_waves_is_refused():
