@@ -16,7 +16,7 @@ from vibcli.numerics.pieces.fields import fields
 from vibcli.numerics.pieces.graded_rest import bent_at_rest
 from vibcli.numerics.pieces.loads import LoadForm, LoadStretch, LoadTerm, loaded_fields
 from vibcli.numerics.pieces.piece import Piece
-from vibcli.numerics.stretches import CurveStretch
+from vibcli.numerics.stretches import CurveStretch, kept
 from vibcli.symbolic.antiderivatives import antiderivative
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -56,7 +56,7 @@ def curves_at_rest(configuration: "Configuration", member: "Member", part: str) 
 
 def _from(start, along):
     """What counts places from there, for places that count from the left end of the member."""
-    return lambda places: along(np.asarray(places) - start)
+    return kept(lambda places: along(places - start))
 
 
 def _along(configuration, scene, signal: "PlaceSignal", part: str, xi: Any):

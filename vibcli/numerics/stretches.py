@@ -12,6 +12,18 @@ STEEP, ROUNDS = 0.12, 9         # of the range: more from one place to the next 
 NOTHING, FLAT = 1e-11, 1e-9     # of the largest value, what is zero; of it and of the range, what is even
 
 
+def kept(values: Callable) -> Callable:
+    """The same function of places, found once for each array of them: curves are looked at again and again there."""
+    known: dict[bytes, np.ndarray] = {}
+
+    def at(places):
+        asked = places.tobytes()
+        if asked not in known:
+            known[asked] = values(places)
+        return known[asked].copy()
+    return at
+
+
 class CurveStretch(NamedTuple):
     """A curve from `start` to `end`, `values(places)` giving an array; as many `parts` show it where it is smooth."""
 

@@ -9,7 +9,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.language.signal_names import LEFT_OF, signal_name
 from vibcli.mechanics.internal_forces import InternalForce, forces_within
 from vibcli.mechanics.rest_curves import curves_at_rest
-from vibcli.numerics.stretches import PARTS, CurveStretch
+from vibcli.numerics.stretches import PARTS, CurveStretch, kept
 from vibcli.symbolic.syntax import NameRef, QuantityRef
 
 if TYPE_CHECKING:
@@ -126,17 +126,13 @@ def _of_signals(problem, values, error):
 
 
 def _of_signal(signal, between, values):
-    """The CurveStretch of a signal, which is looked at again and again at the same places."""
-    along, known = values(f"{signal}({sum(between) / 2!r} m)", between), {}
+    """The CurveStretch of a signal."""
+    along = values(f"{signal}({sum(between) / 2!r} m)", between)
 
     def at(places):
-        asked = places.tobytes()
-        if asked not in known:
-            names = [f"{signal}({x!r} m{LEFT_OF * (x >= between[1])})" for x in places.tolist()]
-            known[asked] = along(names, places)
-        return known[asked].copy()
+        return along([f"{signal}({x!r} m{LEFT_OF * (x >= between[1])})" for x in places.tolist()], places)
 
-    return CurveStretch(*between, at, COARSE)
+    return CurveStretch(*between, kept(at), COARSE)
 
 
 def require_numbers(problem: "Problem") -> None:

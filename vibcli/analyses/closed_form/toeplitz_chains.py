@@ -6,7 +6,7 @@ numbers 2cos(2πj/N) to many digits: a rational map that takes the one set into 
 
 from collections.abc import Sequence
 from fractions import Fraction
-from math import gcd
+from math import gcd, prod
 from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.radicals import root
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.rational_functions import Quotients
 
 LARGEST, DIGITS, HEIGHT = 60, 60, 59        # N; working digits; denominators of the map
+PLACES = (2, 1), (5, 3)         # values of the letters, the first and by how much each is larger than the one before
 
 
 class Cosine:
@@ -87,13 +88,32 @@ def _numeric(quotients, modulus):
     zero = quotients.field(0)
     for shift in (zero, -modulus[-2] / (lead * d)):
         moved = _moved([c / lead for c in modulus], shift, zero)
-        scale = _scale(quotients, moved)
+        scale = _scale(quotients, moved) if _in_proportion(quotients, moved) else None
         if scale is None:
             continue
         numbers = [c / scale ** (d - i) for i, c in enumerate(moved)]
         if all(c.numer.is_ground and c.denom.is_ground for c in numbers):
             return scale, shift, [quotients.rational(c.numer.LC / c.denom.LC) if c else 0 for c in numbers]
     return None
+
+
+def _in_proportion(quotients, moved):
+    """May all c_{d−i} be numbers times tⁱ? Then the ratios c_{d−i}ᵏ/c_{d−k}ⁱ, of the first c_{d−k} that is not 0, are
+    the same at two places."""
+    d, k, found = len(moved) - 1, 1 if moved[-2] else 2, []
+    for first, step in PLACES:
+        place = [first + step * i for i in range(len(quotients.ring.gens))]
+        try:
+            values = [_at(quotients, c.numer, place) / _at(quotients, c.denom, place) for c in moved]
+            found.append([value ** k / values[d - k] ** (d - i) for i, value in enumerate(values)])
+        except ZeroDivisionError:
+            return True
+    return found[0] == found[1]
+
+
+def _at(quotients, polynomial, place):
+    return sum((quotients.rational(value) * prod(x ** power for x, power in zip(place, powers, strict=True))
+                for powers, value in polynomial.terms()), Fraction(0))
 
 
 def _scale(quotients, moved):

@@ -7,8 +7,10 @@ import numpy as np
 import pytest
 from support.closed_forms import TEXTBOOK, chain, pendulums, ring
 from support.scenes import number, problem
+from support.trees import new_table, symbol
 
 from vibcli.analyses.closed_form.algebraic_extension import Extension
+from vibcli.analyses.closed_form.toeplitz_chains import cosines
 from vibcli.base.errors import PhysicsError
 from vibcli.check.instances import Instances
 from vibcli.check.verdicts import check
@@ -16,6 +18,7 @@ from vibcli.report.document import Report
 from vibcli.report.formats.text import section_lines, shown
 from vibcli.report.sections.spectrum_data import frequencies_data
 from vibcli.symbolic.parser import parse
+from vibcli.symbolic.rational_functions import Quotients
 from vibcli.symbolic.syntax import Sum
 
 
@@ -184,6 +187,17 @@ def small(text, values):
     tree = parse(text)
     parts = [number(part, values) for _, part in tree.parts] if isinstance(tree, Sum) else [number(tree, values)]
     return abs(number(tree, values)) <= 1e-7 * sum(map(abs, parts))
+
+
+def test_coefficients_out_of_proportion_are_not_factored(monkeypatch):
+    """λ = kμ, μ³ + μ² − 2μ − 1 = 0 has the roots 2cos(2πj/7); with other letters among them none are sought."""
+    table = new_table()
+    quotients = Quotients(table, [symbol(table, "m"), symbol(table, "k")])
+    m, k = (quotients(symbol(table, name)) for name in "mk")
+    one = quotients.number(1)
+    assert [root.N for root in cosines(quotients, [-k**3, -2 * k**2, k, one])] == [7, 7, 7]
+    monkeypatch.delattr(Quotients, "factors")
+    assert cosines(quotients, [-k**3, -2 * k * m, m + k, one]) is None
 
 
 # what is not shown

@@ -3,6 +3,7 @@
 import subprocess
 import sys
 from fractions import Fraction
+from operator import mul
 
 import numpy as np
 import pytest
@@ -32,7 +33,7 @@ ALIKE = {       # M, C, K
     "dragged": (TWO[0], np.diag([0.5, 0.2]), np.array([[300.0, -300.0], [-300.0, 300.0]])),
     "stiff": (np.eye(2), np.diag([5e3, 0.1]), np.diag([1e6, 9.0])),
 }
-UNITS = 2**10
+UNITS, BITS = 2**10, 160
 
 
 def record(steps, kind="walk", seed=1):
@@ -60,9 +61,10 @@ def motion_of(matrices, given, start=(0.01, -0.02)):
 
 
 def exact(matrices, samples, shares, marks, start=(0.01, -0.02)):
-    """(number, (q, q̇, q̈)) at samples: ż = A z + b f by the exponential of the system with f and ḟ, step by step."""
+    """(number, (q, q̇, q̈)) at samples: ż = A z + b f by the exponential of the system with f and ḟ, step by step, in
+    whole multiples of 2^−BITS: steps are whole multiples of 1/UNITS."""
     M, C, K = (mp.matrix(matrix.tolist()) for matrix in matrices)
-    inverse, known = M**-1, {}
+    inverse = M**-1
     A = mp.zeros(6)
     A[0, 2] = A[1, 3] = A[4, 5] = 1
     push = inverse * mp.matrix([mpf(shares.get(i, 0)) for i in range(2)])
@@ -71,15 +73,27 @@ def exact(matrices, samples, shares, marks, start=(0.01, -0.02)):
         A[2 + i, 4] = push[i]
         for j in range(2):
             A[2 + i, j], A[2 + i, 2 + j] = -left[i, j], -drag[i, j]
-    state, rates = [mpf(start[0]), mpf(start[1]), mpf(0), mpf(0)], A.tolist()[2:4]
+    once = [[whole(x) for x in row] for row in mp.expm(A / UNITS).tolist()]
+    known, rates = [[[whole(i == j) for j in range(6)] for i in range(6)]], A.tolist()[2:4]
+    values, state = [whole(value) for value in samples.values], [whole(start[0]), whole(start[1]), 0, 0]
     for k in range(marks[-1] + 1):
         if k in marks:
-            yield k, (state[:2], state[2:], [mp.fdot(row, [*state, mpf(samples.values[k]), 0]) for row in rates])
-        h = samples.times[k + 1] - samples.times[k]
-        if h not in known:
-            known[h] = mp.expm(A * mpf(h)).tolist()[:4]
-        f, rise = mpf(samples.values[k]), (mpf(samples.values[k + 1]) - mpf(samples.values[k])) / mpf(h)
-        state = [mp.fdot(row, [*state, f, rise]) for row in known[h]]
+            z = [mp.ldexp(x, -BITS) for x in state]
+            yield k, (z[:2], z[2:], [mp.fdot(row, [*z, mpf(samples.values[k]), 0]) for row in rates])
+        count = int((samples.times[k + 1] - samples.times[k]) * UNITS)
+        while len(known) <= count:
+            known.append([times(row, zip(*once, strict=True)) for row in known[-1]])
+        z = [*state, values[k], (values[k + 1] - values[k]) * UNITS // count]
+        state = times(z, known[count][:4])
+
+
+def whole(value):
+    """A number as a multiple of 2^−BITS."""
+    return int(mp.nint(mp.ldexp(value, BITS)))
+
+
+def times(values, rows):
+    return [sum(map(mul, values, row)) >> BITS for row in rows]
 
 
 @pytest.mark.parametrize("steps", ["even", "uneven"])
