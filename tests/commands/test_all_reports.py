@@ -5,16 +5,26 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
+from support.kinds import kinds
 from support.renderings import FORMATS, Page, faults, unbalanced
-from support.scenes import kept_settled_of
+from support.scenes import kept_settled_of, scene_of_potential
 
 from vibcli.api.reports import data, report, solution
 from vibcli.base.errors import PhysicsError
 from vibcli.cli.program import run
-from vibcli.report.blocks import Document, paragraph, section
-from vibcli.report.formats import text
+from vibcli.report.blocks import Document, Heading, maths, paragraph, section
+from vibcli.report.formats import html, text
 
 FILES = sorted((Path(__file__).parents[2] / "problems").glob("*/*.yaml"))
+WIDE = (text, html)     # in which each line may be too long: every document is written in them
+MET: set = set()        # kinds of what stood in the documents that this process wrote in the other formats
+
+
+def formats_of(document):
+    """All formats of a document that holds a kind of anything that no document before it held."""
+    new = set(kinds(document.sections)) - MET
+    MET.update(new)
+    return FORMATS if new else WIDE
 
 
 @pytest.mark.sweep
@@ -22,10 +32,24 @@ FILES = sorted((Path(__file__).parents[2] / "problems").glob("*/*.yaml"))
 def test_of_all_problems(path):
     found = kept_settled_of(path)
     sections = solution(found)
-    assert not faults(report(found, sections).document(), FORMATS)
+    document = report(found, sections).document()
+    assert not faults(document, formats_of(document))
     with suppress(PhysicsError):
         json.dumps(data(found, ("equations", "frequencies", "equilibria"), "first", None, sections),
                    allow_nan=False, default=str)
+
+
+def test_what_no_format_has_met_is_told():
+    """A block, mathematics in it, a character, a power, a fraction, a longer formula; not another letter."""
+    x = scene_of_potential("x^2").scene.q[0]
+    met, new = set(), []
+    for block in (paragraph("a"), paragraph("b"), Heading("b"), paragraph(maths("b")), paragraph("b_"),
+                  paragraph(maths(x)), paragraph(maths(x**2)), paragraph(maths(x**2 / 3)),
+                  paragraph(maths(x**2 / 3 + x**3 / 3 + x**4 / 3 + x**5 / 3)), paragraph(maths(x**2 / 3))):
+        found = set(kinds(section("", block)))
+        new.append(not found <= met)
+        met |= found
+    assert new == [True, False, *[True] * 7, False]
 
 
 def test_what_is_not_closed_is_seen():
