@@ -132,8 +132,10 @@ def by_waves(signal: Signal, asked: tuple, t: float) -> Signal:
 
 
 def without_bound() -> NoBound:
-    """Of a series that does not converge absolutely, or is read where unit loads have no finite motion."""
+    """Of a series that does not converge absolutely, falls so unevenly that the modes counted do not tell how it does,
+    or is read where unit loads have no finite motion."""
     return NoBound("what the modes left out add to this signal after what jumps here has no bound that is known: their "
-                   "series does not converge absolutely, or is read next to an end without tension",
+                   "series does not converge absolutely, falls too unevenly to tell, or is read next to an "
+                   "end without tension",
                    "loads that begin without a jump, or that act on a mass, leave less to the modes left out; forces, "
                    "rates and what is next to an end without tension have a bound less often than displacements do")

@@ -126,3 +126,15 @@ def test_what_modes_left_out_add_is_told_by_octaves_that_fall_alike(power):
     rest = sizes[8192:].sum()
     assert rest <= remainder(sizes[:8192]) <= 1.4 * rest
     assert 2 * rest < remainder(np.where(n > 5000, 1.1, 1.0)[:8192] * sizes[:8192]) / 1.1      # they do not
+
+
+def test_what_modes_left_out_add_is_told_where_nodes_make_octaves_alike():
+    """Of a beam on pins, read at one place and pushed at another."""
+    n = np.arange(1, 20_000)
+    slow, fast = (np.abs(np.sin(0.505 * np.pi * n) * np.sin(0.973 * np.pi * n)) / n**power for power in (1, 2))
+    assert fast[128:].sum() <= remainder(fast[:128]) < 1 and remainder(slow[:128]) == np.inf
+
+
+def test_what_rounding_leaves_of_modes_has_a_bound():
+    noise = 1e-19 * np.random.default_rng(1).random(256)
+    assert remainder(noise) == np.inf and remainder(noise, 1e-19) < 1e-16

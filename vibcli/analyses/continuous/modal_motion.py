@@ -190,7 +190,8 @@ class ModalMotion:
         """A bound of what is left out; where none is known how amplitudes fall."""
         if self._disturbances is not None:
             return self._disturbances.bound(read.output, t, read.order)
-        rest = remainder(self._amplitudes(read, stretch))
+        rounded = float((read.off * np.abs(stretch.free))[self.states.modes >= self.count // 2].max(initial=0.0))
+        rest = remainder(self._amplitudes(read, stretch), rounded)
         return rest * float(np.exp(self.modes.fading * (t - stretch.start))) if 0 < rest < inf else rest
 
     def left_share(self, output: "LinearOutput", t: float | None = None) -> float:

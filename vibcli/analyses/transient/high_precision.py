@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
 GUARD, MORE, TRIES = 64, 96, 12
+NOTHING = 4096      # bits to which what is zero is looked at: it may have died out
 SMALL = 8           # binary orders below 1 of what a series is of
 EPSILON = 2.0**-50
 ALIKE, KEPT = 2**20, 16     # rounding of a length of time between jumps; exponentials that are kept
@@ -57,7 +58,7 @@ def precise_values(M: "Sequence[list[float | mpmath.mpf]]", C: "Sequence[list[fl
             small = mp.mpf(10) ** (-digits - 1)
             if before is not None and all(abs(x - y) <= abs(x) * small for x, y in zip(found, before, strict=True)):
                 break
-        before, bits = found, bits + max(MORE, bits // 3)
+        before, bits = found, max(bits + max(MORE, bits // 3), 0 if all(found) else NOTHING)
     return found
 
 

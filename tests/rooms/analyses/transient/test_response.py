@@ -2,6 +2,7 @@
 
 import math
 
+import mpmath
 import numpy as np
 import pytest
 from support.responses import EPS, FREE, STEP, case, chain, errors, exact_values, one, q, rates, systems, v
@@ -10,7 +11,7 @@ from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
 from vibcli.analyses.excitation.linear_output import LinearOutput
 from vibcli.analyses.transient.exponential_differences import differences
 from vibcli.analyses.transient.extremes import ExtremeSearch
-from vibcli.analyses.transient.high_precision import precise_value
+from vibcli.analyses.transient.high_precision import precise_value, precise_values
 from vibcli.analyses.transient.linear_response import linear_motion
 from vibcli.base.errors import PhysicsError
 
@@ -270,3 +271,12 @@ def test_an_extreme_is_found_in_few_looks(monkeypatch):
     turn = math.pi / math.sqrt(8.91)
     assert abs(t - turn) <= 1e-7 and abs(x + math.exp(-0.3 * turn)) <= 4 * EPS
     assert len(looks) <= 4 and max(looks) <= 500
+
+
+def test_what_has_died_out_is_no_zero_and_what_never_moves_is():
+    """x = e^{−20t} (cos 10t + 2 sin 10t); nothing moves the other coordinate."""
+    with mpmath.workdps(40):
+        exact = mpmath.exp(-600) * (mpmath.cos(300) + 2 * mpmath.sin(300))
+    x, other = precise_values(np.eye(2).tolist(), np.diag([40.0, 1.0]).tolist(), np.diag([500.0, 1.0]).tolist(),
+                              Forcing(2, FREE), [1.0, 0.0], [0.0, 0.0], [q(0), q(1)], 30.0, 12)
+    assert abs(x - exact) <= abs(exact) * 1e-12 and other == 0
