@@ -7,7 +7,7 @@ import os
 import sys
 from contextlib import suppress
 
-YOUNG = 1_000_000   # objects, some 100 MB between searches for garbage: what is imported is none, and searches are slow
+YOUNG = 300_000   # objects, some 30 MB between searches for garbage: what is imported is none, and searches are slow
 
 
 def main():
