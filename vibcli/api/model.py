@@ -68,10 +68,10 @@ class Model:
 
     def with_values(self, **values: float | str) -> "Model":
         """The scene with other values of parameters: numbers in the unit of the file, texts with their own."""
-        known, found = given.parameters_of(self._source.node), dict(self._settings)
+        found = dict(self._settings)
         for name, value in values.items():
             try:
-                found |= given.setting(name, text_of(value) or "", known, "with_values")
+                found |= given.setting(name, text_of(value) or "", self._named, "with_values")
             except ValueError as error:
                 raise SpecError([Diagnostic(Where(f"with_values {name}", 1, 1, 0), str(error))]) from None
         problem = self._others.at(found)
@@ -79,6 +79,11 @@ class Model:
             problem = problem_of(self._source, found)
             problem = problem if self._case is None else _case(problem, self._case)
         return Model(self._source, problem, found, self._case, self._accuracy, self._others)
+
+    @cached_property
+    def _named(self):
+        """The names to which values can be given."""
+        return given.parameters_of(self._source.node)
 
     @cached_property
     def _others(self):

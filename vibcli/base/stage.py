@@ -1,4 +1,4 @@
-"""A stage of a lazy pipeline: computed once, on first touch, and its cost kept."""
+"""A stage of a lazy pipeline: computed once, on first touch, and its cost kept; parts that several objects share."""
 
 from collections.abc import Callable
 from functools import cached_property
@@ -31,3 +31,14 @@ class Stage(cached_property):
         if self.attrname in part.__dict__:
             return part.__dict__[self.attrname]
         return part.costs.measured(self.attrname, lambda: cached_property.__get__(self, part, owner))
+
+
+class SharedPart(cached_property):
+    """A cached property that follows from expressions alone: an object that is `like` another one, but for its values,
+    takes over that of the other."""
+
+    def __get__(self, part: Any, owner: type[Any] | None = None):
+        if part is None or part.like is None:
+            return super().__get__(part, owner)
+        found = part.__dict__[self.attrname] = getattr(part.like, self.attrname)
+        return found

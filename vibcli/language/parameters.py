@@ -1,6 +1,7 @@
 """Values of parameters: from the file, from outside, exact or in any arithmetic."""
 
 from collections.abc import Iterable, Mapping
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
@@ -32,13 +33,17 @@ def alike(record: Record, tree: Any, scalar: Any, free_numbers: bool | str = Fal
     scene is read otherwise; None where that is not so. free_numbers: as in a DimensionCheck of the scene."""
     if "value" not in record:
         return None
-    was, (tree, scalar) = record["value"].tree, _in_unit(record, tree, scalar)
-    if not all(isinstance(one, Number) and one.value > 0 for one in (was, tree)) or _kind(was) != _kind(tree):
+    was, given, (tree, scalar) = record["value"].tree, tree, _in_unit(record, tree, scalar)
+    if not (_is_positive(was) and _is_positive(tree)) or (given.units and _kind(was) != _kind(tree)):
         return None
     if free_numbers and is_factor(was, free_numbers) != is_factor(tree, free_numbers):
         return None
     value = Expression(scalar, tree, record["value"].unit, record["value"].dimension)
     return record.with_values({**record, "value": value})
+
+
+def _is_positive(tree):
+    return tree.kind == "number" and tree.value.numerator > 0
 
 
 def _kind(literal):
@@ -50,11 +55,15 @@ def _in_unit(record, tree, scalar):
     """A bare number in the unit in which the file gives a parameter; all else as it is."""
     number = whole_literal(tree)
     if number and not number.units and (unit := unit_text(record)):
-        units = parse("1 " + unit).units        # each where it stands in the text
-        moved = len(scalar.text) - 1
-        placed = tuple(one._replace(start=one.start + moved, end=one.end + moved) for one in units)
-        return _with_unit(tree, placed), Scalar(f"{scalar.text} {unit}", scalar.where)
+        return _with_unit(tree, _placed(unit, len(scalar.text) + 1)), Scalar(f"{scalar.text} {unit}", scalar.where)
     return tree, scalar
+
+
+@lru_cache(maxsize=256)
+def _placed(unit, start):
+    """The units of a text that starts at a place."""
+    moved = start - len("1 ")
+    return tuple(one._replace(start=one.start + moved, end=one.end + moved) for one in parse("1 " + unit).units)
 
 
 def overridden(record: Record, tree: Number | Product | Sum, scalar: Any, reader: Reader) -> Record:

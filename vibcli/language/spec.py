@@ -119,7 +119,8 @@ class Spec(NamedTuple):
 
     def with_parameters(self, parameters: Any) -> "Spec":
         """The Spec with other parameters."""
-        return self.with_sections(parameters=parameters)._replace(parameters=parameters)
+        sections = {**self.sections, "parameters": parameters}
+        return self._replace(sections=sections, get=sections.get, parameters=parameters)
 
     @property
     def independent_parameters(self) -> list[str]:

@@ -6,7 +6,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import Kinked, PhysicsError, defined_as_drawn
-from vibcli.base.stage import Costs, Stage
+from vibcli.base.stage import Costs, SharedPart, Stage
 from vibcli.base.work import Work
 from vibcli.symbolic.derivatives import substitute
 
@@ -38,15 +38,15 @@ class MechanicalSystem:
     symbols, by which signs in the geometry are read off; `work`: what counts its long work; `released`: the system
     whose motion starts under the force that lets go, where this one is held by it; `tensions`: {member: [N of each
     piece]} that are not those of statics alone, None where they are sought; `watched`: as what the numbers are that are
-    read off its drawing; `known`: {part: what it is}, and `shared(part)`, None where that is to be found here."""
+    read off its drawing; `known`: {part: what it is}, and `shared(part)`, None where that is to be found here; `like`:
+    one of the same expressions."""
 
     def __init__(self, spec: "Spec", given: "Mapping[str, Fraction] | None" = None, work: Work | None = None,
                  released: Any = None, tensions: "Mapping[str, list[Fraction]] | None" = None,
                  watched: "Callable | None" = None, known: "Mapping[str, Any] | None" = None,
-                 shared: "Callable | None" = None):
+                 shared: "Callable | None" = None, like: "MechanicalSystem | None" = None):
         self.spec, self.given, self.work, self.released = spec, dict(given or {}), work or Work(), released
-        self.tensions, self._watched, self._shared = tensions, watched, shared
-        self.costs = Costs()
+        self.tensions, self._watched, self._shared, self.like, self.costs = tensions, watched, shared, like, Costs()
         self.__dict__.update(known or {})
 
     def with_values(self, given: "Mapping[str, Fraction]") -> "MechanicalSystem":
@@ -173,12 +173,12 @@ class MechanicalSystem:
 
         return steady(self.scene.vibrating, self.time_dependent_linearisation)
 
-    @cached_property
+    @SharedPart
     def statics(self):
         """The Linearisation of forces alone: what conditions of equilibrium and K are made of."""
         return self.linearisation._replace(inertias=[], dampers=[], M={}, C={}, G={}, drag={})
 
-    @cached_property
+    @SharedPart
     def statics_code(self):
         """Its StaticsCode."""
         from vibcli.mechanics.compiled_statics import StaticsCode
@@ -203,7 +203,7 @@ class MechanicalSystem:
         scene = self.scene.vibrating
         return excitation(scene, self.time_dependent_linearisation, scene.drawn_position)
 
-    @cached_property
+    @SharedPart
     def hangs_on_time(self):
         """May M, C, G and K depend on the time?"""
         from vibcli.mechanics.linearisation import hangs_on
@@ -267,7 +267,7 @@ class MechanicalSystem:
             return [substitute(terms, self.scene.vibrating.drawn_position)
                     for terms in residual_terms(self.linearisation)]
 
-    @cached_property
+    @SharedPart
     def potential(self):
         """V of the whole scene less the kinetic energy at rest, as an expression."""
         from vibcli.mechanics.energies import effective_potential
@@ -289,7 +289,7 @@ class MechanicalSystem:
 
         return sticking(self)
 
-    @cached_property
+    @SharedPart
     def named_start(self) -> "dict[str, Node]":
         """{coordinate: expression} of the place that `equilibrium:` names, empty where it names none."""
         start = self.spec.get("equilibrium") or {}

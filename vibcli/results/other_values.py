@@ -57,8 +57,8 @@ class OtherValues:
         values = None if self._known is None else self._values(settings)
         if self._known is None or values is None or not self._drawn_alike(values):
             return None
-        known = {**self._known, "scene": values.over(self.problem.scene)}
-        system = MechanicalSystem(values.spec, known=known, shared=partial(self._shared, values))
+        like, known = self.problem.system, {**self._known, "scene": values.over(self.problem.scene)}
+        system = MechanicalSystem(values.spec, known=known, shared=partial(self._shared, values), like=like)
         numeric = NumericSystem(system, floats=None if values.parameters.free else values.sample)
         return Problem(values.spec, work=system.work, modal=ModalAnalysis(Configuration(numeric)))
 
@@ -79,11 +79,18 @@ class OtherValues:
         if spec is None:
             return None
         parameters = Parameters(spec, scene.table, scene.parameters, settings.keys() & spec.parameters.keys())
+        kept = {name: scene.sample[name] for name in self._by_themselves if name not in settings}
         try:
-            sample = parameters.values(Floats, {name: scene.sample[name] for name in parameters.free})
+            sample = {**scene.sample, **parameters.values(Floats, kept)}
         except SpecError:
             return None
         return _Values(spec, parameters, sample)
+
+    @cached_property
+    def _by_themselves(self):
+        """Names of the parameters that hang on no others."""
+        parameters = self.problem.scene.parameters
+        return [*parameters.free, *(name for name, node in parameters.definitions.items() if node.op == "number")]
 
     def _drawn_alike(self, values):
         return self._decisions.hold(self.problem.scene.sample, values.sample)
@@ -142,6 +149,8 @@ def _with(spec, settings):
         if found is None:
             return None
         parameters[name] = found
+    if not spec.cases:
+        return spec.with_parameters(parameters)
     cases = {name: _with(case, settings) for name, case in spec.cases.items()}
     return None if None in cases.values() else spec.with_parameters(parameters)._replace(cases=cases)
 

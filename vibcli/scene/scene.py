@@ -8,6 +8,7 @@ from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
+from vibcli.base.stage import SharedPart
 from vibcli.scene.displacements import stays_bounded
 from vibcli.scene.expressions import Expressions
 from vibcli.scene.places import Places
@@ -85,16 +86,15 @@ class Closure(NamedTuple):
 
 
 class Scene:
-    """The scalar functions of a scene; finished when it is made.
-
-    `still`: the scene at rest, where something is driven to and fro.
-    """
+    """The scalar functions of a scene; finished when it is made. `still`: the scene at rest, where something is driven
+    to and fro; `like`: one of the same functions, with other values."""
 
     def __init__(self, setting: Setting, coordinates: "SceneCoordinates", contents: "Contents", drives: Drives,
-                 closure: Closure | None = None, still: "Scene | None" = None):
+                 closure: Closure | None = None, still: "Scene | None" = None, like: "Scene | None" = None):
         self._parts = {"setting": setting, "coordinates": coordinates, "contents": contents, "drives": drives,
                        "closure": closure, "still": still}
-        self.setting, self.kinematics, self.contents, self.still = setting, coordinates, contents, still
+        self.setting, self.kinematics, self.contents = setting, coordinates, contents
+        self.still, self.like = still, like
         self.spec, self.attempt, _, self.parameters, self.sample, reports, _ = setting
         self.surfaces, self.report = self.spec.sections.get("surfaces") or {}, reports.report
         self.table, self.time, self.coordinates, self.q, self.v, self.a, self.speeds, _, self.drawn, _ = coordinates
@@ -113,7 +113,7 @@ class Scene:
         self.drives, (self.driven, self.inputs, self.released, self.idle) = drives, drives
         self.loops, self.dependent, self.freedom = closure or Closure(None, {}, Freedom(len(self.q), 0, ()))
 
-    @cached_property
+    @SharedPart
     def timed(self) -> bool:
         """Does anything that moves, stores, damps or loads depend on the time?"""
         return any(node.mask & self.time.mask for node in self.contents.depends_on)
@@ -126,12 +126,12 @@ class Scene:
         """The same by its expressions with other values, at which all would be drawn alike."""
         setting = self.setting._replace(spec=spec, parameters=parameters, sample=sample,
                                         draw=partial(self.setting.draw.func, spec, {}))
-        found = self.with_parts(setting=setting,
-                                still=self.still and self.still.with_other_values(spec, parameters, sample))
+        still = self.still and self.still.with_other_values(spec, parameters, sample)
+        found = self.with_parts(setting=setting, still=still, like=self)
         if self.loops is None:
             return found
         loops = self.loops.with_sizes(found.unit_of)
-        return found.with_parts(closure=Closure(loops, self.dependent, self.freedom))
+        return found.with_parts(closure=Closure(loops, self.dependent, self.freedom), like=self)
 
     def replaced(self, values: Any, **parts: Any) -> "Scene":
         """With other parts, and symbols replaced in every expression, {symbol: node}."""
@@ -203,7 +203,7 @@ class Scene:
         """{symbol: its value as drawn} of all coordinates and the time."""
         return {**self.drawn, self.time: self.table.zero}
 
-    @cached_property
+    @SharedPart
     def rates_at_rest(self) -> "dict[Node, Node]":
         """{symbol: zero} of the velocities."""
         return dict.fromkeys(self.v, self.table.zero)

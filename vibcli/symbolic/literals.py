@@ -24,7 +24,9 @@ def literal(text: str, number: "Match") -> Number:
     if len(mantissa) > 80 or len(exponent) > 4 or abs(int(exponent or 0)) > 60:
         raise ExpressionError(start, len(digits), "this number is out of range", RANGE)
     chain, end = _units(text.replace("μ", "µ"), start, number.end())
-    value = Fraction(int(digits)) if digits.isdecimal() else Fraction(digits)
+    whole, _, decimals = mantissa.partition(".")
+    value, places = int(whole + decimals), int(exponent or 0) - len(decimals)
+    value = Fraction(value * 10**places) if places >= 0 else Fraction(value, 10**-places)
     return Number(start, end, value, tuple(chain))
 
 

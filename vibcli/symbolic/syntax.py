@@ -130,9 +130,13 @@ class Parts(NamedTuple):
     whole: Number | None
 
 
-@lru_cache(REMEMBERED)
 def parts_of(tree: Any) -> Parts:
     """The Parts of a tree, in one walk, the same for trees that are alike."""
+    return Parts([], [tree], [], [], tree) if tree.kind == "number" else _parts_of(tree)
+
+
+@lru_cache(REMEMBERED)
+def _parts_of(tree):
     names, numbers, calls, quantities, pending = [], [], [], [], [tree]
     while pending:
         part = pending.pop()

@@ -88,6 +88,15 @@ def test_what_is_driven_is_drawn_once():
     assert [scene.sample["k"] for scene in scenes] == [100, 200, 300]
 
 
+def test_what_follows_from_expressions_is_derived_once():
+    model = vibcli.loads(LEVER)
+    systems = [each._problem.system for each in (model, model.with_values(k=200), model.with_values(k=300, m=2))]
+    for part in ("statics", "statics_code", "potential", "hangs_on_time"):
+        assert all(getattr(system, part) is getattr(systems[0], part) for system in systems)
+    assert all(system.scene.rates_at_rest is systems[0].scene.rates_at_rest for system in systems)
+    assert [system.scene.timed for system in systems] == [True] * 3
+
+
 def test_values_follow_those_given_before():
     model = vibcli.loads(LEVER)
     one = model.with_values(k="0.4 N/mm").with_values(m=4)

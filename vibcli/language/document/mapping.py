@@ -24,6 +24,8 @@ def text_of(value: object) -> str | None:
         return ""
     if isinstance(value, str):
         return value
+    if isinstance(value, float):
+        return repr(float(value))
     if isinstance(value, bool) or type(value).__name__ in ("bool_", "bool"):
         return "true" if value else "false"
     if isinstance(value, Integral):
