@@ -29,9 +29,9 @@ class SymbolicExpression:
     @property
     def latex(self) -> str:
         """The expression in LaTeX, without dollar signs."""
-        from vibcli.notation.latex import latex
+        from vibcli.notation.latex import in_one_line
 
-        return latex(self._node)
+        return in_one_line(self._node)
 
     def to_sympy(self) -> "Expr":
         """The expression in SymPy; coordinates are functions of Symbol("t")."""

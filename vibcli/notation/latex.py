@@ -102,4 +102,11 @@ class Latex(Stacked):
         return " ".join(filter(None, map(str.strip, texts)))
 
 
-latex = Latex()
+class InOneLine(Latex):
+    """LaTeX without rows, however wide, for programs that read it."""
+
+    def rows(self, texts: list[str]) -> str:
+        return "".join(texts)
+
+
+latex, in_one_line = Latex(), InOneLine()

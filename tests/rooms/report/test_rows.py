@@ -4,7 +4,7 @@ import pytest
 from support.renderings import too_wide
 from support.scenes import problem
 
-from vibcli.notation.latex import latex
+from vibcli.notation.latex import in_one_line, latex
 from vibcli.notation.mathml import mathml
 from vibcli.notation.numbers import width, wrapped
 from vibcli.notation.plain import plain
@@ -54,7 +54,7 @@ def test_what_stands_in_a_fraction_or_a_root_is_broken_where_it_is_wide(write, r
     table, (m, *k) = scene.scene.table, (scene.scene.parameters.nodes[name] for name in ("m", *names))
     total, few = sum(k[1:], k[0]), k[0] + k[1] + k[2]
     for wide in (m / total, total / m, table.sqrt(total), few * few * total):
-        assert row in formula([wide], write)
+        assert row in formula([wide], write) and row not in in_one_line(wide)
     for narrow in (m / few, table.sqrt(few), few * (k[0] + k[4])):
         assert row not in formula([narrow], write)
     assert row not in write(total)       # which whoever sets it breaks

@@ -185,7 +185,7 @@ ENERGY = Key("energies", "as expressions of the language of scenes, in solve and
 
 def equation_rows(problem: "Problem") -> Iterator[dict[str, str | None]]:
     """What the keys below tell of each coordinate."""
-    from vibcli.notation.latex import latex
+    from vibcli.notation.latex import in_one_line
     from vibcli.notation.scene_language import language
     from vibcli.report.sections.numeric_equations import linear_rows
 
@@ -197,7 +197,8 @@ def equation_rows(problem: "Problem") -> Iterator[dict[str, str | None]]:
             row = problem.scene.coordinates.index(name)
             text, tex = linear[row]
             missing = equations.left_out.get(row)
-        full = [equation(loose, equations.full[i], write) if equations.full else None for write in (language, latex)]
+        full = [equation(loose, equations.full[i], write) if equations.full else None
+                for write in (language, in_one_line)]
         yield EQUATIONS.row(name, *full, text, tex, missing)
 
 

@@ -21,14 +21,14 @@ ROUNDING = 1e-13        # of the terms that add up to a coefficient, which is ze
 
 def linear_rows(problem: "Problem", equations: "EquationsOfMotion") -> "Iterator[tuple[str | None, str | None]]":
     """The equation of small oscillations of each coordinate: (text, LaTeX), in letters or with numbers."""
-    from vibcli.notation.latex import latex
+    from vibcli.notation.latex import in_one_line
     from vibcli.notation.scene_language import language
 
     count = len(problem.scene.coordinates)
     if equations.in_letters:
         for i in range(count):
             left, right = equations.linear[i], equations.drive.get(i, problem.scene.table.zero)
-            yield f"{language(left)} = {language(right)}", f"{latex(left)} = {latex(right)}"
+            yield f"{language(left)} = {language(right)}", f"{in_one_line(left)} = {in_one_line(right)}"
     elif problem.numeric.has_free_symbols:
         yield from [(None, None)] * count
     else:
@@ -36,7 +36,7 @@ def linear_rows(problem: "Problem", equations: "EquationsOfMotion") -> "Iterator
         for i, row in enumerate(rows):
             drive = numeric_drive(problem, equations, i)
             text, tex = (f"{joined(row, times, write)} = {joined(drive, times, write)}"
-                         for times, write in (("*", language), (r" \, ", latex)))
+                         for times, write in (("*", language), (r" \, ", in_one_line)))
             yield text, tex
 
 

@@ -34,14 +34,14 @@ def section_of(found: "Sequence[WorkedLine]") -> tuple[Section, ...]:
 
 
 def _data(problem):
-    from vibcli.notation.latex import latex
+    from vibcli.notation.latex import in_one_line
     from vibcli.notation.plain import plain
     from vibcli.notation.scene_language import language
     from vibcli.report.formats.formula import formula
     from vibcli.report.steps.worked import worked
 
     return [KEY.row(one.number, one.settles, list(one.uses), formula(one.parts, plain).strip().replace("\u00a0", " "),
-                    formula(one.parts, latex), one.node and language(one.node), one.value, one.unit or None)
+                    formula(one.parts, in_one_line), one.node and language(one.node), one.value, one.unit or None)
             for one in worked(problem)]
 
 
