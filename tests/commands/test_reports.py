@@ -121,7 +121,7 @@ def assert_latex(text):
         elif word == "$":
             dollars += 1
         elif word == "&":
-            assert opened[-1] in ("align*", "longtable", "tabular")
+            assert opened[-1] in ("align*", "aligned", "longtable", "tabular")
         elif word == "^":
             assert dollars % 2 or opened[-1] == "align*" or body[:token.start()].endswith(("{", "{}", "}", ")"))
         else:
@@ -165,7 +165,8 @@ def assert_asciidoc(text):
     assert levels[0] == 1 and all(1 < b <= a + 1 for a, b in pairwise(levels))
     for block, kind in zip(blocks, kinds, strict=True):
         if kind == "display":
-            assert block.count("{aligned}") in (0, 2) and block.count("{") == block.count("}")
+            assert block.count("\\begin{aligned}") == block.count("\\end{aligned}") == block.count("{aligned}") / 2
+            assert block.count("{") == block.count("}")
             continue
         bare = STEM.sub("", block)
         if kind == "table":
@@ -182,7 +183,7 @@ def assert_typst(text):
     assert bare.count("$") % 2 == 0
     assert all(bare.count(opened) == bare.count(closed) for opened, closed in ("()", "[]", "{}"))
     assert set(re.findall(r"#(\w*)", bare)) <= {"table", "fitted", "picture", "block", "box", "h",
-                                                 "pagebreak"}
+                                                 "pagebreak", "none", "left", "0"}        # of rows: delim, align, gap
 
 
 CHECKS = {"html": assert_page, "latex": assert_latex, "markdown": assert_markdown, "asciidoc": assert_asciidoc,

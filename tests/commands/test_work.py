@@ -124,28 +124,31 @@ answers: {'max(x)': 0.5 m}
     ("min(y)", r"so far (\S+) at t = \S+ s is the smallest \(in SI units\), and none is below it by more than (\S+)"),
     ("period(x)", r"before t = (\S+) s it passes (\d+) times")])
 def test_searches_through_linear_motions_tell_what_is_known(monkeypatch, quantity, known):
-    scene = problem(LONG)
-    signal, y = (scene.response.signal(NameRef(0, 0, name, 0)) for name in "xy")
-    full = signal.zeros(0.0, 300.0)
+    sense, name = 1 if quantity.startswith("max") else -1, "x" if quantity == "period(x)" else "y"
+
+    def search(scene):
+        signal = scene.response.signal(NameRef(0, 0, name, 0))
+        return signal.zeros(0.0, 300.0) if name == "x" else signal.extreme(0.0, 300.0, sense)[1]
+
+    scene, later = problem(LONG), problem(LONG)
+    full = search(scene) if name == "x" else None
     for module in (zeros, extremes):
         monkeypatch.setattr(module, "MOST", 2)
     monkeypatch.setattr(isolating_intervals, "BATCH", 1)
-    sense = 1 if quantity.startswith("max") else -1
-    search = (lambda: signal.zeros(0.0, 300.0)) if quantity == "period(x)" else lambda: y.extreme(0.0, 300.0, sense)[1]
     with pytest.raises(PhysicsError) as refused:
-        search()
+        search(scene)
     assert "--patience 10" in refused.value.hint
     first, second = map(float, re.search(known, refused.value.message).groups())
     scene.work.patience = 1000
-    found = search()
+    found = search(scene)
     if quantity == "period(x)":
         assert len(full[full < first]) == second and 0 < first < 300 and found.tolist() == full.tolist()
     else:
         assert -1e-6 < sense * (found - first) <= second
-    scene.work.patience = 2
-    with pytest.raises(PhysicsError) as later:
-        search()
-    further, least = map(float, re.search(known, later.value.message).groups())
+    later.work.patience = 2
+    with pytest.raises(PhysicsError) as refused:
+        search(later)
+    further, least = map(float, re.search(known, refused.value.message).groups())
     assert further > first if quantity == "period(x)" else least <= second
 
 
