@@ -96,10 +96,10 @@ class TaylorMarch:
             raise self._undefined() from None
         reach = min(self._reach(series, self.accuracy), GROWTH_BITS / self.order)
         length = shifted(int(2.0 ** (reach % 1) * 2**30), int(reach // 1) - 30 + self.bits) * self._scale >> self.bits
-        if log2(length or 1) - self.bits < SHORTEST:
-            raise self._undefined()
         if longest is not None:
             length = self._checked(compute, series, min(length, longest))
+        if self._is_none(length):
+            raise self._undefined()
         end = self._t + length if limit is None else min(self._t + length, limit)
         self.steps.append(Step(self._t, end, self._scale, series))
         self._state = self._within(series, ((end - self._t) << self.bits) // self._scale)
@@ -114,7 +114,7 @@ class TaylorMarch:
         """A length within which the series obeys the equations, so that no pulse of the time is stepped over."""
         scale, bits = self._scale, self.bits
         sizes = self._scales([0] * len(self._sizes))[:len(series.q)]
-        while log2(length or 1) - bits >= SHORTEST:
+        while not self._is_none(length):
             for k in range(1, CHECKS + 1):
                 t = length * k // CHECKS
                 s = (t << bits) // scale
@@ -128,6 +128,10 @@ class TaylorMarch:
                 break
             length //= 2
         return length
+
+    def _is_none(self, length):
+        """Is a step too short to be one?"""
+        return not length or log2(length) - self.bits < SHORTEST
 
     def _first_scale(self, compute):
         """A time in which the motion changes, to begin with."""
