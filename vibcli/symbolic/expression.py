@@ -46,8 +46,7 @@ class Table:
     def _make(self, op, args, coefficient, mask=0, name=None):
         """The one node like this; what has parts depends on the variables of these."""
         key = (op, name, coefficient, args)
-        node = self._nodes.get(key)
-        if node is None:
+        if (node := self._nodes.get(key)) is None:
             node = self._nodes[key] = Node()
             parts = args if op == "call" else tuple([arg for arg, _ in args]) if op in _OF_PAIRS else ()
             node.table, node.op, node.args, node.coefficient, node.parts = self, op, args, coefficient, parts
@@ -162,19 +161,13 @@ class Table:
         for node, exponent in factors:
             if exponent.__class__ is not int:
                 exponent = exact(exponent)
-            parts = ((node, exponent),)
-            if node.op == "product" and exponent == 1:
-                coefficient *= node.coefficient
-                parts = reversed(node.args)
-            for base, e in parts:
-                op = base.op
-                if op == "symbol" or op == "call":
-                    collected[base] = collected[base] + e if base in collected else e
-                elif op == "number" and e == 1 and base not in collected and (
-                        bits(base.coefficient) + bits(coefficient) <= BITS):
-                    coefficient = exact(coefficient * base.coefficient)
-                else:
-                    coefficient = self._gather(base, e, coefficient, collected)
+            if node.op in ("symbol", "call"):
+                collected[node] = collected[node] + exponent if node in collected else exponent
+            elif node.op == "number" and exponent == 1 and node not in collected and (
+                    bits(node.coefficient) + bits(coefficient) <= BITS):
+                coefficient = exact(coefficient * node.coefficient)
+            else:
+                coefficient = self._gather(node, exponent, coefficient, collected)
         args = [(base, e if e.__class__ is int else exact(e)) for base, e in collected.items() if e]
         if not coefficient:
             return self.zero
@@ -198,11 +191,10 @@ class Table:
         pending = [(node, exponent)]
         while pending:
             base, e = pending.pop()
-            op = base.op
-            if op == "number":
+            if base.op == "number":
                 coefficient = self._gather_number(base.coefficient, e, coefficient, collected)
                 continue
-            if op == "product" and (e.denominator == 1 or self._splits(base)):
+            if base.op == "product" and (e.denominator == 1 or self._splits(base)):
                 value = rational_power(base.coefficient, e)
                 if value is None:
                     pending.append((self.number(base.coefficient), e))
@@ -210,12 +202,12 @@ class Table:
                     coefficient *= value
                 pending += base.args if e == 1 else [(part, power * e) for part, power in base.args]
                 continue
-            if op == "sum" and e.denominator == 1 and self._leads_negative(base):
+            if base.op == "sum" and e.denominator == 1 and self._leads_negative(base):
                 base = self.scaled(base, -ONE)
                 coefficient = coefficient if e.numerator % 2 == 0 else -coefficient
             if base in collected:
                 e += collected.pop(base)
-            if op == "product" and e.denominator == 1:
+            if base.op == "product" and e.denominator == 1:
                 pending.append((base, e))
             else:
                 collected[base] = e

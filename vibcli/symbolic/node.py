@@ -93,6 +93,12 @@ def remembered(function: OfNode) -> OfNode:
     return cast(OfNode, known)
 
 
+@remembered
+def cofunction(node: "Node") -> "Node":
+    """cos u of sin u, and sin u of cos u."""
+    return node.table.call("cos" if node.name == "sin" else "sin", *node.args)
+
+
 def one_variable(number: int) -> "VariableSet | int":
     """The set of one variable."""
     if number < FEW:

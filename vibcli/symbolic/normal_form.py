@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.expression_graph import reachable
-from vibcli.symbolic.node import remembered, times
+from vibcli.symbolic.node import cofunction, remembered, times
 from vibcli.symbolic.rationals import HALF, ONE, ZERO, exact, exact_root
 
 if TYPE_CHECKING:
@@ -111,17 +111,11 @@ def _shorten(terms, monomial):
         a.args != b.args and _addition(terms, monomial, a, b) for (a, _), (b, _) in combinations(sines, 2))
 
 
-@remembered
-def _swapped(atom):
-    """cos u of sin u, and sin u of cos u."""
-    return atom.table.call("cos" if atom.name == "sin" else "sin", *atom.args)
-
-
 def _square(terms, monomial, atom):
     """c·R·f² + c·R·g² = c·R for f, g = sin u, cos u; and c·R − c·R·f² = c·R·g²."""
     value = terms[monomial]
     rest = times(monomial, ((atom, 2),), -1)
-    partner = times(rest, ((_swapped(atom), 2),))
+    partner = times(rest, ((cofunction(atom), 2),))
     for other, left, c in ((partner, rest, value), (rest, partner, -value)):
         if terms.get(other) == c:
             _move(terms, (monomial, other), left, c)
@@ -131,7 +125,7 @@ def _square(terms, monomial, atom):
 
 def _fourth_power(terms, monomial, atom):
     """c·R·f⁴ + 2·c·R·f²·g² + c·R·g⁴ = c·R for f, g = sin u, cos u."""
-    value, other = terms[monomial], _swapped(atom)
+    value, other = terms[monomial], cofunction(atom)
     rest = times(monomial, ((atom, 4),), -1)
     mixed, last = (times(rest, factors) for factors in (((atom, 2), (other, 2)), ((other, 4),)))
     if terms.get(mixed) != 2 * value or terms.get(last) != value:
@@ -144,7 +138,7 @@ def _addition(terms, monomial, a, b):
     """cos a cos b ± sin a sin b = cos(a ∓ b) and sin a cos b ± cos a sin b = sin(a ± b)."""
     table, value = a.table, terms[monomial]
     rest = times(monomial, ((a, ONE), (b, ONE)), -1)
-    partner = times(rest, ((_swapped(a), ONE), (_swapped(b), ONE)))
+    partner = times(rest, ((cofunction(a), ONE), (cofunction(b), ONE)))
     other = terms.get(partner)
     if other is None or abs(other) != abs(value):
         return False
