@@ -81,7 +81,7 @@ def _letters(part, children, attributes):
     found = []
     for run in part.runs:
         slant, wide = ' font-style="italic"' if run.slanted else "", lettering.width((run,))
-        if len(run.text.strip()) > 1:       # of another font, where this one is not there, letters are as wide as drawn
+        if run.text.strip():        # of another font, where this one is not there, letters are as wide as drawn
             own = number(wide - lettering.BESIDE * run.size)
             slant += f' textLength="{own}" lengthAdjust="spacingAndGlyphs"'
         found.append(f'<tspan x="{number(x)}" y="{number(-y - run.rise)}" font-size="{number(run.size)}"{slant}>'
