@@ -101,6 +101,8 @@ class MathML(Stacked):
     def operator(self, symbol: str) -> str:
         if symbol == "·":
             return TIMES
+        if symbol == "½":
+            return '<mstyle displaystyle="false"><mfrac><mn>1</mn><mn>2</mn></mfrac></mstyle>'
         if symbol == "/":
             return '<mo lspace="0em" rspace="0em">/</mo>'
         return _operator("∑" if symbol == "Σ" else symbol)

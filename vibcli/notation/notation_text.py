@@ -5,9 +5,10 @@ from typing import Any
 
 from vibcli.notation.radicals import closing
 
+_SIGNAL = r"[A-Za-z]\w*\.[A-Za-z]\w*\([^()]*\)"         # of a member at a place: arm.u(L), whose force is Q_arm.u(L)
 _TOKEN = re.compile(
-    r"(?P<number>\d+(?:\.\d+)?(?:e[+-]?\d+)?)|(?P<letter>[α-ωΑ-ΡΤ-Ω∂ℓ]|[A-Za-z]+)"
-    r"(?:_(?P<word>[A-Za-z0-9_α-ωΑ-Ω]+[₀-₉]*)|(?P<digits>[₀-₉]+(?:,[₀-₉]+)*))?|(?P<root>√)"
+    r"(?P<number>\d+(?:\.\d+)?(?:e[+-]?\d+)?)|(?P<signal>(?!Q_)" + _SIGNAL + r")|(?P<letter>[α-ωΑ-ΡΤ-Ω∂ℓ]|[A-Za-z]+)"
+    r"(?:_(?P<word>" + _SIGNAL + r"|[A-Za-z0-9_α-ωΑ-Ω]+[₀-₉]*)|(?P<digits>[₀-₉]+(?:,[₀-₉]+)*))?|(?P<root>√)"
     r"|(?P<gap>\s+)|(?P<operator>.)", re.DOTALL)
 _RAISED = re.compile("[⁰¹²³⁴-⁹⁻]+")
 _DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "01234567890123456789-")
@@ -45,6 +46,8 @@ def _one(text, at, write):
         return write.signed(True, "", first=True), at
     if token["number"]:
         return write.numeral(token["number"]), at
+    if token["signal"]:
+        return write.words(token["signal"]), at
     if token["letter"] in FUNCTIONS:
         return write.functional(token["letter"]), at
     if token["letter"]:

@@ -84,7 +84,7 @@ def test_words_are_text_and_hostile_ones_stay_words():
 
 
 def test_words_are_as_wide_as_drawn_in_every_font():
-    """A run of letters, be it one (m of an m₁), states its width, which is that up to the next run; blanks need none."""
+    """A run of letters, be it one (m of m₁), states its width, which is that up to the next run; blanks need none."""
     drawn = draw(kept_problem_of(ROOT / "problems/5_forced/compressor_to_be_isolated.yaml"))
     load = next(part for part in drawn if isinstance(part, LetterRuns) and part.role == "load")
     spans = [*parsed(picture([load])).iter(f"{SVG}tspan")]

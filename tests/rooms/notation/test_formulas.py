@@ -10,6 +10,9 @@ import pytest
 from support import formulas, printed
 from support.scenes import kept_problem_of
 
+from vibcli.notation.latex import latex
+from vibcli.notation.mathml import mathml
+from vibcli.notation.notation_text import read
 from vibcli.notation.plain import plain
 from vibcli.notation.scene_language import language
 from vibcli.notation.typed_tree import typeset
@@ -157,3 +160,10 @@ def test_what_leads_by_a_quarter_of_a_period_keeps_its_sign():
     m, k = table.parameter("m"), table.parameter("k")
     for node in (-2 * m, m - k, -m / (k - m), table.one, -table.one, -(m - k) ** 2):
         assert printed.compared(["H = ", *turned(table.node(node))], {"m": 1.3, "k": 0.7}) == 2
+
+
+@pytest.mark.parametrize(("write", "wanted"), [
+    (mathml, f"<msub><mi>Q</mi><mi>arm.u(L/2)</mi></msub>{mathml.operator('·')}<mi>δ</mi><mtext>arm.u(L/2)</mtext>"),
+    (latex, r"Q_{\mathrm{arm.u(L/2)}} \, \delta \text{arm.u(L/2)}")])
+def test_what_a_member_does_at_a_place_is_one_name(write, wanted):
+    assert read("Q_arm.u(L/2)·δarm.u(L/2)", write) == wanted
