@@ -35,7 +35,7 @@ HEAD = r"""\documentclass[11pt,a4paper,fleqn]{article}
 \usepackage[margin=22mm]{geometry}
 \setlength{\parindent}{0pt}
 \setlength{\parskip}{4pt}
-\setlength{\emergencystretch}{3em}
+\raggedright
 \allowdisplaybreaks
 \newcommand{\wide}[1]{\resizebox{\ifdim\width>0.84\linewidth 0.84\linewidth\else\width\fi}{!}{#1}}
 \begin{document}
