@@ -620,6 +620,7 @@ def test_formats_import_nothing_heavy(scene, kind):
 @pytest.mark.sweep
 @pytest.mark.skipif(which("pdflatex") is None, reason="no LaTeX here")
 @pytest.mark.parametrize("scene", ["problems/7_forced_two_degrees/washing_machine_on_a_bench.yaml",
+                                   "problems/5_forced/motor_raised_on_a_hinged_beam.yaml",
                                    "vibcli/examples/double_pendulum.yaml", "vibcli/examples/frequency_response.yaml"])
 def test_latex_compiles(scene, tmp_path):
     path = tmp_path / "report.tex"
@@ -627,6 +628,7 @@ def test_latex_compiles(scene, tmp_path):
     done = subprocess.run(["pdflatex", "-interaction=nonstopmode", "-halt-on-error", path.name], cwd=tmp_path,
                           capture_output=True, timeout=120)
     assert done.returncode == 0, done.stdout[-2000:].decode(errors="replace")
+    assert b"Overfull" not in done.stdout
 
 
 @pytest.mark.parametrize(("kind", "apart"), [(render_latex, "\\begin{align*}"), (markdown, "$$\n"),
