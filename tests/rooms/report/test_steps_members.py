@@ -146,3 +146,29 @@ bodies: {bead: {mass: M, slide: y}}
     assert text[-3:] == ["dynamic stiffness at the joint, of one:  k₁ = S·θ₁·cos θ₁/(L·sin θ₁)",
                          "dynamic stiffness at the joint, of two:  k₂ = S·θ₂·cos θ₂/(2·L·sin θ₂)",
                          "so the frequency equation:  k₁ + k₂ − M·ω² = 0"]
+
+
+def test_a_plucked_string_and_a_struck_bar_by_hand():
+    """Rao 2007, 8.6 and 9.2: p_n = 2hL² sin(nπa/L)/(n²π²a(L − a)); m = ∫ρA X² dx + M X(L)², m ṗ = M X(L) ẋ(0)."""
+    lines = {line.settles: line for line in worked(kept_problem_of("problems/8_continuous/plucked_string.yaml"))}
+    L, h, a = 0.8, 0.004, 0.2
+    for n in (1, 2, 3):
+        wanted = 2 * h * L**2 * math.sin(n * math.pi * a / L) / (n**2 * math.pi**2 * a * (L - a))
+        assert abs(lines[f"p[{n}](0)"].value) == pytest.approx(abs(wanted), rel=1e-9)
+        assert lines[f"modal mass {n}"].value == pytest.approx(0.005 * L / 2, rel=1e-12)
+    lines = {line.settles: line for line in worked(kept_problem_of("problems/8_continuous/struck_bar.yaml"))}
+    M, v, of_bar = 3.2, -2.0, 8000 * 4e-4
+    for n in (1, 2, 3):
+        x = lines[f"βL[{n}]"].value
+        m = of_bar * (0.5 - math.sin(2 * x) / (4 * x)) / math.sin(x)**2 + M
+        assert lines[f"modal mass {n}"].value == pytest.approx(m, rel=1e-9)
+        assert lines[f"ṗ[{n}](0)"].value == pytest.approx(M * v / m, rel=1e-9)
+
+
+def test_what_lets_go_and_what_loads_do_by_modes():
+    """A rope holds the top of a chimney in F x²(3L − x)/(6EI); Q of a walker at midspan is F by sin(kπ/2)."""
+    text = told(worked(kept_problem_of("problems/8_continuous/chimney_let_go.yaml")))
+    assert any("as rope held it:  u(x, 0) = 1.5e-5·x² − 8.33333e-8·x³" in line for line in text)
+    assert any(line.startswith("so  u(x, t) = X₁(x)·(0.0349448·cos(ω_d1·t)") for line in text)
+    text = told(worked(kept_problem_of("problems/8_continuous/footbridge_under_a_walker.yaml")))
+    assert {"Q₁ = F·sin(Ω·t)", "Q₃ = −F·sin(Ω·t)"} <= set(text)
