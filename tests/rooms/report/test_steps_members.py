@@ -172,3 +172,15 @@ def test_what_lets_go_and_what_loads_do_by_modes():
     assert any(line.startswith("so  u(x, t) = X₁(x)·(0.0349448·cos(ω_d1·t)") for line in text)
     text = told(worked(kept_problem_of("problems/8_continuous/footbridge_under_a_walker.yaml")))
     assert {"Q₁ = F·sin(Ω·t)", "Q₃ = −F·sin(Ω·t)"} <= set(text)
+
+
+@pytest.mark.parametrize("name, wanted", [
+    ("plucked_string", ("f₂(L + s) = −f₁(L − s),  as it is held", "f₁(−0.2) + f₂(1.4) = −0.002 − 0.002 = −0.004 m")),
+    ("bar_half_strained_let_go", ("r = −(c − Z)/(c + Z) = 0.6", "f₁(−5.2) + f₂(7.2) = 0.0001 − 6.4e-5 = 3.6e-5 m")),
+    ("matched_damper", ("as pull held it:  u(x, 0) = 0.000285714·x", "f₁(0) + f₂(3) = 0 + 0.000214286 =")),
+    ("bar_pulled_and_let_go", ("f₂(L + s) = f₁(L − s),  as it is free",))])
+def test_waves_by_hand(name, wanted):
+    """A half of the strained bar: f₁(−5.2) = −f₂(5.2), f₂(5.2) = r f₁(−1.2) + …, and so on; a matched damper sends
+    nothing back."""
+    text = told(worked(kept_problem_of(f"problems/8_continuous/{name}.yaml")))
+    assert all(any(part in line for line in text) for part in wanted), text

@@ -18,8 +18,8 @@ from vibcli.report.sections.orthogonality import orthogonality
 from vibcli.report.sections.shapes_in_numbers import shape_in_numbers
 from vibcli.report.steps.from_modes import ALIKE, waves
 from vibcli.report.steps.from_the_start import IN_TIME
+from vibcli.report.steps.member_waves import as_held, tell_waves
 from vibcli.report.steps.step import WorkedSolution, number, told
-from vibcli.results.resting_shape import polynomial_at_rest
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.rationals import fraction_of
 
@@ -63,7 +63,9 @@ def tell_motion_of_members(problem: "Problem", sheet: WorkedSolution, equations:
     heads = {tree.head for answer in problem.spec.answers for tree in answer.asked.parts.quantities}
     started = problem.spec.get("initial") is not None or problem.spec.let_go
     if (heads & IN_TIME or "response" in (problem.spec.get("find") or ())) and (started or problem.scene.timed):
-        MotionOfMembers(problem, sheet).write(equations, [sheet.last])
+        before = [sheet.last]
+        MotionOfMembers(problem, sheet).write(equations, before)
+        tell_waves(problem, sheet, before, sheet.last > before[0])
 
 
 class MotionOfMembers:
@@ -127,28 +129,10 @@ class MotionOfMembers:
             by_loads = [Words(",  "), "Q_k", Words(" the loads, each by "), "X_k", Words(" where it acts")] * loaded
             self.sheet.write("m_k = ", *of_mass, *by_loads, settles="modal masses", uses=uses)
             if of_start and (places or speeds):
-                self.sheet.write(Words("of the start  "), f"m_k·p{dot}_k(0) = ", *of_start, *(
-                    [Words(",  and of speeds alike")] if places and speeds else []), *self._start(), joined=True,
-                    settles="modal start")
+                alike = [Words(",  and of speeds alike")] * (places and speeds)
+                self.sheet.write(Words("of the start  "), f"m_k·p{dot}_k(0) = ", *of_start, *alike, *as_held(
+                    self.problem, self.u), joined=True, settles="modal start")
         return line
-
-    def _start(self):
-        """Parts of how it is held until it is let go."""
-        name, held = self.problem.spec.let_go, self.problem.configuration.preloaded
-        if not name:
-            return []
-        parts = [Words(f",  as {name} held it")]
-        pieces = self.problem.configuration.linear_system.pieces
-        shape = polynomial_at_rest(held, pieces[0], 4) if len(pieces) == 1 else None
-        rest = polynomial_at_rest(self.problem.configuration, pieces[0], 4) if len(pieces) == 1 else None
-        if shape is None or rest is None:
-            return parts
-        size = max(map(abs, shape))
-        terms = [(float(c), power) for power, c in enumerate(_less(shape, rest)) if abs(c) > ALIKE * size]
-        text = "".join((" − " if c < 0 else " + ") + told(abs(c)) + ("" if not power else "·x" + _raised(power))
-                       for c, power in terms)
-        return [*parts, Words(":  "), f"{self.u}(x, 0) = ", text.removeprefix(" + ") if text[1:2] == "+" else
-                "−" + text.removeprefix(" − ")] if text else parts
 
     def _of_mode(self, one, uses):
         k, sheet = one.mode.index, self.sheet
@@ -241,12 +225,3 @@ def of_one_mode(product: "Sequence[Any]", u: str) -> tuple[list, list]:
     hung = any(HUNG_INDEX.search(part) for part in of_start if type(part) is str and "X_" not in part)
     return of_mass, [] if hung else of_start
 
-
-def _less(one, other):
-    size = max(len(one), len(other))
-    pad = [[*map(float, part), *[0.0] * (size - len(part))] for part in (one, other)]
-    return [a - b for a, b in zip(*pad, strict=True)]
-
-
-def _raised(power):
-    return "" if power == 1 else str(power).translate(str.maketrans("234", "²³⁴"))
