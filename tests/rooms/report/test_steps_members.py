@@ -11,6 +11,7 @@ from vibcli.notation.plain import plain
 from vibcli.report.formats.formula import formula
 from vibcli.report.steps.ends import Ends
 from vibcli.report.steps.worked import worked
+from vibcli.symbolic.evaluation import Floats, evaluate
 
 MEMBERS = sorted(Path("problems/8_continuous").glob("*.yaml"))
 UNTOLD = {"motor_on_cantilever_with_pendulum"}
@@ -184,3 +185,33 @@ def test_waves_by_hand(name, wanted):
     nothing back."""
     text = told(worked(kept_problem_of(f"problems/8_continuous/{name}.yaml")))
     assert all(any(part in line for line in text) for part in wanted), text
+
+
+def test_what_an_engine_keeps_up_of_a_bridge_by_hand():
+    """The entries that the line tells make D, and U by D U = F is mid-span's share of Σ 2F sin²(kπ/3)/(μL(ω_k² − Ω²));
+    the solution is put into its rows."""
+    lines = worked(kept_problem_of("problems/8_continuous/bridge_under_an_engine.yaml"))
+    text, EI, Omega = told(lines), 4.5e8, 30.0
+    beta, = (line.value for line in lines if line.settles.startswith("beta "))
+    assert beta == pytest.approx((900 * Omega**2 / EI)**0.25, rel=1e-12)
+    d = {}
+    for length in (6.0, 12.0):
+        x = beta * length
+        N = 1 - math.cos(x) * math.cosh(x)
+        d[length] = {"d₁₁": EI * beta**3 * (math.cos(x) * math.sinh(x) + math.sin(x) * math.cosh(x)) / N,
+                     "d₁₂": EI * beta**2 * math.sin(x) * math.sinh(x) / N,
+                     "d₂₂": EI * beta * (math.sin(x) * math.cosh(x) - math.cos(x) * math.sinh(x)) / N,
+                     "d₁₄": EI * beta**2 * (math.cosh(x) - math.cos(x)) / N,
+                     "d₂₄": EI * beta * (math.sinh(x) - math.sin(x)) / N}
+    entries, = (line for line in text if line.startswith("of  bridge.slope(0 m), "))
+    for name, value in (("D₁₁", d[6.0]["d₂₂"]), ("D₁₂", -d[6.0]["d₁₄"]), ("D₁₃", d[6.0]["d₂₄"]),
+                        ("D₂₂", d[6.0]["d₁₁"] + d[12.0]["d₁₁"]), ("D₂₃", d[12.0]["d₁₂"] - d[6.0]["d₁₂"]),
+                        ("D₃₄", d[12.0]["d₂₄"])):
+        found = float(entries.split(f"{name} = ")[1].split(",")[0].replace("−", "-"))
+        assert found == pytest.approx(value, rel=1e-5)
+    values = {line.letter: line.value for line in lines if line.settles.startswith("steady bridge")}
+    series = sum(2 * 3000 * math.sin(k * math.pi / 3)**2 / (900 * 18 * ((k * math.pi / 18)**4 * EI / 900 - Omega**2))
+                 for k in range(1, 4000))
+    assert values["U2"] == pytest.approx(series, rel=1e-9)
+    rows = [line.vanishes for line in lines if line.settles.startswith("steady bridge")]
+    assert all(abs(left) < 1e-7 for left in evaluate(rows, Floats, values))

@@ -18,6 +18,7 @@ from vibcli.report.sections.orthogonality import orthogonality
 from vibcli.report.sections.shapes_in_numbers import shape_in_numbers
 from vibcli.report.steps.from_modes import ALIKE, waves
 from vibcli.report.steps.from_the_start import IN_TIME
+from vibcli.report.steps.member_steady import tell_steady_members
 from vibcli.report.steps.member_waves import as_held, tell_waves
 from vibcli.report.steps.step import WorkedSolution, number, told
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -66,6 +67,7 @@ def tell_motion_of_members(problem: "Problem", sheet: WorkedSolution, equations:
         before = [sheet.last]
         MotionOfMembers(problem, sheet).write(equations, before)
         tell_waves(problem, sheet, before, sheet.last > before[0])
+    tell_steady_members(problem, sheet)
 
 
 class MotionOfMembers:
