@@ -265,7 +265,7 @@ def test_every_equality_holds(path):
 
 @pytest.mark.parametrize(("more", "words"), [
     ("c: 10 N*s/m", "ζ = δ/ω = 5·c/√(m·k) = 1: critically damped"), ("c: 9 N*s/m", "0.9 < 1: under-damped"),
-    ("c: 11 N*s/m", "1.1: over-damped")])
+    ("c: 11 N*s/m", "1.1 > 1: over-damped")])
 def test_regimes_of_damping(more, words):
     scene = problem("parameters: {m: 1 kg, k: 2500 N/m, " + more + "}\nbodies: {b: {mass: m, slide: x}}\n"
                     "springs: {s: {k: k, between: [ground, b]}}\ndampers: {d: {c: 10*c, between: [ground, b]}}\n")

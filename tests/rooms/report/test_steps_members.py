@@ -163,7 +163,7 @@ def test_a_plucked_string_and_a_struck_bar_by_hand():
         x = lines[f"βL[{n}]"].value
         m = of_bar * (0.5 - math.sin(2 * x) / (4 * x)) / math.sin(x)**2 + M
         assert lines[f"modal mass {n}"].value == pytest.approx(m, rel=1e-9)
-        assert lines[f"ṗ[{n}](0)"].value == pytest.approx(M * v / m, rel=1e-9)
+        assert lines[f"p'[{n}](0)"].value == pytest.approx(M * v / m, rel=1e-9)
 
 
 def test_what_lets_go_and_what_loads_do_by_modes():

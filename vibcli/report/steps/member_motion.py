@@ -78,7 +78,7 @@ class MotionOfMembers:
         self.names = list(problem.scene.members)
         kinds = {member.kind.letter for member in problem.scene.members.values()}
         letter = next(iter(kinds)) if len(kinds) == 1 else "u"
-        self.u, self.unit = GREEK.get(letter, letter), "rad" if letter == "phi" else "m"
+        self.letter, self.u, self.unit = letter, GREEK.get(letter, letter), "rad" if letter == "phi" else "m"
 
     def write(self, equations: "Sequence[Any]", uses: "Sequence[int]") -> None:
         """Write down all of it; equations: the frequency equations, nothing where modes are not told apart."""
@@ -120,20 +120,21 @@ class MotionOfMembers:
     def _rule(self, product, uses):
         """The line of the sum, and of the equation of each mode; product: parts of what two modes are orthogonal by."""
         damped, loaded = any(one.delta for one in self.modes), any(one.loads for one in self.modes)
-        drag = " + 2·δ_k·ṗ_k" if damped else ""
+        drag = [" + 2·δ_k·", Name("p_k'")] if damped else []
         right = "Q_k(t)/m_k" if loaded else "0"
         line = self.sheet.write(Words("so with  "), f"{self.u}(x, t) = Σ X_k(x)·p_k(t)", Words(
-            "  each mode moves by itself:  "), f"p̈_k{drag} + ω_k²·p_k = {right}", settles="modal equations", uses=uses)
+            "  each mode moves by itself:  "), Name("p_k''"), *drag, f" + ω_k²·p_k = {right}",
+                                settles="modal equations", uses=uses)
         if product is not None:
             places, speeds = (any(getattr(one, what) for one in self.modes) for what in ("place", "speed"))
-            dot = "" if places else "\u0307"
-            of_mass, of_start = of_one_mode(product, self.u + dot)
+            dot = "" if places else "'"
+            of_mass, of_start = of_one_mode(product, Name(self.letter + dot))
             by_loads = [Words(",  "), "Q_k", Words(" the loads, each by "), "X_k", Words(" where it acts")] * loaded
             self.sheet.write("m_k = ", *of_mass, *by_loads, settles="modal masses", uses=uses)
             if of_start and (places or speeds):
                 alike = [Words(",  and of speeds alike")] * (places and speeds)
-                self.sheet.write(Words("of the start  "), f"m_k·p{dot}_k(0) = ", *of_start, *alike, *as_held(
-                    self.problem, self.u), joined=True, settles="modal start")
+                self.sheet.write(Words("of the start  "), "m_k·", Name("p_k" + dot), "(0) = ", *of_start, *alike,
+                                 *as_held(self.problem, self.u), joined=True, settles="modal start")
         return line
 
     def _of_mode(self, one, uses):
@@ -143,9 +144,10 @@ class MotionOfMembers:
                 Name(sheet.letter(f"omega_d{k}")), *number(one.rate, "rad/s")] if one.delta else []
         line = sheet.write(Words(f"mode {k}:  "), *self._shape(one), f"m{lowered(k)}", *number(one.mass, of_mass),
                            *more, settles=f"modal mass {k}", value=one.mass, unit=of_mass, uses=uses)
-        for what, value, unit in (("p", one.place, self.unit), ("ṗ", one.speed, f"{self.unit}/s")):
+        p = sheet.letter(f"p{k}")
+        for dot, value, unit in (("", one.place, self.unit), ("'", one.speed, f"{self.unit}/s")):
             if value:
-                sheet.write(f"{what}{lowered(k)}(0)", *number(value, unit), settles=f"{what}[{k}](0)", value=value,
+                sheet.write(Name(p + dot), "(0)", *number(value, unit), settles=f"p{dot}[{k}](0)", value=value,
                             unit=unit, joined=True)
         if one.loads:
             sheet.write(f"Q{lowered(k)} = ", self.table.total([self._rounded(x) * node for x, node in one.loads]),
@@ -211,7 +213,7 @@ def _size(one):
     return abs(one.place) + abs(one.speed) / omega + sum(abs(x) for x, _ in one.loads) / (one.mass * omega**2)
 
 
-def of_one_mode(product: "Sequence[Any]", u: str) -> tuple[list, list]:
+def of_one_mode(product: "Sequence[Any]", u: Name) -> tuple[list, list]:
     """(parts of m_k, of m_k p_k(0)) by those of ∫ μ X_i X_j dx + … = 0; no second ones where bodies hang on
     members."""
     end = next(i for i, part in enumerate(product) if type(part) is str and part.startswith(" = 0"))
@@ -222,8 +224,10 @@ def of_one_mode(product: "Sequence[Any]", u: str) -> tuple[list, list]:
         if inside and text.startswith(")"):
             text, inside = ", 0" + text, False
         inside = inside or text.endswith(("X_j(", "X_j/∂x("))
-        moved = text.replace("X_j·dx", f"{u}(x, 0)·dx").replace("∂X_j", f"∂{u}").replace("X_j(", f"{u}(")
-        of_start.append(moved.replace("X_i", "X_k") if text else part)
+        moved = text.replace("X_j·dx", "X_j(x, 0)·dx").replace("X_i", "X_k")
+        first, *others = moved.split("X_j")
+        of_start += [one for other in others for one in (u, other)] if text and not first else [
+            first, *(one for other in others for one in (u, other))] if text else [part]
     hung = any(HUNG_INDEX.search(part) for part in of_start if type(part) is str and "X_" not in part)
     return of_mass, [] if hung else of_start
 

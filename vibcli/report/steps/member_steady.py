@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 from vibcli.analyses.closed_form.steady_state import waves_of_all
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.notation.names import lowered
 from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.complex_numbers import cleared, complex_told
 from vibcli.report.steps.step import WorkedSolution, number, told
@@ -169,20 +168,21 @@ class _SteadyMembers:
             return self.sheet.write(Words("an end that moves by 1 while the other one is held needs  "), "S·β·cot βl",
                                     Words(",  the other one  "), "−S·β/sin βl", settles="stiffness 2", uses=[line])
         parts = [part for head, text in ENTRIES for part in (Words(",  "), f"{head} = {text}")][1:]
-        return self.sheet.write(Words("ends that move by  "), "u₀, u₀′, u₁, u₁′", Words("  need  "), "d", Words(
-            "  times these,  "), "N = 1 − cos βl·cosh βl", Words(":  "), *parts, settles="stiffness 4", uses=[line])
+        return self.sheet.write(Words("ends that move by  "), "u₀, θ₀, u₁, θ₁", Words(",  "), "θ = ∂u/∂x", Words(
+            ",  need  "), "d", Words("  times these,  "), "N = 1 − cos βl·cosh βl", Words(":  "), *parts,
+            settles="stiffness 4", uses=[line])
 
     def _entries(self, uses):
         """The line of D and F in numbers."""
-        (D, F), n, parts = (self.sheet.letter(letter) for letter in "DF"), len(self.names), []
+        n, parts, letter = len(self.names), [], self.sheet.letter
         names = [part for name in self.names for part in (Words(", "), Name(name))][1:]
         for i in range(n):
             for j in range(i, n):
                 if self.D[i, j]:
-                    parts += [Words(",  "), f"{D}{lowered(i + 1)}{lowered(j + 1)}", f" = {complex_told(self.D[i, j])}"]
+                    parts += [Words(",  "), Name(letter(f"D{i + 1}{j + 1}")), f" = {complex_told(self.D[i, j])}"]
         for i, value in enumerate(self.loads.forces):
             if value:
-                parts += [Words(",  "), f"{F}{lowered(i + 1)}", f" = {complex_told(cleared(complex(value)))}"]
+                parts += [Words(",  "), Name(letter(f"F{i + 1}")), f" = {complex_told(cleared(complex(value)))}"]
         return self.sheet.write(Words("of  "), *names, Words(":  "), *parts[1:], settles="dynamic stiffness", uses=uses)
 
     def _motions(self, uses):
