@@ -7,6 +7,7 @@ import pytest
 from support.scenes import kept_problem_of, kept_settled_of, problem
 
 from vibcli.base.errors import PhysicsError
+from vibcli.notation.latex import latex
 from vibcli.notation.plain import plain
 from vibcli.report.formats.formula import formula
 from vibcli.report.steps.ends import Ends
@@ -215,3 +216,10 @@ def test_what_an_engine_keeps_up_of_a_bridge_by_hand():
     assert values["U2"] == pytest.approx(series, rel=1e-9)
     rows = [line.vanishes for line in lines if line.settles.startswith("steady bridge")]
     assert all(abs(left) < 1e-7 for left in evaluate(rows, Floats, values))
+
+
+@pytest.mark.parametrize("name", ["struck_bar", "bar_half_strained_let_go", "bridge_under_an_engine", "chimney_let_go"])
+def test_lines_on_motions_are_latex(name):
+    """No letter is left that LaTeX does not know, as a dot that combines with a letter."""
+    for line in worked(kept_problem_of(f"problems/8_continuous/{name}.yaml")):
+        assert formula(line.parts, latex).isascii(), line
