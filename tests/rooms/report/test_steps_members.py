@@ -218,8 +218,21 @@ def test_what_an_engine_keeps_up_of_a_bridge_by_hand():
     assert all(abs(left) < 1e-7 for left in evaluate(rows, Floats, values))
 
 
-@pytest.mark.parametrize("name", ["struck_bar", "bar_half_strained_let_go", "bridge_under_an_engine", "chimney_let_go"])
+@pytest.mark.parametrize("name", ["struck_bar", "bar_half_strained_let_go", "bridge_under_an_engine",
+                                  "footbridge_under_a_walker"])
 def test_lines_on_motions_are_latex(name):
     """No letter is left that LaTeX does not know, as a dot that combines with a letter."""
     for line in worked(kept_problem_of(f"problems/8_continuous/{name}.yaml")):
         assert formula(line.parts, latex).isascii(), line
+
+
+def test_what_a_walker_keeps_up_is_the_sum_of_the_modes():
+    """At midspan X_k is ±1 as Q_k/F is: Σ P_k e^{−iθ_k} of three modes has but the fifth odd mode's share to go."""
+    scene = kept_problem_of("problems/8_continuous/footbridge_under_a_walker.yaml")
+    F, m, Omega, zeta = 280.0, 1200 * 30 / 2, 12.5, 0.006
+    lines = {line.settles: line for line in worked(scene)}
+    for k in (1, 3, 5):
+        omega = (k * math.pi / 30)**2 * math.sqrt(1.75e9 / 1200)
+        wanted = F / m / math.hypot(omega**2 - Omega**2, 2 * zeta * omega * Omega)
+        assert lines[f"steady mode {k}"].value == pytest.approx(wanted, rel=1e-9)
+    assert sum(lines[f"steady mode {k}"].value for k in (1, 3, 5)) == pytest.approx(0.810256955e-3, rel=1e-3)

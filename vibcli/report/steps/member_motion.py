@@ -6,11 +6,12 @@
 from rest p_k = ∫₀ᵗ Q_k(τ) e^{−δ(t − τ)} sin ω_d(t − τ) dτ/(m_k ω_d)."""
 
 import re
-from math import isfinite, sqrt
+from math import atan2, hypot, isfinite, sqrt
 from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.closed_form.member_shapes import ALONG, shape
-from vibcli.base.errors import PhysicsError
+from vibcli.analyses.closed_form.steady_state import waves_of_all
+from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.notation.names import GREEK, lowered
 from vibcli.report.blocks import Name, Words
@@ -18,9 +19,10 @@ from vibcli.report.sections.orthogonality import orthogonality
 from vibcli.report.sections.shapes_in_numbers import shape_in_numbers
 from vibcli.report.steps.from_modes import ALIKE, waves
 from vibcli.report.steps.from_the_start import IN_TIME
-from vibcli.report.steps.member_steady import tell_steady_members
+from vibcli.report.steps.member_steady import ASKED, tell_steady_members
 from vibcli.report.steps.member_waves import as_held, tell_waves
 from vibcli.report.steps.step import WorkedSolution, number, told
+from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.rationals import fraction_of
 
@@ -63,7 +65,9 @@ def tell_motion_of_members(problem: "Problem", sheet: WorkedSolution, equations:
         return
     heads = {tree.head for answer in problem.spec.answers for tree in answer.asked.parts.quantities}
     started = problem.spec.get("initial") is not None or problem.spec.let_go
-    if (heads & IN_TIME or "response" in (problem.spec.get("find") or ())) and (started or problem.scene.timed):
+    swings = bool(heads & ASKED) and problem.spec.get("damping") is not None
+    asked = heads & IN_TIME or "response" in (problem.spec.get("find") or ()) or swings
+    if asked and (started or problem.scene.timed):
         before = [sheet.last]
         MotionOfMembers(problem, sheet).write(equations, before)
         tell_waves(problem, sheet, before, sheet.last > before[0])
@@ -95,6 +99,8 @@ class MotionOfMembers:
         lines.append(self._rule(told[0] if told else None, lines or list(uses)))
         told = [self._of_mode(one, lines) for one in self.modes]
         self._sum([*lines[-1:], *told])
+        if self.problem.spec.get("damping") is not None:
+            self._kept_up([*lines[-1:], *told])
 
     def _modes(self) -> list[MovedMode]:
         """The first ones that move."""
@@ -200,6 +206,29 @@ class MotionOfMembers:
             first = parts[1:] if parts[0] == " + " else ["−", *parts[1:]]
             self.sheet.write(Words("so  "), f"{self.u}(x, t) = ", *first, " + …", Words(
                 "  (and what the loads bring about)" * loaded), settles=f"motion of {self.u}", uses=uses)
+
+    def _kept_up(self, uses):
+        """What a load of one frequency keeps up of each mode that is damped by itself."""
+        try:
+            found = waves_of_all(self.scene, {one.mode.index: self.table.total([
+                self._rounded(x) * node for x, node in one.loads]) for one in self.modes if one.loads})
+        except NotInLetters:
+            return
+        arguments = {argument for parts in found.values() for argument, _ in parts}
+        if len(arguments) != 1:
+            return
+        floats, (argument,) = self.problem.numeric.floats, arguments
+        Omega, = evaluate([gradient(argument)[self.scene.time]], Floats, floats)
+        line = self.sheet.write(Words("once it is steady each mode has, by the amplitude of its load,  "),
+                                "P_k = Q_k/(m_k·√((ω_k² − Ω²)² + 4·δ_k²·Ω²))", Words(",  and lags by  "),
+                                "tan θ_k = 2·δ_k·Ω/(ω_k² − Ω²)", settles="steady modes", uses=uses)
+        for i, one in enumerate(one for one in self.modes if one.loads):
+            k, square = one.mode.index, float(one.mode.omega)**2 - Omega**2
+            size = hypot(*evaluate(list(found[k].values()), Floats, floats)) / one.mass / hypot(
+                square, 2 * one.delta * Omega)
+            self.sheet.write(f"P{lowered(k)}", *number(size, self.unit), Words(",  "), f"θ{lowered(k)}", *number(
+                atan2(2 * one.delta * Omega, square), "rad"), settles=f"steady mode {k}", value=size, unit=self.unit,
+                uses=[line], joined=i > 0)
 
     def _impulses(self):
         damped = any(one.delta for one in self.modes)
