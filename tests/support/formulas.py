@@ -160,7 +160,7 @@ _MARKS = {"−": "-", "·": "*", ".": "*"}
 
 def plain(text):
     """The tokens of a text."""
-    return raised(bracketed(flattened(text)))
+    return raised(bracketed(flattened(re.sub(r"(?<=[0-9])\u00a0[\w·²³/]+(?=[)/ ]|$)", "", text))))       # without units
 
 
 def flattened(text):

@@ -26,6 +26,7 @@ _OURS = {r"\arcsin", r"\arccos", r"\arctan"} | {"\\" + name for name in FUNCTION
 def latex(text):
     """The tokens of LaTeX."""
     text = re.sub(r"\\mkern\dmu", r"\\,", text)
+    text = re.sub(r"(?<=\d) \\text\{ (?:[^{}]|\\ensuremath\{\{\}\^\{\d\}\})*\}", "", text)       # a unit
     text = re.sub(r"\\(?:begin|end)\{aligned\}|(?:\\\\|\\cr) & \\quad \{\}|& ", " ", text)       # rows are one
     return bracketed(_latex([part for part in _LATEX.findall(text) if not part.isspace()]))
 
@@ -94,6 +95,7 @@ def _letter(part, parts):
 
 # MathML
 
+UNIT = "\u00a0"     # begins what stands behind a number
 _OPERATORS = {"\u2062": "*", "·": "*", "−": "-", "±": "+", "∓": "-", ".": "*"}
 
 
@@ -103,7 +105,7 @@ def mathml(text):
 
 
 def _row(element):
-    found, parts = [], list(element)
+    found, parts = [], [part for part in element if part.tag != "mtext" or not (part.text or "").startswith(UNIT)]
     for part, after in zip(parts, [*parts[1:], None], strict=True):
         if after is not None and after.text == "\u2061" and part.tag == "mi":
             found.append(("function", _name(part)))
@@ -160,6 +162,7 @@ _TYPST_FUNCTIONS = {"arcsin", "arccos", "arctan", *FUNCTIONS}
 
 def typst(text):
     """The tokens of Typst between dollar signs."""
+    text = re.sub(r'(?<=\d)" [^"]*"', "", text)       # a unit
     return _typst([part for part in _TYPST.findall(text) if not part.isspace()], "")
 
 

@@ -135,8 +135,11 @@ def decimal(value: Any) -> str:
     return ("−" if value < 0 else "") + _short_exponent(f"{float(abs(value)):.12g}")
 
 
-def added_as_decimal(node: "Node", value: "Fraction | int") -> bool:
-    """Is the number in a sum written as a decimal, 0.3 beside L, as the numbers of the sum were?"""
+def added_as_decimal(node: "Node", value: "Fraction | int", measured: bool) -> bool:
+    """Is the number in a sum written as a decimal, 0.3 beside L, as the numbers of the sum were? measured: has it a
+    unit?"""
+    if measured and value.denominator > 1 and _terminates(value):
+        return True
     written = [node.coefficient, *(c for _, c in node.args)]
     return value.denominator > 1 and bool(node.args) and all(map(_terminates, written)) and any(
         c.denominator % 5 == 0 for c in written)

@@ -35,6 +35,8 @@ class Notation:
     function: Callable[..., str]
     power: Callable[..., str]
     brackets: Callable[..., str]
+    beside: Callable[..., str]
+    words: Callable[..., str]
 
     def __init__(self, values: Mapping[str, str] = MappingProxyType({})):
         self.values = values
@@ -96,7 +98,22 @@ class Notation:
 
     def _added_number(self, node, below):
         value = abs(node.coefficient) * below
-        return self.numeral(f"{float(value):.12g}") if added_as_decimal(node, value) else self.number(value)
+        unit = self.unit_beside(node)
+        as_decimal = added_as_decimal(node, value, bool(unit))
+        text = self.numeral(f"{float(value):.12g}") if as_decimal else self.number(value)
+        return self.beside(text, self.unit(unit)) if unit and not self.values else text
+
+    def unit_beside(self, node: "Node") -> str:
+        """The unit that the number in a sum has."""
+        if node.table.dimension is None:
+            return ""
+        from vibcli.notation.units_in_sums import unit_beside
+
+        return unit_beside(node)
+
+    def unit(self, text: str) -> str:
+        """A unit behind a number."""
+        return self.words(" " + text)
 
     def _alone(self, node):
         """(negative, text of the magnitude) of what is no sum."""
@@ -169,6 +186,9 @@ class Plain(Notation):
 
     def notation(self, text: str) -> str:
         return NEGATIVE.sub("−", text)
+
+    def unit(self, text: str) -> str:
+        return "\u00a0" + text
 
     def words(self, text: str) -> str:
         return text

@@ -25,6 +25,10 @@ class Language(Plain):
     def number(self, value: "Fraction | int") -> str:
         return str(value.numerator) if value.denominator == 1 else f"{value.numerator}/{value.denominator}"
 
+    def unit_beside(self, node: "Node") -> str:
+        """None, for programs that read it."""
+        return ""
+
     def power(self, base: str, exponent: str) -> str:
         return f"{base}^{exponent}" if re.fullmatch(r"\w+", exponent) else f"{base}^({exponent})"
 

@@ -116,10 +116,21 @@ def _extreme(sense):
 def _instant(sense):
     """The instant of an extreme."""
     def value(problem, tree, args):
-        signal = _signal(problem, tree)
-        instant = signal.extreme(0.0, problem.response_of(tree).until, sense)[0]
-        return instant, lambda: signal.error_of_time(instant)
+        signal, until = _signal(problem, tree), problem.response_of(tree).until
+        instant = signal.extreme(0.0, until, sense)[0]
+        return instant, lambda: _of_what_changes(tree, signal, until, instant)
     return value
+
+
+def _of_what_changes(tree, signal, until, instant):
+    """The bound of an instant, if the signal has one that stands out."""
+    from vibcli.results.escalation import is_constant
+
+    error = signal.error_of_time(instant)
+    if error >= until and is_constant(*(signal.bounded_extreme(0.0, until, sense) for sense in (1, -1))):
+        raise PhysicsError(f"'{tree.text.partition('(')[2].removesuffix(')')}' does not change: no instant of it "
+                           "stands out", "ask for max(x)")
+    return error
 
 
 def _final(problem, tree, args):

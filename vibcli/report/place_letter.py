@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
 LETTERS = "x", "ξ", "s", "χ"
 WRITTEN = {"ξ": "xi", "χ": "chi"}
+PLACE = re.compile(r"x(?!p\()")         # within formulas, but for exp(
 WORD = re.compile(r"(?<![^\W\d])x(?= = | counts|, counted)|(?<=an element d)x\b")     # within words: the place
 
 
@@ -40,7 +41,7 @@ def lines_by_letter(lines: "Sequence[Line]", letter: str) -> "list[Line]":
 
 def _by_letter(part, letter):
     if type(part) is str:
-        return part.replace("x", letter)
+        return PLACE.sub(letter, part)
     if isinstance(part, Words):
         return Words(words_by_letter(part.text, letter))
     if isinstance(part, Factor):

@@ -2,7 +2,7 @@
 is asked."""
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 ASKED = 1e-9            # of the largest value up to an instant: what a bound may be
 DIGITS, MOST = 25, 40   # in which more are computed; steps of a million products that this may take by itself
 ROUNDED = 2.0**-53      # relative: of the nearest float
+FLAT = 1e-9             # relative: a change that rounds
 SAMPLES = 65
 
 
@@ -27,6 +28,14 @@ class BoundedExtreme(NamedTuple):
     value: float
     error_of_time: float
     error: float
+
+
+def is_constant(largest: Any, smallest: Any) -> bool:
+    """Do the BoundedExtremes of a signal tell no more of its change than what rounds? No words in their stead do."""
+    if not isinstance(largest, BoundedExtreme) or not isinstance(smallest, BoundedExtreme):
+        return False
+    gap, bound = largest.value - smallest.value, largest.error + smallest.error
+    return gap == 0 or gap <= bound <= FLAT * max(abs(largest.value), abs(smallest.value))
 
 
 def value_of_signal(signal: "Signal", t: "Fraction | float") -> tuple[float, float]:

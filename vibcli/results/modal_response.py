@@ -27,6 +27,7 @@ class ModalResponse(ResponseOfMembers):
     """Small oscillations about the equilibrium. NotByModes where what damps couples the modes."""
 
     KIND, WORDS = "modes", "small oscillations about the equilibrium, by modes"
+    _first = FIRST      # so many are counted at first
 
     def __init__(self, problem: Any, waves: Any = None, part: "PartOfMembers | None" = None):
         super().__init__(problem, waves, part)
@@ -63,11 +64,6 @@ class ModalResponse(ResponseOfMembers):
                 count //= 2
                 if count < FEWEST:
                     raise
-
-    @property
-    def _first(self):
-        """So many modes are counted at first."""
-        return FIRST
 
     @cached_property
     def _graded(self):
@@ -106,14 +102,19 @@ class ModalResponse(ResponseOfMembers):
         from vibcli.analyses.continuous.modal_motion import ModalMotion
         from vibcli.analyses.continuous.real_modes import RealModes
 
-        transfer, basis = self._transfer, self._basis(count)
-        inputs, damping, given = self._felt(basis), self._damping(basis), self.problem.modal.member_damping
+        given, (basis, inputs, damping, begun) = self.problem.modal.member_damping, self.apart(count)
         creeping = given is not None and given.creeps
         starts, disturbed = self._disturbed(basis, inputs, damping)
-        start = [one.of_modes(basis.squares, plain) for one, plain in zip(starts, self._start(basis), strict=True)]
+        start = [one.of_modes(basis.squares, plain) for one, plain in zip(starts, begun, strict=True)]
         shaking = self._shaking(basis)
         modes = RealModes(basis, inputs, start, damping, creeping, disturbed if shaking is None else None, shaking)
-        return ModalMotion(modes, transfer, self._forces, self.problem.work)
+        return ModalMotion(modes, self._transfer, self._forces, self.problem.work)
+
+    def apart(self, count: int) -> tuple:
+        """(the ModeBasis of the first modes, what each feels of each channel of `loaded`, c of each, (η, η̇) at t = 0);
+        NotByModes where what damps couples them."""
+        basis = self._basis(count)
+        return basis, self._felt(basis), self._damping(basis), self._start(basis)
 
     def _basis(self, count):
         """The ModeBasis of the first modes, shapes of near ones orthogonal."""
@@ -184,10 +185,9 @@ class ModalResponse(ResponseOfMembers):
 
     @cached_property
     def _transfer(self):
-        found = self._exact
+        found, damping = self._exact, self.problem.modal.member_damping
         if self.matrices[1].any():
             raise CoupledModes("dampers couple the modes of members", "ask for steady(…)")
-        damping = self.problem.modal.member_damping
         if damping is None:
             return found
         from vibcli.analyses.continuous.damped_transfer import DampedTransfer
@@ -202,12 +202,12 @@ class ModalResponse(ResponseOfMembers):
         from vibcli.analyses.excitation.decompose import forcing_of
         from vibcli.notation.plain import plain
 
-        nodes, channels = self._loaded
+        nodes, channels = self.loaded
         return forcing_of(nodes, self.problem.scene.time, self.problem.numeric.floats, channels, write=plain,
                           work=self.problem.work)
 
     @property
-    def _loaded(self):
+    def loaded(self):
         """{channel: node of the time} of coordinates, driven ends and loads along members, and how many there are."""
         driven = [*(node for _, node in self.ends_of_pieces if node is not None),
                   *(force.weight for force in self.spread_forces),
@@ -222,10 +222,10 @@ class ModalResponse(ResponseOfMembers):
         """c of each mode: given, or of drag c/μ that is the same everywhere, which damps each by itself."""
         import numpy as np
 
-        given = self.problem.modal.member_damping
+        transfer, given = self._transfer, self.problem.modal.member_damping
         if given is not None:
             return np.array([float(given.rate(mode)) for mode in first_modes(self.natural, len(basis.squares))])
-        rates = {placed.piece.drag / placed.piece.inertia for placed in self._transfer.pieces}
+        rates = {placed.piece.drag / placed.piece.inertia for placed in transfer.pieces}
         most = max(rates)
         if any(placed.retardation for placed in self.linear.pieces):
             raise CoupledModes("damping in proportion to stiffness stands beside drag", "ask for steady(…)")
@@ -243,8 +243,8 @@ class ModalResponse(ResponseOfMembers):
         (q, v), M = self.deviations, self.matrices[0]
         eta, rate = basis.shapes.T @ (M @ q), basis.shapes.T @ (M @ v)
         for number, (_, speed) in enumerate(self.fields):
-            eta = eta + self._displaced(basis, number)
-            rate = rate if speed is None else rate + of_field(basis, number, speed, 0)
+            eta, rate = eta + self._displaced(basis, number), rate + (
+                0.0 if speed is None else of_field(basis, number, speed, 0))
         return eta, rate
 
     def _displaced(self, basis, number):

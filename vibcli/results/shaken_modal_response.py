@@ -83,7 +83,7 @@ class ShakenModalResponse(ModalResponse):
         return np.concatenate([basis.shapes.T, *spread], axis=1)
 
     @property
-    def _loaded(self):
+    def loaded(self):
         """{channel: node of the time} of coordinates without what displacements of supports put on them, of loads along
         members and of these, and how many there are."""
         table, scene, nodes = self.problem.scene.table, self.problem.scene, dict(self.drive)

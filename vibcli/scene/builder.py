@@ -44,7 +44,8 @@ class Builder:
         self.tensions = tensions
         self.spec, self.variant, self.owner, self.reports, self.idle = spec, variant, None, Reports(), False
         records = spec.sections.get("records") or {}
-        self.table = table = Table({name: record["samples"] for name, record in records.items()})
+        self.table = table = Table({name: record["samples"] for name, record in records.items()},
+                                   dimension=None if spec.free_numbers else spec.dimensions.of)
         self.parameters = Parameters(spec, table, given=given)
         self.sample = self.parameters.values(Floats, _samples(spec, self.parameters.free, given, attempt))
         if watched:

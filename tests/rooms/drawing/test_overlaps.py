@@ -7,7 +7,7 @@ import pytest
 from support.overlaps import cross, crossed, grounded, measured, touching
 from support.scenes import kept_drawing_of, problem
 
-from vibcli.drawing.canvas.primitives import ARROW, SURFACE, Circle, Hatch, LetterRuns, Polygon, Polyline
+from vibcli.drawing.canvas.primitives import ARROW, LEADER, SURFACE, Circle, Hatch, LetterRuns, Polygon, Polyline
 from vibcli.drawing.drawing import draw
 from vibcli.drawing.layout import lettering, plane
 from vibcli.drawing.layout.space import Space
@@ -229,3 +229,29 @@ def test_no_line_crosses_another_between_two_cells():
     space = Space([one])
     for shift in (0.0, 0.9, 1.7):
         assert space.meets([(0.0, 40.0 + shift), (40.0 + shift, 0.0)]) > 0.0
+
+
+def test_lengths_beside_each_other_are_read_at_their_own_lines():
+    """What stands upright has its letter on the far side of what it measures; L is not between the lines of a and L."""
+    figure = kept_drawing_of(ROOT / "vibcli/examples/hanging_rod.yaml")
+    boxes = {"".join(run.text for run in part.runs): part.box for part in figure if isinstance(part, LetterRuns)}
+    lines = sorted({round(part.points[0][0], 3) for part in figure if isinstance(part, Polyline) and
+                    part.role == "measure" and part.points[0][0] == part.points[-1][0]})
+    outer, inner = lines[0], lines[-1]
+    assert boxes["L"][2] < outer < boxes["a"][0] and boxes["a"][2] < inner
+
+
+def test_a_name_stands_in_no_way_of_a_length():
+    """The line from the place of what is attached at L₁/2 reaches the beam: the name of the beam is elsewhere."""
+    legs = [part for part in kept_drawing_of(ROOT / "vibcli/examples/beams.yaml")
+            if isinstance(part, Polyline) and part.role == "measure" and part.layer == LEADER]
+    assert len(legs) > 6 and min(plane.distance(*leg.points) for leg in legs) > 8.0
+
+
+def test_a_wall_of_a_spiral_is_where_no_member_is():
+    """It is above the hub, whose arm comes from the left, as is the wall of one without an arm."""
+    figure = kept_drawing_of(ROOT / "vibcli/examples/arm_on_a_hub.yaml")
+    arm = max((part for part in figure if isinstance(part, Polygon)), key=lambda part: plane.bounds(part.points)[2])
+    walls = [part for part in figure if isinstance(part, Hatch) and part.points[0][0] > 0]
+    top = max(max(y for _, y in part.points) for part in walls)
+    assert top > plane.bounds(arm.points)[3]

@@ -42,12 +42,12 @@ PRINTED = """\
    1  φ:  rotation of rod,  zero as drawn
    2  rod turns about the fixed O:  J_O = J_C + m·OC² = m·L²/12 + m·L²/4 = m·L²/3 = 0.64 kg·m²
    3  T = J_O·φ̇²/2 = m·L²·φ̇²/6
-   4  stretch of s, from rest:  Δ_s = √(2·L·h·sin φ + 2·L² + h² − 2·L²·cos φ) − h = L·φ + …   (second
-      order, as its force at rest counts: there is no such term)
+   4  stretch of s, from rest, B at  (L·cos φ, L·sin φ):  Δ_s = √(2·L·h·sin φ + 2·L² + h² −
+      2·L²·cos φ) − h = L·φ + …   (second order, as its force at rest counts: there is no such term)
    5  V_s = k·Δ_s²/2 + N_s·Δ_s = L²·k·φ²/2 + L·N_s·φ
-   6  weight of rod, counted from rest:  V_rod = m·L·g·φ/2 + …   (second order, as its force at rest
-      counts: there is no such term)
-   7  speed across d:  u̇_d = L·φ̇/2,  Φ = c·u̇_d²/2 = L²·c·φ̇²/8
+   6  weight of rod, counted from rest:  V_rod = m·L·g·sin φ/2 = m·L·g·φ/2 + …   (second order, as its
+      force at rest counts: there is no such term)
+   7  speed across d, D at  (L·cos φ/2, L·sin φ/2):  u̇_d = L·φ̇/2,  Φ = c·u̇_d²/2 = L²·c·φ̇²/8
    8  at rest  ∂V/∂φ = L·N_s + m·L·g/2 = 0
    9  so N_s = −m·g/2 = −14.715 N,  s being deflected by −m·g/(2·k) = −0.0122625 m (shortened)
   10  V = V_s + V_rod = L²·k·φ²/2   (the terms of the first order vanish at rest)
@@ -55,8 +55,8 @@ PRINTED = """\
   12  ∂V/∂φ = L²·k·φ,  ∂Φ/∂φ̇ = L²·c·φ̇/4
   13  m·L²·φ̈/3 + L²·c·φ̇/4 + L²·k·φ = 0
   14  ω² = 3·k/m,  ω = √(3·1200/3) = 34.641 rad/s,  f = ω/(2·π) = 5.51329 Hz,  T = 2·π/ω = 0.18138 s
-  15  half the factor of the speed over that of the acceleration:  δ = 3·c/(8·m) = 3·40/(8·3) = 5 1/s
-  16  ζ = δ/ω = √3·c/(8·√(m·k)) = 0.144338: under-damped
+  15  so  φ̈ + 2·δ·φ̇ + ω²·φ = 0  with  δ = 3·c/(8·m) = 3·40/(8·3) = 5 1/s
+  16  ζ = δ/ω = √3·c/(8·√(m·k)) = 0.144338 < 1: under-damped
   17  ω_d = √(ω² − δ²) = √(3·(64·m·k − 3·c²))/(8·m) = √(3·(64·3·1200 − 3·40²))/(8·3) = 34.2783 rad/s
 """
 CART = Path("problems/2_lagrange/pendulum_on_sprung_cart.yaml")
@@ -264,8 +264,8 @@ def test_every_equality_holds(path):
 
 
 @pytest.mark.parametrize(("more", "words"), [
-    ("c: 10 N*s/m", "ζ = δ/ω = 5·c/√(m·k) = 1: critically damped"), ("c: 9 N*s/m", "0.9: under-damped"),
-    ("c: 11 N*s/m", "1.1: over-damped")])
+    ("c: 10 N*s/m", "ζ = δ/ω = 5·c/√(m·k) = 1: critically damped"), ("c: 9 N*s/m", "0.9 < 1: under-damped"),
+    ("c: 11 N*s/m", "1.1 > 1: over-damped")])
 def test_regimes_of_damping(more, words):
     scene = problem("parameters: {m: 1 kg, k: 2500 N/m, " + more + "}\nbodies: {b: {mass: m, slide: x}}\n"
                     "springs: {s: {k: k, between: [ground, b]}}\ndampers: {d: {c: 10*c, between: [ground, b]}}\n")

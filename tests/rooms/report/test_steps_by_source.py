@@ -96,7 +96,7 @@ points: {S: {at: [0, -1 m], moves: [0, Y*sin(w*t)]}}
 bodies: {car: {mass: m, at: [0, 0], slide: {along: [0, 1], by: y}}}
 springs: {s: {k: k, between: [S, car]}}
 dampers: {d: {c: c, between: [S, car]}}
-""", ("ω = √(400000/1200) = 18.2574 rad/s", "0.5: under-damped", "y = X·sin(", "X = ", "0.0550")),
+""", ("ω = √(400000/1200) = 18.2574 rad/s", "0.5 < 1: under-damped", "y = X·sin(", "X = ", "0.0550")),
     "stepped_pulley": Source(
         "Filo, solved question: spring on the small radius, mass on the large one of a pulley, by energies", """
 parameters: {m: , J: , r1: , r2: , k: , g: }
@@ -135,7 +135,7 @@ energies:
         "TutorsGlobe, statement: 70 kg, 30 kN/m, ζ = 0.2, 450 N at 13 rad/s",
         DAMPED % "m: 70 kg, k: 30000 N/m, c: 0.4*sqrt(m*k), F: 450 N, w: 13 rad/s"
         + "forces: {f: {at: b, force: F*sin(w*t)}}\n", (
-            "ω = √(30000/70) = 20.702 rad/s", "ζ = δ/ω", "0.2: under-damped", "x = X·sin(w·t − θ)", "X = F/√(",
+            "ω = √(30000/70) = 20.702 rad/s", "ζ = δ/ω", "0.2 < 1: under-damped", "x = X·sin(w·t − θ)", "X = F/√(",
             "= 0.0228768 m", "tan θ = ", "θ = 0.393134")),
     "unbalanced_machine": Source(
         "Numerade 12116: 2495 kg, 1 MN/m, 3 kN·s/m, 5 kg at 0.7 m with 30 rad/s: 2.5 mm", """

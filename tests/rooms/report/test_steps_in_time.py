@@ -173,6 +173,40 @@ def test_a_motion_from_the_start_is_a_sum_of_modes_beside_what_is_kept_up(c, roo
         assert value == pytest.approx(wanted, rel=2e-4)
 
 
+@pytest.mark.parametrize("c", ["6", "0"])
+def test_under_two_harmonics_and_a_steady_load_each_keeps_up_its_own(c):
+    """Held against expm of the state matrix with the loads as states: sin 9t, 9 cos 9t, cos 5t, −5 sin 5t, 1."""
+    lines = worked(problem(f"""
+        parameters: {{m1: 2 kg, m2: 1 kg, k1: 800 N/m, k2: 300 N/m}}
+        bodies: {{a: {{mass: m1, slide: x1}}, b: {{mass: m2, slide: x2}}}}
+        springs: {{s1: {{k: k1, between: [ground, a]}}, s2: {{k: k2, between: [a, b]}}}}
+        {f"dampers: {{d: {{c: {c} N*s/m, between: [a, b]}}}}" if c != "0" else ""}
+        forces: {{f: {{at: a, force: 5 N*sin(9 rad/s*t) + 4 N}}, g: {{at: b, force: 3 N*cos(5 rad/s*t)}}}}
+        initial: {{x1: 10 mm, x2: 0 m, x2': 0.3 m/s}}
+        answers: {{x1(0.3 s): 0 m}}
+    """))
+    settled = {line.settles: formula(line.parts, plain).translate(DIGITS) for line in lines}
+    values = {line.settles: line.value for line in lines}
+    C, K = float(c) * np.array([[1, -1], [-1, 1]]), np.array([[1100.0, -300.0], [-300.0, 300.0]])
+    minus = -np.diag([0.5, 1.0])
+    A = np.zeros((9, 9))
+    A[:2, 2:4], A[2:4, :2], A[2:4, 2:4] = np.eye(2), minus @ K, minus @ C
+    A[2, 4], A[2, 8], A[3, 6], A[4, 5], A[5, 4], A[6, 7], A[7, 6] = 5 / 2, 4 / 2, 3, 1, -81, 1, -25
+    t, rest = 0.3, np.linalg.solve(K, [4.0, 0.0])
+    due = (expm(A * t) @ np.array([0.01, 0, 0, 0.3, 0, 9, 1, 0, 1]))[:2] - rest
+    letters = {f"{letter}{i}": values.get(of.format(i)) for i in (1, 2) for letter, of in (
+        ("δ", "decay[{}]"), ("ω_d", "omega_d[{}]"), ("ω", "omega[{}]"))}
+    signed = {name: float(number.replace("−", "-")) for text in settled.values() for name, number in re.findall(
+        r"((?<!\|)X\d\d) = (?:[^=|]+ = )?(−?[\d.e−]+) m", text)}
+    letters |= {f"|X{i}{n}|": values.get(f"amplitude {n} of x{i}") for i in (1, 2) for n in (1, 2)}
+    letters |= {f"θ{i}{n}": values.get(f"lag {n} of x{i}") for i in (1, 2) for n in (1, 2)} | signed
+    for name, wanted in zip(("x1", "x2"), due, strict=True):
+        told = settled[f"motion of {name}"].split(" = ")[1].replace("·", "*").replace("−", "-").replace("\u00a0", " ")
+        value = eval(re.sub(r"δ\d|ω_d\d|ω\d|\|X\d\d\||X\d\d|θ\d\d", lambda one: f"({letters[one.group()]})", told),
+                     {"cos": math.cos, "sin": math.sin, "exp": math.exp, "t": t})
+        assert value == pytest.approx(wanted, rel=2e-4, abs=1e-7)
+
+
 def test_the_energy_of_a_pendulum_let_go_level_is_zero():
     """Not what is left of −m g L cos φ at the float next to π/2."""
     lines = worked(problem(PENDULUM.replace("phi: 2 rad, phi': 1.5 rad/s", "phi: 90 deg")))

@@ -7,10 +7,12 @@ import pytest
 from support.scenes import kept_problem_of, kept_settled_of, problem
 
 from vibcli.base.errors import PhysicsError
+from vibcli.notation.latex import latex
 from vibcli.notation.plain import plain
 from vibcli.report.formats.formula import formula
 from vibcli.report.steps.ends import Ends
 from vibcli.report.steps.worked import worked
+from vibcli.symbolic.evaluation import Floats, evaluate
 
 MEMBERS = sorted(Path("problems/8_continuous").glob("*.yaml"))
 UNTOLD = {"motor_on_cantilever_with_pendulum"}
@@ -146,3 +148,91 @@ bodies: {bead: {mass: M, slide: y}}
     assert text[-3:] == ["dynamic stiffness at the joint, of one:  k₁ = S·θ₁·cos θ₁/(L·sin θ₁)",
                          "dynamic stiffness at the joint, of two:  k₂ = S·θ₂·cos θ₂/(2·L·sin θ₂)",
                          "so the frequency equation:  k₁ + k₂ − M·ω² = 0"]
+
+
+def test_a_plucked_string_and_a_struck_bar_by_hand():
+    """Rao 2007, 8.6 and 9.2: p_n = 2hL² sin(nπa/L)/(n²π²a(L − a)); m = ∫ρA X² dx + M X(L)², m ṗ = M X(L) ẋ(0)."""
+    lines = {line.settles: line for line in worked(kept_problem_of("problems/8_continuous/plucked_string.yaml"))}
+    L, h, a = 0.8, 0.004, 0.2
+    for n in (1, 2, 3):
+        wanted = 2 * h * L**2 * math.sin(n * math.pi * a / L) / (n**2 * math.pi**2 * a * (L - a))
+        assert abs(lines[f"p[{n}](0)"].value) == pytest.approx(abs(wanted), rel=1e-9)
+        assert lines[f"modal mass {n}"].value == pytest.approx(0.005 * L / 2, rel=1e-12)
+    lines = {line.settles: line for line in worked(kept_problem_of("problems/8_continuous/struck_bar.yaml"))}
+    M, v, of_bar = 3.2, -2.0, 8000 * 4e-4
+    for n in (1, 2, 3):
+        x = lines[f"βL[{n}]"].value
+        m = of_bar * (0.5 - math.sin(2 * x) / (4 * x)) / math.sin(x)**2 + M
+        assert lines[f"modal mass {n}"].value == pytest.approx(m, rel=1e-9)
+        assert lines[f"p'[{n}](0)"].value == pytest.approx(M * v / m, rel=1e-9)
+
+
+def test_what_lets_go_and_what_loads_do_by_modes():
+    """A rope holds the top of a chimney in F x²(3L − x)/(6EI); Q of a walker at midspan is F by sin(kπ/2)."""
+    text = told(worked(kept_problem_of("problems/8_continuous/chimney_let_go.yaml")))
+    assert any("as rope held it:  u(x, 0) = 1.5e-5·x² − 8.33333e-8·x³" in line for line in text)
+    assert any(line.startswith("so  u(x, t) = X₁(x)·(0.0349448·cos(ω_d1·t)") for line in text)
+    text = told(worked(kept_problem_of("problems/8_continuous/footbridge_under_a_walker.yaml")))
+    assert {"Q₁ = F·sin(Ω·t)", "Q₃ = −F·sin(Ω·t)"} <= set(text)
+
+
+@pytest.mark.parametrize("name, wanted", [
+    ("plucked_string", ("f₂(L + s) = −f₁(L − s),  as it is held", "f₁(−0.2) + f₂(1.4) = −0.002 − 0.002 = −0.004 m")),
+    ("bar_half_strained_let_go", ("r = −(c − Z)/(c + Z) = 0.6", "f₁(−5.2) + f₂(7.2) = 0.0001 − 6.4e-5 = 3.6e-5 m")),
+    ("matched_damper", ("as pull held it:  u(x, 0) = 0.000285714·x", "f₁(0) + f₂(3) = 0 + 0.000214286 =")),
+    ("bar_pulled_and_let_go", ("f₂(L + s) = f₁(L − s),  as it is free",))])
+def test_waves_by_hand(name, wanted):
+    """A half of the strained bar: f₁(−5.2) = −f₂(5.2), f₂(5.2) = r f₁(−1.2) + …, and so on; a matched damper sends
+    nothing back."""
+    text = told(worked(kept_problem_of(f"problems/8_continuous/{name}.yaml")))
+    assert all(any(part in line for line in text) for part in wanted), text
+
+
+def test_what_an_engine_keeps_up_of_a_bridge_by_hand():
+    """The entries that the line tells make D, and U by D U = F is mid-span's share of Σ 2F sin²(kπ/3)/(μL(ω_k² − Ω²));
+    the solution is put into its rows."""
+    lines = worked(kept_problem_of("problems/8_continuous/bridge_under_an_engine.yaml"))
+    text, EI, Omega = told(lines), 4.5e8, 30.0
+    beta, = (line.value for line in lines if line.settles.startswith("beta "))
+    assert beta == pytest.approx((900 * Omega**2 / EI)**0.25, rel=1e-12)
+    d = {}
+    for length in (6.0, 12.0):
+        x = beta * length
+        N = 1 - math.cos(x) * math.cosh(x)
+        d[length] = {"d₁₁": EI * beta**3 * (math.cos(x) * math.sinh(x) + math.sin(x) * math.cosh(x)) / N,
+                     "d₁₂": EI * beta**2 * math.sin(x) * math.sinh(x) / N,
+                     "d₂₂": EI * beta * (math.sin(x) * math.cosh(x) - math.cos(x) * math.sinh(x)) / N,
+                     "d₁₄": EI * beta**2 * (math.cosh(x) - math.cos(x)) / N,
+                     "d₂₄": EI * beta * (math.sinh(x) - math.sin(x)) / N}
+    entries, = (line for line in text if line.startswith("of  bridge.slope(0 m), "))
+    for name, value in (("D₁₁", d[6.0]["d₂₂"]), ("D₁₂", -d[6.0]["d₁₄"]), ("D₁₃", d[6.0]["d₂₄"]),
+                        ("D₂₂", d[6.0]["d₁₁"] + d[12.0]["d₁₁"]), ("D₂₃", d[12.0]["d₁₂"] - d[6.0]["d₁₂"]),
+                        ("D₃₄", d[12.0]["d₂₄"])):
+        found = float(entries.split(f"{name} = ")[1].split(",")[0].replace("−", "-"))
+        assert found == pytest.approx(value, rel=1e-5)
+    values = {line.letter: line.value for line in lines if line.settles.startswith("steady bridge")}
+    series = sum(2 * 3000 * math.sin(k * math.pi / 3)**2 / (900 * 18 * ((k * math.pi / 18)**4 * EI / 900 - Omega**2))
+                 for k in range(1, 4000))
+    assert values["U2"] == pytest.approx(series, rel=1e-9)
+    rows = [line.vanishes for line in lines if line.settles.startswith("steady bridge")]
+    assert all(abs(left) < 1e-7 for left in evaluate(rows, Floats, values))
+
+
+@pytest.mark.parametrize("name", ["struck_bar", "bar_half_strained_let_go", "bridge_under_an_engine",
+                                  "footbridge_under_a_walker"])
+def test_lines_on_motions_are_latex(name):
+    """No letter is left that LaTeX does not know, as a dot that combines with a letter."""
+    for line in worked(kept_problem_of(f"problems/8_continuous/{name}.yaml")):
+        assert formula(line.parts, latex).isascii(), line
+
+
+def test_what_a_walker_keeps_up_is_the_sum_of_the_modes():
+    """At midspan X_k is ±1 as Q_k/F is: Σ P_k e^{−iθ_k} of three modes has but the fifth odd mode's share to go."""
+    scene = kept_problem_of("problems/8_continuous/footbridge_under_a_walker.yaml")
+    F, m, Omega, zeta = 280.0, 1200 * 30 / 2, 12.5, 0.006
+    lines = {line.settles: line for line in worked(scene)}
+    for k in (1, 3, 5):
+        omega = (k * math.pi / 30)**2 * math.sqrt(1.75e9 / 1200)
+        wanted = F / m / math.hypot(omega**2 - Omega**2, 2 * zeta * omega * Omega)
+        assert lines[f"steady mode {k}"].value == pytest.approx(wanted, rel=1e-9)
+    assert sum(lines[f"steady mode {k}"].value for k in (1, 3, 5)) == pytest.approx(0.810256955e-3, rel=1e-3)

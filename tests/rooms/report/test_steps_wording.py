@@ -65,6 +65,11 @@ def test_how_it_is_damped_is_said_in_words():
         assert next(line for line in told(problem(scene % c)) if line.startswith("ζ")).endswith(words)
 
 
+def test_a_quotient_of_forces_is_no_angle():
+    assert any(line.endswith("max(|cylinder.friction|/cylinder.normal) = 0.397251") for line in of(
+        "cylinder_rolls_in_a_gutter"))
+
+
 def test_why_a_coordinate_follows_is_told_where_all_constraints_are_of_one_form():
     assert any(line.endswith("(as ropes keep their length)") for line in of("drum_on_a_slope_with_a_cord"))
 

@@ -102,10 +102,20 @@ Drawn = tuple[list[Polygon | Polyline], tuple[Run, ...], list[tuple[float, float
 
 
 def ways(length: Length, space: "Space") -> Iterator[Drawn]:
-    """(primitives, runs, places for them) of those for which there is room, the better first."""
-    tried = (_radial(length._replace(two=rim), space) for rim in (length.two, *length.rims)) if length.radial else (
-        _straight(length, space, offsets) for offsets in (OFFSETS, FAR))
-    return (drawn for drawn in tried if drawn is not None)
+    """(primitives, runs, places for them) of those for which there is room, the better first; beside a line that
+    stands upright first away from what it measures, where no other line is."""
+    if length.radial:
+        tried = [_radial(length._replace(two=rim), space) for rim in (length.two, *length.rims)]
+        yield from (drawn for drawn in tried if drawn is not None)
+        return
+    upright = abs(length.two[1] - length.one[1]) > abs(length.two[0] - length.one[0])
+    for offsets in (OFFSETS, FAR):
+        drawn = _straight(length, space, offsets)
+        if drawn is not None:
+            parts, runs, places = drawn
+            if upright:
+                yield parts, runs, places[:1]
+            yield drawn
 
 
 def _radial(length, space):

@@ -1,6 +1,6 @@
 """Torsion springs, rotary dampers and their like, at the joint about which they turn."""
 
-from math import pi
+from math import cos, pi
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
@@ -11,6 +11,8 @@ from vibcli.drawing.symbols.connection import symbol
 if TYPE_CHECKING:
     from vibcli.drawing.canvas.primitives import Hatch, Polyline
     from vibcli.language.reader import Record
+
+NEAR = 1.0      # points from a joint that are on it
 
 
 class Turn(NamedTuple):
@@ -50,9 +52,22 @@ def _turning(names, sketch):
 
 
 def _heading(body, joint, looks, sketch):
-    """The direction of a body from a joint, as drawn."""
+    """The direction of a body from a joint, as drawn; of one without extent such that a wall a quarter turn ahead is
+    where no member is."""
     away = plane.minus(plane.middle(*plane.corners([p for part in looks[body].pieces for p in part.points])), joint)
-    return plane.heading(away) if plane.distance(away, (0, 0)) > 1.0 else pi / 2
+    if plane.distance(away, (0, 0)) > NEAR:
+        return plane.heading(away)
+    leave = _members(joint, sketch)
+    free = [wall for wall in (pi, pi / 2, 0.0) if all(cos(wall - one) < cos(pi / 4) for one in leave)]
+    return next(iter(free), pi) - pi / 2
+
+
+def _members(joint, sketch):
+    """The directions in which members leave a joint."""
+    ends = [[sketch.pair(member.record[key]) for key in ("from", "to")]
+            for member in sketch.scene.members.values() if "from" in member.record]
+    return [plane.heading(plane.minus(other, one)) for pair in ends for one, other in (pair, pair[::-1])
+            if plane.distance(one, joint) < NEAR]
 
 
 def draw(sketch: Sketch,

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from vibcli.drawing.layout.space import Space
 
 NAMED_BY, PUSH, BESIDE, ROW, APART = ("EI", "EA", "GIo"), 30.0, 9.0, 20.0, 18.0
+ASIDE_OF_LEGS = 4.0     # points from a name to a line that leads to a length
 NAMED_AT = 0.3, 0.7, 0.5, 0.4, 0.6      # parts of a length where its name may stand
 
 
@@ -28,8 +29,8 @@ def of(strip: Strip, sketch: "Sketch", space: "Space") -> Iterator[tuple[list[An
             yield [space.put(runs, places, inside=places)], None, [], "ink"
         else:
             yield [], runs, places, "ink"
-    yield [], _name(record, sketch), [strip.at(part * strip.metres, side * 10.0)
-                                      for part in NAMED_AT for side in (1, -1)], "ink"
+    name = _name(record, sketch)
+    yield [], name, [strip.at(x, side * 10.0) for x in _free(name, strip, sketch) for side in (1, -1)], "ink"
     if "preload" in record:
         yield preload(strip, sketch), captions.expression(_size(record["preload"]), sketch), [
             strip.at(strip.metres, ASIDE, 14.0)], "load"
@@ -50,6 +51,15 @@ def _name(record, sketch):
             found = (Run(text, True, lettering.SIZE),) if text in NAMED_BY else captions.expression(record[key], sketch)
             told += (*(lettering.words(", ") if told and found else ()), *(found or ()))
     return told or lettering.words(record.name)
+
+
+def _free(name, strip, sketch):
+    """The places along a member where its name may stand: none where a line to a length would strike it, if there are
+    others."""
+    places = [part * strip.metres for part in NAMED_AT]
+    measured = [x for low, high, runs in _lengths(strip, sketch) if runs for x in (low, high)]
+    room = (lettering.size(name)[0] / 2 + ASIDE_OF_LEGS) / strip.scale
+    return [x for x in places if all(abs(x - at) > room for at in measured)] or places
 
 
 def _size(field):

@@ -192,10 +192,14 @@ def _drive(problem, motion):
 
 
 def _extremes(asked, until, digits):
+    from vibcli.results.escalation import is_constant
+
     rows = []
     for one, *both in extremes(asked, until):
         cells = [cell for found, sense in zip(both, (1, -1), strict=True) for cell in (
             (found, "") if isinstance(found, str) else extreme_cells(one.signal, found, until, sense, digits))]
+        if is_constant(*both):
+            cells[1::2] = ["always"] * 2
         rows.append((f"{one.label} [{one.unit}]".replace(" []", ""), *cells))
     yield from section(f"Extremes for 0 ≤ t ≤ {figure(until)} s",
                        TableBlock(("signal", "largest", "at t [s]", "smallest", "at t [s]"), tuple(rows)))

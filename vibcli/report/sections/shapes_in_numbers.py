@@ -12,6 +12,7 @@ from vibcli.report.blocks import Line, Words, line
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.mode_fields import Moved
+    from vibcli.analyses.modal.undamped import Mode
     from vibcli.results.problem import Problem
 
 MODES, STRETCHES = 2, 6     # told at most, stretches in each mode
@@ -25,17 +26,27 @@ def shapes_in_numbers(problem: "Problem", normalise: str, members: Sequence[str]
         return
     shown = [mode for mode in problem.modal.modes.shown() if mode.omega][:MODES]
     for mode in shown:
-        told = problem.modal.told_apart(mode)
-        fields, factor = problem.modal.fields(told), complex(problem.modal.scale(told, normalise))
-        pieces = [(member, moved) for member in members for moved in fields.pieces(member)]
-        if factor.imag or len(pieces) > STRETCHES or not all(_is_plain(moved) for _, moved in pieces):
+        told = shape_in_numbers(problem, mode, normalise, members)
+        if told is None:
             return
-        for member in members:
-            found = _joined([(moved, _told(moved, factor.real)) for one, moved in pieces if one == member])
+        for member, found in told.items():
             for start, end, text in found:
                 span = [] if len(found) == 1 else [
                     Words(f", {figure(start)} m < "), "x", Words(f" < {figure(end)} m")]
                 yield line("X(x) = ", text, Words(f"   of {member} in mode {mode.index}"), *span, inset=2)
+
+
+def shape_in_numbers(problem: "Problem", mode: "Mode", normalise: str,
+                     members: Sequence[str]) -> dict[str, list[tuple[float, float, str]]] | None:
+    """{member: [(start, end, text of X(x))] of its stretches}; None of damped modes, many stretches, other
+    equations."""
+    told = problem.modal.told_apart(mode)
+    fields, factor = problem.modal.fields(told), complex(problem.modal.scale(told, normalise))
+    pieces = [(member, moved) for member in members for moved in fields.pieces(member)]
+    if factor.imag or len(pieces) > STRETCHES or not all(_is_plain(moved) for _, moved in pieces):
+        return None
+    return {member: _joined([(moved, _told(moved, factor.real)) for one, moved in pieces if one == member])
+            for member in members}
 
 
 def _joined(told):

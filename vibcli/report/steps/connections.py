@@ -18,6 +18,7 @@ from vibcli.report.steps.parts_in_series import tell_parts
 from vibcli.report.steps.small import AboutRest, Small
 from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import is_zero, textbook
 
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 AT_ONCE = 4         # letters of a stretch or speed, up to which its energy stands in the same line
+AT_SIGHT = 12       # letters of a potential of weights, up to which it is told unexpanded as well
 FIRST = "   (first order: it bears nothing at rest)"
 SECOND = "   (second order: its force at rest counts)"
 SLOPES = {("k", "N"): "N/m", ("k", "N·m"): "N·m/rad", ("c", "N"): "N·s/m", ("c", "N·m"): "N·m·s/rad"}
@@ -56,6 +58,7 @@ class Connections:
         self._several = others or len(springs) + sum(map(len, acting)) > 1
         self._damping: list | None = None
         self._stretched: list = []
+        self._located: set[str] = set()
 
     def _letter(self, letter, owner):
         """That of an element, its name with it where there are several."""
@@ -94,9 +97,7 @@ class Connections:
 
     def _unit(self, owner):
         """That of the force of an element."""
-        spec = self.about.problem.spec
-        elements = {**(spec.get("springs") or {}), **(spec.get("dampers") or {})}
-        return "N·m" if "torsion" in elements.get(owner, {}) else "N"
+        return "N·m" if "torsion" in self._elements.get(owner, {}) else "N"
 
     def _spring(self, term, k, still):
         about, sheet = self.about, self.sheet
@@ -136,8 +137,29 @@ class Connections:
         s, exact = self._exactly(small, moves)
         parts = [] if exact or letters(s) > LONG else [s, " = "]
         more = () if exact else (" + …", Words(FIRST if not loaded else SECOND if small.bends else STRAIGHT))
-        return self.sheet.write(Words(f"stretch of {term.owner}, from rest:  "), Name(letter), " = ", *parts,
-                                moves, *more, settles=letter, node=moves), exact
+        return self.sheet.write(*self._across(f"stretch of {term.owner}, from rest", term), Name(letter), " = ",
+                                *parts, moves, *more, settles=letter, node=moves), exact
+
+    def _across(self, words, term):
+        """Words on an element, and the places of points between which it is, that no line before tells; none of points
+        that go straight."""
+        parts: list[Any] = [Words(words)]
+        for end in self._elements.get(term.owner, {}).get("between", ()):
+            name = getattr(end, "text", None)
+            if name not in self.scene.points or name in self._located:
+                continue
+            place = [textbook(self.about.shifted(node)) for node in self.scene.points[name][1]]
+            turned = any(node.op == "call" and node.mask for node in reachable(place))
+            if turned and sum(map(letters, place)) <= LONG:
+                self._located.add(name)
+                parts += [Words(f", {name} at  "), "(", place[0], ", ", place[1], ")"]
+        return [*parts, Words(":  ")]
+
+    @property
+    def _elements(self):
+        """{name: record} of the springs and dampers."""
+        spec = self.about.problem.spec
+        return {**(spec.get("springs") or {}), **(spec.get("dampers") or {})}
 
     def _exactly(self, small, moves):
         """What a function of the coordinates is, counted from rest, and whether it is what is told of it."""
@@ -165,8 +187,10 @@ class Connections:
         node = total(list(terms.values()))
         exact = all(self._exactly(one.s, moves[one])[1] for one in acting)
         more = () if exact else (" + …", Words(SECOND if any(one.s.bends for one in acting) else STRAIGHT))
-        line = self.sheet.write(Words(f"{words} {listed(terms)}, counted from rest:  "), Name(V), " = ", SumOfTerms(
-            tuple(terms.values())), *more, settles=V, node=node)
+        whole = total([one.tension * self._exactly(one.s, moves[one])[0] for one in acting])
+        told = [] if exact or letters(whole) > AT_SIGHT else [whole, " = "]
+        line = self.sheet.write(Words(f"{words} {listed(terms)}, counted from rest:  "), Name(V), " = ", *told,
+                                SumOfTerms(tuple(terms.values())), *more, settles=V, node=node)
         for i, one in enumerate(acting):
             yield EnergyPart(V, node if not i else None, line), one._replace(line=line)
 
@@ -188,8 +212,8 @@ class Connections:
             letter = self.sheet.letter("Phi", self._of(term) if several else "")
             u = self.sheet.letter("u", self._of(term))
             first = "   (first order)" if small.bends else ""
-            told = self.sheet.write(Words(f"speed across {term.owner}:  "), Name(u + "'"), " = ", rate, Words(first),
-                                    settles=u, node=rate)
+            told = self.sheet.write(*self._across(f"speed across {term.owner}", term), Name(u + "'"), " = ", rate,
+                                    Words(first), settles=u, node=rate)
             node = self.about.half_squares([(c, small)], rates=True)
             formula = c * self.about.letter(u + "'") ** 2 / 2
             shown = [] if formula.is_zero else [" = ", formula]

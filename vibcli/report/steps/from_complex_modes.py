@@ -113,7 +113,7 @@ def _terms(about, sheet, mode, i, nothing):
     """[sign, part, …] of what a mode adds to a coordinate."""
     size = complex(mode.sizes[i])
     if mode.root.imag:
-        return waves(about, sheet, mode.order, (size.real, -size.imag), nothing, True)
+        return waves(about.scene, sheet, mode.order, (size.real, -size.imag), nothing, True)
     if abs(size.real) <= nothing:
         return []
     return [" − " if size.real < 0 else " + ", f"{told(abs(size.real))}·exp(−{told(-mode.root.real)}·",

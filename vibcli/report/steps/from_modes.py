@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from vibcli.results.problem import Problem
+    from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
 ALIKE = 1e-9            # relative: of sums that vanish, and of amplitudes that are the same
@@ -133,21 +134,21 @@ def _letter(about, sheet, letter, mode):
 def _terms(about, sheet, mode, u):
     """[sign, part, …] of u pₖ."""
     size = abs(mode.place) + abs(mode.B)
-    return waves(about, sheet, mode.order, (u * mode.place, u * mode.B), ALIKE * abs(u) * size, bool(mode.delta))
+    return waves(about.scene, sheet, mode.order, (u * mode.place, u * mode.B), ALIKE * abs(u) * size, bool(mode.delta))
 
 
-def waves(about: AboutRest, sheet: WorkedSolution, order: int, sizes: tuple[float, float], nothing: float,
+def waves(scene: "Scene", sheet: WorkedSolution, order: int, sizes: tuple[float, float], nothing: float,
           damped: bool) -> list[Any]:
     """[sign, part, …] of e^{−δₖt} (A cos ωₖt + B sin ωₖt), of which up to `nothing` is rounding."""
-    table, t = about.table, about.scene.time
-    rate = about.letter(sheet.letter(f"omega_d{order}" if damped else f"omega{order}")) * t
+    table, t = scene.table, scene.time
+    rate = table.parameter(sheet.letter(f"omega_d{order}" if damped else f"omega{order}")) * t
     waves = [(value, table.call(wave, rate)) for wave, value in zip(("cos", "sin"), sizes, strict=True)
              if abs(value) > nothing]
     if not waves:
         return []
     if not damped:
         return [part for value, wave in waves for part in (" − " if value < 0 else " + ", f"{told(abs(value))}·", wave)]
-    decay = table.call("exp", -(about.letter(sheet.letter(f"delta{order}")) * t))
+    decay = table.call("exp", -(table.parameter(sheet.letter(f"delta{order}")) * t))
     if len(waves) == 1:
         value, wave = waves[0]
         return [" − " if value < 0 else " + ", f"{told(abs(value))}·", wave, "·", decay]

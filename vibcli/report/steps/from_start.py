@@ -1,7 +1,7 @@
 """The motion of several degrees of freedom from a given start: free modes, real ones where damping leaves them apart,
-else complex ones; under one harmonic beside what it keeps up,
+else complex ones; under harmonics beside what they keep up,
 
-    q = Im X e^{i(Ωt + ε)} + free modes of what the start has beside that at t = 0."""
+    q = Σ Im X e^{i(Ωt + ε)} + free modes of what the start has beside that at t = 0."""
 
 from cmath import exp
 from typing import TYPE_CHECKING, Any
@@ -33,27 +33,37 @@ def tell_from_start(about: AboutRest, sheet: WorkedSolution, found: SmallEquatio
             _tell_free(about, sheet, start, uses, {})
 
 
-def tell_driven_from_start(steady: "SteadyState", values: "Sequence[complex]", uses: "Sequence[int]") -> None:
-    """Write down the motion under one harmonic whose complex amplitudes are known, where one in time is asked."""
+def tell_driven_from_start(kept: "Sequence[tuple[SteadyState, Sequence[complex]]]", uses: "Sequence[int]") -> None:
+    """Write down the motion under harmonics whose complex amplitudes are known, where one in time is asked."""
+    (steady, _), *_ = kept
     about, sheet = steady.about, steady.sheet
     problem, names = about.problem, about.scene.coordinates
     heads = {tree.head for answer in problem.spec.answers for tree in answer.asked.parts.quantities}
     if not (heads & IN_TIME or "response" in (problem.spec.get("find") or ())) or not _is_told(about, steady.found):
         return
-    start, Omega = _start(problem), about.value(steady.given)
-    if start is None or Omega is None:
+    left = _start(problem)
+    if left is None or any(about.value(one.given) is None for one, _ in kept):
         return
-    ahead, = evaluate([steady.argument], Floats, {**problem.numeric.floats, about.scene.time.name: 0.0})
-    turned = [X * exp(1j * ahead) * (1 if steady.wave == "sin" else 1j) for X in values]
-    kept = [[X.imag for X in turned], [Omega * X.real for X in turned]]
-    left = [[x - part for x, part in zip(*both, strict=True)] for both in zip(start, kept, strict=True)]
+    for one, values in kept:
+        left = [[x - part for x, part in zip(*both, strict=True)]
+                for both in zip(left, _at_start(one, values), strict=True)]
     told: list[Any] = [Words("beside what is kept up the start has  ")]
     for i, name in enumerate(names):
         unit = "m" if problem.system.dimension(name) else "rad"
         told += [Words(",  " * bool(i)), Name(name), *number(left[0][i], unit), Words(",  "), Name(name + "'"), *number(
             left[1][i], f"{unit}/s")]
     line = sheet.write(*told, Words(", of which free modes are made"), settles="rest of the start", uses=uses)
-    _tell_free(about, sheet, left, [*uses, line], {name: _kept(steady, k) for k, name in enumerate(names) if values[k]})
+    parts = {name: [part for one, values in kept if values[k] for part in _kept(one, k)]
+             for k, name in enumerate(names)}
+    _tell_free(about, sheet, left, [*uses, line], {name: told for name, told in parts.items() if told})
+
+
+def _at_start(steady, values):
+    """[places, speeds] at t = 0 of what one harmonic keeps up."""
+    Omega, time = steady.about.value(steady.given), steady.about.scene.time.name
+    ahead, = evaluate([steady.argument], Floats, {**steady.about.problem.numeric.floats, time: 0.0})
+    turned = [X * exp(1j * ahead) * (1 if steady.wave == "sin" else 1j) for X in values]
+    return [[X.imag for X in turned], [Omega * X.real for X in turned]]
 
 
 def _is_told(about, found):
@@ -86,7 +96,7 @@ def _tell_free(about: AboutRest, sheet: WorkedSolution, start: "Sequence[Sequenc
 
 def _kept(steady, k):
     """[" + ", part, …] of what is kept up of a coordinate."""
-    X = Name(steady.sheet.letter(f"X{k + 1}"))
+    X = steady.own("X", k)
     if steady.undamped:
         return [" + ", X, f"·{steady.wave}(", steady.argument, ")"]
-    return [" + ", "|", X, f"|·{steady.wave}(", steady.argument, " − ", Name(steady.sheet.letter(f"theta{k + 1}")), ")"]
+    return [" + ", "|", X, f"|·{steady.wave}(", steady.argument, " − ", steady.own("theta", k), ")"]

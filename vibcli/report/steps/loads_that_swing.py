@@ -35,11 +35,12 @@ def tell_loads(about: AboutRest, sheet: WorkedSolution, found: SmallEquations) -
         for (argument, wave), node in parts.items():
             driven.setdefault(argument, {}).setdefault(i, {})[wave] = node
     try:
+        kept = []
         for order, (argument, loads) in enumerate(driven.items(), 1):
             steady = SteadyState(about, sheet, found, argument, loads)
-            amplitudes = steady.write(order, len(driven) > 1)
-            if amplitudes and len(driven) == 1:
-                tell_driven_from_start(steady, amplitudes, [sheet.last])
+            kept.append((steady, steady.write(order, len(driven) > 1)))
+        if kept and all(amplitudes for _, amplitudes in kept):
+            tell_driven_from_start(kept, [sheet.last])
     except (PhysicsError, ZeroDivisionError):
         del sheet.steps[before:]
 

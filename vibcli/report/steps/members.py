@@ -17,6 +17,7 @@ from vibcli.report.sections.frequency_equation import SIMPLE, whose
 from vibcli.report.sections.members import carried, differential, station_conditions
 from vibcli.report.steps.ends import Ends
 from vibcli.report.steps.held import HINT
+from vibcli.report.steps.member_motion import tell_motion_of_members
 from vibcli.report.steps.step import WorkedSolution, number, of_time, told
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -51,14 +52,14 @@ class MemberSteps:
     def write(self) -> None:
         """Write down all steps."""
         before, letter = len(self.sheet.steps), place_letter(self.scene)
-        self._write()
+        tell_motion_of_members(self.problem, self.sheet, self._write())
         self.sheet.steps[before:] = [one._replace(parts=by_letter(one.parts, letter))
                                      for one in self.sheet.steps[before:]]
 
     def _write(self):
         if self.scene.loops is not None:
             self._by_a_search(self._others())
-            return
+            return []
         parts = chains(self.form.pieces)
         found = frequency_equations(self.problem.symbolic)
         left = [piece for chain, one in zip(parts, found, strict=True) if one is None for piece in chain]
@@ -69,11 +70,12 @@ class MemberSteps:
         mixed = len(groups) + bool(alone) > 1 and not self.problem.numeric.has_free_symbols
         if not found or None in groups or (groups and mixed) or not known.issuperset(self._others()):
             self._by_a_search(self._others())
-            return
+            return []
         for one in alone:
             self._of_one(one)
         for one in groups:
             self._of_tied(one)
+        return [*alone, *groups]
 
     def _others(self):
         """Coordinates that are no motion of a station."""

@@ -75,19 +75,28 @@ class OneDegree:
     def _damping(self, of_omega):
         """δ = c/(2m), ζ = δ/ω, ω_d; the number of the last line."""
         delta = single(self.C / (2 * self.M))
-        of_delta = self.degree.settled([Words("half the factor of the speed over that of the acceleration:  "),
-                                  self.delta], delta, "1/s", self.delta.name, self.found.lines)
+        of_delta = self.degree.settled([*self._by_acceleration(), self.delta], delta, "1/s", self.delta.name,
+                                       self.found.lines)
         zeta = self.C / (2 * self.degree.root(self.K) * self.degree.root(self.M))
         value = self.about.value(zeta)
         if self._is_critical():
             value = 1.0
-        kind = () if value is None else (Words(f": {_damped(value)}"),)
+        beside = "" if value is None or value in (0.0, 1.0) or value < 0 else " < 1" if value < 1 else " > 1"
+        kind = () if value is None else (beside, Words(f": {_damped(value)}"))
         shown = () if value is None or zeta is self.about.table.one else number(value)
         line = self.sheet.write(self.zeta, " = ", self.delta / self.omega, " = ", zeta, *shown, *kind,
                                 uses=[of_delta, of_omega], settles="zeta[1]", node=zeta, value=value)
         if value is None or abs(value) < 1:
             return self._damped_frequency(delta, [of_omega, of_delta, line])
         return line
+
+    def _by_acceleration(self):
+        """Parts that say what δ is: the equation over the factor of the acceleration, where nothing drives."""
+        if self.found.drive:
+            return [Words("half the factor of the speed over that of the acceleration:  ")]
+        scene = self.about.scene
+        node = scene.a[0] + 2 * self.delta * scene.v[0] + self.omega ** 2 * scene.q[0]
+        return [Words("so  "), node, " = 0", Words("  with  ")]
 
     def _is_critical(self):
         """Is ζ one, in letters or but for rounding?"""

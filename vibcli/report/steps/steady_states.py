@@ -80,6 +80,10 @@ class SteadyState:
                 self.force(i)[0] for i in range(self.n)], Omega=self.Omega, uses=lines)
         return values or ()
 
+    def own(self, letter: str, k: int) -> Name:
+        """The letter of a coordinate, with a second index where loads have several frequencies."""
+        return Name(self.sheet.letter(f"{letter}{k + 1}{self.order if self.several else ''}"))
+
     def entry(self, i: int, j: int) -> "tuple[Node, Node]":
         """(real part, imaginary part) of Zᵢⱼ."""
         zero, M, C, G, K = self.table.zero, *self.found[:4]
@@ -231,17 +235,15 @@ class SteadyState:
 
     def _amplitude(self, k, name, values, uses, written):
         """The line of X of a coordinate, |X| and its lag."""
-        sheet = self.sheet
-        letter, unit = Name(sheet.letter(f"X{k + 1}")), "m" if self.about.problem.system.dimension(name) else "rad"
+        letter, unit = self.own("X", k), "m" if self.about.problem.system.dimension(name) else "rad"
         more, told_of = {}, [Words("of "), *self._which(k), Name(name), Words(":  ")]
         if written:
             column = [[self.F[i] if j == k else entry for j, entry in enumerate(row)] for i, row in enumerate(self.Z)]
             above = determinant(column)
-            told_of += [letter, " = 0" if above.is_zero else " = ", *([] if above.is_zero else [above / self.D])]
             if above.is_zero:
-                sheet.write(*told_of, settles=f"amplitude({name})", node=above, uses=uses)
+                self.sheet.write(*told_of, letter, " = 0", settles=f"amplitude({name})", node=above, uses=uses)
                 return
-        if written:
+            told_of += [letter, " = ", above / self.D]
             more = self._in_letters(name, told_of, letter)
         if values is not None:
             told_of += self._in_numbers(values[k], letter, unit, written)
@@ -249,7 +251,7 @@ class SteadyState:
             turned = node is not None and (self.about.value(node) or 0.0) < 0
             more = {"node": -node if turned else node, "value": abs(values[k]), "unit": unit}
         settles = f"amplitude {self.order} of {name}" if self.several else f"amplitude({name})"
-        sheet.write(*told_of, settles=settles, uses=uses, **more)
+        self.sheet.write(*told_of, settles=settles, uses=uses, **more)
         if values is not None and values[k] and not self.undamped:
             self._lag(k, name, values[k])
 
@@ -257,8 +259,8 @@ class SteadyState:
         """The lag of a coordinate behind the wave of the loads, beside its amplitude."""
         lag = pi if value.real < 0 == value.imag else -phase(value)
         plain = not self.several and self.wave == "sin" and self.argument.op == "product"
-        self.sheet.write(Words("its lag  "), Name(self.sheet.letter(f"theta{k + 1}")), *number(lag, "rad"), value=lag,
-                         settles=f"phase({name})" if plain else f"lag {self.order} of {name}", unit="rad", joined=True,
+        self.sheet.write(Words("its lag  "), self.own("theta", k), *number(lag, "rad"), value=lag, unit="rad",
+                         settles=f"phase({name})" if plain else f"lag {self.order} of {name}", joined=True,
                          node=self.phasors.lag(k))
 
     def _which(self, k):
@@ -269,8 +271,7 @@ class SteadyState:
     def _in_numbers(self, value, letter, unit, written):
         """Parts of a complex amplitude and its size."""
         if self.undamped:
-            head = [] if written else [letter]
-            return [*head, *number(value.real, unit)]
+            return [*([] if written else [letter]), *number(value.real, unit)]
         head = [" = " + complex_told(value), Words(f" {unit},  ")] if written else []
         return [*head, "|", letter, "|", *number(abs(value), unit)]
 
@@ -281,8 +282,7 @@ class SteadyState:
             formula = self.about.problem.symbolic_steady_state(name).formula
         except (NotInLetters, PhysicsError):
             return {}
-        node = formula.amplitude
-        if not self._agrees(node, self.names.index(name)):
+        if not self._agrees(node := formula.amplitude, self.names.index(name)):
             raise Untold(UNTOLD, HINT)
         if letters(node) <= READABLE and self.Omega is self.given and (self.undamped or not self.numeric):
             told_of += [*([Words(",  "), "|", letter, "|"] if not formula.undamped else []), " = ", node]

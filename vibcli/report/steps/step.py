@@ -9,6 +9,7 @@ from vibcli.notation.as_printed import as_printed
 from vibcli.notation.numbers import with_minus
 from vibcli.quantities.dimensions import unit_of
 from vibcli.report.blocks import Name, Words
+from vibcli.symbolic.syntax import Call, Product, QuantityRef
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Expression
@@ -118,6 +119,13 @@ def told(value: float) -> str:
 
 
 def unit_told(spec: "Spec", asked: "Expression") -> str:
-    """The unit of what is asked, in SI units; '' of a pure number."""
+    """The unit of what is asked, in SI units; '' of a pure number, as what is divided is."""
     unit = as_printed(unit_of(spec, asked))
-    return "" if unit == "1" else unit
+    return "" if unit == "1" or (unit == "rad" and _divides(asked.tree)) else unit
+
+
+def _divides(tree):
+    """Is it a quotient, or read off one?"""
+    if isinstance(tree, Product):
+        return any(power < 0 for power, _ in tree.parts)
+    return isinstance(tree, (Call, QuantityRef)) and any(_divides(arg) for arg in tree.args[:1])
