@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 DIGITS, READABLE = 60, 70
+SHORT = 10          # digits of what is taken as a short decimal
 TRACE = 1e-20       # of an imaginary part, by the rounding of a double root
 
 
@@ -70,15 +71,23 @@ class Chosen:
         return self._errors[number][name]
 
     def moved(self) -> "Iterator[tuple[float, list[Move]]]":
-        """The error of each number of the first solution that was searched for, and the scenes with it moved."""
+        """The error of each number of the first solution that was searched for, and the scenes with it moved; of a
+        short decimal that meets the conditions none: what follows is with that."""
         if not self.exact and self._searched:
             for name, moves in zip(self.conditions, self._searched[0].moves(), strict=True):
-                yield self.error(name), moves
+                value = self.solutions[0].values[name]
+                if value != shortened(float(value)):
+                    yield self.error(name), moves
 
     @property
     def exact(self):
         """Is the first solution known in closed form?"""
         return all(form is not None for form in self.solutions[0].forms.values())
+
+
+def shortened(x: float) -> Fraction:
+    """The short decimal next to a number."""
+    return Fraction(f"{x:.{SHORT}g}")
 
 
 def defined(problem: "Problem", forms: "Mapping[str, Node]", sample: Mapping[str, Fraction] | None = None) -> "Problem":
