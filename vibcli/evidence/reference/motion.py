@@ -21,7 +21,7 @@ from vibcli.evidence.reference.features import SignalAlongSteps, extreme, value
 from vibcli.evidence.reference.features import zeros as first_zeros
 from vibcli.evidence.reference.records import PiecesOfRecords, driving_records, strikes
 from vibcli.evidence.reference.settled import TrueValues, settled
-from vibcli.evidence.reference.taylor_steps import TaylorSteps
+from vibcli.evidence.reference.taylor_steps import TaylorSteps, bits_of
 from vibcli.mechanics.equations_of_motion import Dynamics
 from vibcli.symbolic.evaluation import multiprecision
 
@@ -193,9 +193,14 @@ def period(motion: Motion, until: Fraction, work: Any) -> TrueValues:
 
 
 def _settled(motion, until, work, look):
+    return settled_along(motion, lambda _: until, work, look)
+
+
+def settled_along(motion: Motion, until: Callable[[int], Fraction], work: Any, look: Callable) -> TrueValues:
+    """What look(steps) finds along a motion, up to until(bits)."""
     digits, first = motion.digits
 
     def found():
-        return look(motion.steps(until, mpmath.mp.dps, work))
+        return look(motion.steps(until(bits_of(mpmath.mp.dps)), mpmath.mp.dps, work))
 
     return settled(found, digits, first, LIMIT, GROWTH, sized=True)

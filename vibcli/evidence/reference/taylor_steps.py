@@ -43,8 +43,7 @@ class TaylorSteps:
 
     def __init__(self, pieces: "SmoothPieces", start: Callable[[int], Sequence[int]], until: Fraction, digits: int,
                  work: float, blows: "Callable[[int], Blows] | None" = None):
-        self.accuracy = ceil(digits * log2(10))
-        self.bits, self.order = self.accuracy + SPARE, ceil(1.3 * digits)
+        self.accuracy, self.bits, self.order = ceil(digits * log2(10)), bits_of(digits), ceil(1.3 * digits)
         self.steps: list[TaylorStep] = []
         self._price, self._left = pieces.products * self.order**2 * max(1.0, self.bits / 512), work
         self._march(pieces, list(start(self.bits)), max(1, self.fixed(until)), blows(self.bits) if blows else [])
@@ -120,6 +119,11 @@ class TaylorSteps:
 
         with mpmath.workprec(2 * self.bits):
             return mpmath.ldexp(t, -self.bits)
+
+
+def bits_of(digits: int) -> int:
+    """Of the fixed points of a motion to so many digits."""
+    return ceil(digits * log2(10)) + SPARE
 
 
 class TakesMinutes(PhysicsError):

@@ -9,7 +9,7 @@ import numpy as np
 
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.plain_equations import plain_equations
-from vibcli.evidence.reference import harmonics, steady_state
+from vibcli.evidence.reference import harmonics, periodic, steady_state
 from vibcli.evidence.reference.frequency_response import in_floats
 from vibcli.evidence.reference.motion import small
 from vibcli.evidence.reference.outputs import signal
@@ -54,14 +54,26 @@ def harmonic(problem: "Problem", tree: QuantityRef) -> Subject:
 
 
 def over_a_period(problem: "Problem", tree: QuantityRef) -> Subject:
-    """mean(x) or rms(x) of a signal, be it a power or a product, under loads of one frequency."""
-    known, node = _driven(problem, tree)
-    true = steady_state.over_a_period(known, node, tree.head)
+    """mean(x) or rms(x) of a signal, be it a power or a product, under loads of one frequency, or such as repeat."""
+    motion, node = _small_signal(problem, tree)
+    try:
+        known = steady_state.driven(motion)
+        true = steady_state.over_a_period(known, node, tree.head)
+    except PhysicsError:
+        return _over_a_common_period(problem, tree, motion, node)
     with mpmath.workdps(30):
         period, start, sizes = steady_state.at_the_start(known)
     plain = plain_equations(known.motion, node, period, tree.head)._replace(
         start=np.array(start), sizes=np.array(sizes))
     return of_signal("steady motion", problem, tree, TITLE, true, plain)
+
+
+def _over_a_common_period(problem, tree, motion, node):
+    known = periodic.steady(motion, problem.work)
+    true = periodic.over_a_period(known, node, tree.head, problem.work)
+    period, start = periodic.at_the_start(known)
+    plain = plain_equations(known.motion, node, period, tree.head)._replace(start=np.array(start))
+    return of_signal("steady motion", problem, tree, "steady state under loads that repeat themselves", true, plain)
 
 
 def _driven(problem, tree):
