@@ -40,12 +40,11 @@ def main() -> None:
 def _measured(name):
     """Seconds of (the certificate, the solution) of a scene that is read anew."""
     from vibcli.api.reports import report, solution
-    from vibcli.api.source import file_source, problem_of
-    from vibcli.results.certificate import certificate
+    from vibcli.api.source import certified, file_source, problem_of
 
     start = process_time()
     problem = problem_of(file_source(os.path.join(PROBLEMS, name)))
     report(problem, solution(problem))
     solved = process_time()
-    certificate(problem)
+    certified(problem)
     return process_time() - solved, solved - start

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from vibcli.evidence.reference.motion import Motion
     from vibcli.symbolic.node import Node
 
-STENCIL = 8             # samples about an instant
+STENCIL = 12            # samples about an instant
 SAMPLES = 4001          # of a motion whose extreme is looked for
 
 

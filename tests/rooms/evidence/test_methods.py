@@ -92,7 +92,7 @@ answers:
     ("2*f(t - 0.5 s)", (26, 60), (-13, -6)), ("3 N*cos(7 rad/s*t)", (100, 100), (-2, -2)),
     ("0 N", (100, 100), (-13, -13))])
 def test_lsim_is_exact_between_samples_and_falls_elsewhere(force, kept, exponents, tmp_path):
-    """Beside Taylor's series, which knows nothing of it; a maximum is read off a polynomial through eight steps."""
+    """Beside Taylor's series, which knows nothing of it; a maximum is read off a polynomial through twelve steps."""
     (tmp_path / "f.csv").write_text("0,0\n0.1,3\n0.15,-1\n0.5,2\n1.5,0\n")
     text = DRIVEN.format(force=force)
     problem = problem_of(text_source(text if "f(" in force else text[text.index("bodies"):], folder=str(tmp_path)))

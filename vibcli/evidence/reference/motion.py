@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 
 SMALL, FULL = (40, 60), (30, 45)        # digits that have to be alike, and those of the first attempt
 GROWTH, LIMIT = 1.3, 240
+FEW = 12                # digits: of sizes
 WORK = 5e7              # products of numbers of one motion, some ten seconds
 
 
@@ -64,6 +65,12 @@ class Motion(NamedTuple):
         pieces = (partial(PiecesOfRecords, records) if records else SmoothPieces)(
             self.scene, self.parts, self.values, self.floats, float(until) * (1 + 1e-12), work)
         return TaylorSteps(pieces, self.start, until, digits, spent, self.blows)
+
+
+    def sizes(self, until: Fraction, work: Any) -> list[float]:
+        """The largest magnitude of each of q and q̇ until an instant, where they are not all the time 0."""
+        found = self.steps(until, FEW, work).sizes
+        return [max(size, sum(found) * 2.0**-52) or 1.0 for size in found]
 
 
 def small(problem: "Problem") -> Motion:

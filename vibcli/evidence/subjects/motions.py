@@ -3,6 +3,8 @@
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.plain_equations import plain_equations
 from vibcli.evidence.reference import motion as reference
@@ -41,7 +43,7 @@ def of_motion(problem: "Problem", tree: QuantityRef) -> Subject:
     else:
         until, cut, feature = _instant(problem, tree.args[1]), "", "value"
         true = reference.at_instant(motion, node, until, problem.work)
-    plain = None if motion.parts.gaps or motion.blows else plain_equations(motion, node, float(until), feature)
+    plain = None if motion.parts.gaps or motion.blows else _plain(problem, motion, node, until, feature)
     kind = STEADY if keeps_on else kind
     return of_signal(KINDS[kind], problem, tree, f"of {problem.response.words}{cut}", true, plain)
 
@@ -55,8 +57,14 @@ def period(problem: "Problem", tree: QuantityRef) -> Subject:
         raise PhysicsError("no reference is found of periods of what strikes or is struck")
     until = Fraction(AHEAD * measure(problem, tree)[0])
     true = reference.period(motion, until, problem.work)
-    plain = plain_equations(motion, motion.scene.v[0], float(until), "period")
+    plain = _plain(problem, motion, motion.scene.v[0], until, "period")
     return of_signal(KINDS[kind], problem, tree, f"of {problem.response.words}", true, plain)
+
+
+def _plain(problem, motion, node, until, feature):
+    """What others are given, with the sizes of what they integrate."""
+    sizes = np.array(motion.sizes(until, problem.work))
+    return plain_equations(motion, node, float(until), feature)._replace(sizes=sizes)
 
 
 def _kept_up(kind, motion, work):

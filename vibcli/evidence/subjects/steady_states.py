@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 TITLE = "steady state under loads of one frequency"
+FEW = 64            # bits of a period to which sizes are looked at
 READ: dict[str, Callable] = {"amplitude": abs, "phase": lambda X: -cmath.phase(1j * X)}     # of X in Re X e^{iΩt}
 
 
@@ -72,7 +73,9 @@ def _over_a_common_period(problem, tree, motion, node):
     known = periodic.steady(motion, problem.work)
     true = periodic.over_a_period(known, node, tree.head, problem.work)
     period, start = periodic.at_the_start(known)
-    plain = plain_equations(known.motion, node, period, tree.head)._replace(start=np.array(start))
+    sizes = known.motion.sizes(known.period(FEW), problem.work)
+    plain = plain_equations(known.motion, node, period, tree.head)._replace(
+        start=np.array(start), sizes=np.array(sizes))
     return of_signal("steady motion", problem, tree, "steady state under loads that repeat themselves", true, plain)
 
 
