@@ -10,6 +10,7 @@ PARTS = {
     "linkage": "deriving closed linkages",
     "files": "many files checked in one process, and in two",
     "accuracy": "errors of frequencies",
+    "certificates": "what certifies results, beside finding them",
     "capabilities": "run time and true error, capability by capability",
     "sparse": "the lowest modes of very many masses",
     "frequency_responses": "frequency responses of many degrees",

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from vibcli.evidence.reference.motion import Motion
     from vibcli.symbolic.node import Node
 
+STENCIL = 12            # samples about an instant
 SAMPLES = 4001          # of a motion whose extreme is looked for
 
 
@@ -78,21 +79,21 @@ def _known(motion, times, states, rates):
 
 
 def _extreme(times, values, feature):
-    """The top of the parabola through the largest of the samples and those beside it."""
+    """The top of what passes through the largest of the samples and those about it."""
     sense = -1.0 if feature.endswith("min") else 1.0
     i = int(np.argmax(sense * values))
-    if not 0 < i < len(values) - 1:
-        return float(times[i] if feature.startswith("arg") else values[i])
-    low, top, high = values[i - 1:i + 2]
-    bend = low - 2 * top + high
-    move = 0.5 * (low - high) / bend if bend else 0.0
-    if feature.startswith("arg"):
-        return float(times[i] + move * (times[1] - times[0]))
-    return float(top - 0.25 * (low - high) * move)
+    place, top = float(times[i]), float(values[i])
+    if 0 < i < len(values) - 1:
+        for left in (i - 1, i):
+            curve = _between(times, values, left)
+            for turn in _real_roots(curve.deriv(), times[left:left + 2]):
+                if sense * curve(turn) > sense * top:
+                    place, top = turn, float(curve(turn))
+    return place if feature.startswith("arg") else top
 
 
 def _zero(times, values, number):
-    """The instant of a zero: that of the parabola through the sample before it and the two after."""
+    """The instant of a zero of what passes through the samples about it."""
     at = [] if values[0] else [0]
     at += (np.flatnonzero(values[1:-1] * values[2:] <= 0) + 1).tolist() if values[0] == 0 else np.flatnonzero(
         values[:-1] * values[1:] <= 0).tolist()
@@ -101,9 +102,24 @@ def _zero(times, values, number):
     i = at[number - 1]
     if not values[i]:
         return float(times[i])
-    i = min(i, len(values) - 3)
-    roots = np.roots(np.polyfit(times[i:i + 3] - times[i], values[i:i + 3], 2)).real
-    return float(times[i] + min(roots, key=lambda root: abs(root - 0.5 * (times[i + 1] - times[i]))))
+    return next(iter(_real_roots(_between(times, values, i), times[i:i + 2])), float(times[i]))
+
+
+def _between(times, values, i):
+    """The polynomial between a sample and the next one: of the STENCILs of samples that hold both the smoothest, as
+    no load may jump within it."""
+    firsts = range(max(i + 2 - STENCIL, 0), max(min(i, len(times) - STENCIL), 0) + 1)
+    first = min(firsts, key=lambda k: (abs(np.diff(values[k:k + STENCIL], STENCIL - 1)).sum(),
+                                       abs(2 * k + STENCIL - 2 * i - 2)))
+    which = slice(first, first + STENCIL)
+    return np.polynomial.Polynomial.fit(times[which], values[which], min(STENCIL, len(times)) - 1)
+
+
+def _real_roots(curve, ends):
+    """Those between two instants, ascending."""
+    roots = curve.roots()
+    return sorted(float(x.real) for x in roots if abs(x.imag) <= 1e-9 * abs(ends[1] - ends[0])
+                  and ends[0] <= x.real <= ends[1])
 
 
 def _rates(motion: "Motion"):

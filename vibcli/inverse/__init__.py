@@ -16,6 +16,7 @@ from vibcli.inverse import infeasible
 from vibcli.inverse.conditions import ConditionSystem
 from vibcli.inverse.search import solve
 from vibcli.inverse.solution import Chosen, choosing, defined, in_numbers, stable_in_floats
+from vibcli.inverse.solution_errors import SearchedNumbers
 from vibcli.inverse.substitution import forms_of, held_by_balance, tried
 from vibcli.inverse.symbolic_conditions import balanced
 
@@ -72,7 +73,8 @@ def _in_numbers(problem, rest, thorough):
             found = defined(problem, first.forms)
     if found is None:
         found = system.substituted(list(first.values.values()))[0]
-    return found.with_choice(Chosen(problem.spec.choices, solutions), problem)
+    searched = [SearchedNumbers(system, list(one.values.values())) for one in solutions]
+    return found.with_choice(Chosen(problem.spec.choices, solutions, searched=searched), problem)
 
 
 def _all_values(problem, rest, values):

@@ -96,16 +96,16 @@ class ConditionSystem:
             with np.errstate(all="ignore"):
                 if not all(condition.is_balance for condition in self.conditions):
                     instance = _roughly(instance)
-                found = self._seen(instance.roughly())
+                found = self.seen(instance.roughly())
                 if any(abs(one) < NEAR for one in self._misfits_of(found)):
-                    found = self._seen(instance)
+                    found = self.seen(instance)
         except (SpecError, PhysicsError, ArithmeticError, np.linalg.LinAlgError) as error:
             self.refusal = self.refusal or error
             return None
         return found if all(isfinite(x) for pairs in found for pair in pairs for x in pair) else None
 
-    def _seen(self, instance):
-        """The same in a Problem of numbers."""
+    def seen(self, instance: "Problem") -> list[list[tuple[float, float]]]:
+        """[[(L, R), …] of each condition] in a Problem of numbers."""
         signed = instance.with_signs()
         return [self._pairs(signed if _vanishing(condition) else instance, condition) for condition in self.conditions]
 

@@ -10,14 +10,14 @@ from vibcli.inverse import infeasible
 from vibcli.inverse.admissible_ranges import grid
 from vibcli.inverse.conditions import ConditionSystem
 from vibcli.inverse.folds import followed
-from vibcli.inverse.solution import choosing, in_numbers
+from vibcli.inverse.solution import choosing, in_numbers, shortened
 from vibcli.inverse.symbolic_conditions import candidates, determined_alone, independent
 from vibcli.numerics.root_finding import holds_everywhere, longest_plateau, zeros
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
-SAME, ALIKE, NEARLY, SHORT, DECADES, SPARSE = 1e-6, 1e-11, 1.0 - 1e-15, 10, 3, 8
+SAME, ALIKE, NEARLY, DECADES, SPARSE = 1e-6, 1e-11, 1.0 - 1e-15, 3, 8
 PLACES = (1e-2, 0.13, 1.0, 7.0, 1e2)
 
 
@@ -124,7 +124,7 @@ def _shortened(system, place):
     good, residual = system.holds(place)
     if not good:
         return None
-    short = [Fraction(f"{x:.{SHORT}g}") for x in place]
+    short = list(map(shortened, place))
     near = all(abs(y - Fraction(x)) <= abs(x) * 1e-12 for x, y in zip(place, short, strict=True))
     if near and system.limit(place) is None:
         better, rest = system.holds(short)

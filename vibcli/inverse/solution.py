@@ -1,6 +1,6 @@
 """What was chosen: the solutions, and the scene with the first of them."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from math import isclose
 from typing import TYPE_CHECKING, Any
@@ -14,13 +14,16 @@ from vibcli.notation.scene_language import language
 from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.parser import LONGEST, parse
+from vibcli.symbolic.running_errors import UNIT
 from vibcli.symbolic.syntax import ExpressionError
 
 if TYPE_CHECKING:
+    from vibcli.inverse.solution_errors import Move, SearchedNumbers
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
 DIGITS, READABLE = 60, 70
+SHORT = 10          # digits of what is taken as a short decimal
 TRACE = 1e-20       # of an imaginary part, by the rounding of a double root
 
 
@@ -38,12 +41,15 @@ class Solution(NamedTuple):
 
 class Chosen:
     """The parameters that a scene chooses, their conditions ({name: text}) and the solutions, ascending; draws: the
-    same scene with numbers for its letters at which the first solution counts."""
+    same scene with numbers for its letters at which the first solution counts; searched: of each solution in numbers
+    what tells the errors of those that were searched for."""
 
-    __slots__ = ("conditions", "draws", "solutions")
+    __slots__ = ("_errors", "_searched", "conditions", "draws", "solutions")
 
-    def __init__(self, choices: Mapping[str, Record], solutions: Sequence[Solution], draws: "Sequence[Problem]" = ()):
-        self.draws = draws
+    def __init__(self, choices: Mapping[str, Record], solutions: Sequence[Solution], draws: "Sequence[Problem]" = (),
+                 searched: "Sequence[SearchedNumbers]" = ()):
+        self.draws, self._searched = draws, searched
+        self._errors: dict[int, dict[str, float]] = {}
         self.conditions = {name: record["so"].text for name, record in choices.items()}
         self.solutions = solutions
 
@@ -55,10 +61,33 @@ class Chosen:
                                f"ask for {name}")
         return float(self.solutions[number - 1].values[name])
 
+    def error(self, name: str, number: int = 1) -> float:
+        """The bound of the error of that."""
+        solution = self.solutions[number - 1]
+        if solution.forms[name] is not None or not self._searched:
+            return UNIT * abs(float(solution.values[name]))
+        if number not in self._errors:
+            self._errors[number] = self._searched[number - 1].errors()
+        return self._errors[number][name]
+
+    def moved(self) -> "Iterator[tuple[float, list[Move]]]":
+        """The error of each number of the first solution that was searched for, and the scenes with it moved; of a
+        short decimal that meets the conditions none: what follows is with that."""
+        if not self.exact and self._searched:
+            for name, moves in zip(self.conditions, self._searched[0].moves(), strict=True):
+                value = self.solutions[0].values[name]
+                if value != shortened(float(value)):
+                    yield self.error(name), moves
+
     @property
     def exact(self):
         """Is the first solution known in closed form?"""
         return all(form is not None for form in self.solutions[0].forms.values())
+
+
+def shortened(x: float) -> Fraction:
+    """The short decimal next to a number."""
+    return Fraction(f"{x:.{SHORT}g}")
 
 
 def defined(problem: "Problem", forms: "Mapping[str, Node]", sample: Mapping[str, Fraction] | None = None) -> "Problem":

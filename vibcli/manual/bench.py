@@ -75,9 +75,9 @@ STRESS = [
     "Of any scene `--timings`, and `certificate` of `--json`, tell what is left of the equations when the results are "
     "put back into them: of modes ‖λ²Mφ + λ(C + G)φ + Kφ‖ over (|λ|²‖M‖ + |λ|‖C + G‖ + ‖K‖)‖φ‖ n ε, as LAPACK's tests "
     "have it, of their orthogonality ‖ΦᵀMΦ − I‖/(n ε), of rest the forces over ε and the size of their terms: up to 20 "
-    "they are rounding. Of motions it is work of the loads − what is dissipated − the change of T + V, relative to the "
-    "largest of these. A place of rest where more than rounding is left of the forces is found anew in more digits, as "
-    "modes are whose bound is wider than a float needs.",
+    "they are rounding. Of motions that were followed it is work of the loads − what is dissipated − the change of "
+    "T + V, relative to the largest of these. A place of rest where more than rounding is left of the forces is found "
+    "anew in more digits, as modes are whose bound is wider than a float needs.",
     "A figure with ? behind it has fewer digits than others (six), since the bound of its error allows no more. With "
     "`--strict` nothing is printed then (exit code 4), nor where a residual ratio is over 20.",
 ]

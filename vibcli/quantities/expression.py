@@ -7,7 +7,7 @@ from weakref import WeakKeyDictionary
 
 from vibcli.base.errors import Diagnostic, NotInLetters, PhysicsError, SpecError
 from vibcli.quantities.cycle_count import counts_cycles
-from vibcli.quantities.quantity import ROUNDING, about_which, declared, is_choice
+from vibcli.quantities.quantity import about_which, declared, is_choice
 from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
 from vibcli.symbolic.running_errors import Rounded, RunningErrors, error_in, number_in
 from vibcli.symbolic.semantics import lower
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 
+SLACK = 2.0     # of what is known to first order
 GUARD = 15      # digits beyond those asked, for what cancels in an expression
 NODES: "WeakKeyDictionary[Scene, dict[Any, Node]]" = WeakKeyDictionary()    # of expressions that were asked of a scene
 
@@ -36,7 +37,8 @@ def measure(problem: "Problem", tree: QuantityRef) -> tuple[float, float]:
 
 def _found(problem, tree):
     if not tree.args and is_choice(problem.spec, tree) and problem.choice is not None:
-        return problem.choice.value(tree.head, int(tree.indices[0])), ROUNDING
+        value = problem.choice.value(tree.head, number := int(tree.indices[0]))
+        return value, problem.choice.error(tree.head, number) / abs(value) if value else 0.0
     quantity = declared(tree)
     if not tree.args and not quantity.several:
         return quantity.value(problem, tree, [])
@@ -94,7 +96,7 @@ def _evaluated(problem, expression, arithmetic, values):
     searched = problem.choice.conditions if problem.choice is not None and not problem.choice.exact else ()
     for name in searched:
         found = number_in(values[name])
-        values[name] = Rounded(found, ROUNDING * abs(found), arithmetic.unit)
+        values[name] = Rounded(found, problem.choice.error(name), arithmetic.unit)
     for quantity in expression.parts.quantities:
         values[quantity.text] = _rounded(problem, quantity, arithmetic)
     return evaluate([lowered(expression, problem.scene.table, _symbols(problem.scene))], arithmetic, values)[0]
@@ -102,7 +104,27 @@ def _evaluated(problem, expression, arithmetic, values):
 
 def _rounded(problem, quantity, arithmetic):
     value, error = measure(problem, quantity)
-    return Rounded(value, error * abs(value) if value else 0.0, arithmetic.unit)
+    return Rounded(value, (error * abs(value) if value else 0.0) + _searched(problem, quantity, value), arithmetic.unit)
+
+
+def _searched(problem, quantity, value):
+    """By how much the errors of the numbers that were searched for may move a quantity, to first order."""
+    if problem.choice is None or is_choice(problem.spec, quantity):
+        return 0.0
+    total = 0.0
+    for error, moves in problem.choice.moved():
+        slopes = [abs((there - value) / move.by) for move in moves
+                  if (there := _measured_there(move.problem.until(problem.end), quantity)) is not None]
+        total += SLACK * error * (max(slopes, default=inf) if error else 0.0)
+    return total
+
+
+def _measured_there(problem, quantity):
+    """A quantity of another scene; None where there is none."""
+    try:
+        return measure(problem, quantity)[0]
+    except PhysicsError:
+        return None
 
 
 def _real(value, expression, finite):

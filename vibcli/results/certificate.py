@@ -23,7 +23,8 @@ ENERGY = "energy balance"
 
 def certificate(problem: "Problem") -> dict[str, float]:
     """{what: its ratio} of the equilibrium and of the modes of lumped bodies, and {energy balance: what it is off by,
-    relative} of a motion, of stages that were computed alone; nothing of a scene in letters, or one that is refused."""
+    relative} of a motion that was followed, of stages that were computed alone; nothing of a scene in letters, or one
+    that is refused."""
     if problem.numeric.has_free_symbols:
         return {}
     try:
@@ -47,7 +48,7 @@ def _of_motion(problem):
     motion = problem.response
     if motion.KIND == "full" and motion.integrated:
         return motion.trajectory().balance.error
-    if motion.KIND != "small":
+    if motion.KIND != "small" or not motion.alone.is_followed:       # of what is kept up alone no motion is needed
         return None
     from vibcli.results.energy_balance import energy_balance
 

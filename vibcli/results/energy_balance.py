@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vibcli.analyses.excitation.linear_output import LinearOutput
+from vibcli.analyses.transient.exponential_sum import ExponentialSum
 from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
@@ -83,7 +84,7 @@ def _states(motion: "LinearMotion", t: np.ndarray) -> StatesOverSpans:
     known: dict = {}
 
     def values(output):
-        return pieces.terms(output, 0).at(*where, known)
+        return ExponentialSum(pieces, output, 0, split=False).at(*where, known)
 
     q, v = (np.array([values(one({i: 1.0})) for i in range(n)]) for one in (_place, _speed))
     for i in {wave.channel for segment in motion.forcing.segments(t.max()) for wave in segment.waves} & set(range(n)):

@@ -89,10 +89,10 @@ answers:
 
 
 @pytest.mark.parametrize(("force", "kept", "exponents"), [
-    ("2*f(t - 0.5 s)", (26, 60), (-13, -2)), ("3 N*cos(7 rad/s*t)", (100, 100), (-2, -2)),
+    ("2*f(t - 0.5 s)", (26, 60), (-13, -6)), ("3 N*cos(7 rad/s*t)", (100, 100), (-2, -2)),
     ("0 N", (100, 100), (-13, -13))])
 def test_lsim_is_exact_between_samples_and_falls_elsewhere(force, kept, exponents, tmp_path):
-    """Beside Taylor's series, which knows nothing of it; a maximum is read off a parabola through three steps."""
+    """Beside Taylor's series, which knows nothing of it; a maximum is read off a polynomial through twelve steps."""
     (tmp_path / "f.csv").write_text("0,0\n0.1,3\n0.15,-1\n0.5,2\n1.5,0\n")
     text = DRIVEN.format(force=force)
     problem = problem_of(text_source(text if "f(" in force else text[text.index("bodies"):], folder=str(tmp_path)))
@@ -101,7 +101,8 @@ def test_lsim_is_exact_between_samples_and_falls_elsewhere(force, kept, exponent
         attempts = list(held_inputs.attempts(subject))[:3]
         assert [one.setting for one in attempts] == [f"{steps * part} steps" for part in (1, 10, 100)]
         errors = [subject.error(one.run(Deadline(math.inf)).values, subject.true) for one in attempts]
-        assert errors[0] < 10.0**exponent and (exponent < -9 or errors[0] > 30 * errors[1] > 900 * errors[2])
+        falls = errors[0] > 30 * errors[1] and (errors[1] < 1e-13 or errors[1] > 30 * errors[2])
+        assert errors[0] < 10.0**exponent and (exponent < -9 or falls)
 
 
 def runs(**methods):

@@ -41,6 +41,30 @@ TIED = {
                     "cord": {"rope": ["roller", {"right_of": ["2.5 m", "1 m"], "radius": "0.1 m"}, "weight"]}},
     "motion": "small", "answers": {"omega[1]": "1 rad/s"}}
 
+WELDED = {
+    "parameters": {"g": "9.81 m/s^2", "W": "7 rad/s"}, "gravity": "g",
+    "points": {"O": ["0 m", "0 m"], "tip": {"body": "frame", "at": ["0.5 m", "1 m"]},
+               "low": {"body": "plate", "at": ["0.6 m", "0.5 m"]}},
+    "bodies": {"frame": {"shape": "rod", "mass": "1 kg", "from": ["0 m", "0 m"], "to": ["0.5 m", "1 m"], "clamp": "O"},
+               "plate": {"parts": [
+                   {"shape": "sector", "mass": "2 kg", "radius": "0.3 m", "half_angle": "0.6", "at": ["0.5 m", "1 m"],
+                    "angle": "-1.2 rad"},
+                   {"shape": "rectangle", "density": "9 kg/m^2", "width": "0.2 m", "height": "0.1 m",
+                    "at": ["0.5 m", "0.7 m"], "angle": "0.3 rad", "cut": "true"}],
+                   "pin": {"at": "tip", "by": "phi"}},
+               "wheel": {"inertia": "0.1 kg*m^2", "at": ["0.2 m", "1 m"], "pin": "psi"}},
+    "springs": {"coil": {"torsion": "40 N*m", "between": ["frame", "plate"], "preload": "3 N*m"}},
+    "dampers": {"loss": {"c": "2 N*s/m", "between": [["1 m", "0.4 m"], "low"]}},
+    "constraints": {"teeth": {"gear": ["plate", "wheel"], "radii": ["0.2 m", "0.1 m"]}},
+    "forces": {"rotor": {"at": "low", "unbalance": "0.01 kg*m", "speed": "W"}},
+    "motion": "small", "answers": {"omega[1]": "1 rad/s", "T(0.5 s)": "1 J", "amplitude(phi)": "0.1 rad"}}
+MAST = {
+    "parameters": {"L": "2 m"},
+    "beams": {"mast": {"from": ["0 m", "0 m"], "to": ["0.4 m", "L"], "EI": "900 N*m^2", "mass_per_length": "2 kg/m",
+                       "left": "clamped", "right": {"clamped": "tank"}}},
+    "bodies": {"tank": {"mass": "9 kg", "at": ["0.4 m", "L"], "move": ["x", "y", "p"]}},
+    "forces": {"wind": {"body": "mast", "per_length": "-30 N/m"}}, "answers": {"equilibrium[x]": "1 cm"}}
+
 
 def seen(scene):
     return {change: one for change, one in shaken(scene).items() if change.startswith("mirrored")}
@@ -56,7 +80,8 @@ def test_it_rests_and_swings_as_before():
 
 @pytest.mark.parametrize(("scene", "forgotten"), [
     (SCENE, "load"), (SCENE, "start"), (SCENE, "body"), (SCENE, "connection"),
-    (TIED, "expression"), (TIED, "_guide"), (TIED, "surface")])
+    (TIED, "expression"), (TIED, "_guide"), (TIED, "surface"),
+    (WELDED, "_unbalance"), (WELDED, "connection"), (WELDED, "body"), (MAST, "load"), (MAST, "member")])
 def test_a_sense_that_is_forgotten_is_seen(scene, forgotten, monkeypatch):
     monkeypatch.setattr(whole_scene, "LAWS", whole_scene.LAWS[-1:])
     assert {one.verdict for one in seen(scene).values()} <= {EQUAL, WITHIN}
@@ -68,10 +93,13 @@ def test_a_sense_that_is_forgotten_is_seen(scene, forgotten, monkeypatch):
 def test_what_is_not_drawn_is_left_out_and_what_is_not_known_refused_by_its_name():
     assert seen(CHAIN) == {}
     top = scene_read_again(SCENE)[1]
-    with pytest.raises(PhysicsError, match="what 'beams' is in a mirror"):
-        mirrored.mirrored(Mapping(None, {**top.entries, "beams": (Scalar("beams", None), Mapping(None))}))
-    unbalanced = {**SCENE, "forces": {"F": {"at": "bob", "unbalance": "0.1 kg*m", "speed": "3 rad/s"}}}
-    assert seen(unbalanced)["mirrored"].verdict == REFUSED and "unbalance" in seen(unbalanced)["mirrored"].why
+    with pytest.raises(PhysicsError, match="what 'magnets' is in a mirror"):
+        mirrored.mirrored(Mapping(None, {**top.entries, "magnets": (Scalar("magnets", None), Mapping(None))}))
+    arm = {**SCENE["bodies"]["arm"], "from": ["0 m", "0 m"], "pin": {"at": ["0 m", "0 m"], "by": "p"}}
+    held = {"bodies": {"arm": arm},
+            "springs": {"s": {"torsion": "k", "between": ["ground", "arm"]}},
+            "parameters": {"w": "0 m"}, "choose": {"k": "K[p,p] = 30 N*m"}}
+    assert seen(held)["mirrored"].verdict == REFUSED and "another sense" in seen(held)["mirrored"].why
 
 
 @pytest.mark.parametrize(("text", "expected"), [

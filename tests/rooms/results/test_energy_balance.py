@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from support.scenes import problem
+from support.scenes import problem, value
 
 from vibcli.analyses.transient.exponential_sum import ExponentialSum
 from vibcli.analyses.transient.linear_response import LinearMotion
@@ -48,6 +48,12 @@ def test_few_instants_are_looked_at_and_no_stage_is_computed(monkeypatch):
     assert balance.energy_balance(motion, 60.0) <= 1e-13
     assert set(one.timings) == before
     assert len(set(seen)) == 1 and seen[0][0] == 2 * (balance.POINTS * balance.PARTS + 2) and len(seen) <= 2 * 2 + 1
+
+
+def test_what_was_not_followed_is_not_followed_for_it():
+    one = problem(SCENE % (LOADS[0], "3 s"))
+    assert value(one, "amplitude(x)") and "response" in one.timings
+    assert "energy balance" not in certificate(one) and not one.response.alone.is_followed
 
 
 def test_of_integrated_motions_it_is_that_of_their_trajectory():

@@ -140,7 +140,7 @@ def real_sum(terms: Sequence[tuple[int, tuple[complex, ...], np.ndarray | slice,
     at the same times."""
     total = np.zeros(len(t))
     for power, nodes, inside, factor in terms:
-        here, found = t[inside], known if isinstance(inside, slice) else {}
+        here, found = t[inside], _known_there(known, inside)
         part = (real_wave(factor, nodes[0], here, found) if len(nodes) == 1
                 else np.real(factor * differences(nodes, here, found)))
         total[inside] += here**power * part if power else part
@@ -153,7 +153,12 @@ def largest_sum(terms: Sequence[tuple[int, tuple[complex, ...], np.ndarray | sli
     on the same ones."""
     total = np.zeros(len(early))
     for power, nodes, inside, factor in terms:
-        found = known if isinstance(inside, slice) else {}
+        found = _known_there(known, inside)
         part = bounds(nodes, early[inside], late[inside], found)
         total[inside] += np.abs(factor) * (late[inside]**power * part if power else part)
     return total
+
+
+def _known_there(known, inside):
+    """What is known at those of the times that a term acts at."""
+    return known if isinstance(inside, slice) else known.setdefault(inside.tobytes(), {})

@@ -134,6 +134,11 @@ class LinearMotion:
         return LinearMotion(self.matrices, blocks or self.blocks, forcing, q0, v0, self.work,
                             doubt=lambda: self.data_errors.started(np.zeros(len(self.M)), np.zeros(len(self.M))))
 
+    @property
+    def is_followed(self) -> bool:
+        """Was it followed already, from one segment of its loads to the next?"""
+        return self._pieces is not None
+
     def pieces(self, until: Any) -> Pieces:
         """The Pieces of the motion up to a time."""
         if self._pieces is None or until > self._pieces.until:

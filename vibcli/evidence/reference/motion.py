@@ -21,7 +21,7 @@ from vibcli.evidence.reference.features import SignalAlongSteps, extreme, value
 from vibcli.evidence.reference.features import zeros as first_zeros
 from vibcli.evidence.reference.records import PiecesOfRecords, driving_records, strikes
 from vibcli.evidence.reference.settled import TrueValues, settled
-from vibcli.evidence.reference.taylor_steps import TaylorSteps
+from vibcli.evidence.reference.taylor_steps import TaylorSteps, bits_of
 from vibcli.mechanics.equations_of_motion import Dynamics
 from vibcli.symbolic.evaluation import multiprecision
 
@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 
 SMALL, FULL = (40, 60), (30, 45)        # digits that have to be alike, and those of the first attempt
 GROWTH, LIMIT = 1.3, 240
+FEW = 12                # digits: of sizes
 WORK = 5e7              # products of numbers of one motion, some ten seconds
 
 
@@ -64,6 +65,12 @@ class Motion(NamedTuple):
         pieces = (partial(PiecesOfRecords, records) if records else SmoothPieces)(
             self.scene, self.parts, self.values, self.floats, float(until) * (1 + 1e-12), work)
         return TaylorSteps(pieces, self.start, until, digits, spent, self.blows)
+
+
+    def sizes(self, until: Fraction, work: Any) -> list[float]:
+        """The largest magnitude of each of q and q̇ until an instant, where they are not all the time 0."""
+        found = self.steps(until, FEW, work).sizes
+        return [max(size, sum(found) * 2.0**-52) or 1.0 for size in found]
 
 
 def small(problem: "Problem") -> Motion:
@@ -193,9 +200,14 @@ def period(motion: Motion, until: Fraction, work: Any) -> TrueValues:
 
 
 def _settled(motion, until, work, look):
+    return settled_along(motion, lambda _: until, work, look)
+
+
+def settled_along(motion: Motion, until: Callable[[int], Fraction], work: Any, look: Callable) -> TrueValues:
+    """What look(steps) finds along a motion, up to until(bits)."""
     digits, first = motion.digits
 
     def found():
-        return look(motion.steps(until, mpmath.mp.dps, work))
+        return look(motion.steps(until(bits_of(mpmath.mp.dps)), mpmath.mp.dps, work))
 
     return settled(found, digits, first, LIMIT, GROWTH, sized=True)

@@ -38,14 +38,15 @@ class TaylorStep(NamedTuple):
 
 class TaylorSteps:
     """The motion of SmoothPieces from start(bits), [q, q̇] in fixed point, up to `until` s, to about so many digits.
-    work: how many products of numbers it may take; PhysicsError of one that takes more. blows(bits): instants at which
+    work: how many products of numbers it may take; PhysicsError of one that takes more; sizes: the largest magnitude of
+    each of q and q̇, as floats. blows(bits): instants at which
     q̇ jumps, and by how much, ascending."""
 
     def __init__(self, pieces: "SmoothPieces", start: Callable[[int], Sequence[int]], until: Fraction, digits: int,
                  work: float, blows: "Callable[[int], Blows] | None" = None):
-        self.accuracy = ceil(digits * log2(10))
-        self.bits, self.order = self.accuracy + SPARE, ceil(1.3 * digits)
+        self.accuracy, self.bits, self.order = ceil(digits * log2(10)), bits_of(digits), ceil(1.3 * digits)
         self.steps: list[TaylorStep] = []
+        self.sizes: list[float] = []
         self._price, self._left = pieces.products * self.order**2 * max(1.0, self.bits / 512), work
         self._march(pieces, list(start(self.bits)), max(1, self.fixed(until)), blows(self.bits) if blows else [])
 
@@ -78,6 +79,7 @@ class TaylorSteps:
             state = [self.summed(row, step, stop) for row in (*found.q, *found.v)]
             sizes = [max(size, abs(x)) for size, x in zip(sizes, state, strict=True)]
             t, scale = stop, int(scale * min(LONGER, 2.0 ** (spare / self.order)))
+        self.sizes = [x / 2**self.bits for x in sizes]
 
     def _computed(self, compute, t, scale, state):
         self._left -= self._price
@@ -120,6 +122,11 @@ class TaylorSteps:
 
         with mpmath.workprec(2 * self.bits):
             return mpmath.ldexp(t, -self.bits)
+
+
+def bits_of(digits: int) -> int:
+    """Of the fixed points of a motion to so many digits."""
+    return ceil(digits * log2(10)) + SPARE
 
 
 class TakesMinutes(PhysicsError):

@@ -9,19 +9,23 @@ import re
 from collections.abc import Callable, Iterator
 from typing import Any
 
+from vibcli.base.enumeration import listed
 from vibcli.base.errors import PhysicsError
-from vibcli.evidence.stress.rewritten import TOLD
+from vibcli.evidence.stress.rewritten import TOLD, WORDS, opposite
 from vibcli.language.document.nodes import Mapping, Scalar, Sequence
 
-AS_IT_IS = (*TOLD, "answers", "parameters", "records", "motion", "find", "damping", "variants")
-BODY = ("shape", "mass", "density", "inertia", "gyration", "radius", "width", "height", "a", "b", "weld", "looks")
-CONNECTION = ("k", "c", "friction", "law", "stretch", "free_length", "preload", "acts", "gap", "torsion")
-SENSES = ("law", "preload", "gap", "acts")      # of a torsion, what tells one sense from the other
-LOPSIDED = ("sector", "arch")
+AS_IT_IS = (*TOLD, "answers", "parameters", "records", "motion", "find", "damping", "variants", "choose")
+BODY = ("shape", "mass", "density", "inertia", "gyration", "radius", "half_angle", "width", "height", "a", "b", "weld",
+        "looks", "cut")
+CONNECTION = ("k", "c", "friction", "law", "stretch", "free_length", "preload", "acts", "gap", "torsion",
+              "series", "parallel")
+SENSES = ("law", "gap", "acts")     # of a torsion, what tells one sense from the other; so does its preload
+LOPSIDED = ("sector", "arch")       # whose axis points along `angle`; others are the same after half a turn
+ACROSS = ("beams", "strings")
+MEMBERS = (*ACROSS, "bars", "shafts")
 TURNS = {"pin": ("by",), "turn": ("by",), "move": ("by",), "roll": ("turn", "swing")}
-TIES = {"equation", "join", "link", "rope", "point", "surface"}
+TIES = ("equation", "join", "link", "rope", "point", "surface", "gear", "belt", "radii", "carrier", "inside", "crossed")
 OTHER_SIDE = {"left_of": "right_of", "right_of": "left_of"}
-EXPONENT = re.compile(r"(?<![^\W\d])[\d.][eE]$")
 PLAIN = re.compile(r"[^\W\d]\w*")
 
 
@@ -31,10 +35,10 @@ class NotDrawn(PhysicsError):
 
 def mirrored(top: Mapping) -> Mapping:
     """The document of the scene in the mirror; PhysicsError where something of it is not mirrored."""
-    if not any(map(_is_place, _sequences(top))):
+    if "matrices" in top.entries or not any(map(_is_place, _sequences(top))):
         raise NotDrawn("nothing of it has a place in the plane")
     turned = turned_round(top)
-    return _each(top, _Sections(turned).sections)
+    return _each(top, _Sections(turned, _drawn_members(top)).sections)
 
 
 def turned_round(top: Mapping) -> frozenset[str]:
@@ -47,6 +51,13 @@ def turned_round(top: Mapping) -> frozenset[str]:
             for key in keys if isinstance(motion, Mapping) else keys[:1]:
                 found |= _names(motion.entries.get(key, (None, None))[1] if isinstance(motion, Mapping) else motion)
     return frozenset(found)
+
+
+def _drawn_members(top):
+    sections = (top.entries[kind][1] for kind in ACROSS if kind in top.entries)
+    return frozenset(name for section in sections if isinstance(section, Mapping)
+                     for name, (_, record) in section.entries.items()
+                     if isinstance(record, Mapping) and "from" in record.entries)
 
 
 def _names(motion):
@@ -76,10 +87,11 @@ def _each(node: Any, change: Callable[[str, Any], Any]) -> Mapping:
 
 
 class _Sections:
-    """Each part of a scene in the mirror; `turned`: names of coordinates whose sign is another one there."""
+    """Each part of a scene in the mirror; `turned`: names of coordinates whose sign is another one there; `drawn`:
+    members in the plane, whose displacement across is to the left of their way from end to end."""
 
-    def __init__(self, turned: frozenset[str]):
-        self.turned = turned
+    def __init__(self, turned: frozenset[str], drawn: frozenset[str] = frozenset()):
+        self.turned, self.drawn = turned, drawn
         names = "|".join(map(re.escape, sorted(turned, key=len, reverse=True)))
         self._names = re.compile(rf"(?<![\w.'])({names})('*)(?![\w.(\[])") if turned else None
 
@@ -91,7 +103,7 @@ class _Sections:
             return node
         change = {"bodies": self.body, "springs": self.connection, "dampers": self.connection, "forces": self.load,
                   "points": self.point, "constraints": self.constraint, "surfaces": self.surface,
-                  "energies": self.expression}.get(name)
+                  "energies": self.expression, **dict.fromkeys(MEMBERS, self.member)}.get(name)
         if name in ("initial", "equilibrium") and isinstance(node, Mapping):
             return _each(node, self.start)
         if name == "coordinates":
@@ -133,11 +145,17 @@ class _Sections:
         return _each(record, lambda key, node: self.negative(node) if key == "drawn" else node)
 
     def body(self, record: Any) -> Any:
-        """A body with what moves it."""
-        shape = record.entries.get("shape", (None, None))[1] if isinstance(record, Mapping) else None
-        if isinstance(shape, Scalar) and shape.text in LOPSIDED:
-            raise PhysicsError(f"how the shape '{shape.text}' stands in a mirror is not told")
-        return _each(record, self._part_of_body)
+        """A body with what moves it, or one of its parts."""
+        found = _each(record, self._part_of_body)
+        if "shape" in found.entries and found.entries["shape"][1].text in LOPSIDED:
+            key, angle = record.entries.get("angle", (Scalar("angle", record.where), Scalar("0", record.where)))
+            axis = Scalar(f"pi - ({self.expression(angle).text})", record.where, True)
+            found = Mapping(found.where, {**found.entries, "angle": (key, axis)})
+        return found
+
+    def member(self, record: Any) -> Any:
+        """A beam, string, bar or shaft, which has ends that are drawn or no place at all."""
+        return _each(record, lambda name, node: self.vector(node) if name in ("from", "to") else node)
 
     def _part_of_body(self, name, node):
         if name in BODY:
@@ -149,7 +167,11 @@ class _Sections:
         if name == "roll":
             return _each(node, self._part_of_roll)
         if name == "angle":
-            return self.negative(node)      # of what is the same after half a turn
+            return self.negative(node)
+        if name == "parts":
+            return self._list(node, self.body)
+        if name == "clamp":
+            return _each(node, lambda _, at: self.vector(at)) if isinstance(node, Mapping) else self.vector(node)
         raise PhysicsError(f"what '{name}' of a body is in a mirror is not told")
 
     def _motion(self, kind, node):
@@ -198,21 +220,27 @@ class _Sections:
         found = _each(record, self._part_of_connection)
         if "torsion" in found.entries and any(word in found.entries for word in SENSES):
             raise PhysicsError("a torsion that tells one sense from the other is not mirrored")
+        key, preload = found.entries.get("preload", (None, None))
+        if "torsion" in found.entries and preload is not None and preload.text not in WORDS:
+            found = Mapping(found.where, {**found.entries, "preload": (key, self.negative(preload))})
         return found
 
     def _part_of_connection(self, name, node):
         if name == "between":
-            found = Sequence(node.where)
-            found.items.extend(map(self.vector, node.items))
-            return found
+            return self._list(node, self.vector)
         if name not in CONNECTION:
             raise PhysicsError(f"what '{name}' of a spring or damper is in a mirror is not told")
-        return self.expression(node)
+        return self._list(node, self.connection) if isinstance(node, Sequence) else self.expression(node)
 
     def load(self, record: Any) -> Any:
         """A force or a moment."""
-        if not isinstance(record, Mapping) or "unbalance" in record.entries or "per_length" in record.entries:
-            raise PhysicsError("an unbalance and a load along a member are not mirrored")
+        if not isinstance(record, Mapping):
+            raise PhysicsError("a load that is written in short is not mirrored")
+        if "unbalance" in record.entries:
+            return self._unbalance(record)
+        if "per_length" in record.entries:
+            across = record.entries["body"][1].text.strip() in self.drawn
+            return _each(record, lambda name, node: self.negative(node) if name == "per_length" and across else node)
         of = record.entries.get("coordinate", (None, Scalar("", record.where)))[1]
         other = of.text.strip() in self.turned
         return _each(record, lambda name, node: (
@@ -220,16 +248,31 @@ class _Sections:
             else self.vector(node) if isinstance(node, Sequence)
             else self.expression(node) if name in ("force", "value") else node))
 
+    def _unbalance(self, record):
+        """u Ω² (−cos Ωt, sin Ωt), which turns the other way."""
+        if record.entries.keys() != {"at", "unbalance", "speed"}:
+            raise PhysicsError("an unbalance is mirrored by its 'at', 'unbalance' and 'speed' alone")
+        u, speed = (f"({record.entries[name][1].text})" for name in ("unbalance", "speed"))
+        force = Sequence(record.where)
+        force.items.extend(Scalar(f"{sign}{u}*{speed}^2*{wave}({speed}*t)", record.where, True)
+                           for sign, wave in (("-", "cos"), ("", "sin")))
+        return Mapping(record.where, {"at": record.entries["at"], "force": (Scalar("force", record.where), force)})
+
     def constraint(self, record: Any) -> Any:
-        """An equation, a joint or a link of two points, a rope over pulleys, a point on a surface."""
-        if not isinstance(record, Mapping) or not record.entries.keys() <= TIES:
-            raise PhysicsError("only equations, joints, links, ropes and points on surfaces are mirrored")
+        """What ties motions together: gears and belts turn against each other as before."""
+        if isinstance(record, Scalar):
+            return self.expression(record)
+        if not isinstance(record, Mapping) or not record.entries.keys() <= set(TIES):
+            raise PhysicsError(f"of constraints {listed(TIES)} are mirrored")
         return _each(record, lambda name, node: self.expression(node) if name == "equation" else
                      self._ends(node) if isinstance(node, Sequence) and name != "point" else self.vector(node))
 
     def _ends(self, node):
+        return self._list(node, lambda one: self._guide(one) if isinstance(one, Mapping) else self.vector(one))
+
+    def _list(self, node, change):
         found = Sequence(node.where)
-        found.items.extend(self._guide(one) if isinstance(one, Mapping) else self.vector(one) for one in node.items)
+        found.items.extend(map(change, node.items))
         return found
 
     def _guide(self, record):
@@ -242,21 +285,6 @@ class _Sections:
         if isinstance(record, Sequence):
             return self.vector(record)
         return _each(record, lambda name, node: self.vector(node) if name in ("at", "moves") else node)
-
-
-def opposite(text: str) -> str:
-    """A sum with the other sign, of as many summands: those of a load are steady or in time one by one."""
-    found, depth, start = [""], 0, 0
-    for place, letter in enumerate(text):
-        depth += (letter in "([") - (letter in ")]")
-        before = text[:place].rstrip()
-        if letter in "+-" and not depth and before and before[-1] not in "*/^,+-·" and not EXPONENT.search(
-                text[:place]):
-            found[-1] += f"({text[start:place].strip()})"
-            found.append("+" if letter == "-" else "-")
-            start = place + 1
-    found[-1] += f"({text[start:].strip()})"
-    return "-" + " ".join(found)
 
 
 def _right(where):

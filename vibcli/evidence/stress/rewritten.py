@@ -1,5 +1,6 @@
 """A scene written otherwise: numbers of its document replaced, elements in another order, springs in two."""
 
+import re
 from collections.abc import Callable, Iterator
 from decimal import Context, Decimal
 from fractions import Fraction
@@ -16,6 +17,7 @@ OF_ELEMENTS = ("bodies", "springs", "dampers", "forces")
 EXACTLY = Context(prec=400)
 HALVED = ("k", "law", "torsion", "preload")         # of a spring, what two in parallel share
 AN_EQUATION = "y = 2*x"
+EXPONENT = re.compile(r"(?<![^\W\d])[\d.][eE]$")
 WORDS = ("static", "true", "false")
 Change = Callable[[Number, str], str | None]        # a number of a text, and the text: what stands for its figures
 
@@ -121,3 +123,18 @@ def _half(record: Any) -> Mapping:
                       if word in HALVED and isinstance(value, Scalar) and value.text not in WORDS else value)
                for word, (key, value) in record.entries.items()}
     return Mapping(record.where, entries)
+
+
+def opposite(text: str) -> str:
+    """A sum with the other sign, of as many summands: those of a load are steady or in time one by one."""
+    found, depth, start = [""], 0, 0
+    for place, letter in enumerate(text):
+        depth += (letter in "([") - (letter in ")]")
+        before = text[:place].rstrip()
+        if letter in "+-" and not depth and before and before[-1] not in "*/^,+-·" and not EXPONENT.search(
+                text[:place]):
+            found[-1] += f"({text[start:place].strip()})"
+            found.append("+" if letter == "-" else "-")
+            start = place + 1
+    found[-1] += f"({text[start:].strip()})"
+    return "-" + " ".join(found)

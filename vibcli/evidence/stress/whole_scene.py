@@ -71,7 +71,7 @@ def shaken_as_a_whole(problem: Problem, remade: Callable[[Callable], Problem]) -
         turned: set[str] = set()
         try:
             _require_told(problem, law)
-            other = remade(partial(_changed, law, turned))
+            other = remade(partial(_changed, problem, law, turned))
             other.draw()
         except NotDrawn:
             continue
@@ -101,16 +101,24 @@ def _require_told(problem, law):
             raise PhysicsError("its records stay as they were measured")
 
 
+def _require_alike(problem, law, turned):
+    """PhysicsError where what is chosen hangs on a sense that a mirror turns."""
+    conditions = [record["so"] for record in (problem.spec.choices or {}).values()]
+    if not all(one.word or _is_told(one.text, law, problem, turned) for one in conditions):
+        raise PhysicsError("what is chosen hangs on what has another sense in a mirror")
+
+
 def _power(measured, law):
     """That of 4 by which what has a dimension grows."""
     return sum((step * Fraction(measured.get(base, 0)) for base, step in
                 zip(("m", "kg", "s"), law.powers, strict=True)), Fraction(0))
 
 
-def _changed(law, turned, top):
+def _changed(problem, law, turned, top):
     """The document changed; `turned` holds the coordinates then that have the other sign in it."""
     if law.change is mirrored:
         turned |= turned_round(top)
+        _require_alike(problem, law, turned)
     return law.change(top)
 
 
@@ -151,7 +159,7 @@ def _back(one, law):
 def _is_told(key, law, problem, turned):
     """Where springs are two, what is asked of one by its name is another thing; what has a sense is in a mirror, what
     is numbered in another order."""
-    if law.change is mirrored and key not in problem.scene.coordinates:
+    if law.change is mirrored and ("." in key or key not in problem.scene.coordinates):
         named = {name for kind in OF_ELEMENTS for name in problem.spec.get(kind) or ()} | turned
         return named.isdisjoint(WORD.findall(key)) and not SENSED.search(key)
     if law.change is reordered:

@@ -3,9 +3,12 @@
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.plain_equations import plain_equations
 from vibcli.evidence.reference import motion as reference
+from vibcli.evidence.reference import periodic
 from vibcli.evidence.reference.outputs import signal
 from vibcli.evidence.reference.taylor_steps import TakesMinutes
 from vibcli.evidence.subject import Subject, of_signal
@@ -19,14 +22,17 @@ if TYPE_CHECKING:
 
 SENSES = {"max": 1, "min": -1, "argmax": 1, "argmin": -1}
 AHEAD = 2.05        # periods, in which three turns of a rate are
-KINDS = {"small": "motion", "full": "full motion"}
+STEADY = "steady"
+KINDS = {"small": "motion", "full": "full motion", STEADY: "steady motion"}
 
 
 def of_motion(problem: "Problem", tree: QuantityRef) -> Subject:
     """A value, max, min, argmax, argmin or zero of a signal."""
     kind, motion = _followed(problem)
-    motion, node = signal(problem, motion, tree.args[0])
-    feature = tree.head
+    of, feature, keeps_on = tree.args[0], tree.head, getattr(tree.args[0], "head", "") == "steady"
+    if keeps_on:
+        of, motion = of.args[0], _kept_up(kind, motion, problem.work)
+    motion, node = signal(problem, motion, of)
     if tree.head in SENSES:
         until = Fraction(problem.response.until)
         problem, until, true, cut = _until(problem, until, lambda end: reference.extremes(
@@ -37,7 +43,8 @@ def of_motion(problem: "Problem", tree: QuantityRef) -> Subject:
     else:
         until, cut, feature = _instant(problem, tree.args[1]), "", "value"
         true = reference.at_instant(motion, node, until, problem.work)
-    plain = None if motion.parts.gaps or motion.blows else plain_equations(motion, node, float(until), feature)
+    plain = None if motion.parts.gaps or motion.blows else _plain(problem, motion, node, until, feature)
+    kind = STEADY if keeps_on else kind
     return of_signal(KINDS[kind], problem, tree, f"of {problem.response.words}{cut}", true, plain)
 
 
@@ -50,8 +57,21 @@ def period(problem: "Problem", tree: QuantityRef) -> Subject:
         raise PhysicsError("no reference is found of periods of what strikes or is struck")
     until = Fraction(AHEAD * measure(problem, tree)[0])
     true = reference.period(motion, until, problem.work)
-    plain = plain_equations(motion, motion.scene.v[0], float(until), "period")
+    plain = _plain(problem, motion, motion.scene.v[0], until, "period")
     return of_signal(KINDS[kind], problem, tree, f"of {problem.response.words}", true, plain)
+
+
+def _plain(problem, motion, node, until, feature):
+    """What others are given, with the sizes of what they integrate."""
+    sizes = np.array(motion.sizes(until, problem.work))
+    return plain_equations(motion, node, float(until), feature)._replace(sizes=sizes)
+
+
+def _kept_up(kind, motion, work):
+    """The motion that is left of one when all else has died out."""
+    if kind != "small":
+        raise PhysicsError("no reference is found of the steady state of a full motion")
+    return periodic.steady(motion, work).motion
 
 
 def _followed(problem):

@@ -9,7 +9,7 @@ import numpy as np
 
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.plain_equations import plain_equations
-from vibcli.evidence.reference import harmonics, steady_state
+from vibcli.evidence.reference import harmonics, periodic, steady_state
 from vibcli.evidence.reference.frequency_response import in_floats
 from vibcli.evidence.reference.motion import small
 from vibcli.evidence.reference.outputs import signal
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 TITLE = "steady state under loads of one frequency"
+FEW = 64            # bits of a period to which sizes are looked at
 READ: dict[str, Callable] = {"amplitude": abs, "phase": lambda X: -cmath.phase(1j * X)}     # of X in Re X e^{iΩt}
 
 
@@ -54,14 +55,28 @@ def harmonic(problem: "Problem", tree: QuantityRef) -> Subject:
 
 
 def over_a_period(problem: "Problem", tree: QuantityRef) -> Subject:
-    """mean(x) or rms(x) of a signal, be it a power or a product, under loads of one frequency."""
-    known, node = _driven(problem, tree)
-    true = steady_state.over_a_period(known, node, tree.head)
+    """mean(x) or rms(x) of a signal, be it a power or a product, under loads of one frequency, or such as repeat."""
+    motion, node = _small_signal(problem, tree)
+    try:
+        known = steady_state.driven(motion)
+        true = steady_state.over_a_period(known, node, tree.head)
+    except PhysicsError:
+        return _over_a_common_period(problem, tree, motion, node)
     with mpmath.workdps(30):
         period, start, sizes = steady_state.at_the_start(known)
     plain = plain_equations(known.motion, node, period, tree.head)._replace(
         start=np.array(start), sizes=np.array(sizes))
     return of_signal("steady motion", problem, tree, TITLE, true, plain)
+
+
+def _over_a_common_period(problem, tree, motion, node):
+    known = periodic.steady(motion, problem.work)
+    true = periodic.over_a_period(known, node, tree.head, problem.work)
+    period, start = periodic.at_the_start(known)
+    sizes = known.motion.sizes(known.period(FEW), problem.work)
+    plain = plain_equations(known.motion, node, period, tree.head)._replace(
+        start=np.array(start), sizes=np.array(sizes))
+    return of_signal("steady motion", problem, tree, "steady state under loads that repeat themselves", true, plain)
 
 
 def _driven(problem, tree):

@@ -1,0 +1,89 @@
+"""True steady states under loads that repeat themselves, beside closed forms between their jumps; numbers read off
+samples of others' solutions."""
+
+import re
+
+import mpmath
+import numpy as np
+import pytest
+from support.scenes import problem
+
+from vibcli.evidence.asked import NotCompared, subjects
+from vibcli.evidence.methods import integrators
+from vibcli.evidence.plain_equations import _extreme, _zero
+from vibcli.evidence.reference import periodic
+from vibcli.evidence.subject import Deadline
+
+ONE = """
+bodies: {a: {mass: 2 kg, slide: x}}
+springs: {s: {k: 800 N/m, between: [ground, a]}}
+dampers: {d: {c: 8 N*s/m, between: [ground, a]}}
+forces: {F: {at: a, force: %s}}
+answers: {"rms(x'')": 1 m/s^2, "steady(x')(0.3 s)": 1 m/s}
+"""
+SQUARE = "(3 N)*square((5 rad/s)*t)"
+
+
+def by_halves():
+    """(rms of ẍ, ẋ(0.3 s)): x = F/k + e^{−δt}(A cos ωt + B sin ωt) in the first half, from x(T/2) = −x(0), ẋ alike."""
+    delta, omega, rest, half = mpmath.mpf(2), mpmath.sqrt(396), mpmath.mpf(3) / 800, mpmath.pi / 5
+
+    def parts(t, order):
+        return [mpmath.re(unit * s**order * mpmath.exp(s * t)) for s in [mpmath.mpc(-delta, omega)]
+                for unit in (1, mpmath.mpc(0, -1))]
+
+    rows = [[a + b for a, b in zip(parts(half, order), parts(0, order), strict=True)] for order in (0, 1)]
+    A, B = mpmath.lu_solve(mpmath.matrix(rows), mpmath.matrix([-2 * rest, 0]))
+
+    def along(t, order):
+        p, q = parts(t, order)
+        return A * p + B * q
+
+    square = mpmath.quad(lambda t: along(t, 2) ** 2, mpmath.linspace(0, half, 5)) / half
+    return [mpmath.sqrt(square), along(mpmath.mpf("0.3"), 1)]
+
+
+def test_under_a_square_wave():
+    one = problem(ONE % SQUARE)
+    found = list(subjects(one, [answer.asked for answer in one.spec.answers]))
+    with mpmath.workdps(60):
+        for subject, true in zip(found, by_halves(), strict=True):
+            assert abs(subject.true.values[0] - true) < mpmath.mpf(10) ** -38
+            ours = subject.ours()
+            assert subject.error(ours.values, subject.true) <= ours.bound < 1e-11
+    plain = next(run for run in integrators.attempts(found[1]) if (run.method, run.setting) == ("DOP853", "1e-09"))
+    assert found[1].error(plain.run(Deadline(60)).values, found[1].true) < 1e-6
+
+
+@pytest.mark.parametrize(("force", "why"), [
+    ("(3 N)*square((5 rad/s)*t) + (1 N)*sin(sqrt(2)*(5 rad/s)*t)", "no common period"),
+    ("(3 N)*square((5 rad/s)*t) + (1 N)*sin((5.01 rad/s)*t)", "very many periods|no common period"),
+    ("(3 N)*square((5 rad/s)*t) + (1 N)*exp(-t/(1 s))", "a reference of harmonics")])
+def test_what_has_no_short_period_is_told(force, why):
+    one = problem(ONE % force)
+    found = list(subjects(one, [answer.asked for answer in one.spec.answers]))
+    assert all(isinstance(subject, NotCompared) and re.search(why, subject.why) for subject in found)
+
+
+def test_the_rule_is_exact_of_polynomials():
+    with mpmath.workdps(50):
+        rule = periodic._rule(30, 200)
+        for power in (0, 7, 29):
+            assert abs(sum(w * x**power for x, w in rule) - mpmath.mpf(1) / (power + 1)) < mpmath.mpf(10) ** -45
+
+
+@pytest.mark.parametrize("shift", [0.1, 0.0123, 1.0])
+def test_what_is_read_off_samples_is_no_coarser_than_these(shift):
+    """Of ten waves in 4,000 steps, beside which a parabola is off by 2e-10 and more."""
+    times = np.linspace(0, 63, 4001)
+    values = np.exp(-0.01 * times) * np.sin(times + shift)
+    assert _zero(times, values, 3) == pytest.approx(3 * np.pi - shift, rel=1e-14)
+    turn = np.arctan(100) - shift
+    assert _extreme(times, values, "argmax") == pytest.approx(turn, rel=1e-11)
+    assert _extreme(times, -values, "min") == pytest.approx(-np.exp(-0.01 * turn) * np.sin(turn + shift), rel=1e-15)
+
+
+def test_a_jump_of_the_slope_beside_a_zero_is_not_smoothed():
+    times = np.linspace(0, 10, 101)
+    values = np.where(times < 3.2, times - 2.95, 0.25 + 7 * (times - 3.2))
+    assert _zero(times, values, 1) == pytest.approx(2.95, abs=1e-13)
