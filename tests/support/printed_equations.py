@@ -186,7 +186,8 @@ class PrintedEquation:
         """X at a share of the length, where βL is a root."""
         known = self.names(root, numbers)
         text = self.means["X(x)"][1]
-        return value(plain(text), lambda name: share * known(self.variable) if name == "βx" else known(name))
+        along = {"βx": self.variable, "αx": "αL"}
+        return value(plain(text), lambda name: share * known(along[name]) if name in along else known(name))
 
     def _moves(self, root, numbers):
         """Is no βL or θ zero above ω = 0, at which sides vanish though nothing moves?"""

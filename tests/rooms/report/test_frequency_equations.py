@@ -152,6 +152,10 @@ PAIRS = {
         beams: {arm: {from: [0, 0], to: [2*L, 0], EI: EI, mass_per_length: mu, left: {clamped: motor}, right: {k: k}}}
         bodies: {motor: {shape: rectangle, width: 2*e, height: e, mass: M, inertia: J, at: [-e, 0], move: [x, y, psi]}}
         """,
+    "a beam under a dead load with a mass at its tip": """
+        parameters: {L: 1.2 m, EI: 4 kN*m^2, mu: 2 kg/m, P: 5 kN, M: 3 kg}
+        beams: {b: {length: L, EI: EI, mass_per_length: mu, left: clamped, preload: -P, attached: [{at: L, mass: M}]}}
+        """,
     "a stepped bar with a mass at its step and on a spring": """
         parameters: {L: 1.2 m, EA: 2 MN, mu: 2 kg/m, M: 3 kg, k: 900 kN/m}
         bars: {b: {segments: [{length: L, EA: EA}, {length: 2*L, EA: 3*EA}], mass_per_length: mu, left: {k: k},

@@ -170,9 +170,20 @@ def _frequency(found):
     x, order = found.wave_number, found.order
     alone = textbook(found.square / x ** order)
     if x in reachable([alone]):
-        more = [Words(",  also where "), x ** order, Words(" is negative")] if found.letters else []
-        return line(found.omega ** 2, " = ", found.square, *more, inset=2)
+        return line(found.omega ** 2, " = ", found.square, *_beyond(found), inset=2)
     if not any(node.op == "symbol" for node in reachable([alone])):
         value = figure(evaluate([alone], Floats, {})[0] ** 0.5, digits=DIGITS)
         return line(found.omega, " = ", value, "·", x ** (order // 2), inset=2)
     return line(found.omega, " = ", x ** (order // 2) * x.table.sqrt(alone), inset=2)
+
+
+def _beyond(found):
+    """βL other than positive at which there are frequencies of a member on a foundation."""
+    from vibcli.analyses.closed_form.member_shapes import unstrained
+
+    x = found.wave_number
+    if found.pieces[0].piece.foundation.is_zero:
+        return []
+    if found.second is not None:
+        return [Words(",  also where "), x, Words(" is 0 or not real" if unstrained(found) else " is not real")]
+    return [Words(",  also where "), x ** found.order, Words(" is negative")] if found.letters else []

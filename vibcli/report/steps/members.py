@@ -174,6 +174,8 @@ class MemberSteps:
         piece, table = found.pieces[0].piece, self.table
         omega = table.parameter(self.sheet.letter("omega"))
         inertia = piece.inertia * omega ** 2 - piece.foundation
+        if found.second is not None:
+            return self._two_waves(found, inertia, uses)
         if self._pressed(found):
             negative = piece.tension.op != "sum" and piece.tension.coefficient < 0
             pull = [" − " if negative else " + ", Factor(-piece.tension if negative else piece.tension), "·β²"]
@@ -187,11 +189,23 @@ class MemberSteps:
         law, power = ("∂²X/∂x² = −β²·X", "β² = ") if found.order == 2 else ("∂⁴X/∂x⁴ = β⁴·X", "β⁴ = ")
         line = self.sheet.write(Words("standing waves  "), "X(x)·sin(ω·t + ε)", Words("  ask for  "), law, Words(",  "),
                                 power, textbook(inertia / stiffness), Words(where), settles="beta", uses=uses)
-        names = ["cos βx", "sin βx", "cosh βx", "sinh βx"][:found.order]
+        return self._general("βx", found.order, " in each part" * bool(where), line)
+
+    def _two_waves(self, found, inertia, uses):
+        """α and β of a beam under an axial force that bends otherwise than a sine."""
+        piece, (alpha, beta) = found.pieces[0].piece, map(self.table.parameter, ("alpha", "beta"))
+        difference, both = (textbook(one / piece.bending) for one in (piece.tension, inertia))
+        line = self.sheet.write(Words("standing waves  "), "X(x)·sin(ω·t + ε)", Words(
+            "  with cosh αx, sinh αx, cos βx and sin βx:  "), alpha ** 2 - beta ** 2, " = ", difference, Words(",  "),
+                                alpha ** 2 * beta ** 2, " = ", both, settles="beta", uses=uses)
+        return self._general("αx", found.order, "", line)
+
+    def _general(self, along, order, where, line):
+        """C₁ cos βx + …, `along` the argument of cosh and sinh."""
+        names = ["cos βx", "sin βx", f"cosh {along}", f"sinh {along}"][:order]
         general = [part for k, name in enumerate(names, 1) for part in (
             " + ", Name(self.sheet.letter(f"C{k}")), f"·{name}")][1:]
-        return self.sheet.write(Words("general solution" + " in each part" * bool(where) + ":  "), "X = ", *general,
-                                settles="X", uses=[line])
+        return self.sheet.write(Words(f"general solution{where}:  "), "X = ", *general, settles="X", uses=[line])
 
     def _frequency(self, found, uses):
         """ω by βL."""

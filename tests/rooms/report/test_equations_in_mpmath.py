@@ -1,0 +1,99 @@
+"""Every frequency equation that is printed is zero at the frequencies that counting finds, and not beside them; shapes
+that are printed are those of the modes: the nodes of the lines, by mpmath."""
+
+import re
+from itertools import combinations_with_replacement
+from pathlib import Path
+
+import pytest
+from support.equations_in_mpmath import Printed, blocks, is_equation
+from support.scenes import kept_settled_of, problem
+
+from vibcli.analyses.continuous.shapes import shape_along
+
+VALUES = {"L": "0.6 m", "EI": "70 N*m^2", "EA": "1 MN", "mu": "0.27 kg/m", "N": "90 N", "P": "600 N", "M": "0.05 kg",
+          "J": "1 g*m^2", "k": "400 N/m", "kt": "5 N*m", "m": "0.01 kg", "kf": "900 N/m^2", "g": "9.81 m/s^2"}
+ENDS = ("clamped", "pinned", "guided", "free", "{k: k}", "{torsion: kt}", "{k: 3*k, torsion: kt}")
+ATTACHED = ("{at: L, mass: M}", "{at: L, mass: M, inertia: J}", "{at: L, oscillator: {mass: m, k: k}}")
+PROBLEMS = sorted(Path("problems/8_continuous").glob("*.yaml"))
+PLACES = (0.0, 0.21, 0.43, 0.77, 1.0)
+
+
+def scene(members):
+    """A scene of members, with the parameters that these name."""
+    used = [f"{name}: {value}" for name, value in VALUES.items()
+            if re.search(rf"(?<!\w){name}(?![\w:])", re.sub(r"(EI|EA):", "", members))]
+    return problem(f"parameters: {{{', '.join(used)}}}\n{members}\n")
+
+
+def beam(left, right, rest):
+    return f"beams: {{b: {{length: L, EI: EI, mass_per_length: mu, left: {left}, right: {right}, {rest}}}}}"
+
+
+def check(found, count=5):
+    """Each of the first modes fulfils one of the equations; how many equations are printed."""
+    equations = [Printed(lines) for lines in blocks(found) if is_equation(lines)]
+    values = found.numeric.floats
+    for mode in found.modal.modes.first(count) if equations else []:
+        omega = mode.omega if mode.growth_rate is None else 1j * mode.growth_rate
+        assert not omega or any(equation.vanishes(omega, values) for equation in equations), mode.index
+    return len(equations)
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize("path", PROBLEMS, ids=lambda path: path.stem)
+def test_equations_of_the_problems_hold(path):
+    found = kept_settled_of(path)
+    if not found.numeric.has_free_symbols:
+        assert check(found) == sum(is_equation(lines) for lines in blocks(found))
+
+
+PULLED = [
+    *(beam(left, right, "preload: N") for left, right in combinations_with_replacement(ENDS, 2)),
+    *(beam(left, right, "preload: -P, foundation: kf") for right, left in combinations_with_replacement(ENDS, 2)),
+    *(beam(left, "free", f"preload: {force}, attached: [{what}]") for force in ("N", "-P") for what in ATTACHED
+      for left in ENDS[:5])]
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize("text", PULLED)
+def test_pulled_and_pressed_beams_with_all_ends(text):
+    """α² − β² = N/EI: one equation, of unstable modes too."""
+    assert check(scene(text), 4) == 1
+
+
+TEXTBOOK = {
+    ("clamped", "free"): "2·(βL)²·(αL)² − βL·αL·((βL)² − (αL)²)·sin βL·sinh αL + ((βL)⁴ + (αL)⁴)·cos βL·cosh αL = 0",
+    ("clamped", "clamped"): "2·βL·αL − ((βL)² − (αL)²)·sin βL·sinh αL − 2·βL·αL·cos βL·cosh αL = 0",
+    ("clamped", "pinned"): "tan βL = βL·tanh αL/αL",
+    ("clamped", "guided"): "tan βL = −αL·tanh αL/βL",
+    ("free", "free"): "2·(βL)³·(αL)³ − 2·(βL)³·(αL)³·cos βL·cosh αL − ((αL)⁶ − (βL)⁶)·sin βL·sinh αL = 0",
+    ("pinned", "free"): "tan βL = (αL)³·tanh αL/(βL)³",
+    ("guided", "free"): "tan βL = −(βL)³·tanh αL/(αL)³",
+    ("pinned", "pinned"): "sin βL = 0",
+}
+
+
+@pytest.mark.parametrize(("left", "right"), TEXTBOOK)
+def test_a_pressed_beam_as_textbooks_have_it(left, right):
+    found = scene(beam(left, right, "preload: -P"))
+    lines, = blocks(found)
+    assert Printed(lines).text == TEXTBOOK[left, right]
+    assert check(found, 4) == 1
+
+
+@pytest.mark.parametrize("text", [
+    beam("clamped", "free", "preload: -P, attached: [{at: L, mass: M}]"), beam("free", "free", "preload: N"),
+    beam("{k: k, torsion: kt}", "{k: k}", "preload: N, attached: [{at: L, inertia: J}]"),
+    beam("guided", "free", "preload: -N, foundation: kf, attached: [{at: L, mass: M}]"),
+    beam("pinned", "{torsion: kt}", "preload: N")])
+def test_shapes_of_pulled_beams_are_those_of_their_modes(text):
+    found = scene(text)
+    (lines,) = blocks(found)
+    equation, length = Printed(lines), found.numeric.floats["L"]
+    for mode in [mode for mode in found.modal.modes.first(4) if mode.omega]:
+        told = [complex(equation.shape(mode.omega, place, found.numeric.floats)) for place in PLACES]
+        moved = shape_along(found.modal.fields(mode).pieces("b"), [place * length for place in PLACES])[:, 0]
+        largest = max(range(len(PLACES)), key=lambda k: abs(moved[k]))
+        assert [moved[largest] / told[largest] * one for one in told] == pytest.approx(
+            list(moved), abs=1e-9 * abs(moved[largest]))
