@@ -107,7 +107,7 @@ class Printed:
     def _wave(self):
         """What ω is told by."""
         names = {one.name for part in self.means[self.omega][1] if isinstance(part, Node) for one in _symbols(part)}
-        return next(name for name in ("βL", "z", "theta", "eta", "kappa", "chi", "zeta") if name in names)
+        return next(name for name in ("βL", "z", "z1", "theta", "eta", "kappa", "chi", "zeta") if name in names)
 
     def _argument(self, wave, omega, values, sign):
         """A z with ω² = a + b z² + c z⁴."""
@@ -140,8 +140,8 @@ class Printed:
         """X at a share of the length, at a frequency."""
         with mp.workdps(DIGITS):
             known = self.at(mpmath.mpf(omega), floats)
-            along = {"βx": self._wave(), "αx": "αL"}
-            parts = next(one.parts for one in self.lines if one.parts[0] == "X(x) = ")
+            along = {"βx": self._wave(), "αx": "αL", "x": "L", "ξ": "L"}
+            parts = next(one.parts for one in self.lines if str(one.parts[0]).startswith("X("))
 
             def names(name):
                 if name == "σ":

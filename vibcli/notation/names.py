@@ -13,6 +13,7 @@ NAMES = {letter: name for name, letter in GREEK.items()}
 SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 PRODUCTS = r"([EG])([AIJ](?:[op]|\d*))"       # names read as products: EI, GIo of members
 WAVES = {letter + place for letter in "αβ" for place in "Lxξsχ"}        # and wave numbers times a place: βL, βx
+BESSEL = "J0", "J1", "Y0", "Y1"         # functions that are written with an index
 TYPED = r"[A-Za-z][a-z]\d{1,2}"               # kt1: the stiffness k of torsion number 1
 
 

@@ -10,10 +10,13 @@ import pytest
 from support import formulas, printed
 from support.scenes import kept_problem_of
 
+from vibcli.notation.latex import latex
+from vibcli.notation.mathml import mathml
 from vibcli.notation.plain import plain
 from vibcli.notation.scene_language import language
 from vibcli.notation.typed_tree import typeset
 from vibcli.notation.typeset import Stacked
+from vibcli.notation.typst import typst
 from vibcli.report.document import EVERYTHING, Report
 from vibcli.report.sections.equations_of_motion import equation_rows
 from vibcli.report.sections.symbolic_modes import turned
@@ -157,3 +160,13 @@ def test_what_leads_by_a_quarter_of_a_period_keeps_its_sign():
     m, k = table.parameter("m"), table.parameter("k")
     for node in (-2 * m, m - k, -m / (k - m), table.one, -table.one, -(m - k) ** 2):
         assert printed.compared(["H = ", *turned(table.node(node))], {"m": 1.3, "k": 0.7}) == 2
+
+
+def test_bessel_functions_are_written_with_their_order_below():
+    table = Table()
+    z = table.parameter("z")
+    node = table.call("J0", z) * table.call("Y1", 2 * z)
+    assert plain(node) == "J₀(z)·Y₁(2·z)"
+    assert {name: write(node) for name, write in (("latex", latex), ("typst", typst))} == {
+        "latex": r"J_{0}\left(z\right) \, Y_{1}\left(2 \, z\right)", "typst": "J_(0) (z) thin Y_(1) (2 thin z)"}
+    assert "<msub><mi>J</mi><mn>0</mn></msub>" in mathml(node)

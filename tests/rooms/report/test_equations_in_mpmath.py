@@ -10,6 +10,8 @@ from support.equations_in_mpmath import Printed, blocks, is_equation
 from support.scenes import kept_settled_of, problem
 
 from vibcli.analyses.continuous.shapes import shape_along
+from vibcli.notation.plain import plain
+from vibcli.report.formats.formula import formula
 
 VALUES = {"L": "0.6 m", "EI": "70 N*m^2", "EA": "1 MN", "mu": "0.27 kg/m", "N": "90 N", "P": "600 N", "M": "0.05 kg",
           "J": "1 g*m^2", "k": "400 N/m", "kt": "5 N*m", "m": "0.01 kg", "kf": "900 N/m^2", "g": "9.81 m/s^2"}
@@ -82,12 +84,51 @@ def test_a_pressed_beam_as_textbooks_have_it(left, right):
     assert check(found, 4) == 1
 
 
+def chain(rest, up="-", more=""):
+    return f"gravity: g\nstrings: {{b: {{from: [0, 0], to: [0, {up}L], mass_per_length: mu, {rest}}}}}\n{more}"
+
+
+CART = "bodies: {cart: {mass: M, at: [0, 0], slide: {along: [1, 0], by: x}}}"
+HANGING = {
+    "J₀(z) = 0": chain("left: pinned"),
+    "J₁(z) = −M·z·J₀(z)/(2·L·μ)": chain("left: {pinned: cart}", "-", CART),
+    "J₀(z₁)·Y₁(z₂) − Y₀(z₁)·J₁(z₂) = z₂·(J₀(z₁)·Y₀(z₂) − Y₀(z₁)·J₀(z₂))/2":
+        chain("left: pinned, attached: [{at: L, mass: M}]"),
+    "J₁(z₁)·Y₀(z₂) − Y₁(z₁)·J₀(z₂) = z₁·(J₀(z₁)·Y₀(z₂) − Y₀(z₁)·J₀(z₂))/2":
+        chain("right: pinned, attached: [{at: 0, mass: M}]", ""),
+    "J₀(z₁)·Y₁(z₂) − Y₀(z₁)·J₁(z₂) = −2·Z·(J₀(z₁)·Y₀(z₂) − Y₀(z₁)·J₀(z₂))/(μ·g·z₂)":
+        chain("left: pinned, attached: [{at: L, mass: M}, {at: L, k: k}, {at: L, oscillator: {mass: m, k: k}}]"),
+    "J₀(z₁)·Y₀(z₂) − Y₀(z₁)·J₀(z₂) = 0": chain("left: pinned, right: pinned, preload: N"),
+    "J₁(z₁)·Y₁(z₂) − Y₁(z₁)·J₁(z₂) = M·z₁·z₂·(J₀(z₁)·Y₀(z₂) − Y₀(z₁)·J₀(z₂))/(4·(L·μ + m)) + "
+    "z₂·(J₁(z₁)·Y₀(z₂) − Y₁(z₁)·J₀(z₂))/2 − M·z₁·(J₀(z₁)·Y₁(z₂) − Y₀(z₁)·J₁(z₂))/(2·(L·μ + m))":
+        chain("left: {pinned: cart}, attached: [{at: L, mass: m}]", "-", CART),
+}
+
+
+@pytest.mark.parametrize("told", HANGING, ids=range(len(HANGING)))
+def test_strings_whose_tension_varies(told):
+    """Bessel functions of z = 2ω√(μT)/|γ|."""
+    found = scene(HANGING[told])
+    lines, = blocks(found)
+    assert Printed(lines).text == told
+    assert check(found) == 1
+
+
+def test_a_hanging_chain_as_textbooks_have_it():
+    """D. Bernoulli: ω = j/2·√(g/L), j the zeros of J₀."""
+    lines, = blocks(scene(HANGING["J₀(z) = 0"]))
+    assert [formula(one.parts, plain) for one in lines[1:4]] == [
+        "z = 2.404825558, 5.52007811, 8.653727913, 11.79153444, 14.93091771, …", "ω = z·√(g/L)/2",
+        "X(x) = J₀(z·√((L − x)/L))"]
+
+
 @pytest.mark.parametrize("text", [
-    beam("clamped", "free", "preload: -P, attached: [{at: L, mass: M}]"), beam("free", "free", "preload: N"),
+    *HANGING.values(), beam("clamped", "free", "preload: -P, attached: [{at: L, mass: M}]"),
+    beam("free", "free", "preload: N"),
     beam("{k: k, torsion: kt}", "{k: k}", "preload: N, attached: [{at: L, inertia: J}]"),
     beam("guided", "free", "preload: -N, foundation: kf, attached: [{at: L, mass: M}]"),
     beam("pinned", "{torsion: kt}", "preload: N")])
-def test_shapes_of_pulled_beams_are_those_of_their_modes(text):
+def test_shapes_are_those_of_their_modes(text):
     found = scene(text)
     (lines,) = blocks(found)
     equation, length = Printed(lines), found.numeric.floats["L"]

@@ -51,6 +51,12 @@ LUMPED = {
                         {{at: L, inertia: J}}, {{at: L, oscillator: {{mass: m, k: 500 N/m}}}},
                         {{at: L, oscillator: {{mass: 2*m, k: 500 N/m}}}}]}}}}
         """,
+    "a hanging chain with a mass and an oscillator": """
+        parameters: {L: 1.2 m, M: 3 kg, m: 1 kg, g: 9.81 m/s^2}
+        gravity: g
+        strings: {cord: {from: [0, 0], to: [0, -L], mass_per_length: 2.5 kg/m, left: pinned,
+                         attached: [{at: L, mass: M}, {at: L, oscillator: {mass: m, k: 30 N/m}}]}}
+        """,
     "two bars end to end about a block that slides against both": f"""
         parameters: {{L: 1.2 m, M: 3 kg}}
         bars:

@@ -6,7 +6,7 @@ nor an inertia alone stands as a letter.
 """
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.closed_form.free_letters import (
     ARGUMENTS,
@@ -127,7 +127,7 @@ def _equation(form, chain, taken):
     force = stiffness * (x / length) ** order + first.foundation
     square = (force + first.tension * (x / length) ** 2 if pulled else force) / first.inertia
     omega = table.parameter(free_letter(taken, FREQUENCY))
-    acting = _impedances(form, chain, omega)
+    acting = impedances(form, chain, omega)
     if acting is None:
         return None
     second = _second(x, taken) if pulled else None
@@ -135,8 +135,8 @@ def _equation(form, chain, taken):
         UniformPiece(x / length, x, stiffness, second / length)]
     if pieces is None:
         return None
-    impedances, hung = acting
-    letters, standing = _lettered(impedances, omega, taken, not first.foundation.is_zero)
+    at_stations, hung = acting
+    letters, standing = _lettered(at_stations, omega, taken, not first.foundation.is_zero)
     of_waves = square if second is None else _square_of_both(first, x, second, length)
     by_x = [tuple(Z and textbook(substitute([Z], {omega: table.sqrt(of_waves)})[0]) for Z in end) for end in standing]
     function = frequency_function(table, order, *((pieces, by_x) if len(pieces) == 1 else _without_units(pieces, by_x)))
@@ -146,7 +146,7 @@ def _equation(form, chain, taken):
                               [piece.argument for piece in pieces], function, chain, [], by_x, letters, hung, second,
                               None if second is None else x ** 2 + first.tension * length ** 2 / first.bending)
     return found._replace(
-        impedances=[tuple(Z and textbook(*found.by_wave_number(Z)) for Z in end) for end in impedances])
+        impedances=[tuple(Z and textbook(*found.by_wave_number(Z)) for Z in end) for end in at_stations])
 
 
 def _second(x, taken):
@@ -212,7 +212,7 @@ def _stations(chain):
     return [chain[0].rows[:half], *(part.rows[half:] for part in chain)]
 
 
-def _impedances(form, chain, omega):
+def impedances(form: Any, chain: "Sequence[PlacedPiece]", omega: "Node") -> "tuple[list[tuple], list[int]] | None":
     """[(Z of the displacement, of beams of the turn, what couples both where anything does)] of the stations, None of
     what is held, and the coordinates of what hangs on them; None where what acts on one station is coupled to another,
     or to another member."""

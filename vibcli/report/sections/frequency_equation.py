@@ -44,6 +44,7 @@ def _equations(problem, shapes):
     from vibcli.analyses.closed_form.member_frequencies import chains, frequency_equations
     from vibcli.analyses.closed_form.textbook_equation import is_short, met
     from vibcli.analyses.closed_form.tied_members import tied_equations
+    from vibcli.report.sections.hanging_string import hanging_alone, of_hanging
 
     names, told, left = list(problem.scene.members), {}, []
     for chain, found in zip(chains(problem.symbolic.linearisation.pieces), frequency_equations(problem.symbolic),
@@ -54,8 +55,9 @@ def _equations(problem, shapes):
             told[found.members] = partial(_solved if is_short(found) else _long, problem, shapes, found)
     for pieces, tied, size in tied_equations(problem.symbolic, left):
         owners = tuple(dict.fromkeys(piece.owner for piece in pieces))
-        told[owners] = partial(_unwritten, shapes, owners, size) if tied is None else partial(
-            _met, problem, shapes, tied)
+        hanging = hanging_alone(problem, pieces) if tied is None else None
+        told[owners] = partial(of_hanging, problem, hanging) if hanging is not None else partial(
+            _unwritten, shapes, owners, size) if tied is None else partial(_met, problem, shapes, tied)
     for members, lines in sorted(told.items(), key=lambda pair: min(map(names.index, pair[0]))):
         yield list(lines(Words(", ".join(members)) if len(names) > 1 else None))
 

@@ -4,6 +4,7 @@ station, constants, frequency equation, its first roots and their frequencies (R
 from math import isclose, pi
 from typing import TYPE_CHECKING
 
+from vibcli.analyses.closed_form.hanging_strings import HangingString
 from vibcli.analyses.closed_form.member_frequencies import chains, frequency_equations
 from vibcli.analyses.closed_form.member_shapes import shape, unstrained
 from vibcli.analyses.closed_form.textbook_equation import by_letters, sides
@@ -14,8 +15,10 @@ from vibcli.notation.numbers import figure
 from vibcli.report.blocks import Factor, Name, WithNumbers, Words
 from vibcli.report.place_letter import by_letter, place_letter
 from vibcli.report.sections.frequency_equation import SIMPLE, whose
+from vibcli.report.sections.hanging_string import hanging_alone
 from vibcli.report.sections.members import carried, differential, station_conditions
 from vibcli.report.steps.ends import Ends
+from vibcli.report.steps.hanging import general_solution
 from vibcli.report.steps.held import HINT
 from vibcli.report.steps.step import WorkedSolution, number, of_time, told
 from vibcli.symbolic.derivatives import substitute
@@ -62,7 +65,8 @@ class MemberSteps:
         parts = chains(self.form.pieces)
         found = frequency_equations(self.problem.symbolic)
         left = [piece for chain, one in zip(parts, found, strict=True) if one is None for piece in chain]
-        groups = [one for _, one, _ in tied_equations(self.problem.symbolic, left)]
+        groups = [tied or hanging_alone(self.problem, pieces)
+                  for pieces, tied, _ in tied_equations(self.problem.symbolic, left)]
         alone = [one for one in found if one is not None]
         known = {i for one in (*alone, *groups) if one for i in one.hung} | {
             i for one in groups if one for piece in one.pieces for row in piece.rows for i in row}
@@ -73,7 +77,7 @@ class MemberSteps:
         for one in alone:
             self._of_one(one)
         for one in groups:
-            self._of_tied(one)
+            (self._of_hanging if isinstance(one, HangingString) else self._of_tied)(one)
 
     def _others(self):
         """Coordinates that are no motion of a station."""
@@ -129,6 +133,19 @@ class MemberSteps:
             Words(",  and where the denominator of "), letter, Words(" is 0, the joint at rest"))]
         line = self.sheet.write(Words(f"so the frequency equation{words}:  "), found.left, " = ", found.right, *rests,
                                 settles="frequency equation", uses=joint)
+        if not self.problem.numeric.has_free_symbols:
+            self._searched(self.sheet.write(Words("its roots, by a search, which misses none"), settles="frequencies",
+                                            uses=[line]))
+
+    def _of_hanging(self, found):
+        """A string whose tension varies: Bessel functions of z, what its ends ask, the first roots."""
+        uses = [line for name in found.members for first, held in [self._conditions(name)] for line in (first, *held)]
+        uses += [*map(self._carried, found.hung), *self._bound(found.members)]
+        line = general_solution(self.sheet, found, self.scene, uses)
+        named = [part for letter, meant in found.named for part in (Words(",  "), letter, " = ", meant)]
+        words = ", without what damps" if self.damped else ""
+        line = self.sheet.write(Words(f"so the frequency equation{words}:  "), found.left, " = ", found.right, *named,
+                                settles="frequency equation", uses=[line, *uses])
         if not self.problem.numeric.has_free_symbols:
             self._searched(self.sheet.write(Words("its roots, by a search, which misses none"), settles="frequencies",
                                             uses=[line]))
