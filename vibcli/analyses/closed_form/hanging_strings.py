@@ -76,13 +76,6 @@ def hanging_string(form: Any, placed: "PlacedPiece", taken: Collection[str]) -> 
                          [*other, *found.letters.items()], zeros, sigma, acting[1])
 
 
-def first_zeros(name: str, count: int) -> list[float]:
-    """The first positive zeros of J₀ or J₁."""
-    from mpmath import besseljzero
-
-    return [float(besseljzero(int(name[-1]), n)) for n in range(1, count + 1)]
-
-
 def _tensions(piece):
     return textbook(piece.tension), textbook(piece.tension + piece.gradient * piece.length)
 

@@ -12,7 +12,8 @@ if TYPE_CHECKING:
     from vibcli.mechanics.factored_system import PlacedPiece
     from vibcli.results.problem import Problem
 
-PRINTED, DIGITS = 5, 10
+ZEROS = {"J0": "2.404825558, 5.520078110, 8.653727913, 11.79153444, 14.93091771",        # Abramowitz & Stegun, table 9.5
+         "J1": "3.831705970, 7.015586670, 10.17346814, 13.32369194, 16.47063005"}
 
 
 def hanging_alone(problem: "Problem", pieces: "Sequence[PlacedPiece]") -> "HangingString | None":
@@ -27,15 +28,12 @@ def hanging_alone(problem: "Problem", pieces: "Sequence[PlacedPiece]") -> "Hangi
 
 def of_hanging(problem: "Problem", found: "HangingString", label: Any) -> Iterator[Line]:
     """The equation, its roots where these are zeros of one function, ω by z, the shape and the orthogonality."""
-    from vibcli.analyses.closed_form.hanging_strings import first_zeros
-
     table, z = found.omega.table, found.wave_number
     yield line(found.left, " = ", found.right, label=label)
     for letter, meant in found.named:
         yield line(letter, " = ", meant, inset=2)
     if found.zeros_of:
-        roots = ", ".join(f"{value:.{DIGITS}g}" for value in first_zeros(found.zeros_of, PRINTED))
-        yield line(z, " = ", roots, ", …", inset=2)
+        yield line(z, " = ", ZEROS[found.zeros_of], ", …", inset=2)
     yield line(found.omega, " = ", z * table.sqrt(found.square / z ** 2), inset=2)
     along = found.along(table.parameter(place_letter(problem.scene)))
     second = [] if found.sigma is None else [" − σ·", table.call("Y0", along)]
