@@ -12,8 +12,8 @@ if TYPE_CHECKING:
     from vibcli.mechanics.factored_system import PlacedPiece
     from vibcli.results.problem import Problem
 
-ZEROS = {"J0": "2.404825558, 5.520078110, 8.653727913, 11.79153444, 14.93091771",        # Abramowitz & Stegun, table 9.5
-         "J1": "3.831705970, 7.015586670, 10.17346814, 13.32369194, 16.47063005"}
+ZEROS = {"J0": "2.404825558, 5.520078110, 8.653727913, 11.79153444, 14.93091771",
+         "J1": "3.831705970, 7.015586670, 10.17346814, 13.32369194, 16.47063005"}      # Abramowitz & Stegun, table 9.5
 
 
 def hanging_alone(problem: "Problem", pieces: "Sequence[PlacedPiece]") -> "HangingString | None":

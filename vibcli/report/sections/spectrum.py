@@ -65,14 +65,14 @@ def _counted(modes, found):
 
 def _of_members(problem, found, head, rows, doubts):
     """The table of those without end, with wave numbers and the count that proves it complete."""
-    from vibcli.report.sections.member_modes import wave_numbers
+    from vibcli.report.sections.wave_numbers import wave_numbers
 
-    beta = wave_numbers(problem, found)
-    if beta is not None:
-        head = (head[0], "β [1/m]", *head[1:])
-        rows = [(row[0], one, *row[1:]) for row, one in zip(rows, beta, strict=True)]
+    columns, definition = wave_numbers(problem, found)
+    head = (head[0], *(one for one, _ in columns), *head[1:])
+    rows = [(row[0], *beta, *row[1:]) for row, *beta in zip(rows, *(told for _, told in columns), strict=True)]
     yield from section(f"Natural frequencies ({'of the undamped system' if problem.modal.damps else 'undamped'})",
-                       TableBlock(head, tuple(rows)), _counted(problem.modal.modes, found), *doubts)
+                       without_empty(TableBlock(head, tuple(rows)), "–"), definition,
+                       _counted(problem.modal.modes, found), *doubts)
 
 
 def _form(problem):
