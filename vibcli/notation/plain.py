@@ -221,6 +221,11 @@ class Plain(Notation):
         inner = self.write(arg, 0)
         return f"{head}\u00a0{inner}" if arg.op in ("symbol", "pi") and not indexed else f"{head}({inner})"
 
+    @staticmethod
+    def as_decimal(value: Fraction | int) -> bool:
+        """Does a product begin with a decimal, rather than have its denominator below the line?"""
+        return shown_as_decimal(value)
+
     def product(self, value: Any, args: Any):
         value, above, below, root_above, root_below = self.factors(value, args)
         single = len(above) == 1 and value.numerator == 1 and not (below or root_above or root_below)
@@ -230,7 +235,7 @@ class Plain(Notation):
             tops.insert(place(above, root_above), self.root(root_above, root_below))
         elif root_below:
             bottoms.append(self.root(root_below, []))
-        if value.denominator > 1 and not (self.rounds and shown_as_decimal(value)):
+        if value.denominator > 1 and not self.as_decimal(value):
             bottoms.insert(0, str(value.denominator))
             value = Fraction(value.numerator)
         if value != 1 or not tops:

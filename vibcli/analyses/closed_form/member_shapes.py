@@ -14,6 +14,7 @@ from vibcli.analyses.closed_form.textbook_equation import quotient, sides
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.root_finding import bracketed
 from vibcli.symbolic.common_denominator import single
+from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
@@ -141,11 +142,19 @@ def unstrained(found: "FrequencyEquation") -> int:
         return int(all(end[0] is not None and end[0].is_zero for end in ends))
     if found.pieces[0].piece.foundation.is_zero or any(Z is not None and not Z.is_zero for end in ends for Z in end):
         return 0
-    held = [sum(end[part] is None for end in ends) for part in range(found.order // 2)]
+    return rigid_motions(found)
+
+
+def rigid_motions(found: "FrequencyEquation") -> int:
+    """How many motions strain nothing: springs at stations hold as supports do, masses do not."""
+    x = found.wave_number
+    held = [sum(Z is None or not substitute([Z], {x: x.table.zero})[0].is_zero for Z in (end[part] for end in (
+        found.impedances))) for part in range(found.order // 2)]
     if found.order == 2:
         return int(not held[0])
     across, turning = held
-    return max(2 - across - min(turning, 1), 0)
+    pulled = found.pieces[0].piece.tension
+    return int(not across) if not pulled.is_zero else max(2 - across - min(turning, 1), 0)
 
 
 def roots(found: "FrequencyEquation", count: int) -> list[float] | None:

@@ -8,7 +8,7 @@ from vibcli.base.errors import Inertless
 from vibcli.mechanics.factored_system import MOST_DENSE
 from vibcli.report.blocks import Section, TableBlock, equations, line, note, paragraph, section, without_empty
 from vibcli.report.sections.mode_tables import damped_row, mode_row, polar, repeated, shapes, shapes_told
-from vibcli.report.sections.shown_modes import shown, shown_damped
+from vibcli.report.sections.shown_modes import in_letters, shown, shown_damped
 
 if TYPE_CHECKING:
     from vibcli.report.document import Report
@@ -85,6 +85,7 @@ def _form(problem):
 
 
 def _frequencies_in_letters(problem, report):
+    from vibcli.notation.names import lowered
     from vibcli.report.sections.symbolic_modes import damping_blocks, frequency_blocks
 
     problem.symbolic.equilibrium_position  # noqa: B018, refused where there is none
@@ -94,6 +95,11 @@ def _frequencies_in_letters(problem, report):
         known = any(one.title.startswith("Frequency equation") for one in report.sections)
         told = [] if known else list(frequency_equation(problem, report))
         yield from told
+        forms = problem.closed_forms
+        if forms is not None:
+            yield from section("Natural frequencies [rad/s]", equations(
+                line(f"ω{lowered(mode.index)} = ", mode.omega) for mode in in_letters(problem, report.wanted, forms)))
+            return
         yield from section("Natural frequencies", paragraph(
             ("numbers: the roots of the frequency equations; " if known or told else
              "no frequency equation is found in letters; ") + "give the parameters values with --set"))
