@@ -4,6 +4,7 @@ import re
 
 import mpmath
 from mpmath import mp
+from support.printed_equations import told
 
 from vibcli.notation.plain import plain
 from vibcli.report.blocks import Equations, Factor
@@ -14,6 +15,8 @@ from vibcli.symbolic.node import Node
 BESSEL = {"J0": (mpmath.besselj, 0), "J1": (mpmath.besselj, 1), "Y0": (mpmath.bessely, 0), "Y1": (mpmath.bessely, 1)}
 DIGITS = 40
 BESIDE, ZERO = mpmath.mpf(10) ** -4, 1e-5       # relative distance, and what is zero of what is beside it
+DENOMINATOR = "and where the denominator of "
+NEAR = 1e-13        # relative: of ω² in floats
 
 
 def blocks(scene):
@@ -72,17 +75,27 @@ def is_equation(lines):
     return _split(lines[0]) is not None
 
 
+def fulfilled(scene, count=5):
+    """Each of the first modes fulfils one of the equations; how many equations are printed."""
+    equations = [Printed(lines) for lines in blocks(scene) if is_equation(lines)]
+    for mode in scene.modal.modes.first(count) if equations else []:
+        omega = mode.omega if mode.growth_rate is None else 1j * mode.growth_rate
+        assert not omega or any(one.vanishes(omega, scene.numeric.floats) for one in equations), mode.index
+    return len(equations)
+
+
 class Printed:
     """The lines on one equation: its sides and what each letter is."""
 
     def __init__(self, lines):
         self.sides = _split(lines[0])
         self.text = formula(lines[0].parts, plain).replace("\u00a0", " ")
-        self.lines = lines
-        told = [one for one in map(_split, lines[1:]) if one is not None]
+        self.lines, self.told = lines, "\n".join("".join(told(one)) for one in lines)
+        self.repeated = [one.parts[1].name for one in lines if getattr(one.parts[0], "text", "") == DENOMINATOR]
+        meant = [one for one in map(_split, lines[1:]) if one is not None]
         self.sigma = next((_product(one.parts[1:]) for one in lines if one.parts[0] == "σ = "), None)
         self.means = {}
-        for left, right in told:
+        for left, right in meant:
             base, power = (left, 1) if left.op == "symbol" else left.args[0]
             self.means[base.name] = power, right
         self.omega = next((name for name in ("omega", "p", "nu") if name in self.means), None)
@@ -124,17 +137,14 @@ class Printed:
             return mpmath.sqrt(rest / b)
         return mpmath.sqrt((sign * mpmath.sqrt(b ** 2 + 4 * c * rest) - b) / (2 * c))
 
-    def residual(self, omega, floats, other=False):
-        """left − right, times the denominators of dynamic stiffnesses, at a frequency."""
+    def _values(self, omega, floats, other):
+        """left − right, times the denominators of stiffnesses, and those that are told to vanish by themselves."""
         names = self.at(omega, floats, other)
+        below = {name: mpmath.fprod(number(base, names) ** -int(e) for node in right if isinstance(node, Node)
+                                    and node.op == "product" for base, e in node.args if e < 0 and _calls(base))
+                 for name, (_, right) in self.means.items()}
         found = number(self.sides[0], names) - _times(self.sides[1], names)
-        for _, right in self.means.values():
-            for node in right:
-                if isinstance(node, Node) and node.op == "product" and _calls(node):
-                    for base, e in node.args:
-                        if e < 0 and _calls(base):
-                            found *= number(base, names) ** -int(e)
-        return found
+        return [found * mpmath.fprod(below.values()), *(below[name] for name in self.repeated)]
 
     def shape(self, omega, share, floats):
         """X at a share of the length, at a frequency."""
@@ -157,9 +167,18 @@ class Printed:
             omega = mpmath.mpmathify(omega)
             return any(self._vanishes(omega, floats, other) for other in (False, True))
 
+    def _rests(self, omega, floats):
+        """Is a frequency that of βL = 0, but for rounding?"""
+        power, right = self.means[self.omega]
+        at_rest = _times(right, {**floats, self._wave(): mpmath.mpf(0)}.__getitem__) ** (2 / mpmath.mpf(int(power)))
+        return abs(omega ** 2 - at_rest) < NEAR * abs(omega ** 2)
+
     def _vanishes(self, omega, floats, other):
-        here, *beside = (abs(self.residual(omega * (1 + sign * BESIDE), floats, other)) for sign in (0, -1, 1))
-        return min(beside) > 0 and here <= ZERO * max(beside)
+        if self.omega is not None and self._rests(omega, floats):
+            return bool(re.search(r"(βL|θ) = 0|n = 0| is 0\b", self.told))
+        found = zip(*(self._values(omega * (1 + sign * BESIDE), floats, other) for sign in (0, -1, 1)), strict=True)
+        return any(min(abs(one), abs(two)) > 0 and abs(here) <= ZERO * max(abs(one), abs(two))
+                   for here, one, two in found)
 
 
 def _times(parts, names):

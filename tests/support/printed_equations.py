@@ -26,11 +26,11 @@ def printed(scene):
     report = Report(scene)
     report.add("frequency_equation")
     assert report.refusal is None
-    return [["".join(_told(one)) for one in block.lines] for section in report.sections for block in section.blocks
+    return [["".join(told(one)) for one in block.lines] for section in report.sections for block in section.blocks
             if isinstance(block, Equations)]
 
 
-def _told(one):
+def told(one):
     """A line, words within it in their place."""
     yield "".join(part.text if isinstance(part, Words) else formula([part], write_plain) for part in one.parts)
 

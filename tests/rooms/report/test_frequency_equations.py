@@ -1,6 +1,7 @@
 """Frequency equations of members as they are printed: what they say, read back from the text, holds."""
 
 import pytest
+from support.equations_in_mpmath import fulfilled
 from support.printed_equations import PrintedEquation, numbers, orthogonality, printed
 from support.scenes import problem
 
@@ -189,6 +190,12 @@ def test_what_is_printed_of_pairs_is_orthogonal(text):
     one, other = [mode for mode in scene.modal.modes.first(4) if mode.omega][:2]
     total, size = orthogonality(scene, told, list(scene.scene.members), (one, other))
     assert abs(total) <= 1e-9 * size
+
+
+@pytest.mark.parametrize("text", [*PAIRS.values(), *LUMPED.values()])
+def test_what_is_printed_is_zero_at_the_frequencies_alone(text):
+    """The nodes of the lines, by mpmath."""
+    assert fulfilled(problem(text), 4) == ("at: L/2" not in text)
 
 
 def test_what_has_no_equation_in_closed_form_tells_its_determinant():

@@ -135,18 +135,13 @@ def _sum(terms, arguments):
 
 
 def unstrained(found: "FrequencyEquation") -> int:
-    """How many motions with βL = 0 vibrate, ω² = k/μ: those of a bare member on a foundation that its ends let go;
-    under an axial force it turns no more without strain."""
-    ends = found.impedances
-    if not found.pieces[0].piece.foundation.is_zero and found.second is not None:
-        return int(all(end[0] is not None and end[0].is_zero for end in ends))
-    if found.pieces[0].piece.foundation.is_zero or any(Z is not None and not Z.is_zero for end in ends for Z in end):
-        return 0
-    return rigid_motions(found)
+    """How many motions with βL = 0 vibrate, ω² = k/μ: those of a member on a foundation that bend or stretch nothing
+    and that what acts on its stations leaves alone; under an axial force it turns no more without strain."""
+    return 0 if found.pieces[0].piece.foundation.is_zero else rigid_motions(found)
 
 
 def rigid_motions(found: "FrequencyEquation") -> int:
-    """How many motions strain nothing: springs at stations hold as supports do, masses do not."""
+    """How many motions strain nothing: springs at stations hold as supports do, masses only on a foundation."""
     x = found.wave_number
     held = [sum(Z is None or not substitute([Z], {x: x.table.zero})[0].is_zero for Z in (end[part] for end in (
         found.impedances))) for part in range(found.order // 2)]

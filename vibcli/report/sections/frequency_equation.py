@@ -138,7 +138,7 @@ def _solved(problem, shapes, found, label):
         yield line(found.wave_number, " = ", simple + orders, inset=2)
     elif values:
         yield line(found.wave_number, " = ", ", ".join(f"{value:.{DIGITS}g}" for value in values), ", …", inset=2)
-    yield _frequency(found)
+    yield _frequency(found, bool(simple or values))
     drawn = shape(found)
     if drawn is None:
         yield from shapes(found.members)
@@ -167,25 +167,26 @@ def _roots(problem, found):
     return kept if len(kept) == len(known) else None
 
 
-def _frequency(found):
+def _frequency(found, listed):
     """ω = (βL)²·√(EI/(μL⁴)), or its square where a foundation adds to it."""
     x, order = found.wave_number, found.order
     alone = textbook(found.square / x ** order)
     if x in reachable([alone]):
-        return line(found.omega ** 2, " = ", found.square, *_beyond(found), inset=2)
+        return line(found.omega ** 2, " = ", found.square, *_beyond(found, listed), inset=2)
     if not any(node.op == "symbol" for node in reachable([alone])):
         value = figure(evaluate([alone], Floats, {})[0] ** 0.5, digits=DIGITS)
         return line(found.omega, " = ", value, "·", x ** (order // 2), inset=2)
     return line(found.omega, " = ", x ** (order // 2) * x.table.sqrt(alone), inset=2)
 
 
-def _beyond(found):
-    """βL other than positive at which there are frequencies of a member on a foundation."""
+def _beyond(found, listed):
+    """βL other than positive at which there are frequencies of a member on a foundation; `listed`: are its roots?"""
     from vibcli.analyses.closed_form.member_shapes import unstrained
 
-    x = found.wave_number
+    x, rests = found.wave_number, bool(unstrained(found)) and not listed
     if found.pieces[0].piece.foundation.is_zero:
         return []
-    if found.second is not None:
-        return [Words(",  also where "), x, Words(" is 0 or not real" if unstrained(found) else " is not real")]
-    return [Words(",  also where "), x ** found.order, Words(" is negative")] if found.letters else []
+    if found.second is None and not found.letters:
+        return [Words(",  also where "), x, Words(" is 0")] if rests else []
+    where, what = (x ** found.order, "negative") if found.second is None else (x, "not real")
+    return [Words(",  also where "), where, Words(" is 0 or " * rests + " is " * (not rests) + what)]
