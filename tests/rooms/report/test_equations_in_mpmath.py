@@ -17,7 +17,7 @@ from vibcli.report.sections.hanging_string import ZEROS
 
 VALUES = {"L": "0.6 m", "EI": "70 N*m^2", "EA": "1 MN", "mu": "0.27 kg/m", "N": "90 N", "P": "600 N", "M": "0.05 kg",
           "J": "1 g*m^2", "k": "400 N/m", "kt": "5 N*m", "m": "0.01 kg", "kf": "900 N/m^2", "g": "9.81 m/s^2",
-          "a": "0.2 m", "S": "80 N", "GIo": "7 N*m^2", "j": "1 g*m"}
+          "a": "0.2 m", "cd": "2 N*s/m", "S": "80 N", "GIo": "7 N*m^2", "j": "1 g*m"}
 ENDS = ("clamped", "pinned", "guided", "free", "{k: k}", "{torsion: kt}", "{k: 3*k, torsion: kt}")
 ATTACHED = ("{at: L, mass: M}", "{at: L, mass: M, inertia: J}", "{at: L, oscillator: {mass: m, k: k}}")
 PROBLEMS = sorted(Path("problems/8_continuous").glob("*.yaml"))
@@ -178,3 +178,11 @@ def test_shapes_are_those_of_their_modes(text):
         largest = max(range(len(PLACES)), key=lambda k: abs(moved[k]))
         assert [moved[largest] / told[largest] * one for one in told] == pytest.approx(
             list(moved), abs=1e-9 * abs(moved[largest]))
+
+
+@pytest.mark.parametrize(("kind", "told"), [(BEAM, "cos βL·cosh βL = −1"), (BAR, "cos βL = 0"), (STRING, "cos βL = 0")])
+def test_stretches_on_both_sides_of_a_place_where_nothing_acts_are_one(kind, told):
+    """Dampers, which leave the undamped system alone."""
+    found = scene(member(*kind, "clamped", "free", "attached: [{at: a, c: cd}, {at: L/2, c: 2*cd}]"))
+    lines, = blocks(found)
+    assert Printed(lines).text == told and fulfilled(found) == 1

@@ -117,6 +117,7 @@ def _end(placed, side):
 
 
 def _equation(form, chain, taken):
+    chain = _joined(form, chain)
     pulled = [part for part in chain if not (part.piece.bending.is_zero or part.piece.tension.is_zero)]
     if len(chain) > (1 if pulled else MOST) or not all(part.piece.gradient.is_zero for part in chain):
         return None
@@ -147,6 +148,26 @@ def _equation(form, chain, taken):
                               None if second is None else x ** 2 + first.tension * length ** 2 / first.bending)
     return found._replace(
         impedances=[tuple(Z and textbook(*found.by_wave_number(Z)) for Z in end) for end in at_stations])
+
+
+def _joined(form, chain):
+    """The chain with stretches as one that are alike and meet where nothing acts on them."""
+    if len(chain) < 2:
+        return chain
+    M, _, G, K = matrices_in_letters(form)
+    acted, found = {i for pair in (*M, *G, *K) for i in pair}, chain[:1]
+    for part in chain[1:]:
+        last, half = found[-1], len(part.rows) // 2
+        between = [i for row in part.rows[:half] for i in row]
+        others = {i for one in form.pieces if one.owner != part.owner for row in one.rows for i in row}
+        alike = last.owner == part.owner and last.piece._replace(length=part.piece.length) == part.piece
+        if alike and last.rows[half:] == part.rows[:half] and len(set(between)) == half and not (
+                acted | others).intersection(between):
+            both = last.piece._replace(length=textbook(last.piece.length + part.piece.length))
+            found[-1] = last._replace(piece=both, rows=last.rows[:half] + part.rows[half:])
+        else:
+            found.append(part)
+    return found
 
 
 def _second(x, taken):
@@ -219,7 +240,8 @@ def impedances(form: Any, chain: "Sequence[PlacedPiece]", omega: "Node") -> "tup
     stations = _stations(chain)
     own = [sorted({i for row in rows for i in row}) for rows in stations]
     moving = [i for one in own for i in one]
-    elsewhere = {i for piece in form.pieces if piece not in chain for row in piece.rows for i in row}
+    owners = {part.owner for part in chain}
+    elsewhere = {i for piece in form.pieces if piece.owner not in owners for row in piece.rows for i in row}
     M, _, G, K = matrices_in_letters(form)
     if G or len(set(moving)) != len(moving) or elsewhere & coupled({*M, *K}, moving):
         return None
