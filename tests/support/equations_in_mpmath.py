@@ -93,6 +93,8 @@ class Printed:
         self.lines, self.told = lines, "\n".join("".join(told(one)) for one in lines)
         self.repeated = [one.parts[1].name for one in lines if getattr(one.parts[0], "text", "") == DENOMINATOR]
         meant = [one for one in map(_split, lines[1:]) if one is not None]
+        shapes = [one.parts for one in lines if str(one.parts[0]).startswith("X(")]
+        self.drawn = shapes[0] if len(shapes) == 1 and isinstance(shapes[0][1], Node) else None
         self.sigma = next((_product(one.parts[1:]) for one in lines if one.parts[0] == "σ = "), None)
         self.means = {}
         for left, right in meant:
@@ -150,8 +152,8 @@ class Printed:
         """X at a share of the length, at a frequency."""
         with mp.workdps(DIGITS):
             known = self.at(mpmath.mpf(omega), floats)
-            along = {"βx": self._wave(), "αx": "αL", "x": "L", "ξ": "L"}
-            parts = next(one.parts for one in self.lines if str(one.parts[0]).startswith("X("))
+            along = {"βx": self._wave(), "βξ": self._wave(), "αx": "αL", "x": "L", "ξ": "L"}
+            parts = self.drawn
 
             def names(name):
                 if name == "σ":

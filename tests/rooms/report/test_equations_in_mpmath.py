@@ -2,12 +2,13 @@
 that are printed are those of the modes: the nodes of the lines, by mpmath."""
 
 import re
-from itertools import combinations_with_replacement
+from itertools import combinations, combinations_with_replacement, product
 from pathlib import Path
 
 import mpmath
 import pytest
 from support.equations_in_mpmath import Printed, blocks, fulfilled, is_equation
+from support.printed_equations import orthogonality, printed
 from support.scenes import kept_settled_of, problem
 
 from vibcli.analyses.continuous.shapes import shape_along
@@ -41,6 +42,39 @@ def test_equations_of_the_problems_hold(path):
     found = kept_settled_of(path)
     if not found.numeric.has_free_symbols:
         assert fulfilled(found) == sum(is_equation(lines) for lines in blocks(found))
+        hold_shapes(found)
+
+
+def hold_shapes(found):
+    """X of the first modes, each apart from others, up to a factor, where one in letters is told; how many are."""
+    equations = [Printed(lines) for lines in blocks(found) if is_equation(lines)]
+    told = [one for one in equations if one.drawn is not None] if len(found.scene.members) == 1 else []
+    modes = [mode for mode in found.modal.modes.first(4) if mode.omega]
+    apart = [mode for mode in modes if all(abs(mode.omega - one.omega) > 1e-9 * mode.omega for one in modes
+                                           if one is not mode)]
+    for equation, mode in product(told, apart):
+        pieces, floats = found.modal.fields(mode).pieces(*found.scene.members), found.numeric.floats
+        length = float(pieces[-1].start + pieces[-1].piece.length)
+        values = [complex(equation.shape(mode.omega, place, floats)) for place in PLACES]
+        moved = shape_along(pieces, [place * length for place in PLACES])[:, 0]
+        largest = max(range(len(PLACES)), key=lambda k: abs(moved[k]))
+        assert [moved[largest] / values[largest] * one for one in values] == pytest.approx(
+            list(moved), abs=1e-9 * abs(moved[largest]))
+    return len(told) * len(apart)
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize("path", PROBLEMS, ids=lambda path: path.stem)
+def test_modes_of_the_problems_are_orthogonal_as_printed(path):
+    found = kept_settled_of(path)
+    letters, names = found.numeric.has_free_symbols, list(found.scene.members)
+    told = [line for lines in printed(found) for line in lines if "X_i" in line and not letters]
+    modes = [mode for mode in found.modal.modes.first(4) if mode.omega] if told else []
+    for line, (one, other) in product(told, combinations(modes, 2)):
+        if abs(one.omega - other.omega) > 1e-9 * one.omega:
+            both, *sizes = (orthogonality(found, line, names, pair)[0] for pair in (
+                (one, other), (one, one), (other, other)))
+            assert both ** 2 <= 1e-18 * sizes[0] * sizes[1]
 
 
 PULLED = [
@@ -169,15 +203,7 @@ def test_zeros_of_bessel_functions(order):
     beam("guided", "free", "preload: -N, foundation: kf, attached: [{at: L, mass: M}]"),
     beam("pinned", "{torsion: kt}", "preload: N")])
 def test_shapes_are_those_of_their_modes(text):
-    found = scene(text)
-    (lines,) = blocks(found)
-    equation, length = Printed(lines), found.numeric.floats["L"]
-    for mode in [mode for mode in found.modal.modes.first(4) if mode.omega]:
-        told = [complex(equation.shape(mode.omega, place, found.numeric.floats)) for place in PLACES]
-        moved = shape_along(found.modal.fields(mode).pieces("b"), [place * length for place in PLACES])[:, 0]
-        largest = max(range(len(PLACES)), key=lambda k: abs(moved[k]))
-        assert [moved[largest] / told[largest] * one for one in told] == pytest.approx(
-            list(moved), abs=1e-9 * abs(moved[largest]))
+    assert hold_shapes(scene(text)) > 1
 
 
 @pytest.mark.parametrize(("kind", "told"), [(BEAM, "cos βL·cosh βL = −1"), (BAR, "cos βL = 0"), (STRING, "cos βL = 0")])
