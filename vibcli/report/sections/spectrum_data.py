@@ -35,6 +35,8 @@ DAMPED_MODES = Key(
         Key("error", "bound of the relative error of the eigenvalue")))
 POLYNOMIAL = Key("characteristic_polynomial", "in letters only: factors in λ = omega² that have no readable roots")
 
+WITHOUT_MATRICES = "what vibrates with distributed inertia has no matrices; the report has its equations and shapes"
+
 
 def frequencies_data(problem: "Problem", normalise: str = "first",
                      digits: int | None = None, wanted: "Wanted | None" = None) -> dict[str, Any]:
@@ -49,7 +51,7 @@ def frequencies_data(problem: "Problem", normalise: str = "first",
     if problem.numeric.has_free_symbols:
         closed = _closed_forms(problem, wanted)
         found |= data((MODES, DAMPED_MODES, *[POLYNOMIAL] * (POLYNOMIAL.name in closed)), closed)
-        return found | {"matrices": None} if of_members else found
+        return found | {"matrices": None, "remark": WITHOUT_MATRICES} if of_members else found
     if digits is None:
         still, modes = shown(problem, wanted), shown_damped(problem, wanted)
         found |= data((MODES, DAMPED_MODES), _modes(problem, still, modes, normalise, tau))
