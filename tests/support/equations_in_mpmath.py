@@ -152,7 +152,8 @@ class Printed:
         """X at a share of the length, at a frequency."""
         with mp.workdps(DIGITS):
             known = self.at(mpmath.mpf(omega), floats)
-            along = {"βx": self._wave(), "βξ": self._wave(), "αx": "αL", "x": "L", "ξ": "L"}
+            along = {"βx": self._wave(), "βξ": self._wave(), "αx": "αL" if "αL" in self.means else "eta",
+                     "x": "L", "ξ": "L"}
             parts = self.drawn
 
             def names(name):

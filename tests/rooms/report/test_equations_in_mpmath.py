@@ -123,6 +123,15 @@ def test_members_with_all_ends_and_attachments(text):
     assert fulfilled(scene(text)) == 1
 
 
+def test_wave_numbers_of_another_length_have_letters():
+    found = scene("beams: {b: {length: 2*L, EI: EI, mass_per_length: mu, left: clamped, preload: N}}")
+    lines, = blocks(found)
+    assert [formula(one.parts, plain).replace("\u00a0", " ") for one in lines[:4]] == [
+        "2·θ²·η² − θ·η·(θ² − η²)·sin θ·sinh η + (θ⁴ + η⁴)·cos θ·cosh η = 0", "θ = 2·L·β", "η = 2·L·α",
+        "η = √(4·L²·N/EI + θ²)"]
+    assert fulfilled(found) == 1 and hold_shapes(found) == 4
+
+
 def test_what_is_false_is_seen():
     """The equation of a free tip, and one of another force, where a mass and this force act."""
     loaded, other, bare = (scene(beam("clamped", "free", f"preload: {more}")) for more in (

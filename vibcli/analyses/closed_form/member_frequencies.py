@@ -65,6 +65,8 @@ class FrequencyEquation(NamedTuple):
         length = textbook(table.total([placed.piece.length for placed in self.pieces]))
         own = [] if x.name == WAVE_NUMBER else [(x, table.parameter("beta") * length)]
         other = [] if self.second is None else [(self.second, table.sqrt(self.second_square))]
+        if own and other:
+            own.append((self.second, table.parameter("alpha") * length))
         return [*own, *other, *self.letters.items()]
 
     def by_wave_number(self, *nodes: "Node") -> "list[Node]":
