@@ -90,7 +90,8 @@ def test_steps_tell_the_place_by_another_letter_than_a_coordinate(tmp_path, caps
 
 
 @pytest.mark.parametrize("more, told", [("", "cos βL = 0"), (", preload: EI/L^2", "cos βL = 0"), (
-    ", preload: EI/L^2, attached: [{at: L, mass: mu*L}]", "det D(ω) = 0")])
+    ", preload: EI/L^2, attached: [{at: L, mass: mu*L}]", "αL = √"), (
+    ", preload: EI/L^2, attached: [{at: L/2, mass: mu*L}]", "det D(ω) = 0")])
 def test_frequencies_in_letters_stand_below_their_equation(tmp_path, capsys, more, told):
     path = tmp_path / "scene.yaml"
     kind = f"beams: {{b: {{length: L, EI: EI, mass_per_length: mu, left: pinned, right: guided{more}}}}}"

@@ -26,11 +26,11 @@ def printed(scene):
     report = Report(scene)
     report.add("frequency_equation")
     assert report.refusal is None
-    return [["".join(_told(one)) for one in block.lines] for section in report.sections for block in section.blocks
+    return [["".join(told(one)) for one in block.lines] for section in report.sections for block in section.blocks
             if isinstance(block, Equations)]
 
 
-def _told(one):
+def told(one):
     """A line, words within it in their place."""
     yield "".join(part.text if isinstance(part, Words) else formula([part], write_plain) for part in one.parts)
 
@@ -186,7 +186,8 @@ class PrintedEquation:
         """X at a share of the length, where βL is a root."""
         known = self.names(root, numbers)
         text = self.means["X(x)"][1]
-        return value(plain(text), lambda name: share * known(self.variable) if name == "βx" else known(name))
+        along = {"βx": self.variable, "αx": "αL"}
+        return value(plain(text), lambda name: share * known(along[name]) if name in along else known(name))
 
     def _moves(self, root, numbers):
         """Is no βL or θ zero above ω = 0, at which sides vanish though nothing moves?"""

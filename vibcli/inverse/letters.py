@@ -61,7 +61,12 @@ def closed_modes(problem: "Problem") -> list["ClosedMode"]:
 def _quantity(problem, tree):
     if tree.head not in OF_MODES or tree.args or len(tree.indices) != 1 + (tree.head == "mode"):
         return quantity_in_letters(problem, tree)
-    number, modes = int(tree.indices[0]), closed_modes(problem)
+    number, forms = int(tree.indices[0]), problem.closed_forms
+    if problem.scene.pieces:
+        if forms is None:
+            raise NotInLetters(f"'{tree.text}' is found in numbers: its frequency equation is written out", GIVE_VALUES)
+        return _of_mode(problem, tree, forms.numbered(number))
+    modes = closed_modes(problem)
     if number > len(modes):
         raise PhysicsError(f"there is no mode {number}: this scene has {len(modes)}", "ask for one that it has")
     return _of_mode(problem, tree, modes[number - 1])

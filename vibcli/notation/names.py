@@ -11,7 +11,9 @@ GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "
 COMMANDS = {"phi": "varphi", "epsilon": "varepsilon"}      # of LaTeX, where they differ from the names
 NAMES = {letter: name for name, letter in GREEK.items()}
 SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
-PRODUCTS = r"([EG])([AIJ](?:[op]|\d*))"       # names read as products: EI, GIo of members, and βL
+PRODUCTS = r"([EG])([AIJ](?:[op]|\d*))"       # names read as products: EI, GIo of members
+WAVES = {letter + place for letter in "αβ" for place in "Lxξsχ"}        # and wave numbers times a place: βL, βx
+BESSEL = "J0", "J1", "Y0", "Y1"         # functions that are written with an index
 TYPED = r"[A-Za-z][a-z]\d{1,2}"               # kt1: the stiffness k of torsion number 1
 
 
@@ -23,7 +25,7 @@ def lowered(number: int) -> str:
 def factors_of(name: str) -> list[str]:
     """The names of which one is a product, as E and I2 of EI2; none of others."""
     found = re.fullmatch(PRODUCTS, name) if name[:1] in ("E", "G") else None
-    return list(name) if name in ("βL", "βx", "βξ", "βs", "βχ") else list(found.groups()) if found else []
+    return list(name) if name in WAVES else list(found.groups()) if found else []
 
 
 @lru_cache(maxsize=1000)

@@ -7,7 +7,7 @@ from fractions import Fraction
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
-from vibcli.notation.names import GREEK, SUBSCRIPT, factors_of, split_marks, split_name
+from vibcli.notation.names import BESSEL, GREEK, SUBSCRIPT, factors_of, split_marks, split_name
 from vibcli.notation.numbers import NEGATIVE, added_as_decimal, common_denominator, decimal, shown_as_decimal
 from vibcli.notation.ordering import factor_rank, is_rooted, positive_first, term_rank, upright
 from vibcli.notation.radicals import enclosed, is_constant, place, split
@@ -235,9 +235,16 @@ class Plain(Notation):
     def call(self, name: str, arg: "Node", exponent: int) -> str:
         if name == "abs":
             return f"|{self.write(arg, 0)}|"
+        indexed = name in BESSEL
+        name = self.symbol(name) if indexed else name
         head = name if exponent == 1 else name + decimal(exponent).translate(_SUPERSCRIPT)
         inner = self.write(arg, 0)
-        return f"{head}\u00a0{inner}" if arg.op in ("symbol", "pi") else f"{head}({inner})"
+        return f"{head}\u00a0{inner}" if arg.op in ("symbol", "pi") and not indexed else f"{head}({inner})"
+
+    @staticmethod
+    def as_decimal(value: Fraction | int) -> bool:
+        """Does a product begin with a decimal, rather than have its denominator below the line?"""
+        return shown_as_decimal(value)
 
     def product(self, value: Any, args: Any):
         value, above, below, root_above, root_below = self.factors(value, args)
@@ -248,7 +255,7 @@ class Plain(Notation):
             tops.insert(place(above, root_above), self.root(root_above, root_below))
         elif root_below:
             bottoms.append(self.root(root_below, []))
-        if value.denominator > 1 and not (self.rounds and shown_as_decimal(value)):
+        if value.denominator > 1 and not self.as_decimal(value):
             bottoms.insert(0, str(value.denominator))
             value = Fraction(value.numerator)
         if value != 1 or not tops:

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Sequence
+from decimal import Decimal
 from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.plain import Plain
@@ -14,6 +15,9 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 
+COMPUTED = 10 ** 6      # denominators from which on a number is a decimal
+
+
 class Language(Plain):
     """The scene's own expression language, so that a result can be pasted into a file."""
 
@@ -23,11 +27,18 @@ class Language(Plain):
         return name
 
     def number(self, value: "Fraction | int") -> str:
+        if self.as_decimal(value):
+            return f"{Decimal(value.numerator) / value.denominator:f}"
         return str(value.numerator) if value.denominator == 1 else f"{value.numerator}/{value.denominator}"
 
     def unit_beside(self, node: "Node") -> str:
         """None, for programs that read it."""
         return ""
+
+    @staticmethod
+    def as_decimal(value: "Fraction | int") -> bool:
+        """Those of so many figures that they were measured or computed, and that a decimal is exactly."""
+        return value.denominator >= COMPUTED and Decimal(value.numerator) / value.denominator == value
 
     def power(self, base: str, exponent: str) -> str:
         return f"{base}^{exponent}" if re.fullmatch(r"\w+", exponent) else f"{base}^({exponent})"

@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from vibcli.notation.names import factors_of, split_marks, split_name
+from vibcli.notation.names import BESSEL, factors_of, split_marks, split_name
 from vibcli.notation.notation_text import read
 from vibcli.notation.numbers import decimal, shown_as_decimal
 from vibcli.notation.plain import Notation, plain
@@ -104,9 +104,9 @@ class Stacked(Notation):
         inner = self.write(arg, 0)
         if name == "abs":
             return self.magnitude(inner)
-        head = self.functional(KNOWN.get(name, name))
+        head = self.symbol(name) if name in BESSEL else self.functional(KNOWN.get(name, name))
         head = head if exponent == 1 else self.power(head, self.numeral(decimal(exponent)))
-        bare = arg.op in ("symbol", "pi")
+        bare = arg.op in ("symbol", "pi") and name not in BESSEL
         return self.applied(head, inner if bare else self.brackets(inner), bare)
 
     def over(self, text: str, below: int) -> str:

@@ -48,5 +48,5 @@ def _by_letter(part, letter):
         return Factor(_by_letter(part.node, letter))
     if isinstance(part, Node):
         table = part.table
-        return substitute([part], {table.parameter("βx"): table.parameter("β" + letter)})[0]
+        return substitute([part], {table.parameter(wave + "x"): table.parameter(wave + letter) for wave in "αβ"})[0]
     return part

@@ -17,6 +17,7 @@ from vibcli.notation.plain import plain
 from vibcli.notation.scene_language import language
 from vibcli.notation.typed_tree import typeset
 from vibcli.notation.typeset import Stacked
+from vibcli.notation.typst import typst
 from vibcli.report.document import EVERYTHING, Report
 from vibcli.report.sections.equations_of_motion import equation_rows
 from vibcli.report.sections.symbolic_modes import turned
@@ -167,3 +168,13 @@ def test_what_leads_by_a_quarter_of_a_period_keeps_its_sign():
     (latex, r"Q_{\mathrm{arm.u(L/2)}} \, \delta \text{arm.u(L/2)}")])
 def test_what_a_member_does_at_a_place_is_one_name(write, wanted):
     assert read("Q_arm.u(L/2)·δarm.u(L/2)", write) == wanted
+
+
+def test_bessel_functions_are_written_with_their_order_below():
+    table = Table()
+    z = table.parameter("z")
+    node = table.call("J0", z) * table.call("Y1", 2 * z)
+    assert plain(node) == "J₀(z)·Y₁(2·z)"
+    assert {name: write(node) for name, write in (("latex", latex), ("typst", typst))} == {
+        "latex": r"J_{0}\left(z\right) \, Y_{1}\left(2 \, z\right)", "typst": "J_(0) (z) thin Y_(1) (2 thin z)"}
+    assert "<msub><mi>J</mi><mn>0</mn></msub>" in mathml(node)

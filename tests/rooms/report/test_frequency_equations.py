@@ -1,6 +1,7 @@
 """Frequency equations of members as they are printed: what they say, read back from the text, holds."""
 
 import pytest
+from support.equations_in_mpmath import fulfilled
 from support.printed_equations import PrintedEquation, numbers, orthogonality, printed
 from support.scenes import problem
 
@@ -50,6 +51,12 @@ LUMPED = {
         beams: {{wing: {{length: L, {BEAM}, left: clamped, attached: [{{at: L/2, mass: M, inertia: J}},
                         {{at: L, inertia: J}}, {{at: L, oscillator: {{mass: m, k: 500 N/m}}}},
                         {{at: L, oscillator: {{mass: 2*m, k: 500 N/m}}}}]}}}}
+        """,
+    "a hanging chain with a mass and an oscillator": """
+        parameters: {L: 1.2 m, M: 3 kg, m: 1 kg, g: 9.81 m/s^2}
+        gravity: g
+        strings: {cord: {from: [0, 0], to: [0, -L], mass_per_length: 2.5 kg/m, left: pinned,
+                         attached: [{at: L, mass: M}, {at: L, oscillator: {mass: m, k: 30 N/m}}]}}
         """,
     "two bars end to end about a block that slides against both": f"""
         parameters: {{L: 1.2 m, M: 3 kg}}
@@ -152,6 +159,10 @@ PAIRS = {
         beams: {arm: {from: [0, 0], to: [2*L, 0], EI: EI, mass_per_length: mu, left: {clamped: motor}, right: {k: k}}}
         bodies: {motor: {shape: rectangle, width: 2*e, height: e, mass: M, inertia: J, at: [-e, 0], move: [x, y, psi]}}
         """,
+    "a beam under a dead load with a mass at its tip": """
+        parameters: {L: 1.2 m, EI: 4 kN*m^2, mu: 2 kg/m, P: 5 kN, M: 3 kg}
+        beams: {b: {length: L, EI: EI, mass_per_length: mu, left: clamped, preload: -P, attached: [{at: L, mass: M}]}}
+        """,
     "a stepped bar with a mass at its step and on a spring": """
         parameters: {L: 1.2 m, EA: 2 MN, mu: 2 kg/m, M: 3 kg, k: 900 kN/m}
         bars: {b: {segments: [{length: L, EA: EA}, {length: 2*L, EA: 3*EA}], mass_per_length: mu, left: {k: k},
@@ -179,6 +190,12 @@ def test_what_is_printed_of_pairs_is_orthogonal(text):
     one, other = [mode for mode in scene.modal.modes.first(4) if mode.omega][:2]
     total, size = orthogonality(scene, told, list(scene.scene.members), (one, other))
     assert abs(total) <= 1e-9 * size
+
+
+@pytest.mark.parametrize("text", [*PAIRS.values(), *LUMPED.values()])
+def test_what_is_printed_is_zero_at_the_frequencies_alone(text):
+    """The nodes of the lines, by mpmath."""
+    assert fulfilled(problem(text), 4) == ("at: L/2" not in text)
 
 
 def test_what_has_no_equation_in_closed_form_tells_its_determinant():

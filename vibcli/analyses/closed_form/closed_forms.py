@@ -40,8 +40,10 @@ class ClosedMode(NamedTuple):
 
 class ClosedForms(NamedTuple):
     """modes: ascending at the sample values; polynomials: factors in λ = ω² that are not solved, lists of coefficients
-    from the highest; critical: (symbol, value) of the damping coefficient for which ζ = 1, or None."""
+    from the highest; critical: (symbol, value) of the damping coefficient for which ζ = 1, or None;
+    numbered: of a member, which has modes without end, the ClosedMode by its number, else None."""
 
     modes: list
     polynomials: list = []
     critical: tuple = None
+    numbered: Any = None

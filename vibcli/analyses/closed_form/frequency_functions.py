@@ -14,6 +14,7 @@ from functools import cache
 from itertools import combinations, product
 from typing import TYPE_CHECKING
 
+from vibcli.analyses.closed_form.pulled_beam import carried_minors, reduced_product
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.rationals import HALF, exact
@@ -30,11 +31,13 @@ COUPLED = (0, 2, 1), (1, 3, -1)     # motion, force of the other one, its sign
 
 
 class UniformPiece(NamedTuple):
-    """β and βl of a piece, and its stiffness: EI of a beam, else EA, GI_o or the tension."""
+    """β and βl of a piece, and its stiffness: EI of a beam, else EA, GI_o or the tension; α of a beam under an axial
+    force, else None."""
 
     beta: "Node"
     argument: "Node"
     stiffness: "Node"
+    alpha: "Node | None" = None
 
 
 def frequency_function(table: "Table", order: int, pieces: "Sequence[UniformPiece]",
@@ -82,16 +85,25 @@ def _placed(*indices):
 
 def _carried(space, number, piece, order):
     """The space at the right end of a piece."""
+    for row, column, products in _minors(piece, order):
+        if column in space:
+            for names, factor in products.items():
+                more = ((number, *names),) if names else ()
+                yield row, {(*functions, *more): node for functions, node in space[column].items()}, factor
+
+
+def _minors(piece, order):
+    """(row, column, {names of functions of βl: factor}) of what a piece multiplies with."""
+    if piece.alpha is not None:
+        yield from carried_minors(piece.alpha, piece.beta, piece.stiffness)
+        return
     scale = [1, piece.stiffness * piece.beta] if order == 2 else [
         1, piece.beta, piece.stiffness * piece.beta ** 2, piece.stiffness * piece.beta ** 3]
     for (row, column), products in _compound(order).items():
-        if column in space:
-            size = 1
-            for i, j in zip(row, column, strict=True):
-                size = size * scale[i] / scale[j]
-            for names, factor in products.items():
-                more = ((number, *names),) if names else ()
-                yield row, {(*functions, *more): node for functions, node in space[column].items()}, size * factor
+        size = 1
+        for i, j in zip(row, column, strict=True):
+            size = size * scale[i] / scale[j]
+        yield row, column, {names: size * factor for names, factor in products.items()}
 
 
 def _collected(table, entries):
@@ -118,16 +130,7 @@ def _compound(order):
         minor = {}
         for one, two, sign in ((T[i][k], T[j][m], 1), (T[i][m], T[j][k], -1)):
             for (name, x), (other, y) in product(one, two):
-                for names, factor in _reduced(*sorted((name, other))):
+                for names, factor in reduced_product(*sorted((name, other))):
                     minor[names] = minor.get(names, 0) + sign * x * y * factor
         found[(i, j), (k, m)] = {names: exact(x) for names, x in minor.items() if x}
     return found
-
-
-def _reduced(one, two):
-    """A product of two functions as [(names, factor)], by cos² = 1 − sin² and cosh² = 1 + sinh²."""
-    if one == two == "cos":
-        return [((), 1), (("sin", "sin"), -1)]
-    if one == two == "cosh":
-        return [((), 1), (("sinh", "sinh"), 1)]
-    return [((one, two), 1)]

@@ -6,7 +6,7 @@ nor an inertia alone stands as a letter.
 """
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.closed_form.free_letters import (
     ARGUMENTS,
@@ -32,14 +32,16 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 MOST = 2            # pieces of a chain whose equation is written out
-WAVE_NUMBER = "βL"      # of notation.PRODUCTS
+WAVE_NUMBER, SECOND = "βL", "αL"     # of notation.PRODUCTS
+HYPERBOLIC = "sinh", "cosh"
 
 
 class FrequencyEquation(NamedTuple):
     """What vanishes at the natural frequencies of the `members`: {functions of the arguments: coefficient}; βL, β that
     of the first piece and L the length of the chain, ω, ω² by βL, the argument of each piece, what acts on the
     stations (on the displacement, the turn, and what couples both), the same as it stands in the function, {letter:
-    impedance} by ω of what stands there as a letter, and the coordinates of what hangs on the stations."""
+    impedance} by ω of what stands there as a letter, and the coordinates of what hangs on the stations; of a beam under
+    an axial force αL besides, the argument of sinh and cosh, and its square by βL."""
 
     members: tuple
     order: int
@@ -53,6 +55,8 @@ class FrequencyEquation(NamedTuple):
     standing: "list[tuple]"
     letters: "dict[Node, Node]"
     hung: list
+    second: "Node | None" = None
+    second_square: "Node | None" = None
 
     @property
     def named(self) -> "list[tuple[Node, Node]]":
@@ -60,19 +64,28 @@ class FrequencyEquation(NamedTuple):
         table, x = self.wave_number.table, self.wave_number
         length = textbook(table.total([placed.piece.length for placed in self.pieces]))
         own = [] if x.name == WAVE_NUMBER else [(x, table.parameter("beta") * length)]
-        return [*own, *self.letters.items()]
+        other = [] if self.second is None else [(self.second, table.sqrt(self.second_square))]
+        if own and other:
+            own.append((self.second, table.parameter("alpha") * length))
+        return [*own, *other, *self.letters.items()]
 
     def by_wave_number(self, *nodes: "Node") -> "list[Node]":
-        """Nodes without letters of impedances and ω."""
-        return substitute(substitute(list(nodes), self.letters), {self.omega: self.omega.table.sqrt(self.square)})
+        """Nodes without letters of impedances, ω and αL."""
+        table = self.omega.table
+        other = {} if self.second is None else {self.second: table.sqrt(self.second_square)}
+        return substitute(substitute(list(nodes), self.letters), {self.omega: table.sqrt(self.square), **other})
+
+    def called(self, functions: tuple) -> "Node":
+        """The product of functions of the arguments, ((number of the piece, names), …)."""
+        return self.omega.table.product(*((self.omega.table.call(name, (
+            name in HYPERBOLIC and self.second) or self.arguments[piece]), 1) for piece, *names in functions
+            for name in names))
 
     @property
     def terms(self) -> "list[Node]":
         """What the function adds up, by βL alone."""
-        table = self.wave_number.table
-        return self.by_wave_number(*(coefficient * table.product(*(
-            (table.call(name, self.arguments[i]), 1) for i, *called in functions for name in called))
-                for functions, coefficient in self.function.items()))
+        return self.by_wave_number(*(coefficient * self.called(functions)
+                                     for functions, coefficient in self.function.items()))
 
 
 def frequency_equations(symbolic: "SymbolicSystem") -> "list[FrequencyEquation | None]":
@@ -106,31 +119,69 @@ def _end(placed, side):
 
 
 def _equation(form, chain, taken):
-    pressed = [part for part in chain if not (part.piece.bending.is_zero or part.piece.tension.is_zero)]
-    if len(chain) > (1 if pressed else MOST) or not all(part.piece.gradient.is_zero for part in chain):
+    chain = _joined(form, chain)
+    pulled = [part for part in chain if not (part.piece.bending.is_zero or part.piece.tension.is_zero)]
+    if len(chain) > (1 if pulled else MOST) or not all(part.piece.gradient.is_zero for part in chain):
         return None
     table, first = form.table, chain[0].piece
     length, order = textbook(table.total([part.piece.length for part in chain])), 2 if first.bending.is_zero else 4
     x, stiffness = _wave_number(length, taken), _stiffness(first)
     in_order(x)
     force = stiffness * (x / length) ** order + first.foundation
-    square = (force + first.tension * (x / length) ** 2 if pressed else force) / first.inertia
+    square = (force + first.tension * (x / length) ** 2 if pulled else force) / first.inertia
     omega = table.parameter(free_letter(taken, FREQUENCY))
-    acting = _impedances(form, chain, omega)
-    if acting is None or (pressed and not _sines(acting[0])):
+    acting = impedances(form, chain, omega)
+    if acting is None:
         return None
-    pieces = _pieces(chain, square, x, length)
+    second = _second(x, taken) if pulled else None
+    pieces = _pieces(chain, square, x, length) if second is None else [
+        UniformPiece(x / length, x, stiffness, second / length)]
     if pieces is None:
         return None
-    impedances, hung = acting
-    letters, standing = _lettered(impedances, omega, taken, not first.foundation.is_zero)
-    by_x = [tuple(Z and textbook(substitute([Z], {omega: table.sqrt(square)})[0]) for Z in end) for end in standing]
+    at_stations, hung = acting
+    letters, standing = _lettered(at_stations, omega, taken, not first.foundation.is_zero)
+    of_waves = square if second is None else _square_of_both(first, x, second, length)
+    by_x = [tuple(Z and textbook(substitute([Z], {omega: table.sqrt(of_waves)})[0]) for Z in end) for end in standing]
+    function = frequency_function(table, order, *((pieces, by_x) if len(pieces) == 1 else _without_units(pieces, by_x)))
+    if second is not None and len(function) == 1:       # sines or cosines alone
+        function, second = dict.fromkeys(function, table.one), None
     found = FrequencyEquation(tuple(dict.fromkeys(part.owner for part in chain)), order, x, omega, square,
-                              [piece.argument for piece in pieces], {}, chain, [], by_x, letters, hung)
+                              [piece.argument for piece in pieces], function, chain, [], by_x, letters, hung, second,
+                              None if second is None else x ** 2 + first.tension * length ** 2 / first.bending)
     return found._replace(
-        function=frequency_function(table, order, *((pieces, by_x) if len(pieces) == 1 else
-                                                    _without_units(pieces, by_x))),
-        impedances=[tuple(Z and textbook(*found.by_wave_number(Z)) for Z in end) for end in impedances])
+        impedances=[tuple(Z and textbook(*found.by_wave_number(Z)) for Z in end) for end in at_stations])
+
+
+def _joined(form, chain):
+    """The chain with stretches as one that are alike and meet where nothing acts on them."""
+    if len(chain) < 2:
+        return chain
+    M, _, G, K = matrices_in_letters(form)
+    acted, found = {i for pair in (*M, *G, *K) for i in pair}, chain[:1]
+    for part in chain[1:]:
+        last, half = found[-1], len(part.rows) // 2
+        between = [i for row in part.rows[:half] for i in row]
+        others = {i for one in form.pieces if one.owner != part.owner for row in one.rows for i in row}
+        alike = last.owner == part.owner and last.piece._replace(length=part.piece.length) == part.piece
+        if alike and last.rows[half:] == part.rows[:half] and len(set(between)) == half and not (
+                acted | others).intersection(between):
+            both = last.piece._replace(length=textbook(last.piece.length + part.piece.length))
+            found[-1] = last._replace(piece=both, rows=last.rows[:half] + part.rows[half:])
+        else:
+            found.append(part)
+    return found
+
+
+def _second(x, taken):
+    """αL, or a letter for it where βL is one."""
+    second = x.table.parameter(SECOND if x.name == WAVE_NUMBER else free_letter({*taken, x.name}, ARGUMENTS))
+    in_order(second)
+    return second
+
+
+def _square_of_both(piece, x, second, length):
+    """ω² of a beam under an axial force: EI α²β² + k = μ ω²."""
+    return textbook((piece.bending * x ** 2 * second ** 2 / length ** 4 + piece.foundation) / piece.inertia)
 
 
 def _wave_number(length, taken):
@@ -174,12 +225,6 @@ def _without_units(pieces, impedances):
             for end in impedances]
 
 
-def _sines(impedances):
-    """Is each end of a beam pinned or guided and nothing else, so that sines and cosines are its shapes under any
-    tension N: B β⁴ + N β² + k = μ ω²?"""
-    return all([Z.is_zero for Z in end[:2] if Z is not None] == [True] for end in impedances)
-
-
 def _stiffness(piece):
     return piece.tension if piece.bending.is_zero else piece.bending
 
@@ -190,14 +235,15 @@ def _stations(chain):
     return [chain[0].rows[:half], *(part.rows[half:] for part in chain)]
 
 
-def _impedances(form, chain, omega):
+def impedances(form: Any, chain: "Sequence[PlacedPiece]", omega: "Node") -> "tuple[list[tuple], list[int]] | None":
     """[(Z of the displacement, of beams of the turn, what couples both where anything does)] of the stations, None of
     what is held, and the coordinates of what hangs on them; None where what acts on one station is coupled to another,
     or to another member."""
     stations = _stations(chain)
     own = [sorted({i for row in rows for i in row}) for rows in stations]
     moving = [i for one in own for i in one]
-    elsewhere = {i for piece in form.pieces if piece not in chain for row in piece.rows for i in row}
+    owners = {part.owner for part in chain}
+    elsewhere = {i for piece in form.pieces if piece.owner not in owners for row in piece.rows for i in row}
     M, _, G, K = matrices_in_letters(form)
     if G or len(set(moving)) != len(moving) or elsewhere & coupled({*M, *K}, moving):
         return None

@@ -2,7 +2,8 @@
 left in it.
 
     bars, shafts, strings   X = sin βx,  cos βx,  cos βx + Z/(S β) sin βx where Z acts on the left end
-    beams                   X = f(βx) − σ g(βx), f and g by the left end, σ by one condition at the right one
+    beams                   X = f(βx) − σ g(βx), f and g by the left end, σ by one condition at the right one;
+                            under an axial force N with αx in sinh and cosh, a = α/β, Q = EI X‴ − N X′
 """
 
 from collections.abc import Mapping
@@ -13,6 +14,7 @@ from vibcli.analyses.closed_form.textbook_equation import quotient, sides
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.root_finding import bracketed
 from vibcli.symbolic.common_denominator import single
+from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
@@ -21,7 +23,8 @@ if TYPE_CHECKING:
     from vibcli.analyses.closed_form.member_frequencies import FrequencyEquation
     from vibcli.symbolic.node import Node
 
-ALONG = "βx"            # of notation.PRODUCTS
+ALONG, SECOND = "βx", "αx"      # of notation.WAVES
+HYPERBOLIC = "sinh", "cosh"
 SLOPE = {"cosh": ("sinh", 1), "sinh": ("cosh", 1), "cos": ("sin", -1), "sin": ("cos", 1)}
 LEFT = {(True, True): ({"cosh": 1, "cos": -1}, {"sinh": 1, "sin": -1}), (True, False): ({"sin": 1}, {"sinh": 1}),
         (False, True): ({"cos": 1}, {"cosh": 1}), (False, False): ({"cosh": 1, "cos": 1}, {"sinh": 1, "sin": 1})}
@@ -29,7 +32,8 @@ STEP = 0.05
 
 
 class MemberShape(NamedTuple):
-    """X = first − σ second, functions of βx; σ as (above, below), functions of βL; None where X is the first alone."""
+    """X = first − σ second, functions of βx and αx; σ as (above, below), functions of βL; None where X is the first
+    alone."""
 
     first: "Node"
     second: "Node"
@@ -42,7 +46,7 @@ def shape(found: "FrequencyEquation") -> MemberShape | None:
     if len(found.pieces) > 1 or len(found.standing[0]) > 2:
         return None
     table, left = found.wave_number.table, found.standing[0]
-    along = table.parameter(ALONG)
+    along = table.parameter(ALONG), table.parameter(SECOND if found.second is not None else ALONG)
     if found.order == 2:
         return MemberShape(_sum(_of_second_order(found, *left), along), table.zero, None)
     one, two = _of_fourth_order(found, *left)
@@ -51,8 +55,9 @@ def shape(found: "FrequencyEquation") -> MemberShape | None:
     if alone in ("sin", "cos") and len(one) == len(one[0][1]) == 1:
         return MemberShape(_sum(one, along), table.zero, None)
     at_right = [_at_right(found, terms) for terms in (one, two)]
-    sigma = tuple(_sum(terms, found.wave_number) for terms in at_right)
-    if any(len(terms) > 1 for terms in at_right):
+    ends = found.wave_number, found.second or found.wave_number
+    sigma = tuple(_sum(terms, ends) for terms in at_right)
+    if found.second is not None or any(len(terms) > 1 for terms in at_right):
         sigma = quotient(single(sigma[0]) / single(sigma[1]))
     return MemberShape(_sum(one, along), _sum(two, along), sigma)
 
@@ -71,56 +76,80 @@ def _of_second_order(found, Z):
     return [(1, {"cos": 1})] if Z.is_zero else [(1, {"cos": 1}), (_by_units(found, Z, 1), {"sin": 1})]
 
 
+def _ratio(found):
+    """a = α/β; 1 without an axial force."""
+    return found.wave_number.table.one if found.second is None else found.second / found.wave_number
+
+
 def _of_fourth_order(found, Z, turn):
-    """Two functions with EI X‴(0) = −Z X(0) or X(0) = 0, and EI X″(0) = Z X′(0) or X′(0) = 0."""
-    if all(one is None or one.is_zero for one in (Z, turn)):
+    """Two functions with Q(0) = −Z X(0) or X(0) = 0, and EI X″(0) = Z X′(0) or X′(0) = 0."""
+    a = _ratio(found)
+    if (Z is None) != (turn is None) and all(one is None or one.is_zero for one in (Z, turn)):
         return [[(1, terms)] for terms in LEFT[Z is None, turn is None]]
-    one, two = [(1, {"sinh": 1, "sin": -1})], [(1, {"cosh": 1, "cos": -1})]
+    sheared, bent = {"sinh": 1 / a, "sin": -1}, {"cosh": 1, "cos": -1}
+    one, two = [(1, {name: a * c for name, c in sheared.items()})], [(1, bent)]
     if Z is not None:
-        shear = [] if Z.is_zero else [(-_by_units(found, Z, 3), one[0][1])]
-        one = [(1, {"cosh": 1, "cos": 1}), *shear]
+        shear = [] if Z.is_zero else [(-_by_units(found, Z, 3), sheared)]
+        one = [(1, {"cosh": 1, "cos": a ** 2}), *shear]
     if turn is not None:
-        moment = [] if turn.is_zero else [(_by_units(found, turn, 1), {"cosh": 1, "cos": -1})]
-        two = [(1, {"sinh": 1, "sin": 1}), *moment]
-    return one, two
+        moment = [] if turn.is_zero else [(_by_units(found, turn, 1), bent)]
+        two = [(1, {"sinh": a, "sin": 1}), *moment]
+    return (two, one) if Z is turn is None else (one, two)
 
 
 def _at_right(found, terms):
-    """What vanishes of the shape at the right end: X, X′, X″, X‴, or EI X″ + Z X′ + what a coupling adds, Z X."""
+    """What vanishes of the shape at the right end: X, X′, X″, Q, or EI X″ + Z X′ + what a coupling adds, Z X."""
     across, turn, *both = found.standing[1]
+    a = _ratio(found)
     for order, Z in ((0, across), (1, turn)):
         if Z is None:
-            return _derivative(terms, order)
-    if not both and (turn.is_zero or across.is_zero):
-        return _derivative(terms, 2 if turn.is_zero else 3)
+            return _derivative(terms, order, a)
+    if not both and turn.is_zero:
+        return _derivative(terms, 2, a)
+    if not both and across.is_zero:
+        return _shear(terms, a)
     factor = _by_units(found, turn, 1)
     more = [(size * _by_units(found, both[0], 2), one) for size, one in terms] if both else []
-    return [*_derivative(terms, 2), *((size * factor, slope) for size, slope in _derivative(terms, 1)), *more]
+    return [*_derivative(terms, 2, a), *((size * factor, slope) for size, slope in _derivative(terms, 1, a)), *more]
 
 
-def _derivative(terms: "list[tuple[Any, Mapping[str, int]]]", order):
+def _derivative(terms: "list[tuple[Any, Mapping[str, Any]]]", order, a):
+    """By βx."""
     for _ in range(order):
-        terms = [(size, {SLOPE[name][0]: sign * SLOPE[name][1] for name, sign in one.items()}) for size, one in terms]
+        terms = [(size, {SLOPE[name][0]: (a if name in HYPERBOLIC else 1) * SLOPE[name][1] * c
+                         for name, c in one.items()}) for size, one in terms]
     return terms
 
 
-def _sum(terms, argument):
-    """Σ factor·(sum of functions of an argument)."""
-    table = argument.table
-    return table.total([size * table.sum(*((table.call(name, argument), sign) for name, sign in one.items()))
-                        for size, one in terms])
+def _shear(terms, a):
+    """Q/(EI β³): a sinh of cosh, a² sin of cos; the third derivative without an axial force."""
+    return [(size, {SLOPE[name][0]: (a if name in HYPERBOLIC else -a ** 2) * SLOPE[name][1] * c
+                    for name, c in one.items()}) for size, one in terms]
+
+
+def _sum(terms, arguments):
+    """Σ factor·(sum of functions), sin and cos of the first argument, sinh and cosh of the second."""
+    table = arguments[0].table
+    return table.total([size * table.total([table.call(name, arguments[name in HYPERBOLIC]) * c
+                                            for name, c in one.items()]) for size, one in terms])
 
 
 def unstrained(found: "FrequencyEquation") -> int:
-    """How many motions with βL = 0 vibrate, ω² = k/μ: those of a bare member on a foundation that its ends let go."""
-    ends = found.impedances
-    if found.pieces[0].piece.foundation.is_zero or any(Z is not None and not Z.is_zero for end in ends for Z in end):
-        return 0
-    held = [sum(end[part] is None for end in ends) for part in range(found.order // 2)]
+    """How many motions with βL = 0 vibrate, ω² = k/μ: those of a member on a foundation that bend or stretch nothing
+    and that what acts on its stations leaves alone; under an axial force it turns no more without strain."""
+    return 0 if found.pieces[0].piece.foundation.is_zero else rigid_motions(found)
+
+
+def rigid_motions(found: "FrequencyEquation") -> int:
+    """How many motions strain nothing: springs at stations hold as supports do, masses only on a foundation."""
+    x = found.wave_number
+    held = [sum(Z is None or not substitute([Z], {x: x.table.zero})[0].is_zero for Z in (end[part] for end in (
+        found.impedances))) for part in range(found.order // 2)]
     if found.order == 2:
         return int(not held[0])
     across, turning = held
-    return max(2 - across - min(turning, 1), 0)
+    pulled = found.pieces[0].piece.tension
+    return int(not across) if not pulled.is_zero else max(2 - across - min(turning, 1), 0)
 
 
 def roots(found: "FrequencyEquation", count: int) -> list[float] | None:

@@ -12,6 +12,10 @@ def closed_forms(symbolic: "SymbolicSystem", modal: "ModalAnalysis") -> "ClosedF
     """The ClosedForms of a scene whose small oscillations are known in letters; None where there are none to read."""
     if not symbolic.linearisable:
         return None
+    if symbolic.system.scene.members and symbolic.scene.pieces:
+        from vibcli.analyses.closed_form.endless_forms import endless_forms
+
+        return endless_forms(symbolic)
     M, C, G, K = symbolic.matrices
     if len(symbolic.scene.q) == 1:
         from vibcli.analyses.closed_form.one_degree import one_degree

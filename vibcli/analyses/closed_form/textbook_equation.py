@@ -2,6 +2,7 @@
 
     S sin βL + C cos βL = 0:   sin βL = 0,   cos βL = 0,   (βL)ⁿ·tan βL = −C/S·(βL)ⁿ
     one beam:                  cos βL·cosh βL = −c₀/c₁,   sin βL = 0 (sinh βL is not),   tan βL = r·tanh βL
+    under an axial force:      these, and sums by αL and βL
 """
 
 from collections.abc import Collection
@@ -10,6 +11,7 @@ from math import gcd, lcm
 from typing import TYPE_CHECKING
 
 from vibcli.analyses.closed_form.free_letters import ARGUMENTS, free_letters, in_order
+from vibcli.analyses.closed_form.two_wave_numbers import by_wave_numbers
 from vibcli.symbolic.common_denominator import single
 from vibcli.symbolic.normal_form import expanded, factors_of, reduced
 
@@ -26,6 +28,8 @@ LONGEST = 32        # products that are printed
 def sides(found: "FrequencyEquation") -> "tuple[Node, Node]":
     """The left and the right side of a FrequencyEquation."""
     if len(found.pieces) == 1:
+        if found.second is not None and set(found.function) not in ({SINES}, {BOTH}, {UNEQUAL, SWAPPED}):
+            return by_wave_numbers(found)
         one = (_of_second_order if found.order == 2 else _of_fourth_order)(found)
         if one is not None:
             return one
@@ -34,7 +38,9 @@ def sides(found: "FrequencyEquation") -> "tuple[Node, Node]":
 
 def is_short(found: "FrequencyEquation") -> bool:
     """Has it so few products that it is printed?"""
-    return sum(len(reduced(expanded(node))) for node in found.function.values()) <= LONGEST
+    together = () if found.second is None else (found.second, found.wave_number)
+    return sum(len({tuple(pair for pair in monomial if pair[0] not in together)
+                    for monomial in reduced(expanded(node))}) for node in found.function.values()) <= LONGEST
 
 
 def met(found: "FrequencyEquation") -> bool:
@@ -77,9 +83,10 @@ def _of_fourth_order(found):
     if kinds == {BOTH}:
         return table.call("cos", x), table.zero
     if kinds == {ONE, BOTH}:
-        return _product(table, BOTH, [x]), _quotient(-function[ONE], function[BOTH])
+        return found.called(BOTH), _quotient(-function[ONE], function[BOTH])
     if kinds == {UNEQUAL, SWAPPED}:
-        return table.call("tan", x), _quotient(-function[UNEQUAL], function[SWAPPED]) * table.call("tanh", x)
+        return table.call("tan", x), _quotient(-function[UNEQUAL], function[SWAPPED]) * table.call(
+            "tanh", found.second or x)
     return None
 
 
@@ -91,8 +98,7 @@ def _as_sum(found):
             groups.setdefault(monomial, {})[functions] = value
     sums: dict = {}
     for monomial, terms in groups.items():
-        total = table.sum(*((_product(table, functions, found.arguments), value)
-                            for functions, value in terms.items()))
+        total = table.sum(*((found.called(functions), value) for functions, value in terms.items()))
         if not total.is_zero:
             sums[monomial] = content(total)
     lead = min(sums, key=lambda monomial: (sum(base in found.letters for base, _ in monomial),
@@ -126,10 +132,6 @@ def quotient(node: "Node") -> "tuple[Node, Node]":
 def is_small(value: Fraction) -> bool:
     """Does a number stand as a fraction in a formula of letters?"""
     return max(abs(value.numerator), value.denominator) <= SMALL
-
-
-def _product(table, functions, arguments):
-    return table.product(*((table.call(name, arguments[piece]), 1) for piece, *names in functions for name in names))
 
 
 def _quotient(above, below):

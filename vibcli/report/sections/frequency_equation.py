@@ -44,6 +44,7 @@ def _equations(problem, shapes):
     from vibcli.analyses.closed_form.member_frequencies import chains, frequency_equations
     from vibcli.analyses.closed_form.textbook_equation import is_short, met
     from vibcli.analyses.closed_form.tied_members import tied_equations
+    from vibcli.report.sections.hanging_string import hanging_alone, of_hanging
 
     names, told, left = list(problem.scene.members), {}, []
     for chain, found in zip(chains(problem.symbolic.linearisation.pieces), frequency_equations(problem.symbolic),
@@ -54,8 +55,9 @@ def _equations(problem, shapes):
             told[found.members] = partial(_solved if is_short(found) else _long, problem, shapes, found)
     for pieces, tied, size in tied_equations(problem.symbolic, left):
         owners = tuple(dict.fromkeys(piece.owner for piece in pieces))
-        told[owners] = partial(_unwritten, shapes, owners, size) if tied is None else partial(
-            _met, problem, shapes, tied)
+        hanging = hanging_alone(problem, pieces) if tied is None else None
+        told[owners] = partial(of_hanging, problem, hanging) if hanging is not None else partial(
+            _unwritten, shapes, owners, size) if tied is None else partial(_met, problem, shapes, tied)
     for members, lines in sorted(told.items(), key=lambda pair: min(map(names.index, pair[0]))):
         yield list(lines(Words(", ".join(members)) if len(names) > 1 else None))
 
@@ -136,7 +138,7 @@ def _solved(problem, shapes, found, label):
         yield line(found.wave_number, " = ", simple + orders, inset=2)
     elif values:
         yield line(found.wave_number, " = ", ", ".join(f"{value:.{DIGITS}g}" for value in values), ", …", inset=2)
-    yield _frequency(found)
+    yield _frequency(found, bool(simple or values))
     drawn = shape(found)
     if drawn is None:
         yield from shapes(found.members)
@@ -165,14 +167,26 @@ def _roots(problem, found):
     return kept if len(kept) == len(known) else None
 
 
-def _frequency(found):
+def _frequency(found, listed):
     """ω = (βL)²·√(EI/(μL⁴)), or its square where a foundation adds to it."""
     x, order = found.wave_number, found.order
     alone = textbook(found.square / x ** order)
     if x in reachable([alone]):
-        more = [Words(",  also where "), x ** order, Words(" is negative")] if found.letters else []
-        return line(found.omega ** 2, " = ", found.square, *more, inset=2)
+        return line(found.omega ** 2, " = ", found.square, *_beyond(found, listed), inset=2)
     if not any(node.op == "symbol" for node in reachable([alone])):
         value = figure(evaluate([alone], Floats, {})[0] ** 0.5, digits=DIGITS)
         return line(found.omega, " = ", value, "·", x ** (order // 2), inset=2)
     return line(found.omega, " = ", x ** (order // 2) * x.table.sqrt(alone), inset=2)
+
+
+def _beyond(found, listed):
+    """βL other than positive at which there are frequencies of a member on a foundation; `listed`: are its roots?"""
+    from vibcli.analyses.closed_form.member_shapes import unstrained
+
+    x, rests = found.wave_number, bool(unstrained(found)) and not listed
+    if found.pieces[0].piece.foundation.is_zero:
+        return []
+    if found.second is None and not found.letters:
+        return [Words(",  also where "), x, Words(" is 0")] if rests else []
+    where, what = (x ** found.order, "negative") if found.second is None else (x, "not real")
+    return [Words(",  also where "), where, Words(" is 0 or " * rests + " is " * (not rests) + what)]

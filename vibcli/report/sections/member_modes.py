@@ -1,7 +1,6 @@
-"""Modes of scenes with members that have inertia: wave numbers, shapes along members."""
+"""Modes of scenes with members that have inertia: shapes along members."""
 
 from collections.abc import Iterator, Sequence
-from math import isclose
 from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.modal.normalisation import words
@@ -13,25 +12,10 @@ if TYPE_CHECKING:
     from vibcli.analyses.modal.undamped import Mode
     from vibcli.results.problem import Problem
 
-CLOSE, LISTED = 1e-9, 6     # lengths that are equal; nodes, and antinodes, in a line of the table
+LISTED = 6                  # nodes, and antinodes, in a line of the table
 NOTHING = 1e-15             # of the largest displacement
 PLACES, PER_NODE = 101, 16  # along a member in the JSON
 FORCES = {"bar": "force", "shaft": "moment"}      # what u′ times the stiffness is
-
-
-def wave_numbers(problem: "Problem", modes: "Sequence[Mode]") -> list[str] | None:
-    """β of each mode in 1/m where one tells all members, ω = β √(N/μ) or β² √(B/μ); else None."""
-    pieces = [placed.piece for placed in problem.configuration.linear_system.pieces]
-    if not pieces or any(piece.foundation or piece.gradient or (piece.bending and piece.tension) or not piece.inertia
-                         for piece in pieces):
-        return None
-    ratios = [float(piece.inertia / (piece.bending or piece.tension)) for piece in pieces]
-    orders = {piece.order for piece in pieces}
-    if len(orders) > 1 or not all(isclose(ratio, ratios[0], rel_tol=CLOSE) for ratio in ratios):
-        return None
-    power = 2 / orders.pop()
-    return ["–" if mode.omega is None else figure((float(mode.omega) * ratios[0] ** 0.5) ** power, mode.error)
-            if mode.omega else "0" for mode in modes]
 
 
 def along_members(problem: "Problem", modes: "Sequence[Mode]", how: str) -> Iterator[Section]:

@@ -9,10 +9,13 @@ from vibcli.reader.sections.find import MODES
 from vibcli.report.wanted import Wanted
 
 if TYPE_CHECKING:
+    from vibcli.analyses.closed_form.closed_forms import ClosedForms, ClosedMode
     from vibcli.analyses.modal.damped_modes import DampedMode
     from vibcli.analyses.modal.mode_sequence import Modes
     from vibcli.analyses.modal.undamped import Mode
     from vibcli.results.problem import Problem
+
+UNASKED = 5         # frequencies of a member in letters where nobody says how many
 
 
 def lowest(count: int) -> Selection:
@@ -48,6 +51,14 @@ def _highest(problem, asked):
         raise SpecError([Diagnostic(asked.where, f"'{asked.text}' is negative, and no mode has such a frequency",
                                     "mind the signs")])
     return found
+
+
+def in_letters(problem: "Problem", wanted: Wanted | None, forms: "ClosedForms") -> "list[ClosedMode]":
+    """The modes that are printed of a member in letters, whose frequencies have no number to be up to."""
+    asked = selection(problem, wanted)
+    if asked is None or not asked.last:
+        return [forms.numbered(number) for number in range(1, UNASKED + 1)]
+    return [forms.numbered(number) for number in range(asked.first, asked.last + 1)]
 
 
 def shown(problem: "Problem", wanted: Wanted | None = None, modes: "Modes | None" = None) -> "list[Mode]":

@@ -8,7 +8,7 @@ from vibcli.base.errors import Inertless
 from vibcli.mechanics.factored_system import MOST_DENSE
 from vibcli.report.blocks import Section, TableBlock, equations, line, note, paragraph, section, without_empty
 from vibcli.report.sections.mode_tables import damped_row, mode_row, polar, repeated, shapes, shapes_told
-from vibcli.report.sections.shown_modes import shown, shown_damped
+from vibcli.report.sections.shown_modes import in_letters, shown, shown_damped
 
 if TYPE_CHECKING:
     from vibcli.report.document import Report
@@ -65,14 +65,14 @@ def _counted(modes, found):
 
 def _of_members(problem, found, head, rows, doubts):
     """The table of those without end, with wave numbers and the count that proves it complete."""
-    from vibcli.report.sections.member_modes import wave_numbers
+    from vibcli.report.sections.wave_numbers import wave_numbers
 
-    beta = wave_numbers(problem, found)
-    if beta is not None:
-        head = (head[0], "β [1/m]", *head[1:])
-        rows = [(row[0], one, *row[1:]) for row, one in zip(rows, beta, strict=True)]
+    columns, definition = wave_numbers(problem, found)
+    head = (head[0], *(one for one, _ in columns), *head[1:])
+    rows = [(row[0], *beta, *row[1:]) for row, *beta in zip(rows, *(told for _, told in columns), strict=True)]
     yield from section(f"Natural frequencies ({'of the undamped system' if problem.modal.damps else 'undamped'})",
-                       TableBlock(head, tuple(rows)), _counted(problem.modal.modes, found), *doubts)
+                       without_empty(TableBlock(head, tuple(rows)), "–"), definition,
+                       _counted(problem.modal.modes, found), *doubts)
 
 
 def _form(problem):
@@ -85,6 +85,7 @@ def _form(problem):
 
 
 def _frequencies_in_letters(problem, report):
+    from vibcli.notation.names import lowered
     from vibcli.report.sections.symbolic_modes import damping_blocks, frequency_blocks
 
     problem.symbolic.equilibrium_position  # noqa: B018, refused where there is none
@@ -94,6 +95,11 @@ def _frequencies_in_letters(problem, report):
         known = any(one.title.startswith("Frequency equation") for one in report.sections)
         told = [] if known else list(frequency_equation(problem, report))
         yield from told
+        forms = problem.closed_forms
+        if forms is not None:
+            yield from section("Natural frequencies [rad/s]", equations(
+                line(f"ω{lowered(mode.index)} = ", mode.omega) for mode in in_letters(problem, report.wanted, forms)))
+            return
         yield from section("Natural frequencies", paragraph(
             ("numbers: the roots of the frequency equations; " if known or told else
              "no frequency equation is found in letters; ") + "give the parameters values with --set"))

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.report.keys import Key, data
 from vibcli.report.sections.equilibrium import EQUILIBRIUM
-from vibcli.report.sections.shown_modes import shown, shown_damped
+from vibcli.report.sections.shown_modes import in_letters, shown, shown_damped
 
 if TYPE_CHECKING:
     from vibcli.report.wanted import Wanted
@@ -35,6 +35,8 @@ DAMPED_MODES = Key(
         Key("error", "bound of the relative error of the eigenvalue")))
 POLYNOMIAL = Key("characteristic_polynomial", "in letters only: factors in λ = omega² that have no readable roots")
 
+WITHOUT_MATRICES = "what vibrates with distributed inertia has no matrices; the report has its equations and shapes"
+
 
 def frequencies_data(problem: "Problem", normalise: str = "first",
                      digits: int | None = None, wanted: "Wanted | None" = None) -> dict[str, Any]:
@@ -43,10 +45,13 @@ def frequencies_data(problem: "Problem", normalise: str = "first",
     from vibcli.report.sections.statics import REACTIONS
 
     asked = "reactions" in problem.spec.get("find", ()) and not problem.numeric.has_free_symbols
-    found = data((EQUILIBRIUM, *[MATRICES] * (not problem.modal.many), *[REACTIONS] * asked), problem)
+    of_members = problem.numeric.has_free_symbols and bool(problem.scene.pieces)
+    matrices = not (of_members or problem.modal.many)
+    found = data((EQUILIBRIUM, *[MATRICES] * matrices, *[REACTIONS] * asked), problem)
     if problem.numeric.has_free_symbols:
-        closed = _closed_forms(problem)
-        return found | data((MODES, DAMPED_MODES, *[POLYNOMIAL] * (POLYNOMIAL.name in closed)), closed)
+        closed = _closed_forms(problem, wanted)
+        found |= data((MODES, DAMPED_MODES, *[POLYNOMIAL] * (POLYNOMIAL.name in closed)), closed)
+        return found | {"matrices": None, "remark": WITHOUT_MATRICES} if of_members else found
     if digits is None:
         still, modes = shown(problem, wanted), shown_damped(problem, wanted)
         found |= data((MODES, DAMPED_MODES), _modes(problem, still, modes, normalise, tau))
@@ -92,7 +97,7 @@ def _modes(problem, modes, damped, normalise, turn):
             mode.decay, mode.growth_rate, shape(mode), float(mode.error)) for mode in damped]}
 
 
-def _closed_forms(problem):
+def _closed_forms(problem, wanted):
     """{modes, damped, characteristic_polynomial where there is one} in letters; None where no form is readable."""
     from vibcli.notation.scene_language import language
 
@@ -100,7 +105,7 @@ def _closed_forms(problem):
     if forms is None:
         return {"modes": None, "damped": None}
     turn, modes, damped = 2 * table.pi, [], []
-    for mode in forms.modes:
+    for mode in forms.modes if forms.numbered is None else in_letters(problem, wanted, forms):
         shape = dict(zip(names, mode.shape or [None] * len(names), strict=True))
         rates = (None, None, None, mode.omega) if mode.unstable else (
             mode.omega, mode.omega / turn, None if mode.omega.is_zero else turn / mode.omega, None)

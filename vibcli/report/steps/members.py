@@ -4,6 +4,7 @@ station, constants, frequency equation, its first roots and their frequencies (R
 from math import isclose, pi
 from typing import TYPE_CHECKING
 
+from vibcli.analyses.closed_form.hanging_strings import HangingString
 from vibcli.analyses.closed_form.member_frequencies import chains, frequency_equations
 from vibcli.analyses.closed_form.member_shapes import shape, unstrained
 from vibcli.analyses.closed_form.textbook_equation import by_letters, sides
@@ -14,8 +15,10 @@ from vibcli.notation.numbers import figure
 from vibcli.report.blocks import Factor, Name, WithNumbers, Words
 from vibcli.report.place_letter import by_letter, place_letter
 from vibcli.report.sections.frequency_equation import SIMPLE, whose
+from vibcli.report.sections.hanging_string import hanging_alone
 from vibcli.report.sections.members import carried, differential, station_conditions
 from vibcli.report.steps.ends import Ends
+from vibcli.report.steps.hanging import general_solution
 from vibcli.report.steps.held import HINT
 from vibcli.report.steps.member_motion import tell_motion_of_members
 from vibcli.report.steps.step import WorkedSolution, number, of_time, told
@@ -63,7 +66,8 @@ class MemberSteps:
         parts = chains(self.form.pieces)
         found = frequency_equations(self.problem.symbolic)
         left = [piece for chain, one in zip(parts, found, strict=True) if one is None for piece in chain]
-        groups = [one for _, one, _ in tied_equations(self.problem.symbolic, left)]
+        groups = [tied or hanging_alone(self.problem, pieces)
+                  for pieces, tied, _ in tied_equations(self.problem.symbolic, left)]
         alone = [one for one in found if one is not None]
         known = {i for one in (*alone, *groups) if one for i in one.hung} | {
             i for one in groups if one for piece in one.pieces for row in piece.rows for i in row}
@@ -74,7 +78,7 @@ class MemberSteps:
         for one in alone:
             self._of_one(one)
         for one in groups:
-            self._of_tied(one)
+            (self._of_hanging if isinstance(one, HangingString) else self._of_tied)(one)
         return [*alone, *groups]
 
     def _others(self):
@@ -135,6 +139,19 @@ class MemberSteps:
             self._searched(self.sheet.write(Words("its roots, by a search, which misses none"), settles="frequencies",
                                             uses=[line]))
 
+    def _of_hanging(self, found):
+        """A string whose tension varies: Bessel functions of z, what its ends ask, the first roots."""
+        uses = [line for name in found.members for first, held in [self._conditions(name)] for line in (first, *held)]
+        uses += [*map(self._carried, found.hung), *self._bound(found.members)]
+        line = general_solution(self.sheet, found, self.scene, uses)
+        named = [part for letter, meant in found.named for part in (Words(",  "), letter, " = ", meant)]
+        words = ", without what damps" if self.damped else ""
+        line = self.sheet.write(Words(f"so the frequency equation{words}:  "), found.left, " = ", found.right, *named,
+                                settles="frequency equation", uses=[line, *uses])
+        if not self.problem.numeric.has_free_symbols:
+            self._searched(self.sheet.write(Words("its roots, by a search, which misses none"), settles="frequencies",
+                                            uses=[line]))
+
     def _of_one(self, found):
         conditions = [self._conditions(name) for name in found.members]
         hung = [*map(self._carried, found.hung), *self._bound(found.members)]
@@ -176,6 +193,8 @@ class MemberSteps:
         piece, table = found.pieces[0].piece, self.table
         omega = table.parameter(self.sheet.letter("omega"))
         inertia = piece.inertia * omega ** 2 - piece.foundation
+        if found.second is not None:
+            return self._two_waves(found, inertia, uses)
         if self._pressed(found):
             negative = piece.tension.op != "sum" and piece.tension.coefficient < 0
             pull = [" − " if negative else " + ", Factor(-piece.tension if negative else piece.tension), "·β²"]
@@ -189,11 +208,23 @@ class MemberSteps:
         law, power = ("∂²X/∂x² = −β²·X", "β² = ") if found.order == 2 else ("∂⁴X/∂x⁴ = β⁴·X", "β⁴ = ")
         line = self.sheet.write(Words("standing waves  "), "X(x)·sin(ω·t + ε)", Words("  ask for  "), law, Words(",  "),
                                 power, textbook(inertia / stiffness), Words(where), settles="beta", uses=uses)
-        names = ["cos βx", "sin βx", "cosh βx", "sinh βx"][:found.order]
+        return self._general("βx", found.order, " in each part" * bool(where), line)
+
+    def _two_waves(self, found, inertia, uses):
+        """α and β of a beam under an axial force that bends otherwise than a sine."""
+        piece, (alpha, beta) = found.pieces[0].piece, map(self.table.parameter, ("alpha", "beta"))
+        difference, both = (textbook(one / piece.bending) for one in (piece.tension, inertia))
+        line = self.sheet.write(Words("standing waves  "), "X(x)·sin(ω·t + ε)", Words(
+            "  with cosh αx, sinh αx, cos βx and sin βx:  "), alpha ** 2 - beta ** 2, " = ", difference, Words(",  "),
+                                alpha ** 2 * beta ** 2, " = ", both, settles="beta", uses=uses)
+        return self._general("αx", found.order, "", line)
+
+    def _general(self, along, order, where, line):
+        """C₁ cos βx + …, `along` the argument of cosh and sinh."""
+        names = ["cos βx", "sin βx", f"cosh {along}", f"sinh {along}"][:order]
         general = [part for k, name in enumerate(names, 1) for part in (
             " + ", Name(self.sheet.letter(f"C{k}")), f"·{name}")][1:]
-        return self.sheet.write(Words("general solution" + " in each part" * bool(where) + ":  "), "X = ", *general,
-                                settles="X", uses=[line])
+        return self.sheet.write(Words(f"general solution{where}:  "), "X = ", *general, settles="X", uses=[line])
 
     def _frequency(self, found, uses):
         """ω by βL."""
