@@ -88,6 +88,15 @@ class RepeatingSignal(Signal):
         error = sum(self.error_of_extreme(0.0, self.period, top, sense) for sense, top in tops)
         return 0.5 * (tops[0][1][1] - tops[1][1][1]), 0.5 * error
 
+    def mean_square(self, about: float) -> tuple[float, float]:
+        """(the mean of the square of its distance from a value over a period, how far that may be off)."""
+        fronts = self.signal.fronts(self.start + self.period) - self.start
+        edges = _edges(self.period, [fronts])
+        fine, coarse = (_mean(lambda t: (self.signal.values(t) - self.aside - about) ** 2, self.start, edges, order)
+                        for order in NODES)
+        most = max(abs(self.signal.values(self.start + edges) - self.aside - about))
+        return fine, abs(fine - coarse) + 2 * float(most) * (self.left + self.signal.error(self.start + self.period))
+
     @property
     def steady(self) -> "RepeatingSignal":
         return self
@@ -157,19 +166,23 @@ def _aside(response, tree, signal, start):
     if not isinstance(still, LinearSignal):
         raise PhysicsError("the steady state of functions of signals is not found of members that nothing holds",
                            "ask for that of single signals")
-    bends = np.concatenate([np.linspace(0.0, forcing.period, PANELS + 1),
-                            signal.fronts(start + forcing.period) - start,
-                            [(piece.start - forcing.since) % forcing.period for piece in forcing.pieces]])
-    edges = np.unique(bends[(bends >= 0.0) & (bends <= forcing.period)])
-    fine, coarse = (_mean(signal, start, edges, order) for order in NODES)
+    edges = _edges(forcing.period, [signal.fronts(start + forcing.period) - start,
+                                    [(piece.start - forcing.since) % forcing.period for piece in forcing.pieces]])
+    fine, coarse = (_mean(signal.values, start, edges, order) for order in NODES)
     mean = still.motion.steady.mean(still.output)
     size = float(np.abs(signal.values(start + edges)).max())
     return fine - mean, abs(fine - coarse) + DEAD * size + signal.error_of_mean(start, start + float(edges[-1]))
 
 
-def _mean(signal, start, edges, order):
-    """The mean of a signal between edges by Gauss's rule on each of the stretches between them."""
+def _edges(period, bends):
+    """Of the panels of a period, and what bends within it."""
+    found = np.concatenate([np.linspace(0.0, period, PANELS + 1), *bends])
+    return np.unique(found[(found >= 0.0) & (found <= period)])
+
+
+def _mean(values, start, edges, order):
+    """The mean of a function between edges by Gauss's rule on each of the stretches between them."""
     at, weights = np.polynomial.legendre.leggauss(order)
     middle, half = (edges[1:] + edges[:-1]) / 2, np.diff(edges) / 2
-    values = signal.values(start + (middle[:, None] + half[:, None] * at).ravel()).reshape(-1, order)
+    values = values(start + (middle[:, None] + half[:, None] * at).ravel()).reshape(-1, order)
     return float(half @ (values @ weights)) / (edges[-1] - edges[0])

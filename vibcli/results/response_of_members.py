@@ -16,6 +16,7 @@ from vibcli.symbolic.rationals import fraction_of
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.forcing import Forcing
     from vibcli.mechanics.factored_system import PlacedPiece
+    from vibcli.results.long_after import LongAfter
     from vibcli.results.part_of_members import PartOfMembers
     from vibcli.results.parted_response import PartedResponse
     from vibcli.results.problem import Problem
@@ -238,6 +239,12 @@ class ResponseOfMembers(SmallResponse):
 
         return SteadyResponse(self.problem, PhysicsError(f"this is not found of {self.WORDS}",
                                                          "ask for max(x), min(x) or values in time"))
+
+    def long_after(self, tree: Any) -> "LongAfter":
+        """What a signal comes to."""
+        from vibcli.results.long_after import LongAfter
+
+        return LongAfter(self, tree)
 
     def _one(self, part, source=()):
         if getattr(part[0], "head", "") == "steady":
