@@ -107,6 +107,9 @@ def harmonic(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> "M
 def _over_a_period(which):
     """The mean or the rms of the steady state that loads keep up, else of the free vibrations that last."""
     def value(problem, tree, args):
+        repeats = _repeating(problem, tree) if which == "rms" else None
+        if repeats is not None:
+            return _told(repeats.rms)
         if _repeating_part(problem.response_of(tree), tree):
             tree = tree._replace(args=tree.args[0].args)
         long_after = _long_after(problem, tree)

@@ -10,6 +10,7 @@ import numpy as np
 from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signal_names import signal_name
+from vibcli.results.averaged_waves import averaged, fits_into
 from vibcli.results.signal import Signal
 from vibcli.results.signals import LinearSignal
 from vibcli.symbolic.syntax import NameRef
@@ -98,6 +99,13 @@ class RepeatingSignal(Signal):
         return fine, abs(fine - coarse) + 2 * float(most) * (self.left + self.signal.error(self.start + self.period))
 
     @property
+    def rms(self) -> tuple[float, float]:
+        """(root of its mean square, how far that may be off)."""
+        square, error = self.mean_square(0.0)
+        found = square**0.5
+        return found, error / found if found else error**0.5
+
+    @property
     def steady(self) -> "RepeatingSignal":
         return self
 
@@ -111,8 +119,7 @@ def repeating(response: "SteadyResponse", tree: Any) -> RepeatingSignal:
     MOST periods from its `since` on."""
     problem, forcing = response.problem, response.input_forcing
     if problem.modal.damped is None:
-        raise PhysicsError("free vibrations of these members never die out, and some harmonic of this load may meet "
-                           "any of them: the sum of all is not found", f"damp the scene, or {HARMONICS}")
+        return _undamped(problem, tree, forcing)
     period = float(forcing.period)
     count, before = FIRST, ceil(forcing.since / period)
     most = min(MOST, JUMPS // len(forcing.pieces) - before)
@@ -142,6 +149,15 @@ def repeating(response: "SteadyResponse", tree: Any) -> RepeatingSignal:
                        f"damp them more, or {HARMONICS}")
 
 
+def _undamped(problem, tree, forcing):
+    found = averaged(problem, problem.response.signal(tree), float(forcing.period), float(forcing.since))
+    if found is None:
+        raise PhysicsError("free vibrations of these members never die out, and some harmonic of this load may meet "
+                           "any of them: the sum of all is not found", f"damp the scene, or {HARMONICS}")
+    signal, start, left = found
+    return RepeatingSignal(signal, float(forcing.period), start, left)
+
+
 def _ahead(problem, period):
     """How far any free vibration is from itself a period later, as a part of itself; PhysicsError where that is 0:
     what is not damped and fits into the period is not told from what loads keep up."""
@@ -150,8 +166,7 @@ def _ahead(problem, period):
         turned = complex(mode.eigenvalue) * period
         apart = abs(np.expm1(turned))
         if turned and apart <= 2 * abs(turned) * float(mode.error + DEAD):
-            raise PhysicsError(f"mode {mode.index} is not seen to be damped, and its period fits into that of this "
-                               "load: what it starts with repeats itself, too", f"damp it, or {HARMONICS}")
+            raise fits_into(mode.index, "not seen to be damped", f"damp it, or {HARMONICS}")
         found = min(found, apart) if turned else found
     return found
 
