@@ -79,11 +79,7 @@ class LongAfter:
             return 0.0
         start, window = self._last, self._longest
         decays = self._decays
-        if not decays:
-            if not self._dies:
-                return None
-            decays = [1 / window]
-        late = start + GONE / min(decays)
+        late = start + (GONE / min(decays) if decays else window)
         times = late + window * np.linspace(0.0, 1.0, SAMPLES)
         signal = self.signal.read_at(float(times[-1]))
         apart = float(np.abs(signal.values(times) - self.still[0]).max())
@@ -102,11 +98,6 @@ class LongAfter:
     def _damped(self):
         damped = self.problem.modal.damped
         return [] if damped is None else damped.first(MODES)
-
-    @property
-    def _dies(self):
-        """Is there damping, but no mode that vibrates, as where all waves are swallowed?"""
-        return self.problem.modal.damped is not None and not self._damped
 
     @property
     def _decays(self):

@@ -90,3 +90,9 @@ def test_what_a_damper_in_a_node_does_not_see_vibrates_on():
         asked(scene, "final(rod.u(L/4))")
     with pytest.raises(PhysicsError, match="some of what vibrates dies out"):
         asked(scene, "rms(rod.u(L/4))")
+
+
+def test_what_nothing_moves_any_more_has_a_limit():
+    """A pulse as long as a wave needs there and back leaves a bar at rest, as no load does."""
+    compared(problem(BAR % ("left: clamped", "F*(step(t) - step(t - 0.4 s))")), {"final(rod.u(L))": 0.0})
+    compared(problem(BAR % ("left: clamped", "0*F")), {"final(rod.u(L/2))": 0.0})
