@@ -47,10 +47,12 @@ class LongAfter:
         members keep nothing still."""
         if self._loads.period is not None or not self._loads.listed:
             raise PhysicsError("loads keep this signal in motion: it has no limit", "ask for max(x), or mean(x)")
-        inner = isinstance(self.tree, NameRef) and (
-            self.tree.primes or signal_name(self.tree.name).kind in INNER)
+        inner = isinstance(self.tree, NameRef) and signal_name(self.tree.name).kind in INNER
         if not inner and any(mode.rigid for mode in self.problem.modal.modes.shown()):
-            raise PhysicsError("nothing holds these members: their motion drifts as they are left",
+            raise PhysicsError("nothing holds these members: where they move on to does not follow from their last "
+                               "loads", "ask for its value at a time")
+        if any(-decay > error for decay, error in self._pairs):
+            raise PhysicsError("what vibrates grows without end: it has neither limit nor mean",
                                "ask for its value at a time")
         return _still(self._kept)
 
@@ -102,9 +104,13 @@ class LongAfter:
     @property
     def _decays(self):
         """Those of damped modes that are seen to be damped."""
-        pairs = [(-float(mode.eigenvalue.real), abs(complex(mode.eigenvalue)) * float(mode.error))
-                 for mode in self._damped if mode.eigenvalue]
-        return [decay for decay, error in pairs if decay > error]
+        return [decay for decay, error in self._pairs if decay > error]
+
+    @property
+    def _pairs(self):
+        """[(decay, how far it may be off)] of the first damped modes."""
+        return [(-float(mode.eigenvalue.real), abs(complex(mode.eigenvalue)) * float(mode.error))
+                for mode in self._damped if mode.eigenvalue]
 
     @cached_property
     def _longest(self):
