@@ -75,7 +75,8 @@ RESPONSE = [
         ("steady", "What is left when the free vibration has died out; `transient` is the rest. Without damping the "
          "steady state is the motion with the frequencies of the loads alone, and the rest does not die out. At a "
          "resonance without damping there is none. Of members under loads with harmonics without end it is found where "
-         "they are damped. Of a ramp or another power of the time it is what follows it, "
+         "they are damped, and of bars, shafts and strings whose free vibrations repeat themselves after a time "
+         "commensurate with the period of the loads. Of a ramp or another power of the time it is what follows it, "
          "v t − c v/k."),
         ("formula", "Printed where it is short: decaying vibrations and waves, for each piece of the loads."),
     ],
@@ -85,14 +86,14 @@ RESPONSE = [
          "`(s.force + d.force)(0.4 s)`; at a jump the value after it. `--at 0.4` prints "
          "it, `--digits 30` to 30 digits"),
         ("max(x)", "likewise `min`, `argmax`, `argmin`, `zero[1]`"),
-        ("final(x)", "its limit; of a difference that has one too, as of the lag behind a ramp `final(base.x - x)`; "
-         "`overshoot(x)` is (max − final)/(final − start)"),
+        ("final(x)", "its limit, of members where it is seen to come to rest; of a difference that has one too, as of "
+         "the lag behind a ramp `final(base.x - x)`; `overshoot(x)` is (max − final)/(final − start)"),
         ("amplitude(x)", "with `phase(x)`, `period(x)`: of the steady state, or where no load oscillates without end "
-         "of the free vibration"),
-        ("mean(x)", "with `rms(x)`: of the steady state, or of free vibrations that do not die out. Of powers and "
-         "products too: `mean(x^2)`, `mean(P.power)` of a load, `mean(d.power)` of a damper, `mean(s.force*x')`, "
-         "exactly, and over all times where the frequencies have no common period; of other functions, `mean(abs(x))`, "
-         "over the common period by quadrature"),
+         "of the free vibration; of members where all repeats itself, as in a bar without masses that nothing damps"),
+        ("mean(x)", "with `rms(x)`: of the steady state, or of free vibrations that do not die out, of members too. Of "
+         "powers and products: `mean(x^2)`, `mean(P.power)` of a load, `mean(d.power)` of a damper, "
+         "`mean(s.force*x')`, exactly, and over all times where the frequencies have no common period; of other "
+         "functions, `mean(abs(x))`, over the common period by quadrature"),
         ("harmonic[3](x)", "amplitude of a harmonic of a periodic steady state"),
         ("decrement(x)", "with `time_to[0.1](x)`, `cycles_to[0.1](x)`: of a free vibration of one frequency, after the "
          "last change of the loads; of what a load keeps up ask for `decrement(transient(x))`"),

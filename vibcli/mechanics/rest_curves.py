@@ -9,9 +9,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.signal_names import signal_name
 from vibcli.mechanics.inputs_outputs.displacements import resting, signal_of_place
 from vibcli.mechanics.smooth_forms import smooth_form
+from vibcli.numerics.pieces.arithmetic import arithmetic_of
 from vibcli.numerics.pieces.fields import fields
 from vibcli.numerics.pieces.graded_rest import bent_at_rest
 from vibcli.numerics.pieces.loads import LoadForm, LoadStretch, LoadTerm, loaded_fields
@@ -26,6 +28,23 @@ if TYPE_CHECKING:
     from vibcli.elements.member import Member
     from vibcli.elements.place_signals import PlaceSignal
     from vibcli.mechanics.configuration import Configuration
+
+
+class ShapeAtRest(NamedTuple):
+    """A Piece, bent(places, order): u or a derivative of it below the order of the piece, and the LoadForms on it."""
+
+    piece: Piece
+    bent: "Callable[[np.ndarray, int], np.ndarray]"
+    forms: list[LoadForm]
+
+    def highest(self, x: float) -> float:
+        """u″ of what does not bend, u⁗ of a beam, by its equation."""
+        piece, tension = self.piece, self.piece.tension + self.piece.gradient * x
+        load = sum(float(one.at(x, arithmetic_of(0.0))) for form in self.forms for one in form.stretches
+                   if one.start <= x <= one.end)
+        felt = [-piece.foundation, piece.gradient, tension][:piece.order]
+        load += sum(factor * float(self.bent(np.array([x]), order)[0]) for order, factor in enumerate(felt) if factor)
+        return -load / tension if piece.order == 2 else load / piece.bending
 
 
 def value_at_rest(configuration: "Configuration", text: str) -> float:
@@ -97,6 +116,16 @@ def _bent(configuration, scene, signal) -> "Callable[[np.ndarray, int], np.ndarr
                 for x in places.tolist()]
         return found + np.array(held)
     return at
+
+
+def shape_at_rest(configuration: "Configuration", text: str) -> "ShapeAtRest":
+    """That of the piece on which the place of a signal lies."""
+    scene = configuration.scene.resting
+    signal = signal_of_place(scene, signal_name(text))
+    zero, of = scene.table.zero, signal.piece(scene)
+    numbers = evaluate([of.length, of.bending if of.bends else zero, of.tension, of.gradient, zero, zero,
+                        of.foundation], Floats, configuration.at_rest)
+    return ShapeAtRest(Piece(*numbers), _bent(configuration, scene, signal), _loads(configuration, scene, signal))
 
 
 def _loads(configuration, scene, signal):

@@ -13,7 +13,7 @@ from vibcli.symbolic.gauss_points import gauss_points
 from vibcli.symbolic.smooth_panels import POINTS, NotSmooth, intervals, panels
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Callable, Mapping
 
     from vibcli.symbolic.node import Node
 
@@ -54,6 +54,14 @@ def legendre_powers(f: "Node", x: "Node", ends: "tuple[Any, Any]", values: "Mapp
     given = [evaluate([f], arithmetic, {**values, x.name: middle + half * r})[0] for r in places]
     weighted = [arithmetic.number(w) * y for (_, w), y in zip(rule, given, strict=True)]
     return _powers(weighted, places, count if arithmetic is Floats else PRECISE * 3 // 4)
+
+
+def powers_between(value: "Callable[[float], float]", start: float, end: float) -> list[float]:
+    """Coefficients of powers of −1 … 1 of a function between two places, in floats."""
+    middle, half, rule = (start + end) / 2, (end - start) / 2, gauss_points(POINTS)
+    places = [float(2 * r - 1) for r, _ in rule]
+    weighted = [float(w) * value(middle + half * r) for (_, w), r in zip(rule, places, strict=True)]
+    return _powers(weighted, places, POINTS * 3 // 4)
 
 
 def _powers(weighted, places, count):

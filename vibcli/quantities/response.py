@@ -134,7 +134,15 @@ def _of_what_changes(tree, signal, until, instant):
 
 
 def _final(problem, tree, args):
-    signal = _signal(problem, tree)
+    return _limit(problem, tree, _signal(problem, tree))
+
+
+def _limit(problem, tree, signal):
+    """(the limit of a signal, what gives its absolute error); of motions of members it is seen to."""
+    response = problem.response_of(tree)
+    if hasattr(response, "long_after"):
+        found, error = response.long_after(tree.args[0]).final
+        return found, lambda: error
     return signal.final(), signal.error_of_final
 
 
@@ -151,7 +159,7 @@ def _overshoot(problem, tree, args):
     import numpy as np
 
     signal = _signal(problem, tree)
-    start, final = signal.values(np.array([0.0]))[0], signal.final()
+    start, (final, error_of_final) = signal.values(np.array([0.0]))[0], _limit(problem, tree, signal)
     if final == start:
         raise PhysicsError("the signal ends where it starts: it has no overshoot", "ask for max(x)")
     sense = 1 if final > start else -1
@@ -160,7 +168,7 @@ def _overshoot(problem, tree, args):
     found = max(0.0, float((top - final) / (final - start)))
 
     def off():
-        last, high = signal.error_of_final(), signal.error_of_extreme(0.0, until, (instant, top), sense)
+        last, high = error_of_final(), signal.error_of_extreme(0.0, until, (instant, top), sense)
         return (high + last + found * (signal.error(0.0) + last)) / abs(final - start)
 
     return found, off

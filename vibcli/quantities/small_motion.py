@@ -41,6 +41,17 @@ def _repeating(problem, tree):
     return response.signal(asked)
 
 
+def _long_after(problem, tree):
+    """What motions of members come to whose loads do not keep them up; None of others."""
+    response = problem.response_of(tree)
+    return response.long_after(tree.args[0]) if hasattr(response, "long_after") else None
+
+
+def _told(measured):
+    found, error = measured
+    return found, lambda: error
+
+
 def _repeating_part(response, tree):
     """Is a quantity asked of the steady state of members by that name?"""
     return response.KIND == "steady" and getattr(tree.args[0], "head", "") == "steady"
@@ -54,8 +65,10 @@ def amplitude(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> "
     """Of the steady state that loads keep up, else of the free vibration."""
     repeats = _repeating(problem, tree)
     if repeats is not None:
-        found, error = repeats.amplitude
-        return found, lambda: error
+        return _told(repeats.amplitude)
+    long_after = _long_after(problem, tree)
+    if long_after is not None:
+        return _told(long_after.amplitude)
     signal = _linear(problem, tree)
     if not signal_features.kept_up(signal):
         found = signal_features.amplitude(signal)
@@ -94,15 +107,20 @@ def harmonic(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> "M
 def _over_a_period(which):
     """The mean or the rms of the steady state that loads keep up, else of the free vibrations that last."""
     def value(problem, tree, args):
+        repeats = _repeating(problem, tree) if which == "rms" else None
+        if repeats is not None:
+            return _told(repeats.rms)
         if _repeating_part(problem.response_of(tree), tree):
             tree = tree._replace(args=tree.args[0].args)
+        long_after = _long_after(problem, tree)
+        if long_after is not None:
+            return _told(getattr(long_after, which))
         signal = _of_harmonic(problem.response_of(tree), 0).signal(tree.args[0])
         if isinstance(signal, ComposedSignal | Envelope):
             signal = problem.response_of(tree).signal(tree.args[0])
             from vibcli.results import composed_means
 
-            found, error = getattr(composed_means, which)(signal)
-            return found, lambda: error
+            return _told(getattr(composed_means, which)(signal))
         signal = _linear(problem, tree, 0 if which == "mean" else None)
         free = not signal_features.kept_up(signal)
         found = getattr(signal_features, which)(signal) if free else getattr(signal.motion.steady, which)(
@@ -127,6 +145,9 @@ def period(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> "Mea
     repeats = _repeating(problem, tree)
     if repeats is not None:
         return repeats.period, lambda: 0.0
+    long_after = _long_after(problem, tree)
+    if long_after is not None:
+        return _told(long_after.period)
     signal = _linear(problem, tree)
     kept_up = signal_features.kept_up(signal)
     found = tau / steady_features.fundamental(signal) if kept_up else signal_features.free_period(signal)

@@ -82,8 +82,9 @@ class DampedModalResponse(ModalResponse):
         modal, matrix = self.problem.modal, self._transfer.matrix
         with self.problem.work.task("the search for damped modes", LONGEST):
             while self._reached < count:
-                self._reached = min(max(FURTHER * self._reached, BLOCK), count)
-                self._known.append(damped_series(self._known[-1], self._reached))
+                reached = min(max(FURTHER * self._reached, BLOCK), count)
+                self._known.append(damped_series(self._known[-1], reached))
+                self._reached = reached
         series = self._known[-1]
         rigid = [[float(x) for x in mode.shape] for mode in modal.modes.shown() if mode.rigid]
         basis = DampedBasis(series, matrix, np.array(rigid).reshape(len(rigid), matrix.n), self._transfer.pieces)

@@ -8,7 +8,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.results.enough_modes import FINEST, enough, finest, first_modes
 from vibcli.results.not_by_modes import CoupledModes, NotByModes, ShakenSupports
 from vibcli.results.response_of_members import ResponseOfMembers
-from vibcli.results.resting_shape import polynomial_at_rest, with_polynomials
+from vibcli.results.resting_shape import less_rest
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.modal_motion import ModalMotion
@@ -267,16 +267,11 @@ class ModalResponse(ResponseOfMembers):
         u, speed = (self.over_place(piece, {0: nodes[rate]}, [orders[rate]]) if rate in nodes else None
                     for rate in range(2))
         if u is not None:
-            u = with_polynomials(u, 0, [-self._resting(self.configuration, piece)], float(piece.piece.length))
+            u = less_rest(u, self.configuration, piece, 4)
+            if u is None:
+                raise NotByModes(f"'{piece.owner}' rests in a shape that is no polynomial on each of a few parts of it",
+                                 "take its tension out, or what turns or ends sharply along it")
         return u, speed
-
-    def _resting(self, configuration, piece):
-        """u of a piece in the equilibrium of a Configuration: of the fourth degree, as an even load bends it."""
-        found = polynomial_at_rest(configuration, piece, 4)
-        if found is None:
-            raise NotByModes(f"'{piece.owner}' rests in a shape that is no polynomial of the fourth degree",
-                             "take its tension or what varies along it out")
-        return found
 
     def moved(self, direct: Any = ()):
         """The same motion, read with nodes of the time on further channels."""

@@ -43,6 +43,11 @@ class PartedResponse(ResponseOfMembers):
         return self.whole.alone
 
     @property
+    def modal(self) -> ModalResponse:
+        """All by modes."""
+        return self.whole
+
+    @property
     def _forces(self):
         return self.whole._forces
 

@@ -10,6 +10,7 @@ import numpy as np
 from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signal_names import signal_name
+from vibcli.results.averaged_waves import averaged, fits_into
 from vibcli.results.signal import Signal
 from vibcli.results.signals import LinearSignal
 from vibcli.symbolic.syntax import NameRef
@@ -88,6 +89,22 @@ class RepeatingSignal(Signal):
         error = sum(self.error_of_extreme(0.0, self.period, top, sense) for sense, top in tops)
         return 0.5 * (tops[0][1][1] - tops[1][1][1]), 0.5 * error
 
+    def mean_square(self, about: float) -> tuple[float, float]:
+        """(the mean of the square of its distance from a value over a period, how far that may be off)."""
+        fronts = self.signal.fronts(self.start + self.period) - self.start
+        edges = _edges(self.period, [fronts])
+        fine, coarse = (_mean(lambda t: (self.signal.values(t) - self.aside - about) ** 2, self.start, edges, order)
+                        for order in NODES)
+        most = max(abs(self.signal.values(self.start + edges) - self.aside - about))
+        return fine, abs(fine - coarse) + 2 * float(most) * (self.left + self.signal.error(self.start + self.period))
+
+    @property
+    def rms(self) -> tuple[float, float]:
+        """(root of its mean square, how far that may be off)."""
+        square, error = self.mean_square(0.0)
+        found = square**0.5
+        return found, error / found if found else error**0.5
+
     @property
     def steady(self) -> "RepeatingSignal":
         return self
@@ -102,8 +119,7 @@ def repeating(response: "SteadyResponse", tree: Any) -> RepeatingSignal:
     MOST periods from its `since` on."""
     problem, forcing = response.problem, response.input_forcing
     if problem.modal.damped is None:
-        raise PhysicsError("free vibrations of these members never die out, and some harmonic of this load may meet "
-                           "any of them: the sum of all is not found", f"damp the scene, or {HARMONICS}")
+        return _undamped(problem, tree, forcing)
     period = float(forcing.period)
     count, before = FIRST, ceil(forcing.since / period)
     most = min(MOST, JUMPS // len(forcing.pieces) - before)
@@ -133,6 +149,15 @@ def repeating(response: "SteadyResponse", tree: Any) -> RepeatingSignal:
                        f"damp them more, or {HARMONICS}")
 
 
+def _undamped(problem, tree, forcing):
+    found = averaged(problem, problem.response.signal(tree), float(forcing.period), float(forcing.since))
+    if found is None:
+        raise PhysicsError("free vibrations of these members never die out, and some harmonic of this load may meet "
+                           "any of them: the sum of all is not found", f"damp the scene, or {HARMONICS}")
+    signal, start, left = found
+    return RepeatingSignal(signal, float(forcing.period), start, left)
+
+
 def _ahead(problem, period):
     """How far any free vibration is from itself a period later, as a part of itself; PhysicsError where that is 0:
     what is not damped and fits into the period is not told from what loads keep up."""
@@ -141,8 +166,7 @@ def _ahead(problem, period):
         turned = complex(mode.eigenvalue) * period
         apart = abs(np.expm1(turned))
         if turned and apart <= 2 * abs(turned) * float(mode.error + DEAD):
-            raise PhysicsError(f"mode {mode.index} is not seen to be damped, and its period fits into that of this "
-                               "load: what it starts with repeats itself, too", f"damp it, or {HARMONICS}")
+            raise fits_into(mode.index, "not seen to be damped", f"damp it, or {HARMONICS}")
         found = min(found, apart) if turned else found
     return found
 
@@ -157,19 +181,23 @@ def _aside(response, tree, signal, start):
     if not isinstance(still, LinearSignal):
         raise PhysicsError("the steady state of functions of signals is not found of members that nothing holds",
                            "ask for that of single signals")
-    bends = np.concatenate([np.linspace(0.0, forcing.period, PANELS + 1),
-                            signal.fronts(start + forcing.period) - start,
-                            [(piece.start - forcing.since) % forcing.period for piece in forcing.pieces]])
-    edges = np.unique(bends[(bends >= 0.0) & (bends <= forcing.period)])
-    fine, coarse = (_mean(signal, start, edges, order) for order in NODES)
+    edges = _edges(forcing.period, [signal.fronts(start + forcing.period) - start,
+                                    [(piece.start - forcing.since) % forcing.period for piece in forcing.pieces]])
+    fine, coarse = (_mean(signal.values, start, edges, order) for order in NODES)
     mean = still.motion.steady.mean(still.output)
     size = float(np.abs(signal.values(start + edges)).max())
     return fine - mean, abs(fine - coarse) + DEAD * size + signal.error_of_mean(start, start + float(edges[-1]))
 
 
-def _mean(signal, start, edges, order):
-    """The mean of a signal between edges by Gauss's rule on each of the stretches between them."""
+def _edges(period, bends):
+    """Of the panels of a period, and what bends within it."""
+    found = np.concatenate([np.linspace(0.0, period, PANELS + 1), *bends])
+    return np.unique(found[(found >= 0.0) & (found <= period)])
+
+
+def _mean(values, start, edges, order):
+    """The mean of a function between edges by Gauss's rule on each of the stretches between them."""
     at, weights = np.polynomial.legendre.leggauss(order)
     middle, half = (edges[1:] + edges[:-1]) / 2, np.diff(edges) / 2
-    values = signal.values(start + (middle[:, None] + half[:, None] * at).ravel()).reshape(-1, order)
+    values = values(start + (middle[:, None] + half[:, None] * at).ravel()).reshape(-1, order)
     return float(half @ (values @ weights)) / (edges[-1] - edges[0])

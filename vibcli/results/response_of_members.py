@@ -10,12 +10,13 @@ from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
 from vibcli.analyses.excitation.linear_output import FieldPoint, LinearOutput
 from vibcli.base.errors import PhysicsError
 from vibcli.results.responses import SmallResponse
-from vibcli.results.resting_shape import ROUNDING, polynomial_at_rest, with_polynomials
+from vibcli.results.resting_shape import ROUNDING, less_rest, polynomial_at_rest, with_polynomials
 from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.forcing import Forcing
     from vibcli.mechanics.factored_system import PlacedPiece
+    from vibcli.results.long_after import LongAfter
     from vibcli.results.part_of_members import PartOfMembers
     from vibcli.results.parted_response import PartedResponse
     from vibcli.results.problem import Problem
@@ -181,8 +182,9 @@ class ResponseOfMembers(SmallResponse):
         """u and u̇ over one piece, channels of the place along it; None of what rests straight between its ends."""
         scene, held, nodes = self.problem.scene, self.configuration.preloaded, self._given_along(piece, given)
         if 0 in nodes:
-            added = [-self._resting(self.configuration, piece)]
-        elif held is not None and (given is not None or scene.gravity or held.scene.spread_loads):
+            found = less_rest(self.over_place(piece, nodes, [piece.piece.order, 0]), self.configuration, piece, 2)
+            return found or self._no_polynomial(piece)
+        if held is not None and (given is not None or scene.gravity or held.scene.spread_loads):
             added = [self._resting(held, piece), -self._resting(self.configuration, piece)]
         elif given is not None:
             added = [self._straight(piece)]
@@ -227,9 +229,10 @@ class ResponseOfMembers(SmallResponse):
     def _resting(self, configuration, piece):
         """u of a piece in the equilibrium of a Configuration: a parabola, as weight may lengthen it."""
         found = polynomial_at_rest(configuration, piece, 2)
-        if found is None:
-            raise NotByWaves(f"'{piece.owner}' rests under a load that varies along it")
-        return found
+        return self._no_polynomial(piece) if found is None else found
+
+    def _no_polynomial(self, piece):
+        raise NotByWaves(f"'{piece.owner}' rests under a load that varies along it")
 
     @cached_property
     def kept_up(self) -> "SteadyResponse":
@@ -238,6 +241,12 @@ class ResponseOfMembers(SmallResponse):
 
         return SteadyResponse(self.problem, PhysicsError(f"this is not found of {self.WORDS}",
                                                          "ask for max(x), min(x) or values in time"))
+
+    def long_after(self, tree: Any) -> "LongAfter":
+        """What a signal comes to."""
+        from vibcli.results.long_after import LongAfter
+
+        return LongAfter(self, tree)
 
     def _one(self, part, source=()):
         if getattr(part[0], "head", "") == "steady":

@@ -11,9 +11,11 @@ if TYPE_CHECKING:
 
     import numpy as np
 
+    from vibcli.results.modal_response import ModalResponse
     from vibcli.results.part_of_members import PartOfMembers
     from vibcli.results.problem import Problem
     from vibcli.results.signal import Signal
+    from vibcli.results.steady_response import SteadyResponse
 
 
 class WaveResponse(ResponseOfMembers):
@@ -82,13 +84,14 @@ class WaveResponse(ResponseOfMembers):
         try:
             self.reach(t)
         except NotByWaves:
-            if self._modes.KIND == "steady":
+            if self.modal.KIND == "steady":
                 raise
-            return self._modes.signal(signal.asked[1]).read_at(t)
+            return self.modal.signal(signal.asked[1]).read_at(t)
         return signal
 
     @cached_property
-    def _modes(self):
+    def modal(self) -> "ModalResponse | SteadyResponse":
+        """The response by modes beside these waves."""
         return self._by_modes(self.problem, self)
 
     def moved(self, direct: Any = ()):

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from support.scenes import problem
 
+from vibcli.analyses.continuous import damped_series
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signals_of_places import with_places
 from vibcli.results import damped_modal_response
@@ -124,3 +125,19 @@ def test_what_lets_no_wave_come_back_is_told():
         """)
     with pytest.raises(PhysicsError, match="no wave comes back"):
         signal(lambda one: one.response, scene, "cord.u(L)").values(TIMES)
+
+
+def test_modes_that_are_not_found_leave_those_found_as_they_are(monkeypatch):
+    """Of a bar with a damper at its end λ = (−½ ln((1 + r)/(1 − r)) ± i (n − ½) π) c₀/L."""
+    found = damped_series.damped_series
+
+    def no_more_than_64(known, count):
+        if count > 64:
+            raise PhysicsError("too many", "ask for fewer")
+        return found(known, count)
+
+    monkeypatch.setattr(damped_series, "damped_series", no_more_than_64)
+    scene = problem(BARS["damped at its end"])
+    rates = DampedModalResponse(scene).alone.modes.basis.rates
+    assert len(rates) == 64
+    assert rates[-1] == pytest.approx(complex(-np.log(3) / 2, 63.5 * np.pi))

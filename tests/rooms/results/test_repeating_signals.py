@@ -143,9 +143,30 @@ def test_what_never_dies_out_is_refused_by_name():
         model["max(steady(rod.u(L)))"]
     assert "harmonic" in refused.value.hint
     assert model["harmonic[1](rod.u(L))"].value > 0
-    with pytest.raises(PhysicsError, match="one at a time") as refused:
+    with pytest.raises(PhysicsError, match="never die out") as refused:
         model["rms(rod.u(L))"]
     assert "max(steady" not in refused.value.hint
+
+
+def test_what_nothing_damps_is_kept_up_where_its_period_fits_with_that_of_the_load():
+    """T = 3/4 of that of a clamped bar: u = Σ 4F₀/(πn) tan kL/(EA k) sin nΩt, N = EA u′, each over the odd n."""
+    model = vibcli.loads(BAR.format("").replace("Om: 2000", "Om: pi/3*2000"))
+    n = np.arange(1, 60_001, 2)
+    k = n * np.pi * 2 / 3
+    X = 400 / np.pi / n * np.tan(k) / k / 2e6
+    Omega = np.pi * 2000 / 3
+    for t in (0.2e-3, 0.9e-3, 2.1e-3):
+        assert model[f"steady(rod.u(L))({t!r} s)"].value == pytest.approx(np.sum(X * np.sin(n * Omega * t)), abs=2e-9)
+    top, force = model["amplitude(rod.u(L))"], model["rms(rod.force(0 m))"]
+    along = X @ np.sin(np.outer(n, Omega * np.linspace(0, 3e-3, 61)))
+    assert top.value == pytest.approx(np.abs(along).max(), abs=2e-9)
+    assert model["rms(rod.u(L))"].value == pytest.approx((X @ X / 2) ** 0.5, rel=1e-12)
+    assert force.value == pytest.approx((((400 / np.pi / n / np.cos(k)) ** 2).sum() / 2) ** 0.5, rel=1e-5)
+    assert top.error < 1e-11 * top.value and force.error < 1e-11 * force.value
+    for period in (1.0, 2.0):       # of the first mode: of odd harmonics that of the second case meets none
+        model = vibcli.loads(BAR.format("").replace("Om: 2000", f"Om: pi/{period}*500"))
+        with pytest.raises(PhysicsError, match="mode 1 is not damped"):
+            model["amplitude(rod.u(L))"]
 
 
 def test_what_is_not_damped_and_fits_into_the_period_is_refused():
@@ -163,8 +184,12 @@ def test_what_a_damper_swallows_is_damped():
     assert model["max(steady(rod.u'(L)))"].value == pytest.approx(0.05, rel=1e-12)
     assert model["steady(rod.u'(L))(0.5 ms)"].value == pytest.approx(0.05, rel=1e-12)
     assert model["steady(rod.u'(L))(0.4 ms)"].value == pytest.approx(0.0, abs=1e-12)
+    rest = 2e-3 - np.pi / 2000      # in which u̇ is 0 in each half period
+    rising = np.pi / 2000 - rest
+    assert model["rms(steady(rod.u(L)))"].value == pytest.approx(
+        0.05 * rising / 2 * ((rest + rising / 3) / (rest + rising)) ** 0.5, rel=1e-12)
     with pytest.raises(PhysicsError, match="one at a time") as refused:
-        model["rms(steady(rod.u(L)))"]
+        model["phase(rod.u(L))"]
     assert "max(steady(rod.u(L)))" in refused.value.hint and "amplitude(rod.u(L))" in refused.value.hint
 
 

@@ -167,9 +167,11 @@ def _solved(D, slope):
 def distinct(roots: np.ndarray) -> np.ndarray:
     """Without those found twice, by |λ|."""
     roots = roots[np.argsort(abs(roots), kind="stable")]
-    keep = np.ones(len(roots), bool)
-    for away in range(1, 8):
-        same = abs(roots[away:] - roots[:-away]) <= ALIKE * abs(roots[away:])
+    size, keep = abs(roots), np.ones(len(roots), bool)
+    for away in range(1, len(roots)):
+        if (size[away:] - size[:-away] > 2 * ALIKE * size[away:]).all():
+            break
+        same = abs(roots[away:] - roots[:-away]) <= ALIKE * size[away:]
         keep[away:] &= ~(same & keep[:-away])
     return roots[keep]
 

@@ -46,10 +46,15 @@ def _slopes(node, x, order):
 
 def _powers(row, x, start, length, values):
     """Coefficients of powers of the distance from the start of a panel."""
-    middle, half, order = start + length / 2, length / 2, len(row) - 1
     highest = legendre_powers(row[-1], x, (start, start + length), values)
-    given = evaluate(row[:-1], Floats, {**values, x.name: middle})
+    return integrated(evaluate(row[:-1], Floats, {**values, x.name: start + length / 2}), highest, length)
+
+
+def integrated(given: "Sequence[float]", highest: "Sequence[float]", length: float) -> list[float]:
+    """Coefficients of powers of the distance from the start of a panel, of a function with derivatives `given` in its
+    middle and the next one in powers of −1 … 1."""
+    half, order = length / 2, len(given)
     about = [c * half**k / factorial(k) for k, c in enumerate(given)]
     about += [c * half**order * factorial(k) / factorial(k + order) for k, c in enumerate(highest)]
-    moved = np.polynomial.Polynomial(about)(np.polynomial.Polynomial([-1.0, 2.0])).coef
+    moved = np.asarray(np.polynomial.Polynomial(about)(np.polynomial.Polynomial([-1.0, 2.0])).coef, float)
     return (moved / length ** np.arange(len(moved))).tolist()

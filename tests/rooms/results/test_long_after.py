@@ -1,0 +1,106 @@
+"""What members come to long after their loads: against waves that are followed by hand and sums over modes whose
+frequencies other roots give."""
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+from support.scenes import problem
+
+from vibcli.api.values import quantity_value
+from vibcli.base.errors import PhysicsError
+
+BAR = """\
+    parameters: {L: 1 m, EA: 100 N, mu: 1 kg/m, F: 5 N}
+    bars: {rod: {length: L, EA: EA, mass_per_length: mu, %s}}
+    points: {tip: {body: rod, at: L}}
+    forces: {load: {at: tip, force: %s}}
+    """
+STEP = "F*step(t - 0.1 s)"
+BEAM = BAR.replace("bars", "beams").replace("EA: EA", "EI: EI").replace("EA: 100 N", "EI: 100 N*m^2")
+
+
+def asked(scene, text):
+    found = quantity_value(scene, text)
+    return float(found.value), float(found.error)
+
+
+def compared(scene, exact, near=1e-14):
+    for text, value in exact.items():
+        found, error = asked(scene, text)
+        assert abs(found - value) <= near * abs(value) + error, text
+        assert error <= 2e-11 * max(abs(found), 1.0), text
+
+
+def test_a_bar_repeats_itself_after_four_ways():
+    """u of its end is a triangle between 0 and 2 F L/EA, the force at the clamp leaps between 0 and 2 F."""
+    compared(problem(BAR % ("left: clamped", STEP)), {
+        "mean(rod.u(L))": 0.05, "amplitude(rod.u(L))": 0.05, "period(rod.u(L))": 0.4,
+        "rms(rod.u(L))": 0.05 * (4 / 3) ** 0.5, "mean(rod.force(0 m))": 5.0, "rms(rod.force(0 m))": 50**0.5,
+        "rms(rod.u(L) - rod.u(L))": 0.0})
+
+
+def test_a_pulse_runs_to_and_fro_in_a_free_bar():
+    """Of 0.07 s each way through 0.3 m the 0.01 s are nothing in which both are there."""
+    scene = problem(BAR.replace(", %s}", "}") % "F*(step(t) - step(t - 0.07 s))")
+    compared(scene, {"rms(rod.force(0.3 m))": 5 * 0.6**0.5, "amplitude(rod.force(0.3 m))": 5.0})
+    for text in ("mean(rod.u(L))", "mean(rod.u'(L))", "final(rod.u'(L))"):
+        with pytest.raises(PhysicsError, match="does not follow from their last loads"):
+            asked(scene, text)
+
+
+def test_a_bar_with_a_mass_has_no_common_period():
+    """βL tan βL = μL/m, a = 2 F sin²βL/(EA β (βL + sin βL cos βL))."""
+    scene = problem(BAR % ("left: clamped, attached: [{at: L, mass: 0.7 kg}]", STEP))
+    beta = np.array([brentq(lambda b: b * np.sin(b) - np.cos(b) / 0.7, k * np.pi, (k + 0.5) * np.pi, xtol=1e-14)
+                     for k in range(300)])
+    sizes = 2 * 0.05 * np.sin(beta) ** 2 / (beta * (beta + np.sin(beta) * np.cos(beta)))
+    assert sizes.sum() == pytest.approx(0.05, rel=1e-5)
+    compared(scene, {"mean(rod.u(L))": 0.05, "rms(rod.u(L))": (0.05**2 + (sizes**2).sum() / 2) ** 0.5}, 1e-11)
+    with pytest.raises(PhysicsError, match="no common period"):
+        asked(scene, "amplitude(rod.u(L))")
+    with pytest.raises(PhysicsError, match="does not die out"):
+        asked(scene, "final(rod.u(L))")
+
+
+def test_a_beam_swings_about_its_deflection():
+    """Each mode of a cantilever by a = 4 F/(μ L ω²)."""
+    roots = np.array([brentq(lambda b: np.cos(b) + 1 / np.cosh(b), (k + 0.3) * np.pi, (k + 0.7) * np.pi, xtol=1e-14)
+                      for k in range(30)])
+    square = ((4 * 5 / (100 * roots**4)) ** 2).sum() / 2
+    compared(problem(BEAM % ("left: clamped", STEP)), {
+        "mean(rod.u(L))": 1 / 60, "rms(rod.u(L))": (1 / 3600 + square) ** 0.5, "mean(rod.moment(0 m))": 5.0}, 1e-13)
+
+
+@pytest.mark.parametrize("scene", [BAR % ("left: clamped, right: {c: 7 N*s/m}", STEP),
+                                   BAR % ("left: clamped, drag: 3 N*s/m^2", STEP),
+                                   BAR % ("left: clamped", STEP) + "damping: {modal: 2 %}\n"])
+def test_what_is_damped_comes_to_the_static_deflection(scene):
+    found = problem(scene)
+    compared(found, {"final(rod.u(L))": 0.05, "final(rod.u(L) - 3*rod.u(L/2))": -0.025, "final(rod.force(0 m))": 5.0,
+                     "final(rod.u(L)*rod.force(0 m))": 0.25})
+    with pytest.raises(PhysicsError, match="comes to rest"):
+        asked(found, "mean(rod.u(L))")
+
+
+def test_what_a_damper_in_a_node_does_not_see_vibrates_on():
+    """Of a bar between walls every other mode has a node in the middle."""
+    scene = problem((BAR % ("left: clamped, right: clamped, attached: [{at: L/2, c: 17 N*s/m}]", STEP)).replace(
+        "at: L}}", "at: L/4}}"))
+    compared(scene, {"final(rod.u(L/2))": 1 / 160, "mean(rod.u(L/4))": 3 / 320})
+    with pytest.raises(PhysicsError, match="does not die out"):
+        asked(scene, "final(rod.u(L/4))")
+    with pytest.raises(PhysicsError, match="some of what vibrates dies out"):
+        asked(scene, "rms(rod.u(L/4))")
+
+
+def test_what_nothing_moves_any_more_has_a_limit():
+    """A pulse as long as a wave needs there and back leaves a bar at rest, as no load does."""
+    compared(problem(BAR % ("left: clamped", "F*(step(t) - step(t - 0.4 s))")), {"final(rod.u(L))": 0.0})
+    compared(problem(BAR % ("left: clamped", "0*F")), {"final(rod.u(L/2))": 0.0})
+
+
+def test_what_grows_has_neither_limit_nor_mean():
+    scene = problem(BAR % ("left: clamped, right: {c: -3 N*s/m}", STEP))
+    for text in ("final(rod.u(L))", "mean(rod.u(L))"):
+        with pytest.raises(PhysicsError, match="grows without end"):
+            asked(scene, text)

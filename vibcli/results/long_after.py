@@ -1,0 +1,238 @@
+"""What motions of members come to long after their loads have: to the equilibrium under these, about which vibrates
+what nothing damps. Signals that come to rest are seen to; of all others the mean over all times is the same."""
+
+from functools import cached_property
+from math import inf, tau
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from vibcli.analyses.continuous.real_modes import RealModes
+from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
+from vibcli.base.errors import PhysicsError
+from vibcli.language.signal_names import signal_name
+from vibcli.results.composed_errors import propagated
+from vibcli.results.modal_signals import ModalSignal, without_bound
+from vibcli.results.repeating_signal import DEAD, INNER, MODES, SAMPLES, RepeatingSignal
+from vibcli.results.signal_features import at_rest
+from vibcli.results.signals import ComposedSignal, LinearSignal
+from vibcli.results.steady_features import common
+from vibcli.results.wave_signals import ComposedOfWaves, WaveSignal
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.syntax import NameRef
+
+if TYPE_CHECKING:
+    from vibcli.results.response_of_members import ResponseOfMembers
+    from vibcli.results.signal import Signal
+
+GONE = 40.0         # decay times after which nothing is left in floats
+ALIKE = 1e-9        # relative: angular frequencies whose vibrations are taken together and apart
+REPEATED = 64.0     # times rounding: how far what repeats itself is from itself
+
+
+class LongAfter:
+    """Of the signal that a tree asks of a response whose loads come to rest."""
+
+    def __init__(self, response: "ResponseOfMembers", tree: Any):
+        self.response, self.tree, self.problem = response, tree, response.problem
+
+    @cached_property
+    def signal(self) -> "Signal":
+        """As it moves."""
+        return self.response.signal(self.tree)
+
+    @cached_property
+    def still(self) -> tuple[float, float]:
+        """(its value in the equilibrium under the last loads, how far that may be off); PhysicsError where loads or
+        members keep nothing still."""
+        if self._loads.period is not None or not self._loads.listed:
+            raise PhysicsError("loads keep this signal in motion: it has no limit", "ask for max(x), or mean(x)")
+        inner = isinstance(self.tree, NameRef) and signal_name(self.tree.name).kind in INNER
+        if not inner and any(mode.rigid for mode in self.problem.modal.modes.shown()):
+            raise PhysicsError("nothing holds these members: where they move on to does not follow from their last "
+                               "loads", "ask for its value at a time")
+        if any(-decay > error for decay, error in self._pairs):
+            raise PhysicsError("what vibrates grows without end: it has neither limit nor mean",
+                               "ask for its value at a time")
+        return _still(self._kept)
+
+    @cached_property
+    def _kept(self):
+        return self.response.kept_up.signal(self.tree)
+
+    @property
+    def _loads(self):
+        return self.response.kept_up.input_forcing
+
+    @cached_property
+    def final(self) -> tuple[float, float]:
+        """(its limit, how far that may be off); PhysicsError where it vibrates on."""
+        value, error = self.still
+        left = self._left
+        if left is None:
+            raise PhysicsError("what vibrates in this signal does not die out: it has no limit",
+                               "ask for mean(x), or damp what vibrates")
+        return value, error + left
+
+    @cached_property
+    def _left(self):
+        """How far it may be from its limit long after; None where it is seen to move then."""
+        if _dies_out(self.signal):
+            return 0.0
+        start, window = self._last, self._longest
+        decays = self._decays
+        late = start + (GONE / min(decays) if decays else window)
+        times = late + window * np.linspace(0.0, 1.0, SAMPLES)
+        signal = self.signal.read_at(float(times[-1]))
+        apart = float(np.abs(signal.values(times) - self.still[0]).max())
+        size = max(float(np.abs(signal.values(start + window * np.linspace(0.0, 1.0, SAMPLES))).max()), abs(
+            self.still[0]))
+        known = max(DEAD * size, signal.error(float(times[-1])))
+        return known if apart <= known + self.still[1] else None
+
+    @property
+    def _last(self):
+        """From when on its loads do not change but for what dies out."""
+        fades = [-wave.exponent.real for wave in self._loads.last.waves if wave.exponent.real < 0]
+        return self._loads.last.start + (GONE / min(fades) if fades else 0.0)
+
+    @cached_property
+    def _damped(self):
+        damped = self.problem.modal.damped
+        return [] if damped is None else damped.first(MODES)
+
+    @property
+    def _decays(self):
+        """Those of damped modes that are seen to be damped."""
+        return [decay for decay, error in self._pairs if decay > error]
+
+    @property
+    def _pairs(self):
+        """[(decay, how far it may be off)] of the first damped modes."""
+        return [(-float(mode.eigenvalue.real), abs(complex(mode.eigenvalue)) * float(mode.error))
+                for mode in self._damped if mode.eigenvalue]
+
+    @cached_property
+    def _longest(self):
+        """A time in which all that vibrates has swung once, and each wave has come back."""
+        periods = [tau / float(mode.omega) for mode in self.problem.modal.modes.shown() if mode.omega]
+        return max(periods, default=0.0) + 2 * sum(_way(placed.piece) for placed in self.response.placed)
+
+    @cached_property
+    def mean(self) -> tuple[float, float]:
+        """(over all times, how far it may be off); PhysicsError where it comes to rest."""
+        found = self.still
+        if not isinstance(self._kept, LinearSignal):
+            raise PhysicsError("means of functions of signals of members that vibrate freely are not found",
+                               "ask for mean(x) and rms(x) of a single signal")
+        if self.problem.modal.damped is not None and self._left is not None:
+            raise at_rest()
+        return found
+
+    @cached_property
+    def rms(self) -> tuple[float, float]:
+        """(root of the mean square over all times, how far it may be off)."""
+        mean, error = self.mean
+        square, off = self._square
+        found = (mean**2 + square) ** 0.5
+        return found, (2 * abs(mean) * error + off) / found if found else (error**2 + off) ** 0.5
+
+    @property
+    def _square(self):
+        """(mean square about the mean, how far it may be off)."""
+        repeats = self.repeating
+        if repeats is not None:
+            return repeats.mean_square(self.still[0])
+        if self.problem.modal.damped is not None:
+            raise PhysicsError("the mean square is not found where some of what vibrates dies out", "ask for mean(x)")
+        signal = self.signal
+        if isinstance(signal, WaveSignal):
+            signal = self.response.modal.signal(self.tree)      # type: ignore[attr-defined]
+        if not isinstance(signal, ModalSignal):
+            raise PhysicsError("the mean square is not found of what is read off waves and modes together",
+                               "ask for that of a single signal")
+        return _mean_square(signal, self._loads.last.start)
+
+    @cached_property
+    def repeating(self) -> RepeatingSignal | None:
+        """What repeats itself, as waves bring it back; None where it is not seen to."""
+        omega = [float(mode.omega) for mode in self.problem.modal.modes.first(MODES) if mode.omega]
+        speed = common(omega) if omega and self.problem.modal.damped is None else None
+        if speed is None or not isinstance(self.signal, WaveSignal | ComposedOfWaves):
+            return None
+        period, start = tau / speed, self._last + self._longest
+        times = start + period * (np.linspace(0.0, 1.0, SAMPLES)[:-1] + 1 / (3 * SAMPLES))
+        try:
+            earlier, later = self.signal.values(times), self.signal.values(times + period)
+        except NotByWaves:
+            return None
+        apart, known = float(np.abs(later - earlier).max()), self.signal.error(float(times[-1] + period))
+        if apart > REPEATED * known + DEAD * float(np.abs(later).max()):
+            return None
+        return RepeatingSignal(self.signal, period, start, max(apart, known))
+
+    @property
+    def amplitude(self) -> tuple[float, float]:
+        """(half the range of what repeats itself, how far it may be off)."""
+        self.still  # noqa: B018 - do loads come to rest?
+        if self.repeating is None:
+            raise PhysicsError("the vibrations of this signal have no common period that is seen: no one amplitude is "
+                               "that of all", "ask for max(x) and min(x)")
+        return self.repeating.amplitude
+
+    @property
+    def period(self) -> tuple[float, float]:
+        """(that of what repeats itself, how far it may be off)."""
+        if self.repeating is None:
+            raise PhysicsError("the vibrations of this signal have no common period that is seen", "ask for max(x)")
+        return self.repeating.period, DEAD * self.repeating.period
+
+
+def _still(signal):
+    """(value, how far it may be off) of what loads keep up that do not oscillate."""
+    if not isinstance(signal, LinearSignal):
+        signal.require_no_time("limit")
+        parts = {name: _still(part) for name, part in signal.signals.items()}
+        values, errors = ({name: part[k] for name, part in parts.items()} for k in range(2))
+
+        def function(known):
+            return evaluate([signal.node], Floats, {**signal.floats, **known})[0]
+        return function(values), propagated(function, values, errors)
+    steady = signal.motion.steady
+    if any(rate for rate, _ in steady.phasors(signal.output)):
+        raise PhysicsError("loads keep this signal in motion: it has no limit", "ask for max(x), or mean(x)")
+    return steady.mean(signal.output), float(steady.errors(signal.output, np.zeros(1))[0])
+
+
+def _dies_out(signal):
+    """Do all modes that a signal is read off, those too that are left out?"""
+    if isinstance(signal, ComposedSignal):
+        return all(map(_dies_out, signal.signals.values()))
+    if not isinstance(signal, ModalSignal):
+        return False
+    modes, rates = signal.modal.modes, signal.modal.states.rates
+    least = 0.0 if isinstance(modes, RealModes) else ALIKE * abs(rates)     # others are found, not given
+    return modes.fading < 0 and bool((rates.real < -least).all())
+
+
+def _way(piece):
+    """The time in which a wave runs along a piece; 0 where it has no speed."""
+    return float(piece.length) * (float(piece.inertia / piece.tension) ** 0.5 if piece.order == 2 else 0.0)
+
+
+def _mean_square(signal, start):
+    """(Σ |a|²/2 of the free vibrations from an instant on, a bound of the error): vibrations of one frequency are taken
+    together; what modes left out add are others, (Σ |a|)² ≥ Σ |a|²."""
+    motion = signal.modal
+    left = motion.bound(signal.reads, start)
+    if not left < inf:
+        raise without_bound()
+    stretch = next(one for one in reversed(motion.stretches(start)) if one.start <= start)
+    sizes, rates = motion.swings(signal.reads, stretch, motion.count)
+    order = np.argsort(rates.imag)
+    sizes, omega = sizes[order], rates[order].imag
+    groups = np.cumsum(np.diff(omega, prepend=-inf) > ALIKE * omega)
+    together = np.zeros(groups.max(initial=0) + 1, complex)
+    np.add.at(together, groups, sizes)
+    rounding = signal.error(start) - left
+    return float((np.abs(together) ** 2).sum() / 2), left**2 / 2 + 2 * rounding * float(np.abs(together).sum())
