@@ -3,7 +3,7 @@ spurious, and how near errors come to their bounds, against 25 digits.
 
     python -m vibcli.bench.members_counted COUNT SEED
 
-counts others than the table, as 10,000 in some forty minutes, and prints what disagrees.
+counts others than the table, as 10,000 in ten minutes of the processor, and prints what disagrees.
 """
 
 import math
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.modal.undamped import Mode
     from vibcli.bench.random_members import RowOfMembers
 
-SYSTEMS = 250           # of the table: a minute
+SYSTEMS = 250           # of the table: a quarter of a minute
 MODES, EVERY, DIGITS = 6, 50, 25        # of each system; every how many its bounds are looked at, by so many
 MESHES = 20, 10, 6      # elements a piece; fine ones lose digits where stiffnesses are far apart
 HIGHER, NOISE = 0.04, 1e-6      # by which ω² of meshes is off, as a part and of the last

@@ -8,12 +8,13 @@ the margin to flutter and divergence (margin.py).
 
 from collections.abc import Sequence
 from fractions import Fraction
-from math import isfinite, pi
+from math import isfinite
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.inverse.admissible_ranges import admissible
 from vibcli.inverse.alike_drawings import AlikeDrawings
+from vibcli.inverse.slowest_mode import slowest
 from vibcli.inverse.stability_margin import ZERO, free_roots, margin
 from vibcli.quantities.expression import value_of
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -27,7 +28,6 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 HOLDS = 1e-8
-SEVERAL, APART = 6, 4       # modes without end among which is one whose ω² is so many times that of the slowest
 NEAR = 1e-6         # a misfit from which on a look is enough, at numbers whose bounds are not found
 
 
@@ -97,7 +97,8 @@ class ConditionSystem:
                 if not all(condition.is_balance for condition in self.conditions):
                     instance = _roughly(instance)
                 found = self.seen(instance.roughly())
-                if any(abs(one) < NEAR for one in self._misfits_of(found)):
+                told = all(condition.word for condition in self.conditions)
+                if not told and any(abs(one) < NEAR for one in self._misfits_of(found)):
                     found = self.seen(instance)
         except (SpecError, PhysicsError, ArithmeticError, np.linalg.LinAlgError) as error:
             self.refusal = self.refusal or error
@@ -126,7 +127,7 @@ class ConditionSystem:
             self.rigid = zeros if self.rigid is None else min(zeros, self.rigid)
             held = sorted(values, key=abs)[self.rigid:]
             if not held:
-                raise PhysicsError("nothing holds this scene: it has no limit of stability", "add a spring")
+                raise _nothing_held()
             return 0.5 * (size + min(held)), 0.5 * (size - min(held))
         free = free_roots(instance.configuration.linear_system)
         self.free = free if self.free is None else min(free, self.free)
@@ -134,20 +135,15 @@ class ConditionSystem:
         if found is not None:
             value, size = found
             return 0.5 * (size + value), 0.5 * (size - value)
-        if any(_waves_under_pressure(placed.piece) > SEVERAL for placed in instance.configuration.linear_system.pieces):
+        found = slowest(instance)
+        if found is None:
             return 0.0, 1.0
-        every = instance.modal.modes
-        modes = every.first(SEVERAL) if not every.finite and every.grow else every.shown()
-        rigid = sum(mode.rigid for mode in modes)
+        rigid, value, size = found
         self.rigid = rigid if self.rigid is None else min(rigid, self.rigid)
         if rigid > self.rigid:
             return 1.0, 1.0
-        mode = next((mode for mode in modes if not mode.rigid), None)
-        if mode is None:
-            raise PhysicsError("nothing holds this scene: it has no limit of stability", "add a spring")
-        value = _square(mode)
-        size = _stiffness_size(instance.configuration.linear_system, mode.shape) if every.finite else _next_size(
-            abs(value), modes)
+        if value is None:
+            raise _nothing_held()
         return 0.5 * (size + value), 0.5 * (size - value)
 
     def misfits(self, values: Sequence[float]) -> list[float]:
@@ -240,6 +236,10 @@ def _roughly(instance):
     return instance.about(configuration.about(configuration.equilibrium, elements))
 
 
+def _nothing_held():
+    return PhysicsError("nothing holds this scene: it has no limit of stability", "add a spring")
+
+
 def misfit(pair: tuple[float, float], scale: float) -> float:
     left, right = pair
     size = abs(left) + abs(right) + scale
@@ -254,34 +254,6 @@ def balance(instance: Any) -> list[tuple[float, float]]:
         values = evaluate(terms, Floats, place)
         found.append((sum(x for x in values if not x < 0), -sum(x for x in values if x < 0)))
     return found
-
-
-def _waves_under_pressure(piece):
-    """In how many half waves, at least, a piece buckles with all that it is held to at rest: what lies in that half of
-    it which is pressed most, clamped there, buckles under the pressure at the middle in √(−N/B) l/(2π) − 1."""
-    pressure = -float(piece.tension + piece.gradient * piece.length / 2)
-    if piece.foundation or not piece.bending or pressure <= 0:
-        return 0
-    return int((pressure / float(piece.bending)) ** 0.5 * float(piece.length) / (2 * pi)) - 1
-
-
-def _square(mode):
-    """ω², negative of what grows."""
-    return float(mode.omega) ** 2 if mode.omega is not None else -(float(mode.growth_rate) ** 2)
-
-
-def _next_size(size, modes):
-    """The least ω² of modes that is well above this one."""
-    others = sorted(abs(_square(mode)) for mode in modes)
-    return next((other for other in others if other > APART * size), others[-1])
-
-
-def _stiffness_size(elements, shape):
-    """Σ |terms| of uᵀ K u."""
-    shape = [complex(x).real for x in shape]
-    total = sum(abs(k) * sum(x * shape[i] for i, x in row.items()) ** 2 for k, row in elements.springs)
-    return total + sum(abs(elements.K_size.get(pair, value) * shape[pair[0]] * shape[pair[1]])
-                       for pair, value in elements.K.items())
 
 
 def in_geometry(problem: "Problem", names: Sequence[str]) -> bool:

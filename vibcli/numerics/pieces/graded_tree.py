@@ -17,7 +17,7 @@ from vibcli.numerics.pieces.scattering import joined, scattered
 if TYPE_CHECKING:
     from vibcli.numerics.pieces.arithmetic import Arithmetic
 
-KEPT = 16               # trees of a piece at one κ, and of mpmath's numbers at several
+KEPT, ALIKE = 16, 8     # trees of a piece at one κ or a few, and of mpmath's numbers at several
 STEP = 25e-6            # steps of work for each entry of the stiffness of a part at one κ
 
 
@@ -34,9 +34,9 @@ def graded_tree(piece: "Piece", kappa: np.ndarray, numbers: "Arithmetic") -> Gra
     """The GradedTree of one piece at flat κ."""
     if numbers.number is not None:      # as for the stiffness and for the count at the same frequencies
         tree = _grown_precisely(tuple(piece), tuple(kappa.tolist()), numbers.eps)
-    elif len(kappa) > 1:
+    elif len(kappa) > ALIKE:
         tree = _grown(piece, kappa, numbers)
-    else:       # as at one frequency of all places along a piece
+    else:       # as at one frequency of all places along a piece, and at those of a count
         tree = _grown_again(Piece(*map(float, piece)), kappa.dtype.str, kappa.tobytes())
     counted((len(tree.cuts) - 1) * len(kappa) * piece.order**2 * STEP)
     return tree
