@@ -31,7 +31,7 @@ class NumericSystem:
         self.system, self.spec, self.work = system, system.spec, system.work
         self.given, self.costs = (system.given, system.costs) if given is None else (given, Costs())
         if floats is not None:
-            self.floats = floats
+            self.floats, self.has_free_symbols = floats, False
         if drawn is not None:
             self.drawn_floats = drawn
 

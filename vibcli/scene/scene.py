@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 READ = frozenset(("setting", "lower", "pair", "number", "terms_with", "unrooted", "distance", "height_of", "frame",
                   "place", "place_of", "rim", "extent", "unit_of"))     # what is made of the values of parameters
-OF_VALUES = READ | {"like", "spec", "parameters", "sample", "still", "loops", "closure", "oscillating"}
+OF_VALUES = READ | {"like", "spec", "parameters", "sample", "still", "oscillating"}
 CONNECTIONS = ("springs", "dampers", "laws", "inertias")        # of the inertias those that exert a force
 
 
@@ -122,8 +122,9 @@ class Scene:
         found = object.__new__(Scene)
         still = self.still and self.still.with_other_values(spec, parameters, sample)
         vars(found).update(self._of_no_values, like=self, spec=spec, parameters=parameters, sample=sample, still=still)
-        loops = self.loops and self.loops.with_sizes(found.unit_of)
-        vars(found).update(loops=loops, closure=self.closure and Closure(loops, self.dependent, self.freedom))
+        if self.loops is not None:
+            loops = self.loops.with_sizes(found.unit_of)
+            vars(found).update(loops=loops, closure=Closure(loops, self.dependent, self.freedom))
         return found
 
     def replaced(self, values: Any, **parts: Any) -> "Scene":
