@@ -86,13 +86,14 @@ def test_answers_are_those_of_the_scene_read_anew(path):
 
 
 @pytest.mark.sweep
-@pytest.mark.parametrize("path", sorted(PROBLEMS.glob("*/*.yaml")), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", sorted(PROBLEMS.glob("[1-79]*/*.yaml")), ids=lambda path: path.stem)
 def test_every_shipped_scene_answers_as_the_scene_read_anew(path):
-    """At some of its parameters at a time, drawn at random, as numbers and as texts; where it is not read anew, too."""
+    """At some of its parameters at a time, drawn at random, as numbers and as texts; those without members, as of such
+    some take minutes."""
     model, draw = vibcli.load(path), random.Random(path.stem)
     literals = {name: whole for name, record in model._as_read.spec.parameters.items()
                 if "value" in record and (whole := record["value"].parts.whole) is not None}
-    for _ in range(2 if model._others.shares else 0):
+    for _ in range(2):
         values = {}
         for name in draw.sample(sorted(literals), min(len(literals), draw.randint(1, 3))):
             value = float(f"{float(literals[name].value) * math.exp(draw.uniform(-0.5, 0.5)):.{draw.randint(1, 6)}g}")
