@@ -13,6 +13,13 @@ springs:
   s: {k: 3 kN/m, between: [ground, block]}
 """
 
+ONE_DEGREE = """\
+title: Mass on a spring
+parameters: {m: 2 kg, k: 800 N/m}
+bodies: {b: {mass: m, slide: x}}
+springs: {s: {k: k, between: [ground, b]}}
+"""
+
 TWO_DEGREES = """\
 title: Pendulum on a sprung cart
 parameters: {M: 6 kg, m: 2 kg, L: 0.75 m, k: 240 N/m, g: 9.81 m/s^2}

@@ -1,7 +1,7 @@
 """Values of parameters: from the file, from outside, exact or in any arithmetic."""
 
 from collections.abc import Iterable, Mapping
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
@@ -13,7 +13,7 @@ from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.literals import LARGEST, RANGE, SMALLEST
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.rationals import bits
-from vibcli.symbolic.semantics import is_factor, literal_unit, lower
+from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import Call, ExpressionError, Number, Power, Product, Sum, whole_literal
 
 if TYPE_CHECKING:
@@ -28,33 +28,10 @@ if TYPE_CHECKING:
 WIDEST = 4096       # bits
 
 
-def alike(record: Record, tree: Any, scalar: Any, free_numbers: bool | str = False) -> Record | None:
-    """The Record of a parameter with another literal of the same sign and kind of unit, so that nothing else of the
-    scene is read otherwise; None where that is not so. free_numbers: as in a DimensionCheck of the scene."""
-    if "value" not in record:
-        return None
-    was, given, (tree, scalar) = record["value"].tree, tree, _in_unit(record, tree, scalar)
-    if not (_is_positive(was) and _is_positive(tree)) or (given.units and _kind(was) != _kind(tree)):
-        return None
-    if free_numbers and is_factor(was, free_numbers) != is_factor(tree, free_numbers):
-        return None
-    value = Expression(scalar, tree, record["value"].unit, record["value"].dimension)
-    return record.with_values({**record, "value": value})
-
-
-def _is_positive(tree):
-    return tree.kind == "number" and tree.value.numerator > 0
-
-
-def _kind(literal):
-    unit = literal_unit(literal.units) if literal.units else None
-    return unit and (unit.dimension, unit.pi, unit.cycles, unit.radians)
-
-
-def _in_unit(record, tree, scalar):
-    """A bare number in the unit in which the file gives a parameter; all else as it is."""
+def in_unit(unit: str, tree: Any, scalar: Any) -> tuple[Any, Any]:
+    """A bare number and its text in a unit, if any; all else as it is."""
     number = whole_literal(tree)
-    if number and not number.units and (unit := unit_text(record)):
+    if unit and number and not number.units:
         return _with_unit(tree, _placed(unit, len(scalar.text) + 1)), Scalar(f"{scalar.text} {unit}", scalar.where)
     return tree, scalar
 
@@ -68,7 +45,7 @@ def _placed(unit, start):
 
 def overridden(record: Record, tree: Number | Product | Sum, scalar: Any, reader: Reader) -> Record:
     """The Record of a parameter with another value; a bare number takes the unit in which the file gives it."""
-    tree, scalar = _in_unit(record, tree, scalar)
+    tree, scalar = in_unit(unit_text(record), tree, scalar)
     value = Expression(scalar, with_record_calls(tree, reader.records))
     if "value" in record:
         del reader.expressions[record["value"].scalar]
@@ -88,7 +65,7 @@ def _with_unit(tree, units):
     if isinstance(tree, Sum):
         sign, number = tree.parts[0]
         return tree._replace(parts=((sign, _with_unit(number, units)),))
-    return tree._replace(units=units, end=units[-1].end)
+    return Number(tree.start, units[-1].end, tree.value, units)
 
 
 def _may_be_negative(tree):
@@ -103,9 +80,8 @@ def _may_be_negative(tree):
 
 class Parameters:
     """The parameters of a scene as leaves of its table: `nodes` by name, `definitions` of those that have a value;
-    `in_letters`: what those that are defined by letters stand for in the scene; `like`: those of the same leaves, of
-    which some are `changed` to literals of the same sign; `untold`: those without value that neither are `given` one
-    nor are chosen."""
+    `in_letters`: what those that are defined by letters stand for in the scene; `untold`: those without value that
+    neither are `given` one nor are chosen."""
 
     order: list[str]
     nodes: "dict[str, Node]"
@@ -114,15 +90,9 @@ class Parameters:
     untold: list[str]
     in_letters: "dict[str, Node]"
 
-    def __init__(self, spec: "Spec", table: "Table", like: "Parameters | None" = None, changed: Iterable[str] = (),
-                 given: Iterable[str] = ()):
+    def __init__(self, spec: "Spec", table: "Table", given: Iterable[str] = ()):
         self.table = table
         self.records = spec.parameters
-        if like is not None:
-            self.order, self.nodes, self.free, self.in_letters = like.order, like.nodes, like.free, like.in_letters
-            self.untold = like.untold
-            self.definitions = {**like.definitions, **self._lowered(changed)}
-            return
         self.order = definition_order(spec.parameters)
         unsigned = {name for name, record in spec.parameters.items() if record.get("sign") == "any"}
         unsigned |= self._not_positive()
@@ -194,18 +164,28 @@ class Parameters:
             raise SpecError(wrong)
         return found
 
-    def rational(self, given: "Mapping[str, Fraction] | None" = None) -> "dict[str, Fraction]":
+    def rational(self, given: "Mapping[str, Fraction] | None" = None) -> "Mapping[str, Fraction]":
         """Exact values of the parameters that have one, without those that are irrational or have too many digits.
         (Products of products double their digits at each step.)"""
+        return self._rational(dict(given), self.order) if given else self.exact
+
+    @cached_property
+    def exact(self) -> "Mapping[str, Fraction]":
+        """The same, where no value is given."""
+        return self._rational({}, self.order)
+
+    def _rational(self, found, names):
         from vibcli.symbolic.evaluation import evaluate_rational
 
-        found = dict(given or {})
-        for name in self.order:
-            if name in self.definitions and name not in found:
-                value = evaluate_rational([self.definitions[name]], found)
-                if value is not None and bits(value[0]) <= WIDEST:
-                    found[name] = value[0]
+        for name in names:
+            definition = None if name in found else self._definition(name)
+            value = definition and evaluate_rational([definition], found)
+            if value and bits(value[0]) <= WIDEST:
+                found[name] = value[0]
         return found
+
+    def _definition(self, name):
+        return self.definitions.get(name)
 
 
 def definition_order(records: Mapping[str, Record]) -> list[str]:

@@ -23,15 +23,17 @@ LOST, BESIDE = 1e-12, 1e-3      # relative: rounding of what is left of forces; 
 
 
 class NumericSystem:
-    """`given`: exact values for parameters that the file leaves as symbols; `floats`: {parameter: float}, where these
-    are known."""
+    """`given`: exact values for parameters that the file leaves as symbols; `floats`: {parameter: float}, and `drawn`:
+    {coordinate: float} as drawn, where these are known."""
 
     def __init__(self, system: "MechanicalSystem", given: "Mapping[str, Fraction] | None" = None,
-                 floats: dict[str, float] | None = None):
+                 floats: dict[str, float] | None = None, drawn: dict[str, float] | None = None):
         self.system, self.spec, self.work = system, system.spec, system.work
         self.given, self.costs = (system.given, system.costs) if given is None else (given, Costs())
         if floats is not None:
-            self.floats = floats
+            self.floats, self.has_free_symbols = floats, False
+        if drawn is not None:
+            self.drawn_floats = drawn
 
     @cached_property
     def scene(self) -> "Scene":

@@ -14,13 +14,14 @@ from typing import TYPE_CHECKING, Any
 from vibcli.analyses.modal.modal_analysis import ModalAnalysis
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.language.parameters import Parameters, alike
+from vibcli.language.other_literals import GivenByLiteral, OtherLiterals, hanging_on
 from vibcli.mechanics.configuration import Configuration
 from vibcli.mechanics.numeric_system import NumericSystem
 from vibcli.mechanics.system import MechanicalSystem
 from vibcli.results.problem import Problem
 from vibcli.results.variants import structure
 from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.watched_numbers import Decisions
 
 if TYPE_CHECKING:
@@ -32,11 +33,12 @@ PARTS = ("scene", "preloads", "linearisation", "time_dependent_linearisation", "
 
 
 class _Values(NamedTuple):
-    """Other values: their Spec and Parameters, and {parameter: float}."""
+    """Other values: their Spec and Parameters, {parameter: float}, and which of them changed."""
 
     spec: "Spec"
-    parameters: Parameters
+    parameters: OtherLiterals
     sample: dict[str, float]
+    changed: tuple[str, ...]
 
     def over(self, scene: "Scene") -> "Scene":
         """A Scene with these values."""
@@ -51,6 +53,9 @@ class OtherValues:
         self.problem, self._decisions, self._in_letters = problem, Decisions(), in_letters
         self._systems = problem.system, MechanicalSystem(problem.spec, watched=self._decisions.watched)
         self._opened: dict[str, tuple | None] = {}
+        self._literals: dict[tuple, GivenByLiteral] = {}
+        self._dependents: dict[tuple[str, ...], tuple[str, ...]] = {}
+        self._kept: dict[tuple[str, ...], dict[str, float] | None] = {}
 
     def at(self, settings: Mapping[str, tuple[Any, Any]]) -> Problem | None:
         """The Problem of {parameter: (syntax tree, text)}; None where it is to be read anew."""
@@ -59,7 +64,8 @@ class OtherValues:
             return None
         like, known = self.problem.system, {**self._known, "scene": values.over(self.problem.scene)}
         system = MechanicalSystem(values.spec, known=known, shared=partial(self._shared, values), like=like)
-        numeric = NumericSystem(system, floats=None if values.parameters.free else values.sample)
+        numeric = NumericSystem(system) if values.parameters.free else NumericSystem(
+            system, None, values.sample, self._drawn(values.changed))
         return Problem(values.spec, work=system.work, modal=ModalAnalysis(Configuration(numeric)))
 
     @property
@@ -75,25 +81,47 @@ class OtherValues:
 
     def _values(self, settings):
         """The _Values of settings; None where they would be read otherwise."""
-        spec, scene = _with(self.problem.spec, settings), self.problem.scene
+        scene, literals = self.problem.scene, {}
+        spec = self._with(self.problem.spec, settings, literals)
         if spec is None:
             return None
-        parameters = Parameters(spec, scene.table, scene.parameters, settings.keys() & spec.parameters.keys())
-        kept = {name: scene.sample[name] for name in self._by_themselves if name not in settings}
-        try:
-            sample = {**scene.sample, **parameters.values(Floats, kept)}
-        except SpecError:
-            return None
-        return _Values(spec, parameters, sample)
+        hanging = self._hanging(tuple(literals))
+        parameters = OtherLiterals(scene.parameters, spec.parameters, literals, hanging)
+        sample = parameters.floats(scene.sample)
+        return None if sample is None else _Values(spec, parameters, sample, hanging)
 
-    @cached_property
-    def _by_themselves(self):
-        """Names of the parameters that hang on no others."""
-        parameters = self.problem.scene.parameters
-        return [*parameters.free, *(name for name, node in parameters.definitions.items() if node.op == "number")]
+    def _with(self, spec, settings, literals):
+        """The Spec with other values, in its cases too; None where it would be read otherwise. literals: to which their
+        exact values are added."""
+        parameters = dict(spec.parameters)
+        for name in settings.keys() & parameters.keys():
+            key = parameters[name], spec.free_numbers
+            if key not in self._literals:
+                self._literals[key] = GivenByLiteral(*key)
+            found = self._literals[key].other(*settings[name])
+            if found is None:
+                return None
+            parameters[name], literals[name] = found
+        if not spec.cases:
+            return spec.with_parameters(parameters)
+        cases = {name: self._with(case, settings, {}) for name, case in spec.cases.items()}
+        return None if None in cases.values() else spec.with_parameters(parameters)._replace(cases=cases)
+
+    def _hanging(self, names):
+        """The parameters that hang on some."""
+        if names not in self._dependents:
+            self._dependents[names] = hanging_on(self.problem.scene.parameters, names)
+        return self._dependents[names]
+
+    def _drawn(self, changed):
+        """{coordinate: float} as drawn; None where it hangs on what is changed."""
+        if changed not in self._kept:
+            hangs = any(part.name in changed for part in reachable(self.problem.scene.drawn.values()))
+            self._kept[changed] = None if hangs else self.problem.numeric.drawn_floats
+        return self._kept[changed]
 
     def _drawn_alike(self, values):
-        return self._decisions.hold(self.problem.scene.sample, values.sample)
+        return self._decisions.hold(self.problem.scene.sample, values.sample, values.changed)
 
     @cached_property
     def _known(self):
@@ -139,20 +167,6 @@ def _parts(system):
     if system.settled is not None and not system.settled.told_by_statics:
         raise PhysicsError("a search finds the tensions of members")
     return {"settled": None} | {part: getattr(system, part) for part in PARTS}
-
-
-def _with(spec, settings):
-    """The Spec with other values, in its cases too; None where it would be read otherwise."""
-    parameters = dict(spec.parameters)
-    for name in settings.keys() & parameters.keys():
-        found = alike(parameters[name], *settings[name], spec.free_numbers)
-        if found is None:
-            return None
-        parameters[name] = found
-    if not spec.cases:
-        return spec.with_parameters(parameters)
-    cases = {name: _with(case, settings) for name, case in spec.cases.items()}
-    return None if None in cases.values() else spec.with_parameters(parameters)._replace(cases=cases)
 
 
 def _known_of(nodes, values):

@@ -5,9 +5,10 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import SpecError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.scene.builder import Builder
 from vibcli.scene.contents import TERMS
-from vibcli.scene.scene import Drives, Scene, Setting, Variant
+from vibcli.scene.scene import Drives, Scene
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.syntax import ExpressionError
 
@@ -17,6 +18,34 @@ if TYPE_CHECKING:
     from vibcli.language.spec import Spec
 
 ATTEMPTS = 12
+
+
+class Variant(NamedTuple):
+    """What a scene is beside that of its file: its constraints held by multipliers, its supports `released`, its drives
+    and loads as further coordinates, the `inputs`; `preloaded`: with the force that lets go where the motion starts;
+    `stretched`: its beams and strings in the plane cut open at their stations, to find their tension, without what
+    bends, or as they bend, `opened`; `tensions`: {member: [N of each piece]} that are not those of statics alone."""
+
+    multipliers: bool = False
+    released: bool = False
+    inputs: bool = False
+    preloaded: bool = False
+    stretched: bool = False
+    opened: bool = False
+    tensions: Any = None
+
+
+class Setting(NamedTuple):
+    """What is the same for a scene and those that are derived from it; `draw(attempt, variant)`: another Scene of the
+    same file and values, which are what `draw.func` takes first."""
+
+    spec: Any
+    attempt: int
+    variant: Variant
+    parameters: Any
+    sample: dict
+    reports: Any
+    draw: partial
 
 
 def build_scene(spec: "Spec", given: "Mapping[str, Fraction] | None" = None,

@@ -26,8 +26,8 @@ if TYPE_CHECKING:
 
     from vibcli.elements.rigid_body import Body
     from vibcli.language.spec import Spec
+    from vibcli.scene.build import Variant
     from vibcli.scene.member_tensions import Tensions
-    from vibcli.scene.scene import Variant
     from vibcli.symbolic.node import Node
 
 FIRST = (None, "points", "surfaces", "bodies")       # built by what refers to them, or before all others

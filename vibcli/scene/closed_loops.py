@@ -23,18 +23,18 @@ ALONG = 1e-14       # of its size: what is left of a step
 
 class Loops:
     """Conditions G = 0 in the plain symbols of coordinates, unknowns z, slopes ∂G/∂z in one list, row by row, and the
-    size of each unknown."""
+    size of each unknown; `used`: the names of all symbols in them."""
 
     __slots__ = ("_used", "conditions", "names", "sizes", "slopes")
 
     def __init__(self, names: Sequence[str], conditions: "Sequence[Node]", slopes: "Sequence[Node]",
-                 sizes: Sequence[float]):
+                 sizes: Sequence[float], used: set[str] | None = None):
         self.names, self.conditions, self.slopes, self.sizes = list(names), conditions, slopes, sizes
-        self._used = {node.name for node in reachable([*conditions, *slopes]) if node.op == "symbol"}
+        self._used = used or {node.name for node in reachable([*conditions, *slopes]) if node.op == "symbol"}
 
     def with_sizes(self, unit_of: "Callable[[str], float]") -> "Loops":
         """The same with other sizes, unit_of(unknown)."""
-        return Loops(self.names, self.conditions, self.slopes, list(map(unit_of, self.names)))
+        return Loops(self.names, self.conditions, self.slopes, list(map(unit_of, self.names)), self._used)
 
     def followed(self, start: Mapping[str, float], target: Mapping[str, float]) -> dict[str, float]:
         """{name: float} of `target` ({name: float}) with z, along the straight path from the position `start`; None

@@ -12,9 +12,9 @@ from vibcli.symbolic.normal_form import textbook
 if TYPE_CHECKING:
     from vibcli.elements.rigid_body import Body
     from vibcli.language.reader import Expression
+    from vibcli.scene.build import Variant
     from vibcli.scene.expressions import Expressions
     from vibcli.scene.places import Frame
-    from vibcli.scene.scene import Variant
     from vibcli.symbolic.node import Node
 
 EARLY, LATE = 1e4, 1e9

@@ -22,41 +22,17 @@ if TYPE_CHECKING:
 
     from vibcli.language.parameters import Parameters
     from vibcli.language.spec import Spec
+    from vibcli.scene.build import Setting
     from vibcli.scene.contents import Contents
     from vibcli.scene.coordinates import SceneCoordinates
     from vibcli.scene.energy_terms import Term
     from vibcli.symbolic.defined_functions import Ending
     from vibcli.symbolic.node import Node
 
+READ = frozenset(("setting", "lower", "pair", "number", "terms_with", "unrooted", "distance", "height_of", "frame",
+                  "place", "place_of", "rim", "extent", "unit_of"))     # what is made of the values of parameters
+OF_VALUES = READ | {"like", "spec", "parameters", "sample", "still", "oscillating"}
 CONNECTIONS = ("springs", "dampers", "laws", "inertias")        # of the inertias those that exert a force
-
-
-class Variant(NamedTuple):
-    """What a scene is beside that of its file: its constraints held by multipliers, its supports `released`, its drives
-    and loads as further coordinates, the `inputs`; `preloaded`: with the force that lets go where the motion starts;
-    `stretched`: its beams and strings in the plane cut open at their stations, to find their tension, without what
-    bends, or as they bend, `opened`; `tensions`: {member: [N of each piece]} that are not those of statics alone."""
-
-    multipliers: bool = False
-    released: bool = False
-    inputs: bool = False
-    preloaded: bool = False
-    stretched: bool = False
-    opened: bool = False
-    tensions: Any = None
-
-
-class Setting(NamedTuple):
-    """What is the same for a scene and those that are derived from it; `draw(attempt, variant)`: another Scene of the
-    same file and values, which are what `draw.func` takes first."""
-
-    spec: Any
-    attempt: int
-    variant: Variant
-    parameters: Any
-    sample: dict
-    reports: Any
-    draw: partial
 
 
 class Drives(NamedTuple):
@@ -89,29 +65,42 @@ class Scene:
     """The scalar functions of a scene; finished when it is made. `still`: the scene at rest, where something is driven
     to and fro; `like`: one of the same functions, with other values."""
 
-    def __init__(self, setting: Setting, coordinates: "SceneCoordinates", contents: "Contents", drives: Drives,
-                 closure: Closure | None = None, still: "Scene | None" = None, like: "Scene | None" = None):
-        self._parts = {"setting": setting, "coordinates": coordinates, "contents": contents, "drives": drives,
-                       "closure": closure, "still": still}
-        self.setting, self.kinematics, self.contents = setting, coordinates, contents
-        self.still, self.like = still, like
+    like: "Scene | None" = None
+
+    def __init__(self, setting: "Setting", coordinates: "SceneCoordinates", contents: "Contents", drives: Drives,
+                 closure: Closure | None = None, still: "Scene | None" = None):
+        self.setting, self.kinematics, self.contents, self.still = setting, coordinates, contents, still
         self.spec, self.attempt, _, self.parameters, self.sample, reports, _ = setting
         self.surfaces, self.report = self.spec.sections.get("surfaces") or {}, reports.report
         self.table, self.time, self.coordinates, self.q, self.v, self.a, self.speeds, _, self.drawn, _ = coordinates
         self.symbol, self.rate, self.at_drawn = coordinates.symbol, coordinates.rate, coordinates.at_drawn
-        expressions = Expressions(coordinates, self.parameters, self.sample, reports)
-        self.lower, self.pair, self.number = expressions.lower, expressions.pair, expressions.number
-        self.terms_with, self.unrooted = expressions.terms_with, expressions.unrooted
-        self.distance, self.height_of = expressions.distance, expressions.height_of
         (self.gravity, self.bodies, self.points, self.members, self.spread_loads, self.inertias, self.springs,
          self.dampers, self.weights, self.forces, self.laws, self.constraints, self.pieces, self.spread_forces,
          self.inner_stretches, self.energies, self.matrices, self.static_preloads, self.shaken,
          self.fractions) = contents
+        self.drives, (self.driven, self.inputs, self.released, self.idle), self.closure = drives, drives, closure
+        self.loops, self.dependent, self.freedom = closure or Closure(None, {}, Freedom(len(self.q), 0, ()))
+
+    if not TYPE_CHECKING:
+        def __getattr__(self, name):
+            """What reads fields of the file, with the values of the parameters: made when it is first asked for."""
+            if name not in READ:
+                raise AttributeError(name)
+            self._read_fields()
+            return vars(self)[name]
+
+    def _read_fields(self):
+        if self.like is not None:
+            self.setting = self.like.setting._replace(
+                spec=self.spec, parameters=self.parameters, sample=self.sample,
+                draw=partial(self.like.setting.draw.func, self.spec, {}))
+        expressions = Expressions(self.kinematics, self.parameters, self.sample, self.setting.reports)
+        self.lower, self.pair, self.number = expressions.lower, expressions.pair, expressions.number
+        self.terms_with, self.unrooted = expressions.terms_with, expressions.unrooted
+        self.distance, self.height_of = expressions.distance, expressions.height_of
         places = Places(self.spec, expressions, self.bodies, self.points, self.members)
         self.frame, self.place, self.place_of, self.rim = places.frame, places.place, places.place_of, places.rim
         self.extent, self.unit_of = places.extent, places.unit_of
-        self.drives, (self.driven, self.inputs, self.released, self.idle) = drives, drives
-        self.loops, self.dependent, self.freedom = closure or Closure(None, {}, Freedom(len(self.q), 0, ()))
 
     @SharedPart
     def timed(self) -> bool:
@@ -120,18 +109,23 @@ class Scene:
 
     def with_parts(self, **parts: Any) -> "Scene":
         """The same with other parts, as they are named where a Scene is made."""
-        return Scene(**{**self._parts, **parts})
+        return Scene(**{"setting": self.setting, "coordinates": self.kinematics, "contents": self.contents,
+                        "drives": self.drives, "closure": self.closure, "still": self.still, **parts})
+
+    @cached_property
+    def _of_no_values(self):
+        """{name: part} of what hangs on no value of a parameter."""
+        return {name: part for name, part in vars(self).items() if name not in OF_VALUES}
 
     def with_other_values(self, spec: "Spec", parameters: "Parameters", sample: dict[str, float]) -> "Scene":
         """The same by its expressions with other values, at which all would be drawn alike."""
-        setting = self.setting._replace(spec=spec, parameters=parameters, sample=sample,
-                                        draw=partial(self.setting.draw.func, spec, {}))
+        found = object.__new__(Scene)
         still = self.still and self.still.with_other_values(spec, parameters, sample)
-        found = self.with_parts(setting=setting, still=still, like=self)
-        if self.loops is None:
-            return found
-        loops = self.loops.with_sizes(found.unit_of)
-        return found.with_parts(closure=Closure(loops, self.dependent, self.freedom), like=self)
+        vars(found).update(self._of_no_values, like=self, spec=spec, parameters=parameters, sample=sample, still=still)
+        if self.loops is not None:
+            loops = self.loops.with_sizes(found.unit_of)
+            vars(found).update(loops=loops, closure=Closure(loops, self.dependent, self.freedom))
+        return found
 
     def replaced(self, values: Any, **parts: Any) -> "Scene":
         """With other parts, and symbols replaced in every expression, {symbol: node}."""

@@ -21,11 +21,13 @@ def literal(text: str, number: "Match") -> Number:
     """The Number of a match of one in a text, with the units that follow it."""
     start, digits = number.start(), number.group()
     mantissa, _, exponent = digits.lower().partition("e")
-    if len(mantissa) > 80 or len(exponent) > 4 or abs(int(exponent or 0)) > 60:
+    power = int(exponent) if exponent else 0
+    if len(mantissa) > 80 or len(exponent) > 4 or abs(power) > 60:
         raise ExpressionError(start, len(digits), "this number is out of range", RANGE)
-    chain, end = _units(text.replace("μ", "µ"), start, number.end())
+    end = number.end()
+    chain, end = ((), end) if end == len(text) else _units(text.replace("μ", "µ"), start, end)
     whole, _, decimals = mantissa.partition(".")
-    value, places = int(whole + decimals), int(exponent or 0) - len(decimals)
+    value, places = int(whole + decimals), power - len(decimals)
     value = Fraction(value * 10**places) if places >= 0 else Fraction(value, 10**-places)
     return Number(start, end, value, tuple(chain))
 

@@ -21,7 +21,7 @@ class Decisions:
 
     def __init__(self) -> None:
         self._found: dict[Any, Any] = {}
-        self._about: dict[frozenset[str], tuple] = {}
+        self._about: dict[tuple[str, ...], tuple] = {}
         self.lost = False
 
     def watched(self, values: Mapping[str, float]) -> "WatchedValues":
@@ -37,21 +37,28 @@ class Decisions:
         """Something is decided of which no formula tells."""
         self.lost = True
 
-    def hold(self, before: Mapping[str, float], sample: Mapping[str, float]) -> bool:
-        """Do all come out the same at a sample as at the one before, and does each parameter keep its sign?"""
-        names = frozenset(name for name, value in sample.items() if value != before[name])
-        if self.lost or any((sample[name] > 0) != (before[name] > 0) for name in names):
+    def hold(self, before: Mapping[str, float], sample: Mapping[str, float],
+             changed: tuple[str, ...] | None = None) -> bool:
+        """Do all come out the same at a sample as at the one before, and does each parameter keep its sign? `changed`:
+        the parameters whose values may be others."""
+        if changed is None:
+            changed = tuple(name for name, value in sample.items() if value != before[name])
+        if self.lost or any((sample[name] > 0) != (before[name] > 0) for name in changed):
             return False
-        if names not in self._about:
-            found = [(formula, outcome) for formula, outcome in self._found.items() if names & _names(formula)]
-            nodes = tuple(dict.fromkeys(node for formula, _ in found for node in _nodes(formula)))
-            self._about[names] = nodes, [(_compiled(formula), outcome) for formula, outcome in found]
-        nodes, compiled = self._about[names]
-        values = {**sample, **dict(zip(nodes, evaluate(nodes, Floats, sample), strict=True))}
+        nodes, compiled = self._about.get(changed) or self._hanging_on(changed)
+        values = {**sample, **dict(zip(nodes, evaluate(nodes, Floats, sample), strict=True))} if nodes else sample
         try:
             return all(value(values) == outcome for value, outcome in compiled)
         except (ArithmeticError, ValueError):
             return False
+
+    def _hanging_on(self, changed):
+        """(nodes, [(compiled formula, how it came out)]) of the formulas that hang on parameters."""
+        found = [(formula, outcome) for formula, outcome in self._found.items()
+                 if _names(formula).intersection(changed)]
+        nodes = tuple(dict.fromkeys(node for formula, _ in found for node in _nodes(formula)))
+        self._about[changed] = nodes, [(_compiled(formula), outcome) for formula, outcome in found]
+        return self._about[changed]
 
 
 class WatchedValues(dict):
