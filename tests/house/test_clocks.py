@@ -17,7 +17,7 @@ MEASURING = "vibcli.bench."
 READ = {                # where a clock is read, and what for
     "vibcli.api.source": "perf_counter",                # --timings
     "vibcli.base.stage": "perf_counter",                # --timings
-    "vibcli.symbolic.alarm": "setitimer",               # until when work is sure to have made few calls; then they count
+    "vibcli.symbolic.alarm": "setitimer",               # until when calls are sure to be few; then they count
     "vibcli.cli.progress": "monotonic",                 # how far long work is
     "vibcli.cli.checking.work": "process_time",         # which file is begun first by several processes
     "vibcli.evidence.timing": "process_time",           # bench FILE
