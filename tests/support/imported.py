@@ -2,6 +2,7 @@
 
 import atexit
 import json
+import os
 import subprocess
 import sys
 from functools import cache
@@ -16,7 +17,9 @@ for line in sys.stdin:
         told = os.dup(1)
         for stream in (1, 2):
             os.dup2(os.open(os.devnull, os.O_WRONLY), stream)
-        code = run(json.loads(line))
+        folder, args = json.loads(line)
+        os.chdir(folder)
+        code = run(args)
         sys.stdout.flush()
         os.write(told, json.dumps([code, sorted(sys.modules)]).encode())
         os._exit(0)
@@ -36,7 +39,7 @@ def _begun():
 @cache
 def imported(*args):
     """(exit code, modules imported) of one command in a process of its own."""
-    print(json.dumps(list(map(str, args))), file=_begun().stdin, flush=True)
+    print(json.dumps([os.getcwd(), list(map(str, args))]), file=_begun().stdin, flush=True)
     code, names = json.loads(_begun().stdout.readline())
     return code, frozenset(names)
 
