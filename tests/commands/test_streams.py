@@ -29,7 +29,8 @@ variants: {parameters: {k: [4 N/m, 5 N/m]}, without: [told]}
 """
 SILENT = ("draw", "animate")        # these print nothing on stdout
 CALLS = {"explain": ["springs"], "schema": [], "new": [], "grade": ["manifest.json"]}      # the others read a scene
-MORE = {"sweep": ["--over", "k=3 .. 5"], "grade": ["--student", "1", "--answer", "omega[1]=2 rad/s"],
+MORE = {"sweep": ["--over", "k=3 .. 5"], "bench": ["--quick"],
+        "grade": ["--student", "1", "--answer", "omega[1]=2 rad/s"],
         "homework": ["--paper", "2", "--salt-file", "salt", "--force", "-o", "sheets_for_all"]}
 MANIFEST = """{"form": "vibcli homework 1", "title": "set", "course": "", "due": "", "attempt": 1, "problems": [
 {"name": "scene", "title": "scene", "file": "scene.yaml", "scene": "", "accepted": 2, "ranges": [], "mistakes": {},

@@ -12,6 +12,7 @@ A symbol is its letters in a row: l₁, l_{1} and <msub> are all "l1"; its dots 
 import cmath
 import re
 import unicodedata
+from functools import lru_cache
 
 FUNCTIONS = {"sin": cmath.sin, "cos": cmath.cos, "tan": cmath.tan, "exp": cmath.exp, "ln": cmath.log, "log": cmath.log,
              "sinh": cmath.sinh, "cosh": cmath.cosh, "tanh": cmath.tanh, "sqrt": cmath.sqrt, "abs": abs,
@@ -21,6 +22,7 @@ FUNCTIONS = {"sin": cmath.sin, "cos": cmath.cos, "tan": cmath.tan, "exp": cmath.
 FUNCTIONS |= {prefix + name: getattr(cmath, "a" + name) for name in ("sin", "cos", "tan") for prefix in ("a", "arc")}
 PULSES = ("step", "ramp", "impulse", "square", "sawtooth")
 RELATIONS = "=<>≤≥≈,"
+KEPT = 1000     # texts
 
 
 class Unreadable(Exception):
@@ -158,8 +160,9 @@ _LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _MARKS = {"−": "-", "·": "*", ".": "*"}
 
 
+@lru_cache(KEPT)
 def plain(text):
-    """The tokens of a text."""
+    """The tokens of a text, which whoever finds roots of it reads again and again."""
     return raised(bracketed(flattened(re.sub(r"(?<=[0-9])\u00a0[\w·²³/]+(?=[)/ ]|$)", "", text))))       # without units
 
 

@@ -109,19 +109,22 @@ class LineValues:
         return np.array([np.maximum(np.abs(one), SMALL * abs(self.lines[j].value))
                          for j, one in zip(group, x, strict=True)])
 
-    def _slopes(self, group, known, x):
-        """(what is left of each equation, its slopes by the unknowns as unknowns × equations)."""
-        def left(at):
-            values = {**known, **{_letter(self.lines[j]): one for j, one in zip(group, at, strict=True)}}
-            return np.array([np.broadcast_to(one, x.shape[1:]) for one in evaluate(
-                [self.lines[j].vanishes for j in group], Arrays, values)])
+    def _left(self, group, known, x):
+        """What is left of each equation."""
+        values = {**known, **{_letter(self.lines[j]): one for j, one in zip(group, x, strict=True)}}
+        return np.array([np.broadcast_to(one, x.shape[1:]) for one in evaluate(
+            [self.lines[j].vanishes for j in group], Arrays, values)])
 
-        slopes, sizes = [], self._sizes(group, x)
-        for k in range(len(group)):
-            aside = np.zeros_like(x)
-            aside[k] = STEP * sizes[k]
-            slopes.append((left(x + aside) - left(x - aside)) / (2 * aside[k]))
-        return left(x), np.array(slopes)
+    def _slopes(self, group, known, x):
+        """(what is left of each equation, its slopes by the unknowns as unknowns × equations); both sides of each
+        unknown are evaluated with the place itself."""
+        aside = np.zeros((len(group), *x.shape))
+        diagonal = range(len(group)), range(len(group))
+        aside[diagonal] = STEP * self._sizes(group, x)
+        states = np.concatenate([x[:, None], x[:, None] + aside, x[:, None] - aside], axis=1)
+        left = self._left(group, known, states)
+        up, down = np.split(left[:, 1:], 2, axis=1)
+        return left[:, 0], np.moveaxis(up - down, 1, 0) / (2 * aside[diagonal])[:, None]
 
     def by_letters(self, i: int, numbers: "Mapping[str, Any]", values: "Sequence[np.ndarray]") -> "list[np.ndarray]":
         """∂ln v/∂ln u of a line by those whose letters stand in it."""
@@ -135,7 +138,7 @@ class LineValues:
                 name = _letter(self.lines[j])
                 ways = [{**known, name: known[name] * (1 + sign * STEP)} for sign in (1, -1)]
                 if group:
-                    up, down = (self._slopes(group, way, x)[0] for way in ways)
+                    up, down = (self._left(group, way, x) for way in ways)
                     moved = -_solved(slopes, (up - down) / (2 * STEP))
                     found.append(moved[self.place_in_group(i)] / values[i])
                 else:

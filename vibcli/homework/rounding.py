@@ -67,7 +67,11 @@ class Rounding:
         """The same over arrays of given values, {parameter: SI}."""
         if all(self.end(key) is None for key in keys):
             return [None] * len(keys)
-        values, weights = self.weighed(given)
+        return self.carried(keys, *self.weighed(given))
+
+    def carried(self, keys: "Sequence[AnswerKey]", values: "Sequence[np.ndarray]",
+                weights: "list[list[np.ndarray]]") -> "list[np.ndarray | None]":
+        """The same of lines with these values and weights."""
         rounded, found = [self.rounded(values, figures) for figures in FIGURES], []
         for key in keys:
             share, end = None, self.end(key, values)

@@ -25,7 +25,7 @@ def family(name):
 
 @pytest.mark.parametrize("name", FAMILIES)
 def test_the_ends_of_a_family_are_held(name):
-    values = family(name).values[:3] if name == "two_pendulums" else family(name).values
+    values = family(name).values[:3:2] if name == "two_pendulums" else family(name).values
     found = [kept(family(name), knob) for knob in (values[0], values[len(values) // 2], values[-1])]
     assert all(one.verdict in (HELD, ESCALATED) and one.error <= one.bound for one in found)
     assert max(one.bound for one in found) <= (1e-4 if name in LONG else 1e-10)

@@ -6,6 +6,7 @@ import subprocess
 import sys
 import time
 from concurrent.futures import Executor, Future
+from functools import cache
 from math import inf
 from pathlib import Path
 from types import SimpleNamespace
@@ -65,15 +66,24 @@ def told(found):
             [key.text for key in found.keys], [one.name for one in found.mistakes])
 
 
+@cache
+def whole():
+    return solve_variants(*read())
+
+
+@cache
+def in_parts(size):
+    return solve_in_parts(*read(), size=size)
+
+
 @pytest.mark.sweep
 @pytest.mark.parametrize("size", [7, 20, 53])
 def test_parts_are_the_same_in_whatever_order_they_are_solved(size):
-    one = solve_in_parts(*read(), size=size)
+    one = in_parts(size)
     assert told(one) == told(solve_in_parts(*read(), executor=Backwards(), size=size))
     assert len(one.accepted) + len(one.rejected) == 54
-    whole = solve_variants(*read())
-    assert [one[:2] for one in told(whole)[0]] == [each[:2] for each in told(one)[0]]
-    for each, other in zip(whole.accepted, one.accepted, strict=True):
+    assert [one[:2] for one in told(whole())[0]] == [each[:2] for each in told(one)[0]]
+    for each, other in zip(whole().accepted, one.accepted, strict=True):
         for key, its in zip(each.keys, other.keys, strict=True):
             assert its.value == pytest.approx(key.value, rel=1e-12) and its.band == pytest.approx(key.band, rel=1e-9)
             assert [wrong.mistake for wrong in key.wrong] == [wrong.mistake for wrong in its.wrong]
@@ -88,7 +98,7 @@ def test_parts_are_even_in_number_and_of_one_size(size, count):
 
 @pytest.mark.sweep
 def test_what_parts_tell_of_keys_is_what_all_variants_do():
-    found = solve_in_parts(*read(), size=7)
+    found = in_parts(7)
     for told_by_parts, of_all in zip(found.summaries, summaries(list(found.accepted)), strict=True):
         assert told_by_parts == of_all and len(of_all.texts) > 2 and len(of_all.nearest) > 1
     first = found.accepted[0].keys[0]._replace(value=0.0)
@@ -106,7 +116,7 @@ def test_a_small_grid_is_one_part():
 @pytest.mark.sweep
 def test_processes_find_the_same():
     with workers(2, None) as executor:
-        assert told(solve_in_parts(*read(), executor=executor, size=20)) == told(solve_in_parts(*read(), size=20))
+        assert told(solve_in_parts(*read(), executor=executor, size=20)) == told(in_parts(20))
 
 
 def die_once(path):

@@ -65,7 +65,7 @@ JUMPS = {"mass": lambda x: 0.3 * x["u''"], "spring": lambda x: 5000 * x["u"]}
 
 @pytest.mark.sweep
 @pytest.mark.parametrize("apart, left, right, tip", [
-    (1e-5, "mass", "spring", DAMPED), (1e-8, "mass", "spring", DAMPED), (1e-8, "spring", "spring", ""),
+    (1e-8, "mass", "spring", DAMPED), (1e-8, "spring", "spring", ""),
     (1e-8, "spring", "held", DAMPED), (1e-5, "mass", "held", ""), (1e-8, "held", "spring", DAMPED),
     (1e-5, "spring", "tuned", ""), (1e-8, "spring", "damper", ""), (1e-8, "spring", "turned", DAMPED)])
 def test_what_stands_between_them_is_borne_by_all_else(apart, left, right, tip):

@@ -134,14 +134,12 @@ def test_the_command_tells_the_lowest_and_their_count(tmp_path, capsys):
     lines += ["dampers: {d: {c: 1 N*s/m, between: [ground, b1]}}"]
     path = tmp_path / "chain.yaml"
     path.write_text("\n".join(lines))
-    assert run(["frequencies", str(path), "--modes", "3"]) == 0
+    assert run(["frequencies", str(path)]) == 0
     told = capsys.readouterr().out
     assert "Natural frequencies (of the undamped system)" in told
-    assert "J = 3 just above ω₃: none is missing" in told
+    assert "J = 5 just above ω₅: none is missing" in told
     assert f"… ({N} in all)" in told
     assert f"not found of more than {MOST_DENSE} coordinates" in told
-    assert run(["frequencies", str(path)]) == 0
-    assert "J = 5 just above ω₅" in capsys.readouterr().out
     assert run(["frequencies", str(path), "--modes", "3", "--json"]) == 4
     assert "damped modes needs dense matrices" in capsys.readouterr().err
     path.write_text("\n".join(lines[:-1]))
