@@ -28,8 +28,8 @@ def answers(p):
         found, w = [], mpmath.mpf(2)
         here = condition(w)
         while len(found) < 3:
-            there = condition(w + 2)
+            there = condition(w + 5)
             if here * there < 0:
-                found.append(mpmath.findroot(condition, (w, w + 2), solver="anderson", verify=False))
-            w, here = w + 2, there
+                found.append(mpmath.findroot(condition, (w, w + 5), solver="anderson", verify=False))
+            w, here = w + 5, there
     return {f"omega[{i + 1}]": float(found[i]) for i in range(3)}
