@@ -113,7 +113,7 @@ def sampled_curves(problem: "Problem", wanted: "Wanted") -> list[SampledCurve]:
     import numpy as np
 
     known = [curve.curve(low, high) for *_, curve in asked]
-    Omega = np.unique(np.concatenate([at for at, _ in known]))
+    Omega = np.array(sorted({at for own, _ in known for at in own.tolist()}))
     return [SampledCurve(name, driver, unit, Omega, curve.completed(own, Omega),
                          [Omega for Omega, _ in curve.peaks if low < Omega < high],
                          [Omega for Omega in curve.antiresonances if low < Omega < high])
