@@ -246,7 +246,10 @@ def test_json_keys_are_those_that_are_printed(capsys, tmp_path):
     damped = tmp_path / "damped.yaml"       # whose damper may be forgotten: then there is no such answer
     damped.write_text(f'{BLOCK}variants: {{parameters: {{m: [1.2 kg, 2.4 kg]}}, ask: {{"zeta[1]": }}}}\n',
                       encoding="utf-8")
-    for file in (scenes.path("set_of_variants"), str(damped)):
+    several = tmp_path / "several.yaml"
+    several.write_text(Path(scenes.path("set_of_variants")).read_text(encoding="utf-8").replace(
+        "sample: 60", "sample: 6"), encoding="utf-8")
+    for file in (str(several), str(damped)):
         code, out, _ = call(capsys, "variants", file, "--json")
         assert code == 0
         printed |= _paths(json.loads(out))

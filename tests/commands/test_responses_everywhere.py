@@ -7,9 +7,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from support.scenes import kept_instances_of, kept_problem_of
+from support.scenes import kept_instances_of, kept_problem_of, kept_settled_of
 
 from vibcli.base.errors import PhysicsError
+from vibcli.inverse import settled
 from vibcli.plots.braille import braille
 from vibcli.report.document import Report
 from vibcli.report.formats.text import render
@@ -26,10 +27,10 @@ DRAWN = 500     # places of a curve over frequency: it is as finite where more o
 
 
 def problems_of(path):
-    """The scene and its cases; where a scene holds letters or choices, the same in numbers as well."""
+    """The scene and its cases with what they choose; where a scene holds letters, the same in numbers as well."""
     scene = kept_problem_of(path)
     for case in ("", *scene.spec.cases):
-        problem = scene.case(case) if case else scene
+        problem = settled(scene.case(case)) if case else kept_settled_of(path)
         if problem.numeric.has_free_symbols:
             yield problem
         numeric = next(iter(kept_instances_of(path, case)), None)

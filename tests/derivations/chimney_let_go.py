@@ -4,7 +4,7 @@ High modes are over-damped: their two eigenvalues are real. The lowest place is 
 """
 from mpmath import cos, cosh, exp, findroot, mp, mpf, pi, sqrt
 
-COUNT = 1500
+COUNT = 300
 
 
 def answers(p):

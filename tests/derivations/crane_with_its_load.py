@@ -9,6 +9,6 @@ def answers(p):
         jib = beam(L, EI, mu)
         tip = point(4, lambda w: -k * m * w**2 / (k - m * w**2))
         found = condition([jib, tip], "clamped", "free")
-        roots = first_roots(lambda w: found(w) * (k - m * w**2), 3, mpf("0.3"))
+        roots = first_roots(lambda w: found(w) * (k - m * w**2), 3, mpf("1.3"))
         return {**{f"frequency[{i}]": w / (2 * pi) for i, w in enumerate(roots, 1)},
                 "mode[1][y]/mode[1][jib.u(L)]": k / (k - m * roots[0] ** 2)}

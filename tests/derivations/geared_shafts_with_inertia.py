@@ -11,5 +11,5 @@ def answers(p):
         one = bar(L1, G * polar, rho * polar)
         two = bar(L2, n2 * G * polar, n2 * rho * polar)
         chain = [mass(2, Jm), one, mass(2, J1), mass(2, n2 * J2), two, mass(2, n2 * Jf)]
-        roots = first_roots(condition(chain, "free", "free"), 2, mpf(3))
+        roots = first_roots(condition(chain, "free", "free"), 2, mpf(11))
         return {"omega[2]": roots[0], "omega[3]": roots[1]}

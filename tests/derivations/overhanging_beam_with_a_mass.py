@@ -25,8 +25,11 @@ def answers(p):
         return mpmath.det(mpmath.matrix(whole))
 
     with mpmath.workdps(25):
-        grid = [mpmath.mpf(2 * i) for i in range(1, 200)]
-        values = [condition(w) for w in grid]
-        found = [mpmath.findroot(condition, grid[i:i + 2], solver="anderson", verify=False)
-                 for i in range(len(grid) - 1) if values[i] * values[i + 1] < 0]
+        found, w = [], mpmath.mpf(2)
+        here = condition(w)
+        while len(found) < 3:
+            there = condition(w + 5)
+            if here * there < 0:
+                found.append(mpmath.findroot(condition, (w, w + 5), solver="anderson", verify=False))
+            w, here = w + 5, there
     return {f"omega[{i + 1}]": float(found[i]) for i in range(3)}

@@ -5,19 +5,19 @@ the contact moved under the vertex, against the moment of inertia about it.
 
 
 def answers(p):
-    from math import sin, sqrt
+    from math import cos, sin, sqrt
 
-    import mpmath as mp
+    from scipy.integrate import dblquad
 
     R, alpha, g = p["R"], p["alpha"], p["g"]
-    area = mp.quad(lambda s: mp.quad(lambda u: s, [-alpha, alpha]), [0, R])
+    area = dblquad(lambda u, s: s, 0, R, -alpha, alpha)[0]
     density = p["m"] / area
 
     def total(f):
-        return float(density * mp.quad(lambda s: mp.quad(lambda u: f(s, u) * s, [-alpha, alpha]), [0, R]))
+        return density * dblquad(lambda u, s: f(s, u) * s, 0, R, -alpha, alpha)[0]
 
-    below = total(lambda s, u: s * mp.cos(u)) / p["m"]
-    inertia = total(lambda s, u: (s * mp.sin(u)) ** 2 + (R - s * mp.cos(u)) ** 2) + p["m0"] * R**2
+    below = total(lambda s, u: s * cos(u)) / p["m"]
+    inertia = total(lambda s, u: (s * sin(u)) ** 2 + (R - s * cos(u)) ** 2) + p["m0"] * R**2
 
     def moment(phi):
         vertex, contact = -R * phi, -R * phi

@@ -47,7 +47,9 @@ class Canvas:
             across, down = x_end - x, y_end - y
             for i in range(steps + 1):
                 if pattern[(count + i) % period] == "x":
-                    self.dot(layer, rounded(x + across * i / steps), rounded(y + down * i / steps))
+                    column, row = x + across * i / steps, y + down * i / steps
+                    self.dot(layer, int(column + 0.5) if column >= 0 else -int(0.5 - column),      # as `rounded`
+                             int(row + 0.5) if row >= 0 else -int(0.5 - row))
             count += steps
 
     def used(self, row: int, column: int) -> list[int]:

@@ -244,12 +244,12 @@ class FrequencyResponse:
         off = self.errors.of_crossing(ResponseErrors(self._fixed[damper][0]), at)
         return float(off[0]), float((self.errors.relative(at) + off * self.errors.steepness(at))[0])
 
-    def places(self, low: float, high: float) -> "np.ndarray":
-        """Frequencies of a range, dense where the curve bends."""
+    def curve(self, low: float, high: float) -> "tuple[np.ndarray, np.ndarray]":
+        """(Ω, H) in a range, dense where the curve bends."""
         from vibcli.analyses.frequency_response.frequency_grid import adaptive
 
         with self.problem.work.task("the curve of H", MOST):
-            return adaptive(self.transfer, low, high, True, self.listed(max(high, self.transfer.end)).extremes)[0]
+            return adaptive(self.transfer, low, high, True, self.listed(max(high, self.transfer.end)).extremes)
 
     def values(self, Omega: "np.ndarray") -> "np.ndarray":
         """H at frequencies; NaN where an undamped mode has no bound."""
@@ -260,6 +260,16 @@ class FrequencyResponse:
         with self.problem.work.task("the curve of H", MOST):
             values, resonant = sampled(self.transfer, Omega)
         return np.where(resonant, np.nan, values)
+
+    def completed(self, known: "tuple[np.ndarray, np.ndarray]", Omega: "np.ndarray") -> "np.ndarray":
+        """The same at ascending frequencies, those of a `curve` among them."""
+        import numpy as np
+
+        found = np.zeros(len(Omega), complex)
+        found[np.searchsorted(Omega, known[0])] = known[1]
+        left = found == 0       # as it is at poles, too
+        found[left] = self.values(Omega[left])
+        return found
 
     @cached_property
     def span(self) -> tuple[float, float]:

@@ -202,7 +202,7 @@ def _blurred(modes):
 def _whole(motion):
     """A shape in floats, over the coordinates of the scene and those of further nodes."""
     shape = motion.shape if motion.whole is None else motion.system.in_scene(motion.whole)
-    return np.array([float(x) for x in shape])
+    return shape if shape.dtype == float else np.array([float(x) for x in shape])
 
 
 def _bends(motions):

@@ -1,5 +1,6 @@
 """The natural modes of a scene with continuous members, as they are asked for: without end, none missed."""
 
+import cmath
 import math
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -165,10 +166,13 @@ class NaturalModes:
         number = float if digits is None else lambda x: x
         rounds = 0.0 if digits is not None or root.system.digits is None else NEVER_BELOW
         rate, error = number(size), root.error + rounds if digits is not None else max(root.error + rounds, NEVER_BELOW)
-        shape = root.shape[:n] if digits is not None else root.shape[:n].astype(
-            complex if root.shape.dtype.kind == "c" else float)
-        if digits is None and not np.isfinite(shape).all():
-            raise PhysicsError(f"the shape of mode {root.index} is not found", "ask for more digits, as in --digits 30")
+        shape = root.shape[:n]
+        if digits is None:
+            kind = shape.dtype.kind
+            shape = shape if kind == "f" else shape.astype(complex if kind == "c" else float)
+            if not all(map(cmath.isfinite, shape.tolist())):
+                raise PhysicsError(f"the shape of mode {root.index} is not found",
+                                   "ask for more digits, as in --digits 30")
         rates = (None, rate) if root.z < 0 else (rate, None)
         return Mode(root.index, *rates, shape, shape, error if root.z else 0.0, root)
 

@@ -41,7 +41,7 @@ def near_ones(modes: "Sequence[Mode]") -> list[list[int]]:
     """The places of modes each next to another one, run by run, ascending."""
     found: list[list[int]] = []
     for k, (one, two) in enumerate(pairwise(modes)):
-        if one.omega and two.omega and one.growth_rate is None and is_near(one, two):
+        if one.omega and two.omega and is_near(one, two) and one.growth_rate is None:
             if found and found[-1][-1] == k:
                 found[-1].append(k + 1)
             else:

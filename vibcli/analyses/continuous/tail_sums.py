@@ -24,7 +24,8 @@ def grid(highest: float) -> np.ndarray:
 
 def without_first(total: np.ndarray, sigma: np.ndarray, squares: np.ndarray, first: np.ndarray) -> np.ndarray:
     """R of columns, (σ, columns, columns), from the sum over all modes and the c of the first, (modes, columns)."""
-    weight = 1 / (squares + sigma[:, None] ** 2) ** 2
+    weight = squares + sigma[:, None] ** 2      # (σ, modes), as large as all else together
+    np.divide(1, np.square(weight, out=weight), out=weight)
     known = np.einsum("sn,ni,nj->sij", weight, first, first, optimize=True)
     found = total * (1 + ROUNDING) - known
     own = range(total.shape[-1])

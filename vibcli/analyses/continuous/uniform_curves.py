@@ -12,6 +12,7 @@ x counts from the end on rollers where one is pinned or guided, else from the le
 Angles βx are reduced as (n + c) x/L half-turns and a small rest: π(n + c) itself would be rounded.
 """
 
+from itertools import repeat
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -21,6 +22,8 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.half_turns import half_turns
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from vibcli.analyses.continuous.uniform_members import UniformMember
 
 CLAMPED = (False, False)
@@ -41,10 +44,9 @@ class UniformCurves(NamedTuple):
     mirrored: bool
     bends: bool
 
-    def single(self, which: int) -> "UniformCurves":
-        """One of many modes."""
-        parts: Any = [part[which] if part.__class__ is np.ndarray else part for part in self]
-        return UniformCurves(*parts)
+    def each(self) -> "Iterator[UniformCurves]":
+        """Those of each of many modes."""
+        return map(UniformCurves, *(part if part.__class__ is np.ndarray else repeat(part) for part in self))
 
     def along(self, x: Any) -> np.ndarray:
         """(u, u′), of beams (u, u′, u″, u‴), at places x, (…, order); of many modes x and these broadcast."""

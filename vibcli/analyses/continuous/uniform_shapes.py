@@ -23,9 +23,8 @@ def uniform_modes(member: "UniformMember", system: "ContinuousSystem", first: in
     places = _places(member.piece.order, member.wave_numbers(numbers))
     homes = {place: system.refined({0: system.number(SHARES[place])}) for place in set(places.tolist())}
     shapes = _shapes(member.piece.length, system, curves, np.array(SHARES)[places])
-    return [NaturalFrequency(number + member.resting, square, ERROR, shape, homes[place], curves.single(at))
-            for at, (number, square, shape, place) in enumerate(
-                zip(numbers.tolist(), squares, shapes, places.tolist(), strict=True))]
+    return [NaturalFrequency(number, square, ERROR, shape, homes[place], curve) for number, square, shape, place, curve
+            in zip((numbers + member.resting).tolist(), squares, shapes, places.tolist(), curves.each(), strict=True)]
 
 
 def _places(order: int, phases: np.ndarray) -> Any:

@@ -6,8 +6,6 @@ Elsewhere they are where H changes its sign between poles, and the argument prin
 lies between two poles, tells whether any is missing.
 """
 
-import math
-from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -33,58 +31,63 @@ def signs(response: FrequencyResponseFunction, Omega: np.ndarray) -> np.ndarray:
 
 
 def zeros_on_axis(response: FrequencyResponseFunction, poles: np.ndarray, low: float, high: float) -> np.ndarray:
-    """Ω of the zeros without damping, ascending; poles: Ω of those that take part in H, ascending."""
+    """Ω of the zeros without damping, ascending; poles: Ω of those that take part in H, ascending.
+
+    Between two neighbours, of which one may be no pole, as many as the argument principle counts; all of these
+    intervals are looked at together.
+    """
     edges = ascending([low, *poles[(poles > low) & (poles < high)], high])
-    found = []
-    for a, b in pairwise(edges):
-        found.append(_between(response, a, b))
-    return np.concatenate(found) if found else np.zeros(0)
-
-
-def _between(response, a, b):
-    """Those between two neighbours, of which one may be no pole: as many as the argument principle counts."""
-    points, inside = POINTS, None
-    for _ in range(TRIES):
+    a, width = edges[:-1], np.diff(edges)
+    inside, points = enclosed(response, a + INSET * width, edges[1:] - INSET * width), POINTS
+    exact, starts, ends = [], [], []
+    for last in [False] * (TRIES - 1) + [True]:
         share = np.sin(np.linspace(0.0, np.pi / 2, points)) ** 2
         near = np.concatenate([[BESIDE], share[1:-1], [1 - BESIDE]])
-        Omega = a + (b - a) * near
-        sign = np.sign(signs(response, Omega))
-        turns = np.flatnonzero(sign[1:] * sign[:-1] < 0)
-        exact = Omega[sign == 0]
-        if inside is None:
-            inside = enclosed(response, a + INSET * (b - a), b - INSET * (b - a))
-        if len(turns) + len(exact) >= inside:
+        Omega = a[:, None] + width[:, None] * near
+        sign = np.sign(signs(response, Omega.ravel())).reshape(Omega.shape)
+        turns, nothing = sign[:, 1:] * sign[:, :-1] < 0, sign == 0
+        done = (turns.sum(axis=1) + nothing.sum(axis=1) >= inside) | last
+        exact.append(Omega[nothing & done[:, None]])
+        for kept, part in ((starts, Omega[:, :-1]), (ends, Omega[:, 1:])):
+            kept.append(part[turns & done[:, None]])
+        a, width, inside, points = a[~done], width[~done], inside[~done], MORE * points
+        if not len(a):
             break
-        points = MORE * points
-    found = zeros_between(lambda at: signs(response, at), Omega[turns], Omega[turns + 1]) if len(turns) else turns
-    return np.sort(np.concatenate([found, exact]))
+    between = np.concatenate(starts), np.concatenate(ends)
+    found = zeros_between(lambda at: signs(response, at), *between) if len(between[0]) else between[0]
+    return np.sort(np.concatenate([found, *exact]))
 
 
-def enclosed(response: FrequencyResponseFunction, a: float, b: float) -> int:
-    """How many zeros less poles lie in an ellipse about a … b of the axis Ω, complex ones too."""
+def enclosed(response: FrequencyResponseFunction, a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """How many zeros less poles lie in ellipses about each a … b of the axis Ω, complex ones too."""
     middle, width = (a + b) / 2, (b - a) / 2
-    last = None
+    last, open_ = np.full(len(a), np.nan), np.arange(len(a))
     for count in AROUND:
         turn = np.exp(2j * np.pi * (np.arange(count) + 0.5) / count)
-        Omega = middle + width * (turn.real + 1j * FLAT * turn.imag)
-        ahead = width * (1j * turn.real * FLAT - turn.imag) * (2 * np.pi / count)
-        values, slopes, _ = response.at(1j * Omega, True)
+        Omega = middle[open_, None] + width[open_, None] * (turn.real + 1j * FLAT * turn.imag)
+        ahead = width[open_, None] * (1j * turn.real * FLAT - turn.imag) * (2 * np.pi / count)
+        values, slopes, _ = response.at(1j * Omega.ravel(), True)
         with np.errstate(all="ignore"):
-            found = float(np.sum(1j * slopes / values * ahead / (2j * np.pi)).real)
-        if last is not None and abs(found - round(found)) < 0.1 and round(found) == round(last):
-            return round(found)
-        last = found if math.isfinite(found) else None
-    return round(last) if last is not None else 0
+            parts = (1j * slopes / values).reshape(Omega.shape) * ahead / (2j * np.pi)
+            found = parts.sum(axis=1).real
+        sure = (np.abs(found - np.round(found)) < 0.1) & (np.round(found) == np.round(last[open_]))
+        last[open_] = found
+        open_ = open_[~sure]
+        if not len(open_):
+            break
+    return np.round(np.where(np.isfinite(last), last, 0.0)).astype(int)
 
 
 def taking_part(response: FrequencyResponseFunction, places: np.ndarray) -> np.ndarray:
     """Those of the natural frequencies Ω that are poles of H: beside them H grows as they are neared."""
     if not len(places):
         return places
-    grows = response.at(1j * places)[2]
-    for side in (1, -1):
-        sizes = [np.abs(response.at(1j * places * (1 + side * step))[0]) for step in CLOSE]
-        grows = grows | (sizes[1] > 3 * sizes[0]) | (sizes[3] > 3 * sizes[2])
+    beside = [places * (1 + side * step) for side in (1, -1) for step in CLOSE]
+    values, _, resonant = response.at(1j * np.concatenate([places, *beside]))
+    grows, sizes = resonant[:len(places)], np.abs(values).reshape(-1, len(places))[1:]
+    for first in range(0, len(beside), len(CLOSE)):
+        near = sizes[first:first + len(CLOSE)]
+        grows = grows | (near[1] > 3 * near[0]) | (near[3] > 3 * near[2])
     return places[grows]
 
 

@@ -151,11 +151,11 @@ class PreciseState(NamedTuple):
         """The order-th derivative of an output: those of z are G z, G² z …"""
         row = np.zeros(len(self.z), object)
         for parts in (output.a, output.v, output.q):        # (a G + v) G + q
-            row = row.dot(self.G)
+            row = row.dot(self.G) if row.any() else row
             for i, x in parts.items():
-                row = row + real(x) * self.Q[i]
+                row = row + self.Q[i] * real(x)
         for channel, x in output.channels.items():
-            row = row + real(x) * self.forces[channel]
+            row = row + self.forces[channel] * real(x)
         for _ in range(order):
             row = row.dot(self.G)
         return real(row.dot(self.z)) + (real(output.constant) if not order else 0)

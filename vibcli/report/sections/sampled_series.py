@@ -112,11 +112,12 @@ def sampled_curves(problem: "Problem", wanted: "Wanted") -> list[SampledCurve]:
         raise PhysicsError(f"the range from {low:.6g} to {high:.6g} rad/s is empty", "give other ends")
     import numpy as np
 
-    Omega = np.array(sorted({at for *_, curve in asked for at in curve.places(low, high).tolist()}))
-    return [SampledCurve(name, driver, unit, Omega, curve.values(Omega),
+    known = [curve.curve(low, high) for *_, curve in asked]
+    Omega = np.array(sorted({at for own, _ in known for at in own.tolist()}))
+    return [SampledCurve(name, driver, unit, Omega, curve.completed(own, Omega),
                          [Omega for Omega, _ in curve.peaks if low < Omega < high],
                          [Omega for Omega in curve.antiresonances if low < Omega < high])
-            for name, driver, unit, curve in asked]
+            for (name, driver, unit, curve), own in zip(asked, known, strict=True)]
 
 
 def _asked_end(problem, key):
