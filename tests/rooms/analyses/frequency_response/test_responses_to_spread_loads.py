@@ -100,3 +100,21 @@ def test_a_load_along_a_light_piece_is_an_input_too():
     work = float(mpmath.quad(lambda x: x**2 / 4 * (6 * x**2 - x**3) / 16, [0, 2]))
     found = curve(text, "wing.u(L)", "wind")
     assert frf(found, np.array([7.0])) == pytest.approx(work / (375 - 4 * 49), rel=1e-12)
+
+
+@pytest.mark.parametrize("inertia", ["", ", mass_per_length: 3 kg/m"])
+def test_a_steady_load_is_an_input_of_its_form(inertia):
+    """Along what vibrates and what is light, even and uneven: as what varies in its place; at rest ∫ f (6x² − x³) dx
+    over 6 EI."""
+    text = """
+        beams: {wing: {left: clamped, segments: [{length: 1 m, EI: 1 kN*m^2%s}, {length: 1 m, EI: 1 kN*m^2}],
+                attached: [{at: 2 m, mass: 4 kg}]}}
+        forces: {wind: {body: wing, per_length: 3 N/m%s}}
+    """
+    Omega = np.array([0.0, 7.0])
+    for form, at_rest in (("", 12 / 6000), ("*(x/(2 m))^2", (6.4 - 16 / 9) / 4000)):
+        steady, varying, both = (frf(curve(text % (inertia, form + load), "wing.u(2 m)", "wind"), Omega)
+                                 for load in ("", "*cos(5 rad/s*t)", " + 2 N/m*cos(5 rad/s*t)" + form))
+        assert steady.tolist() == pytest.approx(varying.tolist(), rel=1e-12)
+        assert both.tolist() == pytest.approx(varying.tolist(), rel=1e-12)
+        assert steady[0] == pytest.approx(at_rest, rel=1e-12)
