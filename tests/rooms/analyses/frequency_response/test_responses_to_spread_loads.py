@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from support.scenes import problem
 
+from vibcli.analyses.frequency_response import member_poles_and_zeros
 from vibcli.analyses.frequency_response.evaluate import frf, sloped
 from vibcli.results.precise_member_response import PreciseMemberCurve
 
@@ -79,6 +80,18 @@ def test_a_load_on_a_part_of_a_cantilever():
         for zero in found.zeros(100.0, 400.0).imag if index else ():
             near = [loaded(zero * (1 + side))[index].real for side in (-1e-7, 1e-7)]
             assert near[0] * near[1] < 0
+
+
+def test_zeros_are_looked_for_in_a_few_intervals_at_a_time(monkeypatch):
+    """Of many poles no more points are kept than of a few."""
+    at_once = curve(CANTILEVER, "arm.moment(0 m)", "drive").zeros(0.0, 1e4)
+    asked = []
+    enclosed = member_poles_and_zeros.enclosed
+    monkeypatch.setattr(member_poles_and_zeros, "TOGETHER", 2)
+    monkeypatch.setattr(member_poles_and_zeros, "enclosed",
+                        lambda response, a, b: asked.append(len(a)) or enclosed(response, a, b))
+    assert (curve(CANTILEVER, "arm.moment(0 m)", "drive").zeros(0.0, 1e4) == at_once).all()
+    assert len(at_once) > 2 and len(asked) > 2 and max(asked) == 2
 
 
 @pytest.mark.sweep
