@@ -67,14 +67,13 @@ def add_spread_load(record: "Record", member: "Member", scene: Any) -> None:
         if not load.even:
             _on_slack_end(record, scene)
             return
-        scene.add_force(q * (last - first), table.zero, member.motions(station)[0])
+        scene.add_force(q * (last - first), table.zero, member.motions(station)[0], resting=True)
     for i, (segment, left, right) in enumerate(pieces_of(member, scene)):
         middle = (scene.number(left.place) + scene.number(right.place)) / 2
         if low < middle < high:
             is_light = segment.inertia.is_zero and segment.drag.is_zero
             vibrates = vibrates or not is_light
-            _on_piece(record, load if is_light else load._replace(in_time=scene.table.zero), member, i,
-                      (segment, left, right), scene)
+            _on_piece(record, load, member, i, (segment, left, right), is_light, scene)
     if vibrates:
         _vibrating(record, load, scene)
 
@@ -101,8 +100,9 @@ def _vibrating(record, load, scene):
         scene.add_spread_force(load.member, load.start, load.end, along, moving, load.x)
 
 
-def _on_piece(record, load, member, i, placed, scene):
+def _on_piece(record, load, member, i, placed, is_light, scene):
     segment, left, right = placed
+    load = load if is_light else load._replace(in_time=scene.table.zero)
     if load.q.is_zero and load.in_time.is_zero:
         return
     tension = member.tension(i, segment, scene)
@@ -110,13 +110,15 @@ def _on_piece(record, load, member, i, placed, scene):
     ends = [*member.motions(left), *member.motions(right)]
     piece = RestPiece(length, member.kind.bends, segment.stiffness, *tension, segment.foundation)
     if load.even:
-        scene.add_force(load.q * length, load.in_time * length, _mean(scene, f"{member.name}.{i + 1}", piece, ends))
+        mean = _mean(scene, f"{member.name}.{i + 1}", piece, ends)
+        scene.add_force(load.q * length, load.in_time * length, mean, not is_light)
         return
     xi = scene.table.variable("the place on a piece")
     try:
         for part, in_time in ((load.q, False), (load.in_time, True)):
             for end, force in zip(ends, _put(scene, piece, part, left.place, load, xi), strict=True):
-                scene.add_force(*((scene.table.zero, force) if in_time else (force, scene.table.zero)), end)
+                parts = (scene.table.zero, force) if in_time else (force, scene.table.zero)
+                scene.add_force(*parts, end, not is_light)
     except NotSmooth as error:
         scene.report(record["per_length"].where, f"'{record.name}' {error.message}", error.hint)
 

@@ -14,7 +14,7 @@ from vibcli.scene.build_order import carriers_first
 from vibcli.scene.contents import Constraint, Contents, InnerStretch
 from vibcli.scene.coordinates import SceneCoordinates
 from vibcli.scene.displacements import Displacements, stays_bounded
-from vibcli.scene.energy_terms import AppliedLoad, Damper, Inerter, Inertia, Spring, Weight
+from vibcli.scene.energy_terms import AppliedLoad, Damper, Inerter, Inertia, RestingLoad, Spring, Weight
 from vibcli.scene.expressions import Expressions
 from vibcli.scene.places import Frame, Places
 from vibcli.symbolic.derivatives import gradient
@@ -194,14 +194,16 @@ class Builder:
         """½·c·ṡ² to Φ."""
         self.contents.dampers.append(Damper(c, s, owner=self.owner))
 
-    def add_force(self, steady: "Node", in_time: "Node", s: "Node") -> None:
-        """The virtual work δA = force·δs of a load in two parts, functions of coordinates and velocities."""
+    def add_force(self, steady: "Node", in_time: "Node", s: "Node", resting: bool = False) -> None:
+        """The virtual work δA = force·δs of a load in two parts, functions of coordinates and velocities; resting: as a
+        RestingLoad."""
         if steady.is_zero and in_time.is_zero:
             return
         self.idle |= not s.mask
         if s.mask or self.variant.inputs:
             offset = None if in_time.is_zero else steady
-            self.contents.forces.append(AppliedLoad(steady + in_time, s, offset, self.owner))
+            kind = RestingLoad if resting else AppliedLoad
+            self.contents.forces.append(kind(steady + in_time, s, offset, self.owner))
 
     def add_constraint(self, record: Record, node: "Node", form: str, part: str = "") -> None:
         """The condition node = 0."""

@@ -129,3 +129,9 @@ class AppliedLoad(Term):
     def power(self, scene: "Scene") -> "Node":
         """F ṡ, which it brings in."""
         return self.weight * scene.rate(self.s)
+
+
+class RestingLoad(AppliedLoad):
+    """F δs of a steady load along a member that vibrates: so it acts at rest alone, in motion as a SpreadForce."""
+
+    __slots__ = ()

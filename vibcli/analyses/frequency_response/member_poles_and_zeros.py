@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 POINTS, MORE = 33, 4        # places between two poles at which the sign of H is looked at; how many more if some miss
+TOGETHER = 64               # intervals, so that what is kept of their points takes no more than 100 MB
 TRIES, AROUND = 5, (48, 96, 192, 384)       # points on a contour
 FLAT = 0.4                  # height of a contour over half its width
 BESIDE, INSET = 1e-8, 1e-4     # of the distance of two poles: how near to them signs are looked at, contours end
@@ -33,10 +34,16 @@ def signs(response: FrequencyResponseFunction, Omega: np.ndarray) -> np.ndarray:
 def zeros_on_axis(response: FrequencyResponseFunction, poles: np.ndarray, low: float, high: float) -> np.ndarray:
     """Ω of the zeros without damping, ascending; poles: Ω of those that take part in H, ascending.
 
-    Between two neighbours, of which one may be no pole, as many as the argument principle counts; all of these
+    Between two neighbours, of which one may be no pole, as many as the argument principle counts; many of these
     intervals are looked at together.
     """
     edges = ascending([low, *poles[(poles > low) & (poles < high)], high])
+    found = [_between(response, edges[at:at + TOGETHER + 1]) for at in range(0, len(edges) - 1, TOGETHER)]
+    return np.concatenate(found) if found else np.zeros(0)
+
+
+def _between(response, edges):
+    """Those between the neighbours among some poles."""
     a, width = edges[:-1], np.diff(edges)
     inside, points = enclosed(response, a + INSET * width, edges[1:] - INSET * width), POINTS
     exact, starts, ends = [], [], []

@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.inputs_outputs.amplitudes import amplitudes
+from vibcli.scene.energy_terms import RestingLoad
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.separated_products import products_of
 
@@ -30,7 +31,9 @@ def spread_input(configuration: "Configuration", name: str, found: "Mapping[int,
             shares[j] = 1 / largest
         elif opening.name == name and opening.load is not None:
             term = scene.forces[opening.load]
-            part = term.weight if load.in_time.is_zero or term.offset is None else term.weight - term.offset
+            if isinstance(term, RestingLoad) or (term.offset is None and not load.in_time.is_zero):
+                continue
+            part = term.weight if term.offset is None else term.weight - term.offset
             size, unit = amplitudes(opened, [part, moving])
             shares[j] = size / unit / largest
     if not shares:

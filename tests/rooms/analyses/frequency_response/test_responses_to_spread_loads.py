@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from support.scenes import problem
 
+from vibcli.analyses.frequency_response import member_poles_and_zeros
 from vibcli.analyses.frequency_response.evaluate import frf, sloped
 from vibcli.results.precise_member_response import PreciseMemberCurve
 
@@ -81,6 +82,18 @@ def test_a_load_on_a_part_of_a_cantilever():
             assert near[0] * near[1] < 0
 
 
+def test_zeros_are_looked_for_in_a_few_intervals_at_a_time(monkeypatch):
+    """Of many poles no more points are kept than of a few."""
+    at_once = curve(CANTILEVER, "arm.moment(0 m)", "drive").zeros(0.0, 1e4)
+    asked = []
+    enclosed = member_poles_and_zeros.enclosed
+    monkeypatch.setattr(member_poles_and_zeros, "TOGETHER", 2)
+    monkeypatch.setattr(member_poles_and_zeros, "enclosed",
+                        lambda response, a, b: asked.append(len(a)) or enclosed(response, a, b))
+    assert (curve(CANTILEVER, "arm.moment(0 m)", "drive").zeros(0.0, 1e4) == at_once).all()
+    assert len(at_once) > 2 and len(asked) > 2 and max(asked) == 2
+
+
 @pytest.mark.sweep
 def test_more_digits():
     scene = problem(CANTILEVER)
@@ -100,3 +113,21 @@ def test_a_load_along_a_light_piece_is_an_input_too():
     work = float(mpmath.quad(lambda x: x**2 / 4 * (6 * x**2 - x**3) / 16, [0, 2]))
     found = curve(text, "wing.u(L)", "wind")
     assert frf(found, np.array([7.0])) == pytest.approx(work / (375 - 4 * 49), rel=1e-12)
+
+
+@pytest.mark.parametrize("inertia", ["", ", mass_per_length: 3 kg/m"])
+def test_a_steady_load_is_an_input_of_its_form(inertia):
+    """Along what vibrates and what is light, even and uneven: as what varies in its place; at rest ∫ f (6x² − x³) dx
+    over 6 EI."""
+    text = """
+        beams: {wing: {left: clamped, segments: [{length: 1 m, EI: 1 kN*m^2%s}, {length: 1 m, EI: 1 kN*m^2}],
+                attached: [{at: 2 m, mass: 4 kg}]}}
+        forces: {wind: {body: wing, per_length: 3 N/m%s}}
+    """
+    Omega = np.array([0.0, 7.0])
+    for form, at_rest in (("", 12 / 6000), ("*(x/(2 m))^2", (6.4 - 16 / 9) / 4000)):
+        steady, varying, both = (frf(curve(text % (inertia, form + load), "wing.u(2 m)", "wind"), Omega)
+                                 for load in ("", "*cos(5 rad/s*t)", " + 2 N/m*cos(5 rad/s*t)" + form))
+        assert steady.tolist() == pytest.approx(varying.tolist(), rel=1e-12)
+        assert both.tolist() == pytest.approx(varying.tolist(), rel=1e-12)
+        assert steady[0] == pytest.approx(at_rest, rel=1e-12)

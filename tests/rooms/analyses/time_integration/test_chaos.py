@@ -4,10 +4,12 @@ import json
 import math
 import re
 
+import mpmath
 import numpy as np
 import pytest
 from support.motions import AT_THE_TOP, RESTING, problem
 
+import vibcli
 from vibcli.analyses.time_integration import integrate as simulating
 from vibcli.analyses.time_integration.integrate import simulate
 from vibcli.analyses.time_integration.known_motion import known_motion
@@ -39,6 +41,15 @@ dampers: {d: {c: c, between: [ground, b]}}
 forces: {f: {at: b, force: F*cos(w*t)}}
 initial: {x: 1 m}
 """
+PENDULUM = """
+motion: full
+parameters: {m: 1 kg, L: 1 m}
+gravity: 9.81 m/s^2
+bodies: {b: {mass: m, at: [0, -L], pin: {at: [0, 0], by: p}}}
+initial: {p: START}
+find: [{response: {until: 5.8 s}}]
+"""
+BESIDE_THE_TOP = "3.141592"
 SPHERES = """
 motion: full
 parameters: {m: 1 kg, k: 40 N/m, a: 1 m}
@@ -91,6 +102,21 @@ def test_what_is_not_known_is_refused_by_name(scene, capsys):
              "r(15 s): {value: 16.0048, rtol: 1e-5}}")
     within = FAR_UP.replace("50 s", "16 s") + f"answers: {known}\n"
     assert run(["check", scene(within)]) == 0
+
+
+def test_extremes_that_floats_do_not_tell_are_found_in_more_digits(scene, capsys):
+    """Let go beside the top a pendulum passes the lowest place at K(sin ½φ₀)/√(g/l), with √(2g/l (1 − cos φ₀))."""
+    with mpmath.workdps(30):
+        start, g = mpmath.mpf(BESIDE_THE_TOP), mpmath.mpf("9.81")
+        passes = mpmath.ellipk(mpmath.sin(start / 2)**2) / mpmath.sqrt(g)
+        fastest = mpmath.sqrt(2 * g * (1 - mpmath.cos(start)))
+        told = f"{{\"argmin(p')\": {mpmath.nstr(passes, 13)} s, \"min(p')\": -{mpmath.nstr(fastest, 13)} rad/s}}"
+    text = PENDULUM.replace("START", BESIDE_THE_TOP)
+    in_floats = vibcli.loads(text)["argmin(p')"]
+    assert 1e-11 < abs(in_floats.value - passes) < in_floats.error < 1e-8
+    assert run(["check", "--json", scene(f"{text}answers: {told}\n")]) == 0
+    for found, exact in zip(json.loads(capsys.readouterr().out)[0]["answers"], (passes, -fastest), strict=True):
+        assert abs(found["found"] - exact) <= found["error"] < 1e-13
 
 
 @pytest.mark.sweep
