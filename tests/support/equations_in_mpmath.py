@@ -4,28 +4,18 @@ import re
 
 import mpmath
 from mpmath import mp
-from support.printed_equations import told
+from support.printed_equations import blocks, told
 
 from vibcli.notation.plain import plain
-from vibcli.report.blocks import Equations, Factor
-from vibcli.report.document import Report
+from vibcli.report.blocks import Factor
 from vibcli.report.formats.formula import formula
 from vibcli.symbolic.node import Node
 
 BESSEL = {"J0": (mpmath.besselj, 0), "J1": (mpmath.besselj, 1), "Y0": (mpmath.bessely, 0), "Y1": (mpmath.bessely, 1)}
-DIGITS = 40
+DIGITS = 25
 BESIDE, ZERO = mpmath.mpf(10) ** -4, 1e-5       # relative distance, and what is zero of what is beside it
 DENOMINATOR = "and where the denominator of "
 NEAR = 1e-13        # relative: of ω² in floats
-
-
-def blocks(scene):
-    """[[Line]]: the lines on frequency equations of a scene, those of each apart."""
-    report = Report(scene)
-    report.add("frequency_equation")
-    assert report.refusal is None
-    return [list(block.lines) for section in report.sections for block in section.blocks
-            if isinstance(block, Equations)]
 
 
 def number(node, names):
@@ -37,8 +27,11 @@ def number(node, names):
     if node.op == "symbol":
         return names(node.name)
     if node.op == "call":
-        function, *order = BESSEL.get(node.name) or (getattr(mpmath, node.name),)
-        return function(*order, *(number(one, names) for one in node.args))
+        calls = getattr(names, "calls", {})
+        if node not in calls:
+            function, *order = BESSEL.get(node.name) or (getattr(mpmath, node.name),)
+            calls[node] = function(*order, *(number(one, names) for one in node.args))
+        return calls[node]
     found = mpmath.mpf(node.coefficient.numerator) / node.coefficient.denominator
     for part, factor in node.args:
         factor = mpmath.mpf(factor.numerator) / factor.denominator
@@ -75,7 +68,7 @@ def is_equation(lines):
     return _split(lines[0]) is not None
 
 
-def fulfilled(scene, count=5):
+def fulfilled(scene, count=3):
     """Each of the first modes fulfils one of the equations; how many equations are printed."""
     equations = [Printed(lines) for lines in blocks(scene) if is_equation(lines)]
     for mode in scene.modal.modes.first(count) if equations else []:
@@ -117,6 +110,7 @@ class Printed:
                 power, right = self.means[name]
                 values[name] = _times(right, known) ** (mpmath.mpf(1) / int(power))
             return values[name]
+        known.calls = {}
         return known
 
     def _wave(self):
@@ -135,7 +129,7 @@ class Printed:
         c = (two - 2 * one + a) / 2
         b = one - a - c
         rest = omega ** 2 - a
-        if abs(c) <= mpmath.mpf(10) ** -30 * abs(one):
+        if abs(c) <= mpmath.mpf(10) ** -20 * abs(one):
             return mpmath.sqrt(rest / b)
         return mpmath.sqrt((sign * mpmath.sqrt(b ** 2 + 4 * c * rest) - b) / (2 * c))
 

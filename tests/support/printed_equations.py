@@ -1,7 +1,7 @@
 """The section on frequency equations as it is printed, read back: its lines, and what they say of numbers."""
 
 import re
-from functools import partial
+from functools import lru_cache, partial
 
 import numpy as np
 from support.formulas import plain, symbol, value
@@ -21,13 +21,19 @@ TRIVIAL = 1e-4      # of βL and θ
 MOTION = re.compile(r"(∂?)X_([ij])(?:/∂.)?\((.*?)\)(?: \((\w+)\))?(?=·| |\)|$)")
 
 
-def printed(scene):
-    """[[line]] as text: the lines on frequency equations of a scene, those of each apart."""
+@lru_cache(maxsize=1)
+def blocks(scene):
+    """[[Line]]: the lines on frequency equations of a scene, those of each apart."""
     report = Report(scene)
     report.add("frequency_equation")
     assert report.refusal is None
-    return [["".join(told(one)) for one in block.lines] for section in report.sections for block in section.blocks
+    return [list(block.lines) for section in report.sections for block in section.blocks
             if isinstance(block, Equations)]
+
+
+def printed(scene):
+    """The same as text."""
+    return [["".join(told(one)) for one in lines] for lines in blocks(scene)]
 
 
 def told(one):

@@ -64,7 +64,7 @@ def _quantity(problem, tree):
     number, forms = int(tree.indices[0]), problem.closed_forms
     if problem.scene.pieces:
         if forms is None:
-            raise NotInLetters(f"'{tree.text}' is found in numbers: its frequency equation is written out", GIVE_VALUES)
+            raise NotInLetters(f"'{tree.text}' is found in numbers, as a root of a frequency equation", GIVE_VALUES)
         return _of_mode(problem, tree, forms.numbered(number))
     modes = closed_modes(problem)
     if number > len(modes):

@@ -116,22 +116,24 @@ class Stacked(Notation):
         value, above, below, root_above, root_below = self.factors(value, args)
         alone = len(above) == 1 and value.numerator == 1 and not (root_above or root_below)
         lone_root = root_below and not root_above
-        flat = not below and not lone_root and (value.denominator == 1 or shown_as_decimal(value))
-        tops = [self.powered(base, e, alone and (not flat or value == 1)) for base, e in above]
+        whole = value.denominator == 1 or shown_as_decimal(value)
+        flat = whole and not below and not lone_root
+        tops = [self.powered(base, e, alone and (not whole or value == 1)) for base, e in above]
         if root_above:
             tops.insert(place(above, root_above), self.root(root_above, root_below))
         if flat:
             if value != 1 or not tops:
                 tops.insert(0, self.numeral(decimal(value)))
             return self.multiplied(tops)
-        only = len(below) == 1 and value.denominator == 1 and not lone_root
+        only = len(below) == 1 and whole and not lone_root
         bottoms = [self.powered(base, e, only) for base, e in below]
         if lone_root:
             bottoms.append(self.root(root_below, []))
-        if value.denominator > 1:
+        if not whole:
             bottoms.insert(0, self.numeral(str(value.denominator)))
-        if value.numerator != 1 or not tops:
-            tops.insert(0, self.numeral(str(value.numerator)))
+        number = value if whole else value.numerator
+        if number != 1 or not tops:
+            tops.insert(0, self.numeral(decimal(number)))
         return self.fraction(self.multiplied(tops), self.multiplied(bottoms))
 
     def root(self, above: "Sequence[tuple[Node, Fraction | int]]",

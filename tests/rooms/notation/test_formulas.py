@@ -170,6 +170,16 @@ def test_what_a_member_does_at_a_place_is_one_name(write, wanted):
     assert read("Q_arm.u(L/2)·δarm.u(L/2)", write) == wanted
 
 
+def test_decimals_stand_above_the_line():
+    table = Table()
+    x, y = table.parameter("x"), table.parameter("y")
+    long, short = table.number(Fraction("3.51601526850015")) / x, table.product(
+        (table.number(Fraction(1, 1000)), 1), (x + y, 1), (x, -1))
+    assert [write(node) for write in (latex, typst) for node in (long, short)] == [
+        r"\frac{3.5160152685}{x}", r"\frac{0.001 \, \left(x + y\right)}{x}",
+        "frac(3.5160152685, x)", "frac(0.001 thin (x + y), x)"]
+
+
 def test_bessel_functions_are_written_with_their_order_below():
     table = Table()
     z = table.parameter("z")

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import mpmath
 import pytest
-from support.equations_in_mpmath import Printed, blocks, fulfilled, is_equation
-from support.printed_equations import orthogonality, printed
+from support.equations_in_mpmath import Printed, fulfilled, is_equation
+from support.printed_equations import blocks, orthogonality, printed
 from support.scenes import kept_settled_of, problem
 
 from vibcli.analyses.continuous.shapes import shape_along
@@ -19,10 +19,22 @@ from vibcli.report.sections.hanging_string import ZEROS
 VALUES = {"L": "0.6 m", "EI": "70 N*m^2", "EA": "1 MN", "mu": "0.27 kg/m", "N": "90 N", "P": "600 N", "M": "0.05 kg",
           "J": "1 g*m^2", "k": "400 N/m", "kt": "5 N*m", "m": "0.01 kg", "kf": "900 N/m^2", "g": "9.81 m/s^2",
           "a": "0.2 m", "cd": "2 N*s/m", "S": "80 N", "GIo": "7 N*m^2", "j": "1 g*m"}
-ENDS = ("clamped", "pinned", "guided", "free", "{k: k}", "{torsion: kt}", "{k: 3*k, torsion: kt}")
+ENDS = ("clamped", "pinned", "guided", "free", "{k: k}")
+PAIRS = tuple(combinations_with_replacement(ENDS[:4], 2))
+SPRUNG = (("clamped", "{k: k}"), ("{torsion: kt}", "pinned"), ("guided", "{k: 3*k, torsion: kt}"), ("{k: k}", "free"),
+          ("{k: k}", "{torsion: kt}"), ("{torsion: kt}", "{torsion: kt}"),
+          ("{k: 3*k, torsion: kt}", "{k: 3*k, torsion: kt}"))
 ATTACHED = ("{at: L, mass: M}", "{at: L, mass: M, inertia: J}", "{at: L, oscillator: {mass: m, k: k}}")
 PROBLEMS = sorted(Path("problems/8_continuous").glob("*.yaml"))
 PLACES = (0.0, 0.21, 0.43, 0.77, 1.0)
+
+
+@pytest.fixture(autouse=True)
+def _without_shapes_in_numbers(monkeypatch):
+    """Shapes in numbers, which other tests look at, are left out."""
+    monkeypatch.setattr("vibcli.report.sections.frequency_equation.shapes_in_numbers", lambda *_: ())
+    yield
+    blocks.cache_clear()
 
 
 def scene(members):
@@ -43,13 +55,14 @@ def test_equations_of_the_problems_hold(path):
     if not found.numeric.has_free_symbols:
         assert fulfilled(found) == sum(is_equation(lines) for lines in blocks(found))
         hold_shapes(found)
+        hold_orthogonality(found)
 
 
 def hold_shapes(found):
     """X of the first modes, each apart from others, up to a factor, where one in letters is told; how many are."""
     equations = [Printed(lines) for lines in blocks(found) if is_equation(lines)]
     told = [one for one in equations if one.drawn is not None] if len(found.scene.members) == 1 else []
-    modes = [mode for mode in found.modal.modes.first(4) if mode.omega]
+    modes = [mode for mode in found.modal.modes.first(3) if mode.omega] if told else []
     apart = [mode for mode in modes if all(abs(mode.omega - one.omega) > 1e-9 * mode.omega for one in modes
                                            if one is not mode)]
     for equation, mode in product(told, apart):
@@ -63,13 +76,11 @@ def hold_shapes(found):
     return len(told) * len(apart)
 
 
-@pytest.mark.sweep
-@pytest.mark.parametrize("path", PROBLEMS, ids=lambda path: path.stem)
-def test_modes_of_the_problems_are_orthogonal_as_printed(path):
-    found = kept_settled_of(path)
-    letters, names = found.numeric.has_free_symbols, list(found.scene.members)
-    told = [line for lines in printed(found) for line in lines if "X_i" in line and not letters]
-    modes = [mode for mode in found.modal.modes.first(4) if mode.omega] if told else []
+def hold_orthogonality(found):
+    """What is printed on it, by integrals of the modes."""
+    names = list(found.scene.members)
+    told = [line for lines in printed(found) for line in lines if "X_i" in line]
+    modes = [mode for mode in found.modal.modes.first(3) if mode.omega] if told else []
     for line, (one, other) in product(told, combinations(modes, 2)):
         if abs(one.omega - other.omega) > 1e-9 * one.omega:
             both, *sizes = (orthogonality(found, line, names, pair)[0] for pair in (
@@ -78,17 +89,18 @@ def test_modes_of_the_problems_are_orthogonal_as_printed(path):
 
 
 PULLED = [
-    *(beam(left, right, "preload: N") for left, right in combinations_with_replacement(ENDS, 2)),
-    *(beam(left, right, "preload: -P, foundation: kf") for right, left in combinations_with_replacement(ENDS, 2)),
-    *(beam(left, "free", f"preload: {force}, attached: [{what}]") for force in ("N", "-P") for what in ATTACHED
-      for left in ENDS[:5])]
+    *(beam(*ends, "preload: N") for ends in SPRUNG),
+    *(beam(*ends, "preload: -P, foundation: kf") for ends in PAIRS[1::2]),
+    *(beam(left, "free", f"preload: {('N', '-P')[k % 2]}, attached: [{what}]") for k, (what, left) in enumerate(
+        list(product(ATTACHED, ENDS))[::2]))]
 
 
 @pytest.mark.sweep
 @pytest.mark.parametrize("text", PULLED)
 def test_pulled_and_pressed_beams_with_all_ends(text):
-    """α² − β² = N/EI: one equation, of unstable modes too."""
-    assert fulfilled(scene(text), 4) == 1
+    """α² − β² = N/EI: one equation, of unstable modes too. What springs at both ends add is linear in each of them, so
+    that those with all four of them try all other ends."""
+    assert fulfilled(scene(text)) == 1
 
 
 def member(kind, stiffness, inertia, left, right, rest):
@@ -97,22 +109,22 @@ def member(kind, stiffness, inertia, left, right, rest):
 
 BAR, STRING = ("bars", "EA: EA", "mass_per_length: mu"), ("strings", "preload: S", "mass_per_length: mu")
 SHAFT, BEAM = ("shafts", "GIo: GIo", "inertia_per_length: j"), ("beams", "EI: EI", "mass_per_length: mu")
+HUNG = (*ATTACHED, "{at: a, mass: M}", "{at: a, k: k}", "{at: a, support: pinned}", "{at: a, torsion: kt}",
+        "{at: a, oscillator: {mass: m, k: k}}", "{at: a, mass: M}, {at: L, mass: m}")
 PLAIN = [
-    *(member(*BEAM, left, right, bed) for k, (left, right) in enumerate(combinations_with_replacement(ENDS, 2))
-      for bed in ("", "foundation: kf")[:1 + k % 2]),
-    *(member(*BEAM, left, "free", f"attached: [{what}]{bed}") for k, what in enumerate((
-        *ATTACHED, "{at: a, mass: M}", "{at: a, k: k}", "{at: a, support: pinned}", "{at: a, torsion: kt}",
-        "{at: a, oscillator: {mass: m, k: k}}", "{at: a, mass: M}, {at: L, mass: m}")) for left, bed in (
-            (ENDS[k % 5], ""), ("free", ", foundation: kf"))),
-    *(member(*kind, left, right, f"attached: [{what}]{bed}") for kind in (BAR, STRING) for k, what in enumerate((
-        "{at: L, mass: M}", "{at: L, mass: M}, {at: L, k: k}", "{at: a, mass: M}",
-        "{at: L, oscillator: {mass: m, k: k}}", "{at: a, oscillator: {mass: m, k: k}}",
-        "{at: a, k: k}, {at: L, mass: m}")) for left, right, bed in (
-            ("clamped", "free", ""), ("{k: k}", "free", ", foundation: kf"))),
-    *(member(*SHAFT, left, right, f"attached: [{what}]") for what in ("{at: 0*L, inertia: J}", "{at: a, torsion: kt}")
-      for left, right in (("free", "clamped"), ("{torsion: kt}", "free"))),
+    *(member(*BEAM, *ends, "") for ends in SPRUNG[::2]),
+    *(member(*BEAM, *ends, "foundation: kf") for ends in PAIRS[::2]),
+    *(member(*BEAM, "free", "free", f"attached: [{what}], foundation: kf") for what in HUNG[::2]),
+    *(member(*BEAM, left, "free", f"attached: [{what}]") for left, what in zip(ENDS, HUNG[1::2], strict=False)),
+    *(member(*kind, left, "free", f"attached: [{what}]{bed}") for left, bed, whats in (
+        ("clamped", "", ("{at: L, mass: M}", "{at: L, mass: M}, {at: L, k: k}", "{at: a, mass: M}")),
+        ("{k: k}", ", foundation: kf", ("{at: L, oscillator: {mass: m, k: k}}", "{at: a, k: k}, {at: L, mass: m}",
+                                        "{at: a, oscillator: {mass: m, k: k}}")))
+      for kind, what in zip((BAR, STRING, BAR), whats, strict=True)),
+    member(*SHAFT, "free", "clamped", "attached: [{at: 0*L, inertia: J}]"),
+    member(*SHAFT, "{torsion: kt}", "free", "attached: [{at: a, torsion: kt}]"),
     *(f"beams: {{b: {{segments: [{{length: a, EI: EI}}, {{length: L, EI: 3*EI}}], mass_per_length: mu, left: {left}}}}}"
-      for left in ENDS[:4]),
+      for left in ENDS[:4:3]),
 ]
 
 
@@ -129,7 +141,7 @@ def test_wave_numbers_of_another_length_have_letters():
     assert [formula(one.parts, plain).replace("\u00a0", " ") for one in lines[:4]] == [
         "2·θ²·η² − θ·η·(θ² − η²)·sin θ·sinh η + (θ⁴ + η⁴)·cos θ·cosh η = 0", "θ = 2·L·β", "η = 2·L·α",
         "η = √(4·L²·N/EI + θ²)"]
-    assert fulfilled(found) == 1 and hold_shapes(found) == 4
+    assert fulfilled(found) == 1 and hold_shapes(found) == 3
 
 
 def test_what_is_false_is_seen():
@@ -189,7 +201,12 @@ def test_strings_whose_tension_varies(told):
     found = scene(HANGING[told])
     lines, = blocks(found)
     assert Printed(lines).text == told
-    assert fulfilled(found) == 1
+    assert fulfilled(found) == 1 and hold_shapes(found) > 1
+
+
+def test_a_parameter_with_the_name_of_a_bessel_function_is_none():
+    found = problem("parameters: {L: 1, J0: 2, g: 9.81}\n" + chain("left: pinned").replace("mu", "J0"))
+    assert not any(map(is_equation, blocks(found)))
 
 
 def test_a_hanging_chain_as_textbooks_have_it():
@@ -206,7 +223,7 @@ def test_zeros_of_bessel_functions(order):
 
 
 @pytest.mark.parametrize("text", [
-    *HANGING.values(), beam("clamped", "free", "preload: -P, attached: [{at: L, mass: M}]"),
+    beam("clamped", "free", "preload: -P, attached: [{at: L, mass: M}]"),
     beam("free", "free", "preload: N"),
     beam("{k: k, torsion: kt}", "{k: k}", "preload: N, attached: [{at: L, inertia: J}]"),
     beam("guided", "free", "preload: -N, foundation: kf, attached: [{at: L, mass: M}]"),

@@ -3,7 +3,8 @@
     ω = (2n − 1)π/(2L)·√(E/ρ)           where sin βL or cos βL is zero
     ω = 3.51601526850015·√(EI/μ)/L²     of others, (βL)² to fifteen digits
 
-In order as βL is, so that a column is thought to bear less than its buckling load.
+In order as βL is, so that a column is thought to bear less than its buckling load; none of one that is pressed in a
+bed, which may bend in several half waves first.
 """
 
 from fractions import Fraction
@@ -34,18 +35,19 @@ def endless_forms(symbolic: "SymbolicSystem") -> ClosedForms | None:
     found = frequency_equations(symbolic)
     moved = {i for placed in symbolic.linearisation.pieces for row in placed.rows for i in row}
     one = found[0] if len(found) == 1 else None
-    if one is None or len(one.pieces) > 1 or one.second is not None or len(moved) < len(symbolic.scene.q):
+    if one is None or len(one.pieces) > 1 or one.second is not None or one.letters:
         return None
-    if roots(one, 1) is None or not _in_order(one, symbolic.scene.sample):
+    if len(moved) < len(symbolic.scene.q) or roots(one, 1) is None or not _in_order(one, symbolic.scene.sample):
         return None
     return ClosedForms([], numbered=lambda number: _mode(one, number))
 
 
 def _in_order(found, sample):
-    """Is the first of them stable at the sample values?"""
-    first = _root(found, 1)
+    """Is the first of them stable at the sample values, and is none pressed in a bed?"""
+    piece, first = found.pieces[0].piece, _root(found, 1)
     square = substitute([found.square], {found.wave_number: first})[0]
-    return evaluate([square], Floats, sample)[0] > 0
+    lowest, tension = evaluate([square, piece.tension], Floats, sample)
+    return lowest > 0 and (tension >= 0 or piece.foundation.is_zero)
 
 
 def _mode(found, number):

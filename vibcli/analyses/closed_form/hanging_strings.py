@@ -54,7 +54,7 @@ def hanging_string(form: Any, placed: "PlacedPiece", taken: Collection[str]) -> 
     """The equation of a member that is such a string, whose slack end holds nothing; None of others."""
     piece, table = placed.piece, form.table
     if piece.gradient.is_zero or not piece.bending.is_zero or {*FIRST, *SECOND}.intersection(
-            (*table.functions, *table.records)):
+            (*table.functions, *table.records, *taken)):
         return None
     omega = table.parameter(free_letter(taken, FREQUENCY))
     acting = impedances(form, [placed], omega)

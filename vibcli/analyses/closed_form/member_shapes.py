@@ -28,7 +28,7 @@ HYPERBOLIC = "sinh", "cosh"
 SLOPE = {"cosh": ("sinh", 1), "sinh": ("cosh", 1), "cos": ("sin", -1), "sin": ("cos", 1)}
 LEFT = {(True, True): ({"cosh": 1, "cos": -1}, {"sinh": 1, "sin": -1}), (True, False): ({"sin": 1}, {"sinh": 1}),
         (False, True): ({"cos": 1}, {"cosh": 1}), (False, False): ({"cosh": 1, "cos": 1}, {"sinh": 1, "sin": 1})}
-STEP = 0.05
+STEP, LEAST, FACTOR = 0.05, 1e-3, 1.15      # of βL, below one step by factors; under 2·STEP rounding leaves few digits
 
 
 class MemberShape(NamedTuple):
@@ -153,7 +153,8 @@ def rigid_motions(found: "FrequencyEquation") -> int:
 
 
 def roots(found: "FrequencyEquation", count: int) -> list[float] | None:
-    """The first positive βL that fulfil the equation; None where they hang on letters."""
+    """The first positive βL that fulfil the equation; None where they hang on letters, or the first is so low that
+    rounding leaves few digits. Beside poles of impedances that stand as letters two may hide."""
     x = found.wave_number
     whole = x.table.total(found.terms)
     letters = {node.name for node in reachable(found.by_wave_number(*sides(found))) if node.op == "symbol"}
@@ -164,10 +165,13 @@ def roots(found: "FrequencyEquation", count: int) -> list[float] | None:
     def residual(at: float) -> float:
         return evaluate([whole], Floats, {**values, x.name: at})[0]
 
-    told, at = [0.0] * unstrained(found), STEP
+    told, at = [0.0] * unstrained(found), LEAST
     while len(told) < count and at < (count + 2) * pi:
-        here, there = residual(at), residual(at + STEP)
-        if here * there < 0 and (root := bracketed(residual, at, here, at + STEP, there)) is not None:    # no pole
+        beyond = at + STEP if at >= STEP else at * FACTOR
+        here, there = residual(at), residual(beyond)
+        if here * there < 0 and (root := bracketed(residual, at, here, beyond, there)) is not None:    # no pole
+            if root < 2 * STEP:
+                return None
             told.append(root)
-        at += STEP
+        at = beyond
     return told

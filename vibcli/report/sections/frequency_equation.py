@@ -152,12 +152,13 @@ def _solved(problem, shapes, found, label):
 
 
 def _roots(problem, found):
-    """The first βL that fulfil an equation, as numbers; where modes are known, only if these have them all."""
+    """The first βL that fulfil an equation, as numbers, only if modes have them all; where no modes are known only of
+    what has no impedance beside whose pole two may hide."""
     from vibcli.analyses.closed_form.member_shapes import roots
 
     values = roots(found, PRINTED)
     if not values or problem.numeric.has_free_symbols:
-        return values
+        return None if found.letters else values
     squares = [evaluate([found.square], Floats, {**problem.numeric.floats, found.wave_number.name: value})[0]
                for value in values]
     known = [float(mode.omega) ** 2 for mode in problem.modal.modes.up_to(squares[-1] ** 0.5 * (1 + CLOSE))

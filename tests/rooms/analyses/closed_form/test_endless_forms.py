@@ -4,6 +4,7 @@ import re
 from itertools import combinations_with_replacement
 
 import pytest
+from support.printed_equations import printed
 from support.scenes import problem
 
 from vibcli.api.expressions import node_of
@@ -60,10 +61,25 @@ def test_expressions_as_textbooks_have_them(text, asked, told):
     assert str(expression(letters, asked)) == told
 
 
+ONE = "length: 1, EI: 1, mass_per_length: mu, left:"
+TUNED = "attached: [{at: 1, oscillator: {mass: mu/1000000, k: 1.236236336832e-5}}]"
+
+
+@pytest.mark.parametrize("text", [
+    f"beams: {{b: {{{ONE} pinned, right: pinned, preload: -59.2, foundation: 900}}}}",
+    f"beams: {{b: {{{ONE} clamped, {TUNED}}}}}",
+    f"beams: {{b: {{{BEAM}, left: {{k: EI/L^3/10000000}}, right: {{k: EI/L^3/10000000}}}}}}"])
+def test_frequencies_whose_order_or_number_no_search_proves_are_refused(text):
+    """Two half waves below one, two roots beside a pole, two below the first step."""
+    letters, _ = in_letters(text)
+    assert letters.closed_forms is None
+    assert not any("βL = " in line and "…" in line and "π" not in line for lines in printed(letters) for line in lines)
+
+
 @pytest.mark.parametrize("more", [", attached: [{at: L, mass: k}]", ", preload: S", "}, c: {length: L, EI: 3*EI, "
                                   "mass_per_length: mu, left: clamped", ", preload: -S, right: pinned"])
 def test_what_hangs_on_letters_is_refused(more):
     """A ratio of masses, of a force and a stiffness, another member, whose frequencies may lie between."""
     letters, _ = in_letters(f"beams: {{b: {{{BEAM}, left: clamped{more}}}}}")
-    with pytest.raises(NotInLetters, match="found in numbers: its frequency equation is written out"):
+    with pytest.raises(NotInLetters, match="found in numbers, as a root of a frequency equation"):
         expression(letters, "omega[1]")
