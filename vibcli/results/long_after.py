@@ -142,6 +142,9 @@ class LongAfter:
         if not isinstance(self._kept, LinearSignal):
             raise PhysicsError("means of functions of signals of members that vibrate freely are not found",
                                "ask for mean(x) and rms(x) of a single signal")
+        if _driven(self.problem.configuration.linear_system):
+            raise PhysicsError("a damper drives these members, and where some of what vibrates grows there is no "
+                               "mean", "ask for final(x), or for its value at a time")
         if self.problem.modal.damped is not None and self._left is not None:
             raise at_rest()
         return found
@@ -228,6 +231,16 @@ def _dies_out(signal):
     modes, rates = signal.modal.modes, signal.modal.states.rates
     least = 0.0 if isinstance(modes, RealModes) else ALIKE * abs(rates)     # others are found, not given
     return modes.fading < 0 and bool((rates.real < -least).all())
+
+
+def _driven(system):
+    """Is there damping that drives, of stations or along pieces? Modes far up may grow then."""
+    from vibcli.analyses.continuous.dynamic_matrix import dynamic_matrix
+
+    C = dynamic_matrix(system).polynomial[1]
+    rates = np.linalg.eigvalsh((C + C.T) / 2)
+    return bool((rates < -SEEN * abs(rates).max(initial=0.0)).any()) or any(
+        placed.piece.drag < 0 or placed.retardation < 0 for placed in system.pieces)
 
 
 def _drifts(signal):

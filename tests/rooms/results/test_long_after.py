@@ -125,6 +125,9 @@ def test_what_grows_has_neither_limit_nor_mean():
     for text in ("final(rod.u(L))", "mean(rod.u(L))"):
         with pytest.raises(PhysicsError, match="grows without end"):
             asked(scene, text)
+    far_up = "left: clamped, right: {c: 1 N*s/m}, attached: [{at: L/100, c: -1.2 N*s/m}]"     # mode 50
+    with pytest.raises(PhysicsError, match="a damper drives"):
+        asked(problem(BAR % (far_up, STEP)), "mean(rod.u(L))")
     scene = problem(BEAM % ("left: clamped, preload: -250 N", STEP))
     with pytest.raises(PhysicsError, match="free motion grows"):
         asked(scene, "mean(rod.u(L))")
