@@ -53,6 +53,9 @@ def test_what_nothing_holds_carries_its_load_in_the_mean():
     another that flies away; a free beam pushed in its middle bends by F L/8 there."""
     scene = problem(BAR.replace(", %s}", "}") % STEP)
     compared(scene, {"mean(rod.force(0.3 m))": 1.5, "rms(rod.force(L/2))": 12.5**0.5}, 1e-13)
+    compared(scene, {"abs(frf[rod.force(0.3 m), load](0 Hz))": 0.3}, 1e-13)
+    with pytest.raises(PhysicsError, match="a steady input drives a motion that nothing holds"):
+        asked(scene, "abs(frf[rod.u(0.3 m), load](0 Hz))")
     for text in ("mean(rod.u(L) - rod.u(0 m))", "mean(rod.u(L))"):
         with pytest.raises(PhysicsError, match="nothing holds"):
             asked(scene, text)

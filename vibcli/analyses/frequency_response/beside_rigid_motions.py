@@ -38,5 +38,5 @@ def at_rest(response: "MemberTransfer", next_pole: float) -> AtRest:
     if apart > ALIKE * size:
         raise PhysicsError("what these members, which nothing holds, answer to steady forces is not found",
                            "hold them with a spring, or ask at a time")
-    error = max(of_value_at(response, complex(at)) for at in s[:PLACES // 2])
-    return AtRest(value, (one / s).mean(), False, error + apart)
+    error = apart + max(of_value_at(response, complex(at)) for at in s[:PLACES // 2])
+    return AtRest(value.real if abs(value.imag) <= error else value, (one / s).mean(), False, error)
