@@ -2,7 +2,8 @@
 
 Where the period P of all free vibrations and that T of the loads are commensurate, M T = m P, the mean of the motion
 over M instants T apart is what loads keep up: each free vibration adds Σ e^{iωkT} = 0, k = 0 … M − 1, but one that a
-harmonic of the loads meets, e^{iωT} = 1.
+harmonic of the loads meets, e^{iωT} = 1. Of P ω/2π, which repeat themselves with the ways of the waves, the multiples
+of M are looked for up to M times the twelfth.
 """
 
 from fractions import Fraction
@@ -18,9 +19,12 @@ from vibcli.results.steady_features import COMMENSURATE, common
 from vibcli.results.wave_signals import FRONT, WaveSignal, _extreme, _leaps, _sampled, _zeros
 
 if TYPE_CHECKING:
+    from vibcli.analyses.modal.mode_sequence import Modes
     from vibcli.results.problem import Problem
 
-MODES, MOST = 12, 128       # free vibrations that are looked at first; periods over which a mean is taken at most
+MODES, FAR = 12, (100, 1000, 10_000)     # free vibrations that are looked at: the first, some far up
+ALIKE = 1e-13       # relative: how far these may be from multiples of one frequency
+MOST = 128          # periods over which a mean is taken at most
 SAMPLES, ROUNDINGS = 257, 64.0      # of a period; times rounding: how far what repeats itself is from itself
 
 
@@ -64,23 +68,31 @@ def fits_into(index: int, damped: str, hint: str) -> PhysicsError:
                         "repeats itself, too", hint)
 
 
+def common_speed(modes: "Modes") -> float | None:
+    """The angular frequency of which those of all modes that are not rigid are multiples: of the first, and of some far
+    up, which a mass or a spring, however small, leads astray; None where there is none that is seen."""
+    first = [mode.omega for mode in modes.first(MODES) if not mode.rigid]
+    speed = common([float(omega) for omega in first]) if first and all(first) else None
+    if speed is None:
+        return None
+    ratios = [float(omega) / speed for omega in [*first, *(modes.alone(index).omega for index in FAR)]]
+    return speed if all(abs(ratio - round(ratio)) <= ALIKE * ratio for ratio in ratios) else None
+
+
 def averaged(problem: "Problem", signal: Any, period: float, since: float) -> tuple[AveragedWaves, float, float] | None:
     """(the steady state of a signal, from when on, how far it is from what repeats itself), loads repeating themselves
     from `since` on; None where free vibrations and loads have no common period that is seen."""
-    modes = problem.modal.modes.first(MODES)
-    speed = None if any(mode.rigid for mode in modes) else common([float(mode.omega) for mode in modes])
-    if speed is None or not isinstance(signal, WaveSignal):
+    modes = problem.modal.modes
+    speed = common_speed(modes) if isinstance(signal, WaveSignal) else None
+    if speed is None or modes.ground.resting:
         return None
     turns = speed * period / tau
     ratio = Fraction(turns).limit_denominator(MOST)
     if abs(ratio - turns) > COMMENSURATE * turns:
         return None
     many = ratio.denominator
-    for mode in problem.modal.modes.first(max(MODES, many)):
-        number = round(float(mode.omega) / speed)
-        if abs(float(mode.omega) - number * speed) > COMMENSURATE * float(mode.omega):
-            return None
-        if number % many == 0:
+    for number in range(many, many * round(float(modes.first(MODES)[-1].omega) / speed) + 1, many):
+        for mode in modes.between(*(number * speed * (1 + off) for off in (-COMMENSURATE, COMMENSURATE))):
             raise fits_into(mode.index, "not damped", "damp it, or ask for harmonic[1](…), harmonic[2](…) and so on")
     start = period * (np.ceil(since / period) + many)
     times = start + period * (np.linspace(0.0, 1.0, SAMPLES)[:-1] + 1 / (3 * SAMPLES))

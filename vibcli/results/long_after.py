@@ -7,16 +7,18 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from vibcli.analyses.continuous.modal_reads import Read
 from vibcli.analyses.continuous.real_modes import RealModes
 from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
+from vibcli.analyses.excitation.linear_output import LinearOutput
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signal_names import signal_name
+from vibcli.results.averaged_waves import common_speed
 from vibcli.results.composed_errors import propagated
 from vibcli.results.modal_signals import ModalSignal, without_bound
 from vibcli.results.repeating_signal import DEAD, INNER, MODES, SAMPLES, RepeatingSignal
 from vibcli.results.signal_features import at_rest
 from vibcli.results.signals import ComposedSignal, LinearSignal
-from vibcli.results.steady_features import common
 from vibcli.results.wave_signals import ComposedOfWaves, WaveSignal
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.syntax import NameRef
@@ -27,6 +29,7 @@ if TYPE_CHECKING:
 
 GONE = 40.0         # decay times after which nothing is left in floats
 ALIKE = 1e-9        # relative: angular frequencies whose vibrations are taken together and apart
+SEEN = 1e-12        # of what parts of a signal see: rounding
 REPEATED = 64.0     # times rounding: how far what repeats itself is from itself
 
 
@@ -47,14 +50,28 @@ class LongAfter:
         members keep nothing still."""
         if self._loads.period is not None or not self._loads.listed:
             raise PhysicsError("loads keep this signal in motion: it has no limit", "ask for max(x), or mean(x)")
-        inner = isinstance(self.tree, NameRef) and signal_name(self.tree.name).kind in INNER
-        if not inner and any(mode.rigid for mode in self.problem.modal.modes.shown()):
+        if any(mode.rigid for mode in self.problem.modal.modes.shown()) and self._drifts:
             raise PhysicsError("nothing holds these members: where they move on to does not follow from their last "
                                "loads", "ask for its value at a time")
         if any(-decay > error for decay, error in self._pairs):
             raise PhysicsError("what vibrates grows without end: it has neither limit nor mean",
                                "ask for its value at a time")
         return _still(self._kept)
+
+    @property
+    def _drifts(self):
+        """Does it see a motion that nothing holds?"""
+        if isinstance(self.tree, NameRef) and signal_name(self.tree.name).kind in INNER:
+            return False
+        return _drifts(self._by_modes)
+
+    @property
+    def _by_modes(self):
+        """The signal as modes tell it, of whatever motion is followed."""
+        signal = self.signal
+        if isinstance(signal, WaveSignal | ComposedOfWaves):
+            return self.response.modal.signal(self.tree)      # type: ignore[attr-defined]
+        return signal
 
     @cached_property
     def _kept(self):
@@ -125,6 +142,9 @@ class LongAfter:
         if not isinstance(self._kept, LinearSignal):
             raise PhysicsError("means of functions of signals of members that vibrate freely are not found",
                                "ask for mean(x) and rms(x) of a single signal")
+        if _driven(self.problem.configuration.linear_system):
+            raise PhysicsError("a damper drives these members, and where some of what vibrates grows there is no "
+                               "mean", "ask for final(x), or for its value at a time")
         if self.problem.modal.damped is not None and self._left is not None:
             raise at_rest()
         return found
@@ -145,9 +165,7 @@ class LongAfter:
             return repeats.mean_square(self.still[0])
         if self.problem.modal.damped is not None:
             raise PhysicsError("the mean square is not found where some of what vibrates dies out", "ask for mean(x)")
-        signal = self.signal
-        if isinstance(signal, WaveSignal):
-            signal = self.response.modal.signal(self.tree)      # type: ignore[attr-defined]
+        signal = self._by_modes
         if not isinstance(signal, ModalSignal):
             raise PhysicsError("the mean square is not found of what is read off waves and modes together",
                                "ask for that of a single signal")
@@ -156,9 +174,9 @@ class LongAfter:
     @cached_property
     def repeating(self) -> RepeatingSignal | None:
         """What repeats itself, as waves bring it back; None where it is not seen to."""
-        omega = [float(mode.omega) for mode in self.problem.modal.modes.first(MODES) if mode.omega]
-        speed = common(omega) if omega and self.problem.modal.damped is None else None
-        if speed is None or not isinstance(self.signal, WaveSignal | ComposedOfWaves):
+        modal, waves = self.problem.modal, isinstance(self.signal, WaveSignal | ComposedOfWaves)
+        speed = common_speed(modal.modes) if waves and modal.damped is None else None
+        if speed is None:
             return None
         period, start = tau / speed, self._last + self._longest
         times = start + period * (np.linspace(0.0, 1.0, SAMPLES)[:-1] + 1 / (3 * SAMPLES))
@@ -213,6 +231,34 @@ def _dies_out(signal):
     modes, rates = signal.modal.modes, signal.modal.states.rates
     least = 0.0 if isinstance(modes, RealModes) else ALIKE * abs(rates)     # others are found, not given
     return modes.fading < 0 and bool((rates.real < -least).all())
+
+
+def _driven(system):
+    """Is there damping that drives, of stations or along pieces? Modes far up may grow then."""
+    from vibcli.analyses.continuous.dynamic_matrix import dynamic_matrix
+
+    C = dynamic_matrix(system).polynomial[1]
+    rates = np.linalg.eigvalsh((C + C.T) / 2)
+    return bool((rates < -SEEN * abs(rates).max(initial=0.0)).any()) or any(
+        placed.piece.drag < 0 or placed.retardation < 0 for placed in system.pieces)
+
+
+def _drifts(signal):
+    """Does a signal see a motion that nothing holds, or is that not told?"""
+    if isinstance(signal, ComposedSignal):
+        return any(map(_drifts, signal.signals.values()))
+    if not isinstance(signal, ModalSignal):
+        return True
+    motion, reads = signal.modal, signal.reads
+    kinds = [reads.q, reads.v, reads.a, {}, reads.places]
+    parts = [LinearOutput(0.0, *({key: x} if i == k else {} for i in range(5)))
+             for k, kind in enumerate(kinds) for key, x in kind.items()]
+
+    def seen(output):
+        read = Read(motion, output, 0)
+        return np.concatenate([read.rigid.ravel(), read.states[motion.states.rates == 0]])
+    sizes = sum(abs(seen(part)) for part in parts)
+    return bool((abs(seen(reads)) > SEEN * sizes).any())
 
 
 def _way(piece):

@@ -48,6 +48,29 @@ def test_a_pulse_runs_to_and_fro_in_a_free_bar():
             asked(scene, text)
 
 
+def test_what_nothing_holds_carries_its_load_in_the_mean():
+    """A free bar pulled by F at its end is pulled by F x/L at x; what does not see it move on has a mean too, as beside
+    another that flies away; a free beam pushed in its middle bends by F L/8 there."""
+    scene = problem(BAR.replace(", %s}", "}") % STEP)
+    compared(scene, {"mean(rod.force(0.3 m))": 1.5, "rms(rod.force(L/2))": 12.5**0.5}, 1e-13)
+    compared(scene, {"abs(frf[rod.force(0.3 m), load](0 Hz))": 0.3}, 1e-13)
+    with pytest.raises(PhysicsError, match="a steady input drives a motion that nothing holds"):
+        asked(scene, "abs(frf[rod.u(0.3 m), load](0 Hz))")
+    for text in ("mean(rod.u(L) - rod.u(0 m))", "mean(rod.u(L))"):
+        with pytest.raises(PhysicsError, match="nothing holds"):
+            asked(scene, text)
+    pulse = problem(BAR.replace(", %s}", "}") % "F*(step(t) - step(t - 0.07 s))")
+    compared(pulse, {"mean(rod.u(L) - rod.u(0 m))": 0.0})
+    other = "rod: {length: L, EA: EA, mass_per_length: mu, left: clamped}, other: {length: 0.6*L, EA: EA, " \
+        "mass_per_length: mu}"
+    beside = problem(BAR.replace("rod: {length: L, EA: EA, mass_per_length: mu, %s}", other) % STEP)
+    compared(beside, {"mean(rod.u(L))": 0.05, "amplitude(rod.u(L))": 0.05})
+    with pytest.raises(PhysicsError, match="nothing holds"):
+        asked(beside, "mean(other.u(L/5))")
+    beam = problem((BEAM.replace(", %s}", "}") % STEP).replace("at: L}", "at: L/2}"))
+    compared(beam, {"mean(rod.moment(L/2))": -0.625}, 1e-13)
+
+
 def test_a_bar_with_a_mass_has_no_common_period():
     """βL tan βL = μL/m, a = 2 F sin²βL/(EA β (βL + sin βL cos βL))."""
     scene = problem(BAR % ("left: clamped, attached: [{at: L, mass: 0.7 kg}]", STEP))
@@ -56,8 +79,9 @@ def test_a_bar_with_a_mass_has_no_common_period():
     sizes = 2 * 0.05 * np.sin(beta) ** 2 / (beta * (beta + np.sin(beta) * np.cos(beta)))
     assert sizes.sum() == pytest.approx(0.05, rel=1e-5)
     compared(scene, {"mean(rod.u(L))": 0.05, "rms(rod.u(L))": (0.05**2 + (sizes**2).sum() / 2) ** 0.5}, 1e-11)
-    with pytest.raises(PhysicsError, match="no common period"):
-        asked(scene, "amplitude(rod.u(L))")
+    for least in (scene, problem(BAR % ("left: clamped, attached: [{at: L, mass: 1e-4 kg}]", STEP))):
+        with pytest.raises(PhysicsError, match="no common period"):
+            asked(least, "amplitude(rod.u(L))")
     with pytest.raises(PhysicsError, match="does not die out"):
         asked(scene, "final(rod.u(L))")
 
@@ -104,3 +128,9 @@ def test_what_grows_has_neither_limit_nor_mean():
     for text in ("final(rod.u(L))", "mean(rod.u(L))"):
         with pytest.raises(PhysicsError, match="grows without end"):
             asked(scene, text)
+    far_up = "left: clamped, right: {c: 1 N*s/m}, attached: [{at: L/100, c: -1.2 N*s/m}]"     # mode 50
+    with pytest.raises(PhysicsError, match="a damper drives"):
+        asked(problem(BAR % (far_up, STEP)), "mean(rod.u(L))")
+    scene = problem(BEAM % ("left: clamped, preload: -250 N", STEP))
+    with pytest.raises(PhysicsError, match="free motion grows"):
+        asked(scene, "mean(rod.u(L))")

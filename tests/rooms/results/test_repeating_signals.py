@@ -169,6 +169,20 @@ def test_what_nothing_damps_is_kept_up_where_its_period_fits_with_that_of_the_lo
             model["amplitude(rod.u(L))"]
 
 
+def test_a_free_vibration_far_up_that_fits_into_the_period_is_met():
+    """Two bars, 3 : 5 in pitch, repeat themselves in 11/2 periods of the load: mode 17 of both, the 11th of the one,
+    stays in the mean of 11."""
+    both = ", right: clamped}, other: {length: 3*L/5, EA: EA, mass_per_length: mu, left: clamped, right: clamped"
+    bars = BAR.format(both).replace("Om: 2000", "Om: 11/3*pi*1000").replace("at: L}", "at: L/2}")
+    with pytest.raises(PhysicsError, match="mode 17 is not damped"):
+        vibcli.loads(bars)["amplitude(rod.u(L/2))"]
+
+
+def test_what_grows_repeats_nothing():
+    with pytest.raises(PhysicsError, match="never die out"):
+        vibcli.loads(BAR.format(", attached: [{at: L, k: -3e6 N/m}]"))["amplitude(rod.u(L))"]
+
+
 def test_what_is_not_damped_and_fits_into_the_period_is_refused():
     """Damped at the node of mode 2, which swings for ever with half the period of the load."""
     bar = BAR.format(", right: clamped, attached: [{at: L/2, c: 1000 N*s/m}]").replace("at: L}", "at: L/4}")

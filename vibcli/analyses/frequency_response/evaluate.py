@@ -15,6 +15,9 @@ def frf(system: "FrequencyResponseFunction", Omega: float | np.ndarray) -> np.nd
     values, resonant = sampled(system, Omega)
     if resonant.any():
         Omega = float(np.ravel(Omega)[np.ravel(resonant)][0])
+        if not Omega:
+            raise PhysicsError("a steady input drives a motion that nothing holds: its amplitude grows without bound",
+                               "hold it with a spring, or ask at another frequency")
         raise PhysicsError(f"the input drives an undamped mode at its natural frequency, {Omega:.6g} rad/s: its "
                            "amplitude grows without bound", "add damping, or ask at another frequency")
     return values

@@ -1,6 +1,7 @@
 """Where the response of a scene with members has its poles and zeros, and which natural frequencies are shown."""
 
 import math
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -28,8 +29,6 @@ class Marks:
     common, else None; scene: a MemberTransfer of the scene that has the poles of all its responses, where those of this
     one are no others."""
 
-    __slots__ = ("_held", "_modal", "scene", "shared")
-
     def __init__(self, modal: "ModalAnalysis", shared: "Mapping[int, float] | None",
                  scene: "MemberTransfer | None" = None):
         self._modal, self.shared, self.scene = modal, shared, scene
@@ -47,6 +46,17 @@ class Marks:
     def shown(self) -> "list[Mode]":
         """The modes without dampers that oscillate and are shown."""
         return [mode for mode in self._modal.modes.shown() if mode.omega]
+
+    @cached_property
+    def next_to_zero(self) -> float | None:
+        """How far from 0 the next pole is where nothing holds the scene; None where that is held."""
+        modes = self._modal.modes
+        if not (any(mode.rigid for mode in modes) if modes.finite else modes.ground.rigid):
+            return None
+        found, damped = [float(mode.omega or mode.growth_rate or 0.0) for mode in modes.shown()], self._modal.damped
+        if damped is not None:
+            found = [abs(complex(mode.eigenvalue)) for mode in damped.first(len(found))]
+        return min((size for size in found if size), default=1.0)
 
     def held(self, low: float, high: float) -> np.ndarray:
         """The natural frequencies of the scene held where load and signal act."""

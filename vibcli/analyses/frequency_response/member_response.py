@@ -30,7 +30,7 @@ class MemberTransfer(FrequencyResponseFunction):
     def __init__(self, system: "MemberSystem", marks: "Marks", order: int = 0):
         super().__init__(order)
         self.system, self.marks = system, marks
-        self._kept: dict[Any, np.ndarray] = {}
+        self._kept: dict[Any, Any] = {}
 
     @property
     def undamped(self) -> bool:
@@ -63,18 +63,42 @@ class MemberTransfer(FrequencyResponseFunction):
             for part, put in zip(found, other, strict=True):
                 if part is not None:
                     part[near[better]] = put[better]
-        self._require_digits(s[found.singular])
+        for k in np.flatnonzero(found.singular & (s == 0)):
+            self._put_at_rest(found, k)
+        self._require_digits(s[found.singular & (s != 0)])
         return found.values, found.slopes, found.resonant
+
+    @property
+    def _at_rest(self):
+        """H at s = 0, where D is singular; None where that is no rigid motion."""
+        from vibcli.analyses.frequency_response.beside_rigid_motions import at_rest
+
+        if "rest" not in self._kept:
+            next_pole = self.marks.next_to_zero
+            self._kept["rest"] = None if next_pole is None else at_rest(self, next_pole)
+        return self._kept["rest"]
+
+    def _put_at_rest(self, found, k):
+        rest = self._at_rest
+        if rest is None:
+            raise self._lost_digits
+        found.values[k], found.resonant[k] = rest.value, rest.resonant
+        if found.slopes is not None:
+            found.slopes[k] = rest.slope
 
     def _require_digits(self, s):
         """LostDigits where D is nearly singular away from all natural frequencies."""
         for Omega in np.abs(s[s.real == 0].imag):
             near = self.marks.natural((1 - BESIDE) * Omega, (1 + BESIDE) * Omega)
             if not any(abs(float(mode.omega) - Omega) <= AT_POLE * Omega for mode in near):
-                piece = min((one.piece for one in self.system.matrix.pieces), key=lambda one: one.length)
-                raise LostDigits("responses lose their digits: places on a member are too near each other beside its "
-                                 f"length: {float(piece.length):.3g} m",
-                                 "move them further apart, or put what they hold at one place")
+                raise self._lost_digits
+
+    @property
+    def _lost_digits(self):
+        piece = min((one.piece for one in self.system.matrix.pieces), key=lambda one: one.length)
+        return LostDigits("responses lose their digits: places on a member are too near each other beside its "
+                          f"length: {float(piece.length):.3g} m",
+                          "move them further apart, or put what they hold at one place")
 
     def to_pole(self, s: np.ndarray) -> np.ndarray:
         """Newton's step towards the next pole of any response of the scene, seen at its nodes."""
@@ -118,6 +142,8 @@ class MemberTransfer(FrequencyResponseFunction):
         return [ascending(part[part > 0]) for part in places]
 
     def error(self, Omega: float) -> float:
+        if not Omega and self.marks.next_to_zero is not None and self._at_rest is not None:
+            return 0.0 if self.order else self._at_rest.error
         return of_value(self, Omega)
 
     def error_of_pole(self, Omega: float) -> float:

@@ -124,6 +124,13 @@ class Modes(Sequence):
         return found
 
     @property
+    def grow(self) -> bool:
+        """Do some grow? Told by counts, without modes, where these have no end."""
+        if self.finite:
+            return any(mode.growth_rate is not None for mode in self._known)
+        return bool(self.ground.growing)
+
+    @property
     def ground(self) -> Any:
         """How many grow and how many do not oscillate, told by counts, without modes, where these have no end."""
         return self._source.ground
