@@ -128,11 +128,6 @@ class Modes(Sequence):
         """How many grow and how many do not oscillate, told by counts, without modes, where these have no end."""
         return self._source.ground
 
-    def squares(self, first: int, last: int) -> list[tuple[float, float]]:
-        """(ω², negative of what grows, what rounds in it) of modes of members that are not rigid, for a look: of some
-        that floats do not tell no number."""
-        return self._solved(self._source.squares, first, last)
-
     def counted_above(self, mode: "Mode") -> int | None:
         """How many modes have at most the frequency of this one, certain by a count just above it; None where that
         does not tell, or the modes are a list."""
