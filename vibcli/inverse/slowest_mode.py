@@ -22,7 +22,7 @@ def slowest(problem: "Problem") -> tuple[int, float | None, float] | None:
         found = problem.modal.slow_squares
         return found and (found[0], found[1][0], _size(found[1]))
     modes = problem.modal.modes
-    shown = modes.first(SEVERAL) if not modes.finite and modes.ground.growing else modes.shown()
+    shown = modes.first(SEVERAL) if not modes.finite and modes.grow else modes.shown()
     rigid, mode = sum(mode.rigid for mode in shown), next((mode for mode in shown if not mode.rigid), None)
     if mode is None:
         return rigid, None, 0.0
