@@ -1,15 +1,15 @@
 """How fast the slowest mode of a scene without damping is, or the one that grows fastest: what vanishes at its limit of
 stability."""
 
-from math import isfinite, pi
-from typing import TYPE_CHECKING, Any
+from math import pi
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
-FEW, SEVERAL = 2, 6     # modes without end that are looked at
+SEVERAL = 6             # modes without end that are looked at
 APART, ALIKE = 4, 1.1   # factors of ω², and of those that grow, at least
-TOLD = 1e-13        # of that one: what may round in the slowest
+ROUNDED = 1e-9          # of those beyond them: two as small are alike
 
 
 def slowest(problem: "Problem") -> tuple[int, float | None, float] | None:
@@ -18,10 +18,11 @@ def slowest(problem: "Problem") -> tuple[int, float | None, float] | None:
     linear = problem.configuration.linear_system
     if any(_waves_under_pressure(placed.piece) > SEVERAL for placed in linear.pieces):
         return None
+    if any(placed.piece.inertia for placed in linear.pieces):
+        found = problem.modal.slow_squares
+        return found and (found[0], found[1][0], _size(found[1]))
     modes = problem.modal.modes
-    if not modes.finite and linear.pieces:
-        return _of_members(modes)
-    shown = modes.first(SEVERAL) if not modes.finite and modes.ground.growing else modes.shown()
+    shown = modes.first(SEVERAL) if not modes.finite and modes.grow else modes.shown()
     rigid, mode = sum(mode.rigid for mode in shown), next((mode for mode in shown if not mode.rigid), None)
     if mode is None:
         return rigid, None, 0.0
@@ -30,33 +31,14 @@ def slowest(problem: "Problem") -> tuple[int, float | None, float] | None:
     return rigid, value, size
 
 
-def _of_members(modes):
-    """The same of modes without end, in floats where these tell it; the size is that of the next one if it oscillates,
-    and of more where these are alike: it goes continuously with the parameters, as each ω² does."""
-    growing, rigid = modes.ground
-    if growing >= SEVERAL:
-        return None
-    (value, rounds), (second, _) = _squares(modes, growing, rigid, range(FEW))
-    size = abs(value) + max(second, 0.0)
+def _size(squares):
+    """What the first of ascending ω² is measured by: the next one if it oscillates, and more where these are alike, so
+    that it goes continuously with the parameters, as each ω² does."""
+    value, second = squares[:2]
+    beyond = max(0.0, *squares[1:SEVERAL])
     least, most = sorted((abs(value), abs(second)))
-    alike = 1 - most / (least * (ALIKE if growing else APART)) if least else 0.0
-    if alike > 0:
-        size += alike * max(0.0, *(square for square, _ in _squares(modes, growing, rigid, range(FEW, SEVERAL))))
-    if rounds > TOLD * size:
-        value = _square(modes.alone(1 if growing else rigid + 1))
-    return rigid, value, size
-
-
-def _squares(modes: Any, growing, rigid, places):
-    """(ω², what rounds in it) of modes at places from 0 on, rigid ones left out; of those that floats do not tell found
-    in more digits."""
-    found: list = []
-    for part in ([i + 1 for i in places if i < growing], [i + rigid + 1 for i in places if i >= growing]):
-        if part:
-            seen = modes.squares(part[0], part[-1])
-            found += [one if isfinite(one[0]) else (_square(modes.alone(i)), 0.0) for i, one in zip(
-                part, seen, strict=True)]
-    return found
+    least = (least + ROUNDED * beyond) * (ALIKE if second < 0 else APART)
+    return abs(value) + max(second, 0.0) + max(0.0, 1 - most / least if least else 0.0) * beyond
 
 
 def _waves_under_pressure(piece):

@@ -33,6 +33,8 @@ def free_roots(elements: Any) -> int:
     import numpy as np
 
     _, C, G, K = elements.arrays()
+    if not K.size:
+        return 0
     values, directions = np.linalg.svd(K)[1:]
     along = directions[values <= FREE * values.max()].T
     resisted = np.linalg.svd((C + G) @ along)[1] if along.size else np.array([])

@@ -82,16 +82,15 @@ class Pattern:
 class Elimination:
     """The factors of matrices whose entries are the columns of an array (size of the pattern, matrices).
 
-    pivots: d, (n, matrices), real; products: what rounds, the magnitudes of all that was subtracted from each entry.
+    pivots: d, (n, matrices), real.
     """
 
-    __slots__ = ("columns", "pattern", "pivots", "products")
+    __slots__ = ("columns", "pattern", "pivots")
 
     def __init__(self, pattern: Pattern, entries: np.ndarray, tiny: np.ndarray):
         """tiny: what takes the place of a pivot that is exactly zero, (n, 1) or (n, matrices)."""
         work, n = entries.copy(), pattern.n
         self.pattern, self.columns = pattern, []
-        self.products = abs(work) * 0
         self.pivots = work[:n].real.copy() if work.dtype.kind == "c" else work[:n].copy()
         tiny = np.broadcast_to(tiny, self.pivots.shape)
         for step in pattern.steps:
@@ -103,10 +102,17 @@ class Elimination:
                 column = np.where(step.conjugate, column.conj(), column)
             factor = column / pivot
             self.columns.append(factor)
-            product = factor[step.first] * (column[step.second].conj() if work.dtype.kind == "c"
-                                            else column[step.second])
-            work[step.changed] -= product
-            self.products[step.changed] += abs(product)
+            work[step.changed] -= factor[step.first] * (column[step.second].conj() if work.dtype.kind == "c"
+                                                        else column[step.second])
+
+    @property
+    def products(self) -> np.ndarray:
+        """What rounds: the magnitudes of all that was subtracted from each entry."""
+        found = np.zeros((self.pattern.size, self.pivots.shape[1]), self.pivots.dtype)
+        for step, factor in zip(self.pattern.steps, self.columns, strict=True):
+            column = factor[step.second] * self.pivots[step.pivot]
+            found[step.changed] += abs(factor[step.first] * column)
+        return found
 
     def negative(self) -> np.ndarray:
         """How many eigenvalues of each matrix are negative."""

@@ -1,10 +1,12 @@
 """The slowest mode of members beside their limits of stability: a mast under what it buckles by."""
 
+import math
 from fractions import Fraction
 
 import pytest
 from support.scenes import problem
 
+from vibcli.inverse.conditions import HOLDS, ConditionSystem
 from vibcli.inverse.slowest_mode import slowest
 
 SEGMENTS = (3.0, 30e3, 6.0), (3.0, 20e3, 4.0), (3.0, 10e3, 3.0)     # length, EI, mass per length, from the clamp on
@@ -39,7 +41,7 @@ def slope_at_the_clamp(mass):
 def test_what_vanishes_there_changes_its_sign_and_is_small_beside_what_stays():
     mast = problem(MAST)
     assert slope_at_the_clamp(BUCKLES * (1 - 1e-13)) > 0 > slope_at_the_clamp(BUCKLES * (1 + 1e-13))
-    below, above = (slowest(mast.with_values({"M": Fraction(BUCKLES * (1 + side * 1e-6))})) for side in (-1, 1))
+    below, above = (slowest(mast.sharing({"M": Fraction(BUCKLES * (1 + side * 1e-6))})) for side in (-1, 1))
     assert below[1] > 0 > above[1]
     assert below[1] / below[2] == pytest.approx(0.0086e-6, rel=0.01)
     assert below[1] / below[2] == pytest.approx(-above[1] / above[2], rel=1e-5)
@@ -47,5 +49,18 @@ def test_what_vanishes_there_changes_its_sign_and_is_small_beside_what_stays():
 
 def test_two_that_grow_are_beyond_all_limits():
     """What stays plays no part in its size, so that it is no nearer to a limit where more grow."""
-    _, value, size = slowest(problem(MAST).with_values({"M": Fraction(1500)}))
+    _, value, size = slowest(problem(MAST).sharing({"M": Fraction(1500)}))
     assert value == -size
+
+
+def test_a_member_without_coordinates_buckles_between_its_ends():
+    found = problem("""
+        parameters: {L: 2 m, EI: 1 kN*m^2}
+        beams: {b: {length: L, EI: EI, mass_per_length: 3 kg/m, preload: -P, left: clamped, right: clamped}}
+        choose: {P: stability limit}
+        """)
+    system, limit = ConditionSystem(found), math.pi**2 * 1000
+    below, above = (system.misfits([limit * factor])[0] for factor in (1 - 1e-12, 1 + 1e-12))
+    assert -HOLDS < above < 0 < below < HOLDS
+    first = found.with_values({"P": Fraction(limit)}).modal.modes.first(1)[0]
+    assert (first.omega or first.growth_rate) < 1e-5

@@ -370,7 +370,7 @@ def test_digits_of_a_closed_loop():
         inertia = sum(m * (x**2 + y**2) + J * turn**2
                       for m, J, (x, y, turn) in zip(MASSES, INERTIAS, slopes, strict=True))
         exact = mpmath.sqrt(mpmath.diff(four_bar_potential, phi, 2) / inertia)
-        mode, = scene.modal.to_digits(40)[0]
+        mode, = scene.modal.modes_to(40)
         assert abs(mode.omega - exact) <= exact * mpmath.mpf(10) ** -39
     assert value(scene, "omega[1]") == pytest.approx(float(exact), rel=1e-14)
     assert value(scene, "equilibrium[chi]") == pytest.approx(float(four_bar(phi)["chi"]), rel=1e-14)

@@ -19,7 +19,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.pieces.fields import fields
 from vibcli.numerics.pieces.loads import LoadForm, LoadStretch, LoadTerm, end_loads, loaded_fields
-from vibcli.numerics.pieces.stiffness import dynamic_stiffness
+from vibcli.numerics.pieces.stiffness import dynamic_stiffness, stiffness_and_slope
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -126,14 +126,18 @@ def static_stiffness(elements: "FactoredSystem") -> np.ndarray:
 
 def further(modal: "ModalAnalysis") -> MemberEstimates:
     """What stands beside the bounds."""
-    elements = modal.configuration.linear_system
-    exact = [float(mode.omega) for mode in modal.modes.first(LISTED)]
-    found = []
+    return MemberEstimates(_lumped(modal, modal.configuration.linear_system), *beside_elements(modal))
+
+
+def beside_elements(modal: "ModalAnalysis", rigid: int = 0) -> tuple[list, list]:
+    """[(elements to a piece, [ω])] without the rigid ones, and the exact ω that these are for."""
+    exact, found = [float(mode.omega) for mode in modal.modes.first(LISTED + rigid)[rigid:]], []
     for divisions in DIVISIONS:
-        K, M = finite_elements(elements, divisions)
-        if len(K):
-            found.append((divisions, _frequencies(K, M)[:LISTED]))
-    return MemberEstimates(_lumped(modal, elements), found, exact)
+        K, M = finite_elements(modal.configuration.linear_system, divisions)
+        omegas = _frequencies(K, M, exact[0] ** 2 if rigid else 0.0)[rigid:] if len(K) > rigid else []
+        if omegas:
+            found.append((divisions, omegas[:LISTED]))
+    return found, exact
 
 
 def _displacements(elements, divisions):
@@ -146,12 +150,12 @@ def _displacements(elements, divisions):
     return found
 
 
-def _frequencies(K, M):
-    """ω ascending, of K x = ω² M x with K positive definite."""
-    L = np.linalg.cholesky(K)
+def _frequencies(K, M, held):
+    """ω ascending, of K x = ω² M x with K + held M positive definite."""
+    L = np.linalg.cholesky(K + held * M)
     flexible = np.linalg.solve(L, np.linalg.solve(L, M).T)
     squares = np.linalg.eigvalsh((flexible + flexible.T) / 2)[::-1]
-    return [float(1 / np.sqrt(x)) for x in squares if x > 1e-14 * squares[0]]
+    return [float(np.sqrt(max(1 / x - held, 0.0))) for x in squares if x > 1e-14 * squares[0]]
 
 
 def _of_piece(elements, placed, flexibility):
@@ -186,9 +190,9 @@ def _lumped(modal, elements):
     """{coordinate: Lumped}; the coordinates of the scene, then places of members, displacements alone."""
     if not elements.n:
         return {}
-    K, M = static_stiffness(elements), finite_elements(elements, 1)[1][:elements.n, :elements.n]
-    flexible, lengths = np.linalg.inv(K), _masses(elements)
+    flexible, lengths = np.linalg.inv(static_stiffness(elements)), _masses(elements)
     bare = elements.with_parts(pieces=()).arrays()[0]
+    M = bare + sum(_static_inertia(placed, elements.n) for placed in elements.pieces)
     found: dict[str, Any] = {}
     for i, name in enumerate(modal.scene.coordinates):
         if ".slope(" in name:
@@ -199,6 +203,12 @@ def _lumped(modal, elements):
         found[name] = Lumped(mass, (mass - discrete) / lengths if lengths else None, stiffness,
                              float(np.sqrt(stiffness / mass)))
     return found
+
+
+def _static_inertia(placed, n):
+    """∫ μ φφᵀ dx of a piece, φ the static deflections by one end value each: ∂d/∂s² at rest."""
+    piece, S = placed.piece, rows_as_array(placed.rows, n)
+    return float(piece.inertia) * S.T @ stiffness_and_slope(piece, np.array([float(piece.foundation)]))[1][0] @ S
 
 
 def _masses(elements):

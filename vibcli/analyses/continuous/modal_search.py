@@ -28,6 +28,7 @@ WINDOWS, HALVES = 8, 40         # stretches whose beginnings are looked at apart
 OCTAVES = 24                    # of a stretch, at which bounds are looked at
 ALIKE = 0.99                    # of a bound: no smaller
 BESIDE = 16                     # instants between zeros
+NOTHING = 1e-6                  # of later values: an error that tells a start at zero
 
 
 def extreme(motion: "ModalMotion", output: "LinearOutput", start: float, end: float,
@@ -85,7 +86,8 @@ def error_of_extreme(motion: "ModalMotion", output: "LinearOutput", start: float
 
 
 def zeros(motion: "ModalMotion", output: "LinearOutput", start: float, end: float) -> list[float]:
-    """Instants at which it passes zero; where it rests there but for its errors, the instant at which it leaves."""
+    """Instants at which it passes zero, or starts there; where it rests there but for its errors, the instant at which
+    it leaves."""
     def near(cells, values, rest):
         if np.abs(values).max() + rest == 0:
             return np.zeros(len(cells), bool)
@@ -103,8 +105,15 @@ def zeros(motion: "ModalMotion", output: "LinearOutput", start: float, end: floa
         middle = (low + high) / 2
         same = motion.values(output, middle) * below > 0
         low, high = np.where(same, middle, low), np.where(same, high, middle)
-    found = np.sort([*(low + high) / 2, *edges[values == 0]])
+    begins = edges[:1] if edges[0] == start and _starts_at_zero(motion, output, start, end) else []
+    found = np.unique([*(low + high) / 2, *edges[values == 0], *begins])
     return found[_told_apart(motion, output, found, end)].tolist()
+
+
+def _starts_at_zero(motion, output, start, end):
+    """Is its first value zero but for its error, which is nothing beside later ones?"""
+    values = np.abs(motion.values(output, np.linspace(start, end, BESIDE)))
+    return values[0] <= _error_at(motion, output, start) <= NOTHING * values.max()
 
 
 def _told_apart(motion, output, found, end):

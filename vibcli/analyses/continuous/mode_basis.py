@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from vibcli.analyses.continuous.short_pieces import relative_coordinates
+from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.pieces.fields import fields
 from vibcli.numerics.pieces.piece import Piece
@@ -34,6 +35,7 @@ INSIDE = 1e-3       # of a part of a piece: what no division of pieces is as nea
 INNER = np.array([0.0, 0.21, 0.5, 0.83, 1.0])    # parts of a piece that show how large a field is
 ROUNDED = 2.0**-48  # of a field, where that is largest
 PLACED = 2.0**-51   # of a place, which is rounded as the difference of two
+HELD = 1e-36, 1e36  # ω in rad/s, of whose eighth powers floats hold what sums over modes need
 
 
 class ModesOnPart(NamedTuple):
@@ -91,6 +93,7 @@ class ModeBasis:
     def __init__(self, modes: "Sequence[Mode]", placed: "Sequence[PlacedPiece]", numbers: np.ndarray | None = None):
         self.placed = in_floats(placed)
         self.squares = np.array([float(mode.motion.z) for mode in modes])
+        _require_held(abs(self.squares).max(initial=0.0) ** 0.5)
         self.shapes = np.array([_whole(mode.motion)[:len(mode.shape)] for mode in modes]).T.reshape(-1, len(modes))
         self.errors = np.array([float(mode.error) for mode in modes])
         self.numbers = np.arange(len(modes)) if numbers is None else numbers
@@ -172,6 +175,13 @@ class ModeBasis:
             if (end < half and part.start <= off) or (end >= half and last):
                 found[part.modes] = part.forces()[:, end]
         return found
+
+
+def _require_held(highest):
+    """PhysicsError of frequencies whose powers leave the floats."""
+    if highest and not HELD[0] < highest < HELD[1]:
+        raise PhysicsError(f"motions are summed over modes up to ω = {highest:.1e} rad/s, whose powers leave what "
+                           "floats hold", "look for lengths, stiffnesses and masses of very different size")
 
 
 def in_floats(placed: "Sequence[PlacedPiece]") -> "list[PlacedPiece]":

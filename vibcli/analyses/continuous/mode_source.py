@@ -11,13 +11,7 @@ import numpy as np
 from vibcli.analyses.continuous.brackets import Ground, KnownCounts, flat, ground
 from vibcli.analyses.continuous.counting import count
 from vibcli.analyses.continuous.local_modes import local_modes
-from vibcli.analyses.continuous.natural_frequencies import (
-    SURE,
-    NaturalFrequency,
-    better,
-    natural_frequencies,
-    proved_square,
-)
+from vibcli.analyses.continuous.natural_frequencies import SURE, NaturalFrequency, better, natural_frequencies
 from vibcli.analyses.continuous.rigid_motions import never_grows, rigid_count, rigid_shapes
 from vibcli.analyses.continuous.system import continuous_system
 from vibcli.analyses.continuous.uniform_members import uniform_member
@@ -80,15 +74,6 @@ class NaturalModes:
             return [self._mode(roots[i], _rate(roots[i])) for i in range(first, last + 1)]
         rates = self.uniform.frequencies(np.arange(first, last + 1) - self.uniform.resting)
         return [self._mode(roots[i], rate) for i, rate in zip(range(first, last + 1), rates, strict=True)]
-
-    def squares(self, first: int, last: int) -> list[tuple[float, float]]:
-        """(ω², negative of what grows, what rounds in it) of modes that are not rigid, for a look: as far as floats
-        tell them and counts prove, else no number."""
-        if self.digits is not None or self.uniform is not None:
-            roots = {mode.index: mode.motion for mode in self.numbered(first, last)}
-        else:
-            roots = natural_frequencies(self._at(None), first, last)
-        return [proved_square(roots.get(i)) for i in range(first, last + 1)]
 
     def count(self, Omega: float) -> int:
         """How many have ω ≤ Omega, those that grow and the rigid ones among them."""

@@ -10,7 +10,6 @@ sides of each value, √z (1 ± error), proves it.
 """
 
 from collections.abc import Sequence
-from math import inf, nan
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -171,19 +170,6 @@ def certified(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray, indices:
                                      whole=whole[:, at],
                                      blurred=np.sqrt(blurred[:, at].astype(float)))
             for at, number in enumerate(numbers.tolist())}
-
-
-def proved_square(root: NaturalFrequency | None) -> tuple[float, float]:
-    """(z, what rounds in it) of one that counts prove, however large a part of it that is; else no number."""
-    if root is None:
-        return nan, inf
-    size, rounds = abs(float(root.z)), 2 * root.error
-    if root.error == DOUBTED:
-        rounds = 4 * float((root.blurred ** 2).sum())
-        beside = count(root.system, root.z + np.array([-1, 1]) * (rounds * abs(root.z)))
-        if not beside.above[0] < root.index <= beside.below[1]:
-            return nan, inf
-    return float(root.z), rounds * size
 
 
 def blurring(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray, sizes: np.ndarray, scale: np.ndarray

@@ -16,16 +16,17 @@ if TYPE_CHECKING:
 PARTS = (0.5, 0.4375, 0.390625, 0.359375, 0.328125, 0.296875, 0.265625, 0.234375,
          1.5 - 5**0.5 / 2, 2**0.5 - 1, 2 - 3**0.5)      # the last where nodes of modes divide a piece evenly
 NEAR = 2.0 ** -np.array([1, 2, 3, 4, 5, 6, 7, 8, 9, 11, 13, 18, 23])    # relative distances of poles looked for in z
+LEAST = 2.0 ** -20      # of what is natural to the system: a z as small has poles as far away as one of this size
 CLEAR = 1 / 16      # a piece without a pole as near as that stays whole,
 AMONG = 1 / 4       # and one whose poles are closer together, where the n-th is about 2/n from the next
 
 
 def away_from_poles(system: "ContinuousSystem", low: Any, high: Any) -> "ContinuousSystem":
     """The system with nodes within those pieces that have a frequency of their own between or near low and high."""
-    places, index = {}, 0
+    places, index, least = {}, 0, float(system.scale) * LEAST
     for group in system.groups:
         pieces = [placed.piece._make(float(x) for x in placed.piece) for placed in group.pieces]
-        known = _best_parts(list(dict.fromkeys(pieces)), float(low), float(high))
+        known = _best_parts(list(dict.fromkeys(pieces)), float(low), float(high), least)
         for number, piece in enumerate(pieces, index):
             if piece in known:
                 places[number] = system.number(known[piece])
@@ -40,9 +41,9 @@ def divided_at_poles(system: "ContinuousSystem", low: np.ndarray, high: np.ndarr
     return system.refined({number: system.number(part) for number in np.flatnonzero(crossed).tolist()})
 
 
-def _best_parts(pieces, low, high):
+def _best_parts(pieces, low, high, least):
     """The parts of their length where pieces of one kind had better be divided, of those for which it is better."""
-    distances, counts = _clearance(pieces, low, high)
+    distances, counts = _clearance(pieces, low, high, least)
     whole = dict(zip(pieces, distances.tolist(), strict=True))
     clear = dict(zip(pieces, np.minimum(CLEAR, AMONG / (counts + 1)).tolist(), strict=True))
     near = [piece for piece in pieces if whole[piece] < clear[piece]]
@@ -50,7 +51,7 @@ def _best_parts(pieces, low, high):
         return {}
     best: dict[Any, tuple[int, float]] = {}
     for part in PARTS:
-        distances, _ = _clearance([half for piece in near for half in divided(piece, part)], low, high)
+        distances, _ = _clearance([half for piece in near for half in divided(piece, part)], low, high, least)
         for piece, worst in zip(near, distances.reshape(-1, 2).min(axis=1).tolist(), strict=True):
             best[piece] = max(best.get(piece, (whole[piece], 0.0)), (worst, -part))
         near = [piece for piece in near if best[piece][0] < clear[piece]]
@@ -59,10 +60,10 @@ def _best_parts(pieces, low, high):
     return {piece: -part for piece, (_, part) in best.items() if part}
 
 
-def _clearance(pieces, low, high):
+def _clearance(pieces, low, high, least):
     """For each piece the relative distance of the widest surrounding of low … high that is without a pole of it, one of
     NEAR or 0; and the number of its poles below."""
-    z = np.concatenate([low - abs(low) * NEAR, high + abs(high) * NEAR])
+    z = np.concatenate([low - max(abs(low), least) * NEAR, high + max(abs(high), least) * NEAR])
     held = held_by(pieces, z)
     same = held[:, :len(NEAR)] == held[:, len(NEAR):]
     return np.where(same.any(axis=1), NEAR[same.argmax(axis=1)], 0.0), held[:, len(NEAR) - 1]

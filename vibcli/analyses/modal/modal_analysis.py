@@ -92,9 +92,7 @@ class ModalAnalysis:
     @property
     def damps(self) -> bool:
         """Does anything depend on velocities?"""
-        if self.many and self.spec.get("damping") is not None:
-            return True
-        return self.configuration.element_data.damps
+        return (self.many and self.spec.get("damping") is not None) or self.configuration.element_data.damps
 
     @Stage
     def damped(self) -> Modes | None:
@@ -151,6 +149,13 @@ class ModalAnalysis:
 
         return margins(self)
 
+    @cached_property
+    def slow_squares(self) -> Any:
+        """Of members: rigid motions, and about ω² of the slowest others (continuous/slow_motions.py)."""
+        from vibcli.analyses.continuous.slow_motions import slow_squares
+
+        return self.solved(slow_squares, self.configuration.linear_system)
+
     def shape(self, mode: "DampedMode | Mode", how: str = "first") -> "list[complex | mpmath.mpf]":
         """The shape of a mode in the normalisation asked for, as a list of numbers."""
         from vibcli.analyses.modal.normalisation import cleaned, normalised
@@ -184,8 +189,7 @@ class ModalAnalysis:
     def scale(self, mode: Any, how: str = "first") -> "float | mpmath.mpf":
         """What the shape of a Mode of a scene with members, of unit modal mass, is multiplied by."""
         if (id(mode), how) not in self._scales:
-            scale = self.fields(mode).scale(how, self._weights, len(self.spec.coordinates))
-            self._scales[id(mode), how] = mode, scale
+            self._scales[id(mode), how] = mode, self.fields(mode).scale(how, self._weights, len(self.spec.coordinates))
         return self._scales[id(mode), how][1]
 
     def fields(self, mode: Any) -> "ModeFields":
@@ -220,10 +224,6 @@ class ModalAnalysis:
 
         damped = any(section in self.spec.sections for section in ("dampers", "damping", "energies", "matrices"))
         return estimated_steps(len(self.spec.coordinates), digits, damped)
-
-    def to_digits(self, digits: int):
-        """(modes, damped modes) recomputed to so many correct digits."""
-        return self.modes_to(digits), self.damped_to(digits)
 
     def modes_to(self, digits: int) -> Modes:
         """The modes of the system without its dampers, recomputed to so many correct digits; found once."""

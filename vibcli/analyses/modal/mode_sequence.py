@@ -128,24 +128,7 @@ class Modes(Sequence):
         """Do some grow? Told by counts, without modes, where these have no end."""
         if self.finite:
             return any(mode.growth_rate is not None for mode in self._known)
-        return bool(self.ground.growing)
-
-    @property
-    def ground(self) -> Any:
-        """How many grow and how many do not oscillate, told by counts, without modes, where these have no end."""
-        return self._source.ground
-
-    @property
-    def grow(self) -> bool:
-        """Do some grow?"""
-        if self.finite:
-            return any(mode.growth_rate is not None for mode in self._known)
-        return bool(self.ground.growing)
-
-    def squares(self, first: int, last: int) -> list[tuple[float, float]]:
-        """(ω², negative of what grows, what rounds in it) of modes of members that are not rigid, for a look: of some
-        that floats do not tell no number."""
-        return self._solved(self._source.squares, first, last)
+        return bool(self._source.ground.growing)
 
     def counted_above(self, mode: "Mode") -> int | None:
         """How many modes have at most the frequency of this one, certain by a count just above it; None where that

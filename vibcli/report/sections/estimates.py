@@ -21,7 +21,8 @@ def estimates(problem: "Problem", _: "Report") -> Iterator[Section]:
     try:
         found = problem.modal.result("estimates")
     except PhysicsError as error:
-        yield from section(title, paragraph(f"Not told: {error.message}."))
+        rigid, *beside = _of_what_is_free(problem)
+        yield from section(title, paragraph(f"Not told: {error.message}."), *_elements(*beside, rigid))
         return
     rows = [(name, figure(omega), figure(omega / tau), "" if omega is found.omega else off(omega, found.omega))
             for name, omega in (("Rayleigh (from above)", found.rayleigh), ("exact", found.omega),
@@ -46,14 +47,30 @@ def _members(found):
     if lumped:
         yield Heading("One coordinate alone, the rest as at rest:")
         yield TableBlock(("", "mass", "of the member's", "stiffness", "ω [rad/s]", "error"), tuple(lumped))
+    yield from _elements(found.members.elements, found.members.exact)
+
+
+def _elements(elements, exact, rigid=0):
+    """What finite elements give for frequencies beyond the rigid ones."""
     from vibcli.notation.names import lowered
 
-    exact = found.members.exact
-    rows = [(str(divisions), *_beside(omegas, exact)) for divisions, omegas in found.members.elements]
+    rows = [(str(divisions), *_beside(omegas, exact)) for divisions, omegas in elements]
     if rows:
         yield Heading("Finite elements (cubic of beams, linear of others):")
-        heads = [head for i in range(1, len(exact) + 1) for head in (f"ω{lowered(i)} [rad/s]", "error")]
+        heads = [head for i in range(1, len(exact) + 1) for head in (f"ω{lowered(rigid + i)} [rad/s]", "error")]
         yield TableBlock(("elements a piece", *heads), tuple(rows))
+
+
+def _of_what_is_free(problem):
+    """(rigid modes, [(elements a piece, [ω])], the exact ω) of members that are held nowhere; nothing of others."""
+    modal = problem.modal
+    linear = modal.configuration.linear_system
+    if not any(placed.piece.inertia for placed in linear.pieces) or any(linear.G.values()) or not modal.modes[0].rigid:
+        return 0, [], []
+    from vibcli.analyses.continuous.member_estimates import beside_elements
+
+    rigid = sum(mode.rigid for mode in modal.modes.shown())
+    return rigid, *beside_elements(modal, rigid)
 
 
 def _beside(omegas, exact):
@@ -66,13 +83,17 @@ def _estimates(problem):
     try:
         found = problem.modal.result("estimates")
     except PhysicsError as error:
-        return KEY.row(*[None] * 7, error.message)
+        return KEY.row(*[None] * 6, _by_divisions(_of_what_is_free(problem)[1]) or None, error.message)
     lumped = found.members and {name: one._asdict() for name, one in found.members.lumped.items()}
-    elements = found.members and {str(divisions): omegas for divisions, omegas in found.members.elements}
+    elements = found.members and _by_divisions(found.members.elements)
     return KEY.row(found.omega, found.rayleigh, found.dunkerley, found.deflection, found.alone, lumped, elements, None)
 
 
-KEY = Key("estimates", "of the lowest natural frequency; null each where the bounds do not hold", _estimates, of=(
+def _by_divisions(elements):
+    return {str(divisions): omegas for divisions, omegas in elements}
+
+
+KEY = Key("estimates", "of the lowest natural frequency; null where the bounds do not hold", _estimates, of=(
     Key("omega", "its exact value"),
     Key("rayleigh", "Rayleigh's quotient of the static deflection, an upper bound of omega"),
     Key("dunkerley", "Dunkerley's lower bound of omega"),
@@ -80,5 +101,5 @@ KEY = Key("estimates", "of the lowest natural frequency; null each where the bou
     Key("alone", "{name of a body: omega with its inertia alone}, from which Dunkerley's bound is made"),
     Key("lumped", "{coordinate: {mass, of_members, stiffness, omega}} of one coordinate that moves alone, the rest as "
         "at rest; of_members: the part of the one member's inertia in it; null without members"),
-    Key("elements", "{elements a piece: [omega]} by finite elements; null without members"),
+    Key("elements", "{elements a piece: [omega]} by finite elements, rigid modes left out; null without members"),
     Key("refusal", "why the bounds do not hold, or null")))

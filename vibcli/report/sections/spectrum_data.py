@@ -66,7 +66,7 @@ def _to_digits(problem, normalise, digits, wanted):
     import mpmath
 
     with mpmath.workdps(digits + 15):
-        still, damped = problem.modal.to_digits(digits)
+        still, damped = problem.modal.modes_to(digits), problem.modal.damped_to(digits)
         still = shown(problem, wanted, still)
         modes = _modes(problem, still, shown_damped(problem, wanted, damped), normalise, 2 * mpmath.pi)
         return still, data((MODES, DAMPED_MODES), modes, digits)

@@ -2,10 +2,13 @@
 
 from math import pi, sqrt
 
+import numpy as np
 import pytest
 from support.scenes import problem
 
 import vibcli
+from vibcli.analyses.continuous.finite_elements import finite_elements
+from vibcli.analyses.continuous.member_estimates import beside_elements
 from vibcli.base.errors import PhysicsError
 
 BEAM = ("parameters: {L: 0.6 m, EI: 56 N*m^2, mu: 0.27 kg/m}\n"
@@ -123,3 +126,20 @@ def test_bounds_beside_a_tension_and_a_foundation():
                          "attached: [{at: 0.8 m, mass: 1.5 kg}]")
     assert bound(scene, "dunkerley")[0] == pytest.approx(27.873055892, rel=1e-9)
     assert bound(scene, "rayleigh")[0] == pytest.approx(31.5112260852724, rel=1e-12)     # by finite elements
+
+
+def test_what_follows_one_coordinate_does_so_with_its_bed_and_its_tension():
+    """Against static condensation of 64 finite elements."""
+    found = problem(BEAM % "left: clamped, foundation: 30 kN/m^2, preload: 200 N")
+    K, M = finite_elements(found.configuration.linear_system, 64)
+    shape = np.linalg.solve(K, np.eye(len(K))[0])
+    tip = found.modal.result("estimates").members.lumped["arm.u(L)"]
+    assert tip.mass == pytest.approx(shape @ M @ shape / shape[0] ** 2, rel=1e-7)
+
+
+def test_elements_of_what_is_free_leave_rigid_motions_out():
+    """One linear element of a free bar: 12 EA/(μL²)."""
+    found, exact = beside_elements(problem(BAR % "left: free").modal, 1)
+    assert exact[0] == pytest.approx(pi * sqrt(800 / 3) / 2, rel=1e-14)
+    assert found[0] == (1, [pytest.approx(sqrt(12 * 800 / 3) / 2, rel=1e-12)])
+    assert 0 < found[-1][1][0] / exact[0] - 1 < 0.01

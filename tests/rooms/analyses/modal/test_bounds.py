@@ -72,7 +72,7 @@ dampers: {{d: {{c: {drawn(dice, 1, 20)} N*s/m, between: [Qb, [1.3 m, -{drawn(dic
 
 def found(scene):
     """[(value, exact, bound)] of every frequency and eigenvalue of a scene that is not zero."""
-    sharp, sharp_damped = scene.modal.to_digits(50)
+    sharp, sharp_damped = scene.modal.modes_to(50), scene.modal.damped_to(50)
     pairs = [(mode.omega or mode.growth_rate, exact.omega or exact.growth_rate, mode.error)
              for mode, exact in zip(scene.modal.modes, sharp, strict=True)]
     pairs += [(mode.eigenvalue, exact.eigenvalue, mode.error)
@@ -108,7 +108,7 @@ springs:
         n = mpmath.matrix([x, y]) / mpmath.sqrt(x * x + y * y)
         K += k * n * n.T
     exact = [mpmath.sqrt(square / mpmath.mpf("0.7")) for square in mpmath.eigsy(K, eigvals_only=True)]
-    for mode, wanted in zip(scene.modal.to_digits(50)[0], exact, strict=True):
+    for mode, wanted in zip(scene.modal.modes_to(50), exact, strict=True):
         assert abs(mode.omega / wanted - 1) < mpmath.mpf(10) ** -49
 
 

@@ -97,7 +97,8 @@ def scene(values, rest):
 
 def spectra(values, rest):
     """(ω of the modes, λ, ζ of the damped modes) to 45 digits."""
-    natural, damped = scene(values, rest).modal.to_digits(45)
+    modal = scene(values, rest).modal
+    natural, damped = modal.modes_to(45), modal.damped_to(45)
     return ([mode.omega for mode in natural], [mode.eigenvalue for mode in damped or ()],
             [mode.zeta for mode in damped or ()])
 
