@@ -24,8 +24,10 @@ def _of_sum(node, dimension) -> dict | None:
     """The dimension that all terms of letters have; None where they differ, one has none that is known, or each has a
     factor that may have a unit."""
     found = [_of(part, dimension) for part, _ in node.args]
-    pure = any(_is_pure(node.table.hidden, c * (part.coefficient if part.op == "product" else 1)) for part, c in node.args)
-    return found[0] if pure and all(one == found[0] for one in found) else None
+    factors = [c * part.coefficient if part.op == "product" else c for part, c in node.args]
+    if not any(_is_pure(node.table.hidden, factor) for factor in factors):
+        return None
+    return found[0] if all(one == found[0] for one in found) else None
 
 
 def _is_pure(hidden, c) -> bool:

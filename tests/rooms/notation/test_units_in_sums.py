@@ -58,7 +58,8 @@ springs: {s: {k: 300 N/m, between: [ground, a]}, t: {torsion: 70 N*m, between: [
 @pytest.mark.parametrize(("more", "of", "text"), [
     ("", lambda s: 300 * s["x"] + 2, "300·x + 2"),      # newtons
     ("", lambda s: (300 * s["x"] + 2) * s["L"] + 5, "L·(300·x + 2) + 5"),
-    ("", lambda s: s["L"]**2 + 9, "L² + 9\u00a0m²"), ("", lambda s: s["L"].table.call("ramp", 300 * s["x"]) + 9, "ramp(300·x) + 9"),
+    ("", lambda s: s["L"]**2 + 9, "L² + 9\u00a0m²"),
+    ("", lambda s: s["L"].table.call("ramp", 300 * s["x"]) + 9, "ramp(300·x) + 9"),
     ("dampers: {d: {c: 1 N*s/m, between: [ground, a]}}\n", lambda s: s["x"] + 2, "x + 2"),
     ("forces: {f: {at: a, force: 300 N/m*(x + 2 m*sin(phi))}}\n", lambda s: s["x"] + 2, "x + 2\u00a0m")])
 def test_none_is_told_where_a_factor_may_have_one(more, of, text):
