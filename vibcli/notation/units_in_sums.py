@@ -31,10 +31,16 @@ def _of_sum(node, dimension) -> dict | None:
 
 
 def _is_pure(hidden, c) -> bool:
-    """Is a coefficient a number without a unit, where those of `hidden` literals are not told?"""
-    if hidden:
-        return abs(c) == 1 and 1 not in hidden
-    return max(abs(c.numerator), c.denominator) <= SMALL
+    """Is a coefficient a number without a unit, where those of `hidden` literals are not told? Halves and thirds are:
+    products of 0.3 m and 300 N/m have factors 5."""
+    if abs(c) == 1:
+        return 1 not in hidden
+    return max(abs(c.numerator), c.denominator) <= SMALL and (not hidden or (
+        _of_twos_and_threes(c) and not any(map(_of_twos_and_threes, hidden))))
+
+
+def _of_twos_and_threes(c):
+    return 6**64 % c.numerator == 0 == 6**64 % c.denominator
 
 
 def _of(node, dimension) -> dict | None:
