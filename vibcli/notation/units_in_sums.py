@@ -1,25 +1,46 @@
 """The unit of a number beside letters: m in L + 0.5 m. What multiplies all terms, and has a unit as well, stands as a
-number alone, as in 2·(L + 0.5 m)."""
+number alone, as in 2·(L + 0.5 m); where a number may be the factor of some of them alone, none is told: 300·x + 2 of a
+spring of 300 N/m are newtons."""
 
 from functools import reduce
 from typing import TYPE_CHECKING
 
 from vibcli.base import units
+from vibcli.symbolic.parser import FUNCTIONS
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
+SMALL = 12      # numerator and denominator of what is a pure number where no number has hidden its unit
+PURE = FUNCTIONS.keys() - {"abs", "max", "min", "ramp", "impulse", "sqrt"}     # functions whose values have no unit
+
 
 def unit_beside(node: "Node") -> str:
-    """The SI unit of the number in a sum; '' of a pure one, and where the terms of letters alone are not of one
-    dimension."""
+    """The SI unit of the number in a sum; '' of a pure one, and where the terms of letters alone do not tell it."""
     return units.text(_of_sum(node, node.table.dimension) or units.NONE)
 
 
 def _of_sum(node, dimension) -> dict | None:
-    """The dimension that all terms of letters have; None where they differ or one has none that is known."""
+    """The dimension that all terms of letters have; None where they differ, one has none that is known, or each has a
+    factor that may have a unit."""
     found = [_of(part, dimension) for part, _ in node.args]
-    return found[0] if found and all(one == found[0] for one in found) else None
+    factors = [c * part.coefficient if part.op == "product" else c for part, c in node.args]
+    if not any(_is_pure(node.table.hidden, factor) for factor in factors):
+        return None
+    return found[0] if all(one == found[0] for one in found) else None
+
+
+def _is_pure(hidden, c) -> bool:
+    """Is a coefficient a number without a unit, where those of `hidden` literals are not told? Halves and thirds are:
+    products of 0.3 m and 300 N/m have factors 5."""
+    if abs(c) == 1:
+        return 1 not in hidden
+    return max(abs(c.numerator), c.denominator) <= SMALL and (not hidden or (
+        _of_twos_and_threes(c) and not any(map(_of_twos_and_threes, hidden))))
+
+
+def _of_twos_and_threes(c):
+    return 6**64 % c.numerator == 0 == 6**64 % c.denominator
 
 
 def _of(node, dimension) -> dict | None:
@@ -31,4 +52,7 @@ def _of(node, dimension) -> dict | None:
         if any(part is None for part, _ in parts):
             return None
         return reduce(lambda whole, part: units.times(whole, *part), parts, units.NONE)
-    return _of_sum(node, dimension) if node.op == "sum" else units.NONE if node.op in ("call", "pi", "number") else None
+    if node.op == "sum":
+        return _of_sum(node, dimension)
+    pure = not node.table.hidden if node.op == "pi" else node.op == "call" and node.name in PURE
+    return units.NONE if pure else None

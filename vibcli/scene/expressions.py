@@ -22,7 +22,7 @@ from vibcli.symbolic.normal_form import (
     textbook,
 )
 from vibcli.symbolic.rationals import ONE
-from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.semantics import literal_unit, lower
 from vibcli.symbolic.syntax import ExpressionError, Sum, parts_of
 
 if TYPE_CHECKING:
@@ -57,6 +57,7 @@ class Expressions:
         except ExpressionError as error:
             self.reports.report(expression.scalar.place(error.offset, error.width), error.message, error.hint)
             return self.table.one
+        self.table.hidden.update(_hidden(expression.tree))
         if self.reports.finished or node.mask or node.op == "symbol":
             return node
         problem = unusable(evaluate([node], Floats, self.sample)[0], Floats)
@@ -214,3 +215,12 @@ def _factors(base, exponent):
     except (TooLong, ZeroDivisionError):
         pass
     return [(base, exponent)]
+
+
+def _hidden(tree, told=False):
+    """The values of literals whose units no letter tells; `told`: letters are added."""
+    if tree.kind == "number":
+        unit = literal_unit(tree.units) if tree.value and tree.units and not told else None
+        return [tree.value * unit.value] if unit and unit.dimension else []
+    told = tree.kind == "sum" and any(part.kind != "number" for part in tree.children)
+    return [value for part in tree.children for value in _hidden(part, told)]

@@ -23,14 +23,15 @@ _OF_PAIRS = ("sum", "product")
 class Table:
     """All nodes of one scene. Symbols are made by `parameter` and `variable`; the rest by the operators. `sample`:
     float values of the parameters, once they are known; they decide only how R − r is written, and with
-    `squares_at_sample` how (R − r)² is; dimension(name): that of a letter, if known."""
+    `squares_at_sample` how (R − r)² is; dimension(name): that of a letter, if known; `hidden`: literals whose
+    units no letter tells."""
 
     time: Node
 
     def __init__(self, records: dict[Any, Any] | None = None, squares_at_sample: bool = False,
                  functions: "dict[str, DefinedFunction] | None" = None, dimension: Any = None):
         """`records`: {name: samples} of functions of the time; `functions`: {name: DefinedFunction}."""
-        self._nodes, self._count, self.dimension = {}, 0, dimension
+        self._nodes, self._count, self.dimension, self.hidden = {}, 0, dimension, set()
         self.variables, self.called = [], set()
         self.sample, self.signs, self.squares_at_sample = None, {}, squares_at_sample
         self.time, self.records, self.functions = None, records or {}, functions or {}

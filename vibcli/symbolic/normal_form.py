@@ -240,8 +240,7 @@ def _whole(terms):
 
 def factors_of(table: "Table", terms: Any) -> "tuple[tuple[Node, Fraction | int], ...]":
     """A polynomial as factors: its content — rational factor and common monomial — and what is left in brackets."""
-    monomials = list(terms)
-    if not monomials:
+    if not (monomials := list(terms)):
         return ((table.zero, ONE),)
     if len(monomials) == 1:
         return ((table.number(terms[monomials[0]]), ONE), *monomials[0])
@@ -250,9 +249,11 @@ def factors_of(table: "Table", terms: Any) -> "tuple[tuple[Node, Fraction | int]
     content = tuple(sorted((pair for pair in common.items() if pair[1]), key=lambda pair: pair[0].index))
     scale = _scale(list(terms.values()))
     inner = {times(monomial, content, -1): exact(value / scale) for monomial, value in terms.items()}
-    root = square_root(inner)
-    node = _node(table, inner if root is None else reduced(root))
-    return ((table.number(scale), ONE), (node, ONE if root is None else 2), *content)
+    if (root := square_root(inner)) is None:
+        return ((table.number(scale), ONE), (_node(table, inner), ONE), *content)
+    common = abs(_scale(list(root.values())))       # the half of ((R − r)/2)²
+    node = _node(table, reduced({monomial: exact(value / common) for monomial, value in root.items()}))
+    return ((table.number(exact(scale * common**2)), ONE), (node, 2), *content)
 
 
 def _node(table, terms):

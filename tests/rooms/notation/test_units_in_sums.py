@@ -46,3 +46,23 @@ def test_it_stands_so_in_all_notations(scene):
     assert "<mn>0.5</mn>" in mathml(node) and "m</mtext>" in mathml(node)
     assert language(node) == "L + 1/2"      # for programs
     assert plain.with_values({"L": "0.8"})(node) == "0.8 + 0.5"
+
+
+STIFF = """
+parameters: {M: 2 kg, L: {value: 0.8 m, unused: allowed}, J: 4 kg*m^2}
+bodies: {a: {mass: M, slide: x}, b: {inertia: J, turn: phi}}
+springs: {s: {k: 300 N/m, between: [ground, a]}, t: {torsion: 70 N*m, between: [ground, b]}}
+"""
+
+
+@pytest.mark.parametrize(("more", "of", "text"), [
+    ("", lambda s: 300 * s["x"] + 2, "300·x + 2"),      # newtons
+    ("", lambda s: (300 * s["x"] + 2) * s["L"] + 5, "L·(300·x + 2) + 5"),
+    ("", lambda s: s["L"]**2 + 9, "L² + 9\u00a0m²"),
+    ("", lambda s: s["L"] / 2 + Fraction(1, 4), "L/2 + 0.25\u00a0m"),
+    ("", lambda s: s["L"] / 5 + Fraction(1, 10), "L/5 + 0.1"),      # as of 2 (L + 0.5 m)·0.1 m
+    ("", lambda s: s["L"].table.call("ramp", 300 * s["x"]) + 9, "ramp(300·x) + 9"),
+    ("dampers: {d: {c: 1 N*s/m, between: [ground, a]}}\n", lambda s: s["x"] + 2, "x + 2"),
+    ("forces: {f: {at: a, force: 300 N/m*(x + 2 m*sin(phi))}}\n", lambda s: s["x"] + 2, "x + 2\u00a0m")])
+def test_none_is_told_where_a_factor_may_have_one(more, of, text):
+    assert plain(of(letters(problem(STIFF + more).scene))) == text

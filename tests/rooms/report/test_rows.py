@@ -9,7 +9,8 @@ from vibcli.notation.mathml import mathml
 from vibcli.notation.numbers import width, wrapped
 from vibcli.notation.plain import plain
 from vibcli.notation.typst import typst
-from vibcli.report.blocks import Name, Words
+from vibcli.report.blocks import Definition, Definitions, Equations, Heading, Line, Name, Paragraph, Section, Words
+from vibcli.report.formats import text
 from vibcli.report.formats.formula import formula, rows
 
 
@@ -65,3 +66,13 @@ def test_what_is_wider_than_a_page_is_seen():
     assert not too_wide(f"<math alttext=''><mtable>{rows}</mtable></math>")
     assert not too_wide(f"<math alttext=''><mfrac><mi>{'a' * 99}</mi><mi>{'b' * 99}</mi></mfrac></math>")
     assert too_wide(f"<math alttext=''><mi>{'a' * 99}</mi><mo>+</mo><mi>{'b' * 30}</mi></math>")
+
+
+@pytest.mark.parametrize("block", [
+    Equations((Line((Words("a b " * 40),)),)), Equations((Line((Words(",  ".join(["x = 1.2345"] * 12)),), hang=None),)),
+    Paragraph(("ab c " * 40,)), Paragraph(("ab c " * 40,), aside=True), Heading("ab c " * 40),
+    Definitions(tuple(Definition(("a = 1 N",)) for i in range(20)), flowing=True)])
+def test_lines_of_text_end_within_a_page(block):
+    """Sections are indented: what fills a line ends at the hundredth column."""
+    lines = text.section_lines([Section("title", (block,))])
+    assert 88 <= max(map(width, lines)) <= 100

@@ -45,8 +45,8 @@ PRINTED = """\
    4  stretch of s, from rest, B at  (L·cos φ, L·sin φ):  Δ_s = √(2·L·h·sin φ + 2·L² + h² −
       2·L²·cos φ) − h = L·φ + …   (second order, as its force at rest counts: there is no such term)
    5  V_s = k·Δ_s²/2 + N_s·Δ_s = L²·k·φ²/2 + L·N_s·φ
-   6  weight of rod, counted from rest:  V_rod = m·L·g·sin φ/2 = m·L·g·φ/2 + …   (second order, as its
-      force at rest counts: there is no such term)
+   6  weight of rod, counted from rest:  V_rod = m·L·g·sin φ/2 = m·L·g·φ/2 + …   (second order, as
+      its force at rest counts: there is no such term)
    7  speed across d, D at  (L·cos φ/2, L·sin φ/2):  u̇_d = L·φ̇/2,  Φ = c·u̇_d²/2 = L²·c·φ̇²/8
    8  at rest  ∂V/∂φ = L·N_s + m·L·g/2 = 0
    9  so N_s = −m·g/2 = −14.715 N,  s being deflected by −m·g/(2·k) = −0.0122625 m (shortened)

@@ -89,3 +89,11 @@ def test_a_determinant_that_factors_is_told_as_a_product(last, wanted):
 def test_numbers_are_put_into_the_formula_of_two_roots():
     """√(9.99e7² − 4·810000·2.475e9) = 4.42833e7 by hand."""
     assert any(line.endswith("= (9.99e7 ∓ 4.42833e7)/1.62e6") for line in of("car_bounce_and_pitch"))
+
+
+def test_a_number_is_told_once():
+    """N = 4 N, not 4 = 4 N; an acceleration 0 m/s² without another zero before it."""
+    loaded = "bodies: {a: {mass: 2 kg, slide: x}}\nsprings: {s: {k: 800 N/m, between: [ground, a]}}\n"
+    assert any("N_s = 4 N," in line for line in told(problem(loaded + "forces: {f: {at: a, force: 4 N}}\n")))
+    free = "bodies: {a: {mass: 2 kg, slide: x}}\nforces: {f: {at: a, force: 4 N}}\nmotion: full\n"
+    assert not any(" = 2 = 2 m/s²" in line for line in told(problem(free)))

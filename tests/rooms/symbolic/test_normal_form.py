@@ -1,10 +1,14 @@
 """Polynomials over sums of which some stand in denominators and others under roots."""
 
+from fractions import Fraction
+
 import pytest
 from support.trees import new_table, symbol
 
+from vibcli.notation.plain import plain
 from vibcli.symbolic.common_denominator import single
 from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression import Table
 from vibcli.symbolic.normal_form import is_zero, textbook
 from vibcli.symbolic.rationals import HALF
 
@@ -30,3 +34,12 @@ def test_what_is_zero_without_its_root_is_not_zero(names):
     a, b = (symbol(table, name) for name in names)
     assert is_zero((a * a - b * b) / (a + b) - a + b)
     assert not is_zero((a * a - b * b) / (a + b) - a + b + (a + b) ** HALF - 1)
+
+
+def test_a_square_has_its_number_before_it():
+    """3 m (R − r)²/4, not 3 m ((R − r)/2)²; (R/3 + r)² stays, whose terms share no denominator."""
+    table = Table()
+    m, R, r = (table.parameter(name) for name in ("m", "R", "r"))
+    assert textbook(m * (R - r) ** 2 / 2 + m * (R - r) ** 2 / 4).coefficient == Fraction(3, 4)
+    assert plain(textbook(3 * m * (r * r - 2 * r * R + R * R) / 4)) == "3·m·(R − r)²/4"
+    assert plain(textbook(m * (9 * r * r + 6 * r * R + R * R) / 9)) == "m·(R/3 + r)²"

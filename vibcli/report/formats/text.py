@@ -10,8 +10,7 @@ from vibcli.notation.plain import plain
 from vibcli.report.blocks import Definitions, Document, Equations, Heading, Maths, Paragraph, Section, TableBlock
 from vibcli.report.formats.formula import formula
 
-COLUMNS = 100
-NARROW = 98     # of what explains the lines above
+COLUMNS = 98            # of a page of 100: sections are indented by two
 SEPARATOR, NO_BREAK = ",  ", "\u2007"       # of statements in a line; what stands for a space within one
 LISTING, LEAST = ", ", 12       # what a cell is broken at, and to so many columns at least
 
@@ -71,11 +70,11 @@ def _paragraph(block):
     text = running(block.parts)
     if block.hang is None and width(text) <= COLUMNS:
         return [text]
-    return wrapped(text, NARROW if block.aside else COLUMNS, indent=2 if block.hang is None else block.hang)
+    return wrapped(text, COLUMNS, indent=2 if block.hang is None else block.hang)
 
 
 def _heading(block):
-    return ["", *wrapped(block.text)]
+    return ["", *wrapped(block.text, COLUMNS)]
 
 
 def _table(block):

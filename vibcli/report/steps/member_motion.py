@@ -104,10 +104,13 @@ class MotionOfMembers:
 
     def _modes(self) -> list[MovedMode]:
         """The first ones that move."""
+        import numpy as np
+
         from vibcli.results.modal_response import ModalResponse
 
         response = ModalResponse(self.problem)
-        basis, felt, damping, (eta, rate) = response.apart(LOOKED)
+        basis, felt, damping, start = response.apart(LOOKED)
+        eta, rate = (np.where(abs(part) > ALIKE * np.max(abs(part), initial=0.0), part, 0.0) for part in start)
         if len({*basis.numbers}) < len(basis.numbers):
             return []
         loads, modes = response.loaded[0], self.problem.modal.modes.first(len(basis.squares))

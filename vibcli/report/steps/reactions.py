@@ -198,5 +198,6 @@ def tell_accelerations(problem: "Problem", sheet: WorkedSolution, lines: Iterabl
     for name, node in found.items():
         value = None if floats is None else evaluate([node], Floats, floats)[0]
         unit = "m/s²" if problem.system.dimension(name) else "1/s²"
-        sheet.write(Words("from rest as drawn  "), Name(name + "''"), " = ", node, *(() if value is None else number(
-            value, unit)), settles=f"{name}''(0 s)", node=node, value=value, unit=unit, uses=list(lines))
+        sheet.write(Words("from rest as drawn  "), Name(name + "''"), *(
+            () if node.op == "number" and value is not None else (" = ", node)), *(() if value is None else number(
+                value, unit)), settles=f"{name}''(0 s)", node=node, value=value, unit=unit, uses=list(lines))

@@ -138,7 +138,8 @@ class Derivation:
         places = [step.number for step in self.sheet.steps if step.settles.startswith("equilibrium[")]
         force = about.value(one.tension)
         told = () if force is None else number(force, unit)
-        self.sheet.write(Words(words), Name(one.shown.name), " = ", one.tension, *told,
+        told = told if told and one.tension.op == "number" else (" = ", one.tension, *told)
+        self.sheet.write(Words(words), Name(one.shown.name), *told,
                          *(self._deflection(one, unit) if one.linear else ()), settles=one.shown.name,
                          node=one.tension, value=force, unit=unit, uses=[line] if follows else places,
                          joined=joined)
