@@ -186,7 +186,7 @@ class SteadyResponse(SmallResponse):
     @cached_property
     def waves(self) -> dict[int, list[tuple[float, complex]]]:
         """{coordinate of an input: [(Ω, A)]} of what the inputs do in the end, Re Σ A e^{iΩt}."""
-        if self.problem.modal.modes.ground.growing:
+        if self.problem.modal.modes.grow:
             raise PhysicsError("there is no steady state: the free motion grows", "the equilibrium is unstable")
         forcing, n = steady_forcing(self.input_forcing), self.configuration.with_inputs.n
         if forcing.period is not None:

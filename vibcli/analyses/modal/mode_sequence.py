@@ -124,11 +124,16 @@ class Modes(Sequence):
         return found
 
     @property
+    def ground(self) -> Any:
+        """How many grow and how many do not oscillate, told by counts, without modes, where these have no end."""
+        return self._source.ground
+
+    @property
     def grow(self) -> bool:
-        """Do some grow? Told by counts, without modes, where these have no end."""
+        """Do some grow?"""
         if self.finite:
             return any(mode.growth_rate is not None for mode in self._known)
-        return bool(self._source.ground.growing)
+        return bool(self.ground.growing)
 
     def counted_above(self, mode: "Mode") -> int | None:
         """How many modes have at most the frequency of this one, certain by a count just above it; None where that
