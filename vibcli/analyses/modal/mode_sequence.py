@@ -128,6 +128,13 @@ class Modes(Sequence):
         """How many grow and how many do not oscillate, told by counts, without modes, where these have no end."""
         return self._source.ground
 
+    @property
+    def grow(self) -> bool:
+        """Do some grow?"""
+        if self.finite:
+            return any(mode.growth_rate is not None for mode in self._known)
+        return bool(self.ground.growing)
+
     def squares(self, first: int, last: int) -> list[tuple[float, float]]:
         """(ω², negative of what grows, what rounds in it) of modes of members that are not rigid, for a look: of some
         that floats do not tell no number."""
