@@ -183,6 +183,7 @@ class PrescribedSignal(FullSignal):
     KIND = "a motion that is prescribed"
 
     extreme, zeros, period = ComposedSignal.extreme, ComposedSignal.zeros, None  # type: ignore[assignment]
+    _sampled = ComposedSignal._sampled
     error, error_of_time = Signal.error, Signal.error_of_time
 
     def along(self, end: float):

@@ -197,13 +197,21 @@ class ComposedSignal(Signal):
     def extreme(self, start: Any, end: float, sense: int) -> tuple[float, float]:
         """(instant, value) of the largest (sense 1) or smallest (−1) value."""
         from vibcli.analyses.transient.extremes import extreme
-        from vibcli.analyses.transient.sampled_extremes import SampledSearch
 
         end = min(end, start + (self.period or end))
         try:
             return extreme(self.along(end), None, start, end, "max" if sense > 0 else "min", self.work)
         except KeyError:
-            return SampledSearch(self.values, start, end, self.work).extreme(sense)
+            return self._sampled(start, end).extreme(sense)
+
+    def _sampled(self, start, end):
+        """The SampledSearch between two instants, kept until others are asked for."""
+        from vibcli.analyses.transient.sampled_extremes import SampledSearch
+
+        asked, known = (start, end), getattr(self, "_search", None)
+        if known is None or known[0] != asked:
+            known = self._search = asked, SampledSearch(self.values, start, end, self.work)
+        return known[1]
 
     def rivals(self, start: float, end: float, sense: int, margin: float) -> list[float]:
         """The instants at which it comes within a margin of its largest or smallest value; KeyError where it holds what
@@ -215,13 +223,12 @@ class ComposedSignal(Signal):
 
     def zeros(self, start: float, end: float) -> list[float]:
         """Instants at which the signal passes or touches zero."""
-        from vibcli.analyses.transient.sampled_extremes import SampledSearch
         from vibcli.analyses.transient.zeros import zeros
 
         try:
             return zeros(self.along(end), None, start, end, self.work).tolist()
         except KeyError:
-            return SampledSearch(self.values, start, end, self.work).zeros()
+            return self._sampled(start, end).zeros()
 
     @property
     def period(self):
