@@ -18,6 +18,7 @@ FAR = 1e-7      # |μ| of what counts as infinite
 STEPS, NEAR, STILL = 6, 0.03, 1e-6
 SETTLED = 1e-10     # relative: a step of Newton's method after which the next one is lost in rounding
 ASIDE = 1e-3
+APART = 1e-5    # how far from a pole of several modes what they make together is looked at
 LONG = 12       # coordinates from which on their structure is looked at
 BESIDE = 1e-9   # where Newton's method for a pole starts that rounding hides at its own place
 
@@ -92,8 +93,21 @@ def _of_block(system, parts):
 
 def endless(system: Any) -> list[np.ndarray]:
     """(poles, zeros) of H on the axis, without damping: Ω > 0 of the modes that take part, to rounding."""
-    found = [_kept(system, system.poles(), 1), system.zeros()]
-    return [ascending(marks.imag[marks.imag > 0]) for marks in found]
+    marks = _kept(system, system.poles(), 1)
+    several = (np.abs(marks[:, None] - marks) <= SETTLED * np.abs(marks)).sum(axis=1) > 1
+    if several.any():
+        marks = marks[~several | (_order(system, marks) < -0.5)]
+    found = [ascending(places.imag[places.imag > 0]) for places in (marks, system.zeros())]
+    return [Omega[np.diff(Omega, prepend=0.0) > SETTLED * Omega] for Omega in found]
+
+
+def _order(system, at):
+    """H′ (s − p)/H at some way from each place p: −1 of a pole, 1 of a zero, whatever modes of one frequency make of
+    them together there."""
+    off = at * APART
+    values, slopes, _ = system.at(at + off, True)
+    with np.errstate(all="ignore"):
+        return (slopes * off / values).real
 
 
 def _kept(system, places, sign=-1):
@@ -113,7 +127,16 @@ def _kept(system, places, sign=-1):
         near = near[np.abs(step[near]) <= NEAR * np.abs(at[near])]      # where the others are they stay
         at[near] += step[near]
         near = near[np.abs(step[near]) > SETTLED * np.abs(at[near])]
-    return at[(np.abs(step) <= STILL * np.abs(at)) & (np.abs(at - places) <= NEAR * np.abs(places))]
+    found = at[(np.abs(step) <= STILL * np.abs(at)) & (np.abs(at - places) <= NEAR * np.abs(places))]
+    return found if sign == 1 else found[~_cancelled(system, found)]
+
+
+def _cancelled(system, at):
+    """Which zeros are none of H, as a mode has their frequency that takes no part in it."""
+    found = (np.abs(at[:, None] - system.poles()) <= SETTLED * np.abs(at)[:, None]).any(axis=1)
+    if found.any():
+        found[found] = ~(_order(system, at[found]) > 0.5)
+    return found
 
 
 def _vanishes(system, at, values):

@@ -560,3 +560,21 @@ def test_poles_that_are_all_real_are_none_of_the_axis():
     """K − Ω²M of an equilibrium that tips over, without damping."""
     system = TransferFunction([[2.0]], [[0.0]], [[-8.0]], unit(1, 0), unit(1, 0))
     assert [len(part) for part in system.endless()] == [0, 0] and not peaks(system)
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.5])
+def test_modes_of_one_frequency_are_one_resonance_and_no_antiresonance_there(angle):
+    """Two equal oscillators apart, and their axes turned; four in a ring, where the modes of one frequency that reach
+    a neighbour cancel there: H = (1/(ω₁² − Ω²) + 2 q/(ω₂² − Ω²) ± 1/(ω₃² − Ω²))/4, q = 1, 0, −1."""
+    turned = np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
+    K = turned @ np.diag([100.0, 100.0]) @ turned.T
+    apart = TransferFunction(np.eye(2), np.zeros((2, 2)), K, unit(2, 0), unit(2, 0))
+    assert [one.Omega for one in peaks(apart)] == pytest.approx([10.0], rel=1e-14) and antiresonances(apart) == []
+    ring = 230.0 * np.eye(4) - 100.0 * (np.roll(np.eye(4), 1, 0) + np.roll(np.eye(4), -1, 0))
+    found = [TransferFunction(1.3 * np.eye(4), np.zeros((4, 4)), ring, unit(4, 0), unit(4, i)) for i in range(3)]
+    omega = np.sqrt(np.array([30.0, 230.0, 430.0]) / 1.3)
+    for one, reached in zip(found, ([0, 1, 2], [0, 2], [0, 1, 2]), strict=True):
+        assert [top.Omega for top in peaks(one)] == pytest.approx(omega[reached].tolist(), rel=1e-14)
+    dips = np.sqrt((230.0 + np.sqrt(2) * np.array([-100.0, 100.0])) / 1.3)
+    assert [dip.Omega for dip in antiresonances(found[0])] == pytest.approx(dips.tolist(), rel=1e-14)
+    assert antiresonances(found[1]) == [] == antiresonances(found[2])
