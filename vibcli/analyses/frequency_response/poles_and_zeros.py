@@ -52,14 +52,14 @@ def zeros(system: Any) -> np.ndarray:
     """The zeros with Im s ≥ 0."""
     cut = _cut_chain(system)
     if cut is not None:
-        return _kept(system, np.concatenate([np.zeros(0), *(_of_block(system, parts) for parts in cut)]))
+        return _zeros_of_all(system, np.concatenate([np.zeros(0), *(_of_block(system, parts) for parts in cut)]))
     parts = [np.block([[matrix, -b[:, None]], [c[None, :], np.atleast_2d(d)]]) for matrix, b, c, d in
              zip((system.K, system.C, system.M), system.b, system.c, system.d, strict=True)]
     if np.iscomplexobj(parts[0]) and not any(part.imag.any() for part in parts):
         parts = [part.real for part in parts]
     if system.undamped:
-        return _kept(system, np.sqrt(-_squares(parts[0].real, parts[2].real, pace(system))) * 1j)
-    return _kept(system, _roots(parts, pace(system)))
+        return _zeros_of_all(system, np.sqrt(-_squares(parts[0].real, parts[2].real, pace(system))) * 1j)
+    return _zeros_of_all(system, _roots(parts, pace(system)))
 
 
 def _cut_chain(system):
@@ -93,12 +93,18 @@ def _of_block(system, parts):
 
 def endless(system: Any) -> list[np.ndarray]:
     """(poles, zeros) of H on the axis, without damping: Ω > 0 of the modes that take part, to rounding."""
-    marks = _kept(system, system.poles(), 1)
-    several = (np.abs(marks[:, None] - marks) <= SETTLED * np.abs(marks)).sum(axis=1) > 1
+    marks, dips = system.poles(), system.zeros()
+    marks = _kept(system, marks[~_near(marks, dips)], 1)
+    several = _near(marks, marks, 2)
     if several.any():
         marks = marks[~several | (_order(system, marks) < -0.5)]
-    found = [ascending(places.imag[places.imag > 0]) for places in (marks, system.zeros())]
+    found = [ascending(places.imag[places.imag > 0]) for places in (marks, dips)]
     return [Omega[np.diff(Omega, prepend=0.0) > SETTLED * Omega] for Omega in found]
+
+
+def _near(places, others, count=1):
+    """Which have so many others at the same place but for rounding?"""
+    return (np.abs(places[:, None] - others) <= SETTLED * np.abs(places)[:, None]).sum(axis=1) >= count
 
 
 def _order(system, at):
@@ -108,6 +114,16 @@ def _order(system, at):
     values, slopes, _ = system.at(at + off, True)
     with np.errstate(all="ignore"):
         return (slopes * off / values).real
+
+
+def _zeros_of_all(system, places):
+    """Those that are zeros of H; where modes have the same frequency, by H beside it."""
+    shared = _near(places, system.poles())
+    found = np.concatenate([_kept(system, places[~shared]), places[shared]])
+    doubtful = _near(found, system.poles())
+    if doubtful.any():
+        doubtful[doubtful] = ~(_order(system, found[doubtful]) > 0.5)
+    return found[~doubtful]
 
 
 def _kept(system, places, sign=-1):
@@ -127,16 +143,7 @@ def _kept(system, places, sign=-1):
         near = near[np.abs(step[near]) <= NEAR * np.abs(at[near])]      # where the others are they stay
         at[near] += step[near]
         near = near[np.abs(step[near]) > SETTLED * np.abs(at[near])]
-    found = at[(np.abs(step) <= STILL * np.abs(at)) & (np.abs(at - places) <= NEAR * np.abs(places))]
-    return found if sign == 1 else found[~_cancelled(system, found)]
-
-
-def _cancelled(system, at):
-    """Which zeros are none of H, as a mode has their frequency that takes no part in it."""
-    found = (np.abs(at[:, None] - system.poles()) <= SETTLED * np.abs(at)[:, None]).any(axis=1)
-    if found.any():
-        found[found] = ~(_order(system, at[found]) > 0.5)
-    return found
+    return at[(np.abs(step) <= STILL * np.abs(at)) & (np.abs(at - places) <= NEAR * np.abs(places))]
 
 
 def _vanishes(system, at, values):
