@@ -18,6 +18,7 @@ FAR = 1e-7      # |μ| of what counts as infinite
 STEPS, NEAR, STILL = 6, 0.03, 1e-6
 SETTLED = 1e-10     # relative: a step of Newton's method after which the next one is lost in rounding
 ASIDE = 1e-3
+ALIKE = 1e-11   # relative: frequencies that are one but for rounding
 APART = 1e-5    # how far from a pole of several modes what they make together is looked at
 LONG = 12       # coordinates from which on their structure is looked at
 BESIDE = 1e-9   # where Newton's method for a pole starts that rounding hides at its own place
@@ -99,12 +100,12 @@ def endless(system: Any) -> list[np.ndarray]:
     if several.any():
         marks = marks[~several | (_order(system, marks) < -0.5)]
     found = [ascending(places.imag[places.imag > 0]) for places in (marks, dips)]
-    return [Omega[np.diff(Omega, prepend=0.0) > SETTLED * Omega] for Omega in found]
+    return [Omega[np.diff(Omega, prepend=0.0) > ALIKE * Omega] for Omega in found]
 
 
 def _near(places, others, count=1):
     """Which have so many others at the same place but for rounding?"""
-    return (np.abs(places[:, None] - others) <= SETTLED * np.abs(places)[:, None]).sum(axis=1) >= count
+    return (np.abs(places[:, None] - others) <= ALIKE * np.abs(places)[:, None]).sum(axis=1) >= count
 
 
 def _order(system, at):
