@@ -35,7 +35,8 @@ def deflection_dimension(spec: "Spec", name: str) -> Any:
 
 def inputs(spec: "Spec") -> list[str]:
     """The names of what can drive a scene."""
-    driven = [name for name, record in (spec.get("points") or {}).items() if "moves" in record]
+    driven = [name for name, record in (spec.get("points") or {}).items()
+              if any(_within_functions(part.tree) for _, part in prescribed(spec, record).values())]
     bodies = [name for name, record in (spec.get("bodies") or {}).items() if _one_drive(spec, record)]
     return [*(spec.get("forces") or {}), *driven, *bodies, *spec.coordinates]
 

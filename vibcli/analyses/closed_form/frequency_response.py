@@ -246,6 +246,8 @@ def _peak(scale, Omega, numerator, denominator, w):
     if c.is_zero or slope is None or slope.mask or not numerator[1].is_zero or numerator[0].mask or all(held):
         return None
     m, k = -slope, textbook(substitute([real], {w: w.table.zero})[0])
+    if k.table.is_positive(textbook(c * c - 2 * k * m)):
+        return None
     square = shorter(2 * k * k / (2 * k * m - c * c)) if held[0] else _simple(k / m) - textbook(c * c / (2 * m * m))
     Omega = root(square) if held[0] else w.table.sqrt(square)
     return Peak(Omega, textbook(c * c), textbook(2 * k * m))

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.modal.undamped import Mode
     from vibcli.mechanics.factored_system import FactoredSystem
 
-ROUNDING = 1e-15
+ROUNDING, ASIDE = 1e-15, 1e-5
 BESIDE = 0.05       # relative distance of a damped pole from where it is without dampers, within which it is its own
 DAMPINGS, EVEN, EACH = (0.003, 0.05, 0.2, 0.7), 40, 8      # where damped poles are looked for besides: ratios, places
 
@@ -106,12 +106,15 @@ def _newton(response, s):
 
 
 def _newton_kept(response, places):
-    """Without those that no zero of H is near: modes in which the place rests anyhow."""
+    """Without those that no zero of H is near: modes in which the place rests anyhow. Where modes of the scene have the
+    same frequency, no slope is seen there, and H beside it tells."""
     if not len(places):
         return places
     values, slopes, _ = response.at(places, True)
+    beside, steep, _ = response.at(places * (1 + ASIDE), True)
     with np.errstate(all="ignore"):
-        return places[np.abs(values / slopes) <= 1e-6 * np.abs(places)]
+        shared = (slopes == 0) & ((steep * places * ASIDE / beside).real > 0.5)
+        return places[(np.abs(values / slopes) <= 1e-6 * np.abs(places)) | shared]
 
 
 def error_of(modes: "list[Mode]", Omega: float) -> float:

@@ -18,6 +18,8 @@ FAR = 1e-7      # |μ| of what counts as infinite
 STEPS, NEAR, STILL = 6, 0.03, 1e-6
 SETTLED = 1e-10     # relative: a step of Newton's method after which the next one is lost in rounding
 ASIDE = 1e-3
+ALIKE = 1e-11   # relative: frequencies that are one but for rounding
+APART = 1e-5    # how far from a pole of several modes what they make together is looked at
 LONG = 12       # coordinates from which on their structure is looked at
 BESIDE = 1e-9   # where Newton's method for a pole starts that rounding hides at its own place
 
@@ -51,14 +53,14 @@ def zeros(system: Any) -> np.ndarray:
     """The zeros with Im s ≥ 0."""
     cut = _cut_chain(system)
     if cut is not None:
-        return _kept(system, np.concatenate([np.zeros(0), *(_of_block(system, parts) for parts in cut)]))
+        return _zeros_of_all(system, np.concatenate([np.zeros(0), *(_of_block(system, parts) for parts in cut)]))
     parts = [np.block([[matrix, -b[:, None]], [c[None, :], np.atleast_2d(d)]]) for matrix, b, c, d in
              zip((system.K, system.C, system.M), system.b, system.c, system.d, strict=True)]
     if np.iscomplexobj(parts[0]) and not any(part.imag.any() for part in parts):
         parts = [part.real for part in parts]
     if system.undamped:
-        return _kept(system, np.sqrt(-_squares(parts[0].real, parts[2].real, pace(system))) * 1j)
-    return _kept(system, _roots(parts, pace(system)))
+        return _zeros_of_all(system, np.sqrt(-_squares(parts[0].real, parts[2].real, pace(system))) * 1j)
+    return _zeros_of_all(system, _roots(parts, pace(system)))
 
 
 def _cut_chain(system):
@@ -92,8 +94,37 @@ def _of_block(system, parts):
 
 def endless(system: Any) -> list[np.ndarray]:
     """(poles, zeros) of H on the axis, without damping: Ω > 0 of the modes that take part, to rounding."""
-    found = [_kept(system, system.poles(), 1), system.zeros()]
-    return [ascending(marks.imag[marks.imag > 0]) for marks in found]
+    marks, dips = system.poles(), system.zeros()
+    marks = _kept(system, marks[~_near(marks, dips)], 1)
+    several = _near(marks, marks, 2)
+    if several.any():
+        marks = marks[~several | (_order(system, marks) < -0.5)]
+    found = [ascending(places.imag[places.imag > 0]) for places in (marks, dips)]
+    return [Omega[np.diff(Omega, prepend=0.0) > ALIKE * Omega] for Omega in found]
+
+
+def _near(places, others, count=1):
+    """Which have so many others at the same place but for rounding?"""
+    return (np.abs(places[:, None] - others) <= ALIKE * np.abs(places)[:, None]).sum(axis=1) >= count
+
+
+def _order(system, at):
+    """H′ (s − p)/H at some way from each place p: −1 of a pole, 1 of a zero, whatever modes of one frequency make of
+    them together there."""
+    off = at * APART
+    values, slopes, _ = system.at(at + off, True)
+    with np.errstate(all="ignore"):
+        return (slopes * off / values).real
+
+
+def _zeros_of_all(system, places):
+    """Those that are zeros of H; where modes have the same frequency, by H beside it."""
+    shared = _near(places, system.poles())
+    found = np.concatenate([_kept(system, places[~shared]), places[shared]])
+    doubtful = _near(found, system.poles())
+    if doubtful.any():
+        doubtful[doubtful] = ~(_order(system, found[doubtful]) > 0.5)
+    return found[~doubtful]
 
 
 def _kept(system, places, sign=-1):

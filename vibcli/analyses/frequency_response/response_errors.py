@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.frequency_response.frequency_response_function import FrequencyResponseFunction
 
 NEAR, FALL, MOST = 1e-3, 0.05, 300.0    # first distance, relative, and fall of log|H| by which a top is measured
-TRIES = 30
+TRIES, ASIDE = 30, 1e-5
 FINEST = 2.0**-46       # of Ω: places nearer to one another are told apart no more
 
 
@@ -55,6 +55,9 @@ class ResponseErrors:
         if not len(Omega):
             return Omega
         steep = np.abs(sloped(self.system, Omega)[1])
+        flat = steep == 0       # a mode that takes no part has the same frequency
+        if flat.any():
+            steep[flat] = np.abs(sloped(self.system, Omega[flat] * (1 + ASIDE))[1])
         return _over(self.system.errors(Omega), steep, Omega)
 
     def of_levels(self, Omega: np.ndarray, off: np.ndarray) -> np.ndarray:

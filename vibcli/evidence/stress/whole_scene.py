@@ -134,7 +134,7 @@ def _shake(problem, other, law, what, numbers):
     """The Shake of the numbers of a scene beside those of the one written otherwise."""
     name = f"{law.name}: {what}"
     if what == "answers" and set(other.scene.coordinates) != set(problem.scene.coordinates):
-        return Shake(name, 0, 0.0, REFUSED, "other coordinates are independent then, whose start is not given")
+        return Shake(name, 0, 0.0, REFUSED, "other coordinates are independent then")
     its, why = _found(GROUPS[what], other)
     if law.powers != NONE and what == "answers":        # by their places, as numbers within them are others
         its = dict(zip(numbers, its.values(), strict=False)) if len(its) == len(numbers) else {}

@@ -150,7 +150,9 @@ def conditions(formula: "Formula") -> Iterator[Paragraph]:
             yield paragraph(f"{words} at ", maths(formula.Omega, " = ", place))
     if formula.peak is not None and not _shared(formula.Omega, formula.peak[0]):
         place, less, more = formula.peak
-        yield paragraph("peak at ", maths(formula.Omega, " = ", place), " for ", maths(less, " < ", more))
+        always = place.table.is_positive(textbook(more - less))
+        condition = () if always else (" for ", maths(less, " < ", more))
+        yield paragraph("peak at ", maths(formula.Omega, " = ", place), *condition)
     if formula.undamped and not formula.short and not formula.vanishes and not _fixed_sign(formula.denominator[0]):
         yield paragraph("resonances where ", maths(formula.denominator[0], " = 0"), hang=4)
 

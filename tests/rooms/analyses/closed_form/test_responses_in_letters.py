@@ -141,6 +141,23 @@ def test_a_lag_of_a_right_angle_is_said_where_omega_is_the_natural_frequency():
     assert "θ = −π/2" in printed(problem(at_rest.replace("F0*sin", "-F0*sin")))
 
 
+@pytest.mark.parametrize(("c", "told"), [("2*sqrt(k*m)", set()), ("sqrt(k*m)/5", {"peak at Ω = 7·√(k/(50·m))"})])
+def test_a_peak_has_no_condition_that_always_or_never_holds(c, told):
+    lines = printed(problem((FORCED % "sin").replace("c: ,", f"c: {c},")), "frequency_response")
+    assert {one for one in lines if "peak" in one} == told
+
+
+def test_the_first_input_is_one_that_drives():
+    """A pivot that rises as a t²/2 makes the pendulum heavier, and drives it not."""
+    risen = problem("""
+        parameters: {m: , L: , a: , g: }
+        gravity: g
+        points: {O: {at: [0, 0], moves: [0, a*t^2/2]}}
+        bodies: {bob: {mass: m, at: [0, -L], pin: {at: O, by: phi}}}
+    """)
+    assert "H = 1/(m·L·(a + g) − m·L²·Ω²)" in printed(risen, "frequency_response")
+
+
 def test_letters_that_are_taken_are_given_to_nothing_else():
     """X, Z and R are parameters: the amplitude is not the A of the free part."""
     taken = (FORCED % "sin").replace("{m: , k: , c: ,", "{X: , Z: , R: ,").replace("mass: m", "mass: X")

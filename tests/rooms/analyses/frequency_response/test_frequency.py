@@ -560,3 +560,44 @@ def test_poles_that_are_all_real_are_none_of_the_axis():
     """K − Ω²M of an equilibrium that tips over, without damping."""
     system = TransferFunction([[2.0]], [[0.0]], [[-8.0]], unit(1, 0), unit(1, 0))
     assert [len(part) for part in system.endless()] == [0, 0] and not peaks(system)
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.5])
+def test_modes_of_one_frequency_are_one_resonance_and_no_antiresonance_there(angle):
+    """Two equal oscillators apart, and their axes turned; four in a ring, where the modes of one frequency that reach
+    a neighbour cancel there: H = (1/(ω₁² − Ω²) + 2 q/(ω₂² − Ω²) ± 1/(ω₃² − Ω²))/4, q = 1, 0, −1."""
+    turned = np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
+    K = turned @ np.diag([100.0, 100.0]) @ turned.T
+    apart = TransferFunction(np.eye(2), np.zeros((2, 2)), K, unit(2, 0), unit(2, 0))
+    assert [one.Omega for one in peaks(apart)] == pytest.approx([10.0], rel=1e-14) and antiresonances(apart) == []
+    ring = 230.0 * np.eye(4) - 100.0 * (np.roll(np.eye(4), 1, 0) + np.roll(np.eye(4), -1, 0))
+    found = [TransferFunction(1.3 * np.eye(4), np.zeros((4, 4)), ring, unit(4, 0), unit(4, i)) for i in range(3)]
+    omega = np.sqrt(np.array([30.0, 230.0, 430.0]) / 1.3)
+    for one, reached in zip(found, ([0, 1, 2], [0, 2], [0, 1, 2]), strict=True):
+        assert [top.Omega for top in peaks(one)] == pytest.approx(omega[reached].tolist(), rel=1e-14)
+    dips = np.sqrt((230.0 + np.sqrt(2) * np.array([-100.0, 100.0])) / 1.3)
+    assert [dip.Omega for dip in antiresonances(found[0])] == pytest.approx(dips.tolist(), rel=1e-14)
+    assert antiresonances(found[1]) == [] == antiresonances(found[2])
+
+
+def test_an_antiresonance_may_have_the_frequency_of_a_mode_that_takes_no_part():
+    """A machine with two equal absorbers, which also swing against each other as it rests; a string driven in the
+    middle, where its second mode rests."""
+    twins = problem("""
+        parameters: {M: 10 kg, m: 1 kg, K: 4 kN/m, k: 300 N/m}
+        bodies: {a: {mass: M, slide: x}, b: {mass: m, slide: y}, c: {mass: m, slide: z}}
+        springs: {s: {k: K, between: [ground, a]}, r: {k: k, between: [a, b]}, t: {k: k, between: [a, c]}}
+    """)
+    curve = twins.frequency_response("x", "x")
+    ends = np.roots([10.0, -(4000.0 + 600.0 + 3000.0), 4000.0 * 300.0]) ** 0.5    # (K + 2k − Mω²)(k − mω²) = 2k²
+    assert [Omega for Omega, _ in curve.peaks] == pytest.approx(sorted(ends), rel=1e-13)
+    assert len(curve.dips) == 1 and abs(curve.dips[0][0] - math.sqrt(300.0)) <= curve.dips[0][1] < 1e-10
+    string = problem("""
+        parameters: {L: 1 m, N: 100 N, mu: 10 g/m}
+        strings: {p: {length: L, preload: N, mass_per_length: mu, left: pinned, right: pinned}}
+        points: {mid: {body: p, at: L/2}}
+        forces: {f: {at: mid, force: 1 N}}
+    """)
+    curve = string.frequency_response("p.u(L/2)", "f")
+    assert abs(curve.dips[0][0] - 200 * math.pi) <= curve.dips[0][1] < 1e-9
+    assert [Omega for Omega, _ in curve.peaks][:2] == pytest.approx([100 * math.pi, 300 * math.pi], rel=1e-13)
