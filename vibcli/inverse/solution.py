@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
 DIGITS, READABLE = 60, 70
 SHORT = 10          # digits of what is taken as a short decimal
+FEW, CLOSE = 5, 1e-11
 TRACE = 1e-20       # of an imaginary part, by the rounding of a double root
 
 
@@ -71,13 +72,12 @@ class Chosen:
         return self._errors[number][name]
 
     def moved(self) -> "Iterator[tuple[float, list[Move]]]":
-        """The error of each number of the first solution that was searched for, and the scenes with it moved; of a
-        short decimal that meets the conditions none: what follows is with that."""
-        if not self.exact and self._searched:
+        """The error of each number of the first solution that was searched for, and the scenes with it moved; none of
+        what is taken as a decimal, nor at a fold, whose place is found with it."""
+        if self._searched and not self.exact and not self.solutions[0].fold:
             for name, moves in zip(self.conditions, self._searched[0].moves(), strict=True):
-                value = self.solutions[0].values[name]
-                if value != shortened(float(value)):
-                    yield self.error(name), moves
+                if not _is_decimal(self.solutions[0].values[name], error := self.error(name)):
+                    yield error, moves
 
     @property
     def exact(self):
@@ -85,9 +85,14 @@ class Chosen:
         return all(form is not None for form in self.solutions[0].forms.values())
 
 
-def shortened(x: float) -> Fraction:
+def shortened(x: float, digits: int = SHORT) -> Fraction:
     """The short decimal next to a number."""
-    return Fraction(f"{x:.{SHORT}g}")
+    return Fraction(f"{x:.{digits}g}")
+
+
+def _is_decimal(value, error):
+    """Is a number a decimal of so few digits, known so well, that one in a million would be as near one by chance?"""
+    return value == shortened(float(value), FEW) and error <= CLOSE * abs(value)
 
 
 def defined(problem: "Problem", forms: "Mapping[str, Node]", sample: Mapping[str, Fraction] | None = None) -> "Problem":

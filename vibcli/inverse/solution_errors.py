@@ -9,6 +9,7 @@ as much as it is known.
 
 from collections.abc import Sequence
 from fractions import Fraction
+from itertools import islice
 from math import inf, sqrt
 from typing import TYPE_CHECKING, Any
 
@@ -23,16 +24,21 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 BY = 2.0**-17           # of a number: how far it is moved
+SIZES = (1.0, -1.0, 0.5, -0.5)
+SMALL = 2.0**-26        # of what is usual: a number that may be 0 is moved as one so large at least
 SLACK = 2.0             # of what is found to first order
 TOUCHES = 2.5           # the same where f may only touch zero
 OF_STIFFNESS = 16.0     # roundings of what is left of a stiffness, a term
 
 
 class Move(NamedTuple):
-    """The scene with one of the numbers searched for moved by so much."""
+    """The scene with one of the numbers searched for moved by so much, L − R of each condition there, and their
+    bounds."""
 
     problem: "Problem"
     by: float
+    differences: Any
+    errors: Any
 
 
 class SearchedNumbers:
@@ -43,7 +49,7 @@ class SearchedNumbers:
         self._moves: list[list[Move]] | None = None
 
     def errors(self) -> dict[str, float]:
-        """{name: the bound of its error}, infinite where the conditions are met on neither side of it."""
+        """{name: the bound of its error}, infinite where the scene has no such answers beside it."""
         system, values = self._system, self._values
         rounding = [UNIT * abs(float(x)) for x in values]
         limit = system.limit(values)        # a fold is solved for beyond the digits of floats
@@ -51,41 +57,41 @@ class SearchedNumbers:
         return {name: a + b for name, a, b in zip(system.names, found, rounding, strict=True)}
 
     def moves(self) -> list[list[Move]]:
-        """Of each number the scene with somewhat more of it, and with less, as far as there is such a one."""
+        """Of each number the scenes with somewhat more of it and with less, or both more or less where there is nothing
+        on the other side."""
         if self._moves is None:
-            self._moves = [[move for sense in (1, -1) if (move := self._moved(i, sense)) is not None]
+            self._moves = [list(islice(filter(None, (self._moved(i, size) for size in SIZES)), 2))
                            for i in range(len(self._values))]
         return self._moves
 
-    def _moved(self, i, sense):
-        x = float(self._values[i])
-        by = sense * BY * (abs(x) or self._system.ranges[i].scale)
+    def _moved(self, i, size):
+        import numpy as np
+
+        x, span = float(self._values[i]), self._system.ranges[i]
+        usual = max(abs(x), SMALL * span.scale) if span.low < 0 < span.high else abs(x)
+        by = size * BY * (usual or span.scale)
         place = [Fraction(x + by) if k == i else value for k, value in enumerate(self._values)]
         if not self._system.admits(place):
             return None
         try:
-            return Move(self._system.instance(place), float(place[i]) - x)
-        except (SpecError, PhysicsError, ArithmeticError):
+            instance = self._system.instance(place)
+            return Move(instance, float(place[i]) - x, *_known(self._system, instance, self._system.seen(instance)))
+        except (SpecError, PhysicsError, ArithmeticError, np.linalg.LinAlgError):
             return None
 
     def _linearised(self):
         """(what f may be off by where the solution is, its slopes, its bends), a condition a row."""
         import numpy as np
 
-        system = self._system
-        instance, pairs = system.substituted(self._values)
-        here = np.array(_differences(pairs))
-        off = np.abs(here) + _errors(system, instance, pairs)
+        here, errors = _known(self._system, *self._system.substituted(self._values))
         slopes, bends = np.full((2, len(here), len(self._values)), np.nan)
         for i, moves in enumerate(self.moves()):
-            found = [(move.by, np.array(_differences(system.seen(move.problem))) - here) for move in moves]
-            if len(found) == 2:
-                (h, up), (_, down) = found
-                slopes[:, i], bends[:, i] = (up - down) / (2 * h), (up + down) / h**2
-            elif found:
-                h, up = found[0]
-                slopes[:, i], bends[:, i] = up / h, 0.0
-        return off, slopes, bends
+            if len(moves) == 2:
+                (_, h, *one), (_, k, *other) = moves
+                up, down = (one[0] - here) / h, (other[0] - here) / k
+                slopes[:, i], bends[:, i] = (up * k - down * h) / (k - h), 2 * (down - up) / (k - h)
+            errors = np.max([errors, *(move.errors for move in moves)], axis=0)
+        return np.abs(here) + errors, slopes, bends
 
 
 def _solved(off: Any, slopes: Any, bends: Any) -> list[float]:
@@ -97,7 +103,7 @@ def _solved(off: Any, slopes: Any, bends: Any) -> list[float]:
     if slopes.shape[1] == 1:
         return [min(_of_one(*row) for row in zip(off.tolist(), slopes[:, 0].tolist(), bends[:, 0].tolist(),
                                                 strict=True))]
-    weights = 1 / np.maximum(off, np.finfo(float).tiny)
+    weights = 1 / np.maximum(off, UNIT * np.abs(slopes).max(axis=1) + np.finfo(float).tiny)
     inverse = np.abs(np.linalg.pinv(slopes * weights[:, None], rcond=UNIT))
     return [SLACK * x for x in inverse.sum(axis=1).tolist()]
 
@@ -108,8 +114,12 @@ def _of_one(off, slope, bend):
     return TOUCHES * sqrt(2 * off / abs(bend)) if bend else inf
 
 
-def _differences(pairs):
-    return [left - right for one in pairs for left, right in one]
+def _known(system, instance, pairs):
+    """L − R of each condition, and their bounds."""
+    import numpy as np
+
+    differences = [left - right for one in pairs for left, right in one]
+    return np.array(differences), np.array(_errors(system, instance, pairs))
 
 
 def _errors(system, instance, pairs):

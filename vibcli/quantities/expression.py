@@ -123,7 +123,7 @@ def _measured_there(problem, quantity):
     """A quantity of another scene; None where there is none."""
     try:
         return measure(problem, quantity)[0]
-    except PhysicsError:
+    except (SpecError, PhysicsError, ArithmeticError):
         return None
 
 

@@ -121,7 +121,7 @@ class Problem:
 
     def until(self, end: Any) -> "Problem":
         """The same scene with its motion looked at until an instant [s]."""
-        return self._copy(end=end)
+        return self if end == self.end else self._copy(end=end)
 
     def with_choice(self, choice: Any, problem: "Problem") -> "Problem":
         """The same scene as one with the solution of what a Problem chose."""

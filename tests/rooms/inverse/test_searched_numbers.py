@@ -30,6 +30,17 @@ choose: {P: stability limit}
 """
 
 
+OSCILLATOR = """
+parameters: {m: 2 kg, k: 800 N/m, c: , F: {sign: any}}
+choose: {CHOOSE}
+bodies: {a: {mass: m, slide: x}}
+springs: {s: {k: k, between: [ground, a]}}
+dampers: {d: {c: c, between: [ground, a]}}
+forces: {f: {at: a, force: F}}
+initial: {x: 10 mm, x': 0}
+"""
+
+
 def rates(m2, k2=300):
     """ω of the chain."""
     b, root = m2 * (500 + k2) + 2 * k2, mpmath.sqrt(4 * 2 * m2 * 500 * k2)
@@ -78,3 +89,36 @@ def test_of_a_load_at_which_a_column_buckles(monkeypatch):
     with mpmath.workdps(40):
         true = 60 * (3 - mpmath.sqrt(5)) / 2
     assert abs(found.choice.value("P", 1) - true) <= found.choice.error("P") <= 1e-12 * true
+
+
+def test_a_decimal_that_a_double_root_is_near_to_is_not_taken_for_it(monkeypatch):
+    """0.75 kg is tried as the middle and the end of a range; the ratio is that at 0.75 kg + 1 µg."""
+    monkeypatch.setattr(search, "candidates", lambda *args: None)
+    with mpmath.workdps(40):
+        true = mpmath.mpf("0.75") + mpmath.mpf("1e-9")
+        slow, fast = rates(true)
+        ratio = mpmath.nstr(fast / slow, 25)
+        for end in ("1", "0.75"):
+            choose = f"m2: {{so: 'omega[2] = {ratio}*omega[1]', from: 0.5 kg, to: {end} kg}}"
+            found = settled(problem(CHAIN.format(more="", choose=choose)))
+            assert found.choice.value("m2", 1) == 0.75 and found.choice.error("m2") > 1e-9
+            assert max(held(found, [true, fast])) <= 1
+
+
+def test_beside_what_is_refused_on_one_side(monkeypatch):
+    """c = 2 √(km) √(1 − r²), above which there is no damped frequency."""
+    monkeypatch.setattr(search, "candidates", lambda *args: None)
+    choose = ("{c: {so: 'omega_d[1] = 0.003*omega[1]', from: 79 kg/s, to: 80.5 kg/s}}\n"
+              "answers: {c: 1 kg/s, 'omega_d[1]': 1 rad/s}")
+    text = OSCILLATOR.replace("{CHOOSE}", choose).replace("c: , F: {sign: any}", "c: , F: 0 N")
+    with mpmath.workdps(40):
+        off = held(settled(problem(text)), [80 * mpmath.sqrt(1 - mpmath.mpf("0.003") ** 2), mpmath.mpf("0.06")])
+    assert max(off) <= 1
+
+
+def test_of_a_force_that_all_but_vanishes(monkeypatch):
+    monkeypatch.setattr(search, "candidates", lambda *args: None)
+    choose = "{F: {so: x(0.1 s) = -0.0035321299273629911 m, from: -1 N, to: 1 N}}\nanswers: {F: 1 N, x(0.3 s): 1 m}"
+    found = settled(problem(OSCILLATOR.replace("{CHOOSE}", choose).replace("c: ,", "c: 3 kg/s,")))
+    assert abs(found.choice.value("F", 1) + 4.6e-19) <= found.choice.error("F") < 1e-12
+    assert all(bounded(found, answer.asked)[1] < 1e-12 for answer in found.spec.answers)
