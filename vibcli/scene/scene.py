@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 READ = frozenset(("setting", "lower", "pair", "number", "terms_with", "unrooted", "distance", "height_of", "frame",
                   "place", "place_of", "rim", "extent", "unit_of"))     # what is made of the values of parameters
-OF_VALUES = READ | {"like", "spec", "parameters", "sample", "still", "oscillating"}
+OF_VALUES = READ | {"like", "spec", "parameters", "sample", "still", "oscillating", "displaced_at_rest"}
 CONNECTIONS = ("springs", "dampers", "laws", "inertias")        # of the inertias those that exert a force
 
 
@@ -174,6 +174,11 @@ class Scene:
         """Names of the coordinates that the file does not name: motions of members, dependent ones too."""
         names = (*self.coordinates, *self.dependent)
         return [name for name in names if name not in self.spec.coordinates]
+
+    @cached_property
+    def displaced_at_rest(self) -> "dict[str, Node | None]":
+        """{signal: what it is at rest}, of places on members, as far as they were asked for."""
+        return {}
 
     @property
     def resting(self) -> "Scene":

@@ -83,8 +83,12 @@ def _on_member(scene, text, resting=False):
 
 def resting(scene: "Scene", text: str) -> "Node | None":
     """The same in equilibrium, in which members deflect as springs."""
-    return _on_member(scene, text, resting=True) if signal_name(text).name in scene.members else displacement(
-        scene, text)
+    if signal_name(text).name not in scene.members:
+        return displacement(scene, text)
+    known = scene.displaced_at_rest
+    if text not in known:
+        known[text] = _on_member(scene, text, resting=True)
+    return known[text]
 
 
 def _lumped(body, part):
