@@ -64,7 +64,7 @@ def document(found, sections=EVERYTHING, **options):
 
 ARITY = {"mfrac": 2, "msup": 2, "msub": 2, "mover": 2, "msubsup": 3}
 LEAVES = {"mi", "mn", "mo", "mtext"}
-ROWS = {"math", "mrow", "msqrt", "mtable", "mtr", "mtd", "mspace"}
+ROWS = {"math", "mrow", "msqrt", "mtable", "mtr", "mtd", "mspace", "mstyle"}
 
 
 def assert_mathml(element):
@@ -462,7 +462,7 @@ def test_brackets_around_what_stands_on_one_line_stay_small_with_their_power():
     small = '<mo stretchy="false">(</mo><mi>a</mi><mo stretchy="false">)</mo>'
     assert mathml.notation("(a)²") == f"<msup><mrow><mrow>{small}</mrow></mrow><mn>2</mn></msup>"
     assert latex.notation("(a)²") == "( a )^{2}" and typst.notation("(a)²") == "(a)^(2)"
-    assert mathml.notation("½(") == "<mo>½</mo><mo>(</mo>"        # of an expression that follows: they grow
+    assert mathml.notation("½(").endswith("</mstyle><mo>(</mo>")        # of an expression that follows: they grow
 
 
 def test_long_sums_are_broken_before_their_terms():

@@ -29,5 +29,5 @@ def answers(p):
             rows = [[T[0, j] for j in (2, 3)], [b * T[2, j] + a * T[1, j] for j in (2, 3)]]
             return det(matrix(rows))
 
-        found = sorted(first_roots(sway, 3, mpf(13)) + first_roots(upright, 3, mpf(13)))
+        found = sorted(first_roots(sway, 3, mpf("0.7")) + first_roots(upright, 3, mpf("0.7")))
         return {f"omega[{i}]": w for i, w in enumerate(found[:3], 1)}

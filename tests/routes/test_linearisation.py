@@ -18,6 +18,7 @@ from vibcli.mechanics.lagrange import equation_of
 from vibcli.mechanics.linearise import without_time
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.running_errors import UNIT, Rounded, RunningErrors, error_in
 
 ROOT = Path(__file__).parents[2]
 FILES = sorted([*ROOT.glob("problems/*/*.yaml"), *ROOT.glob("vibcli/examples/*.yaml"),
@@ -54,6 +55,13 @@ def given_damping(configuration):
     return {pair: alpha * M.get(pair, 0.0) + beta * K.get(pair, 0.0) for pair in {*M, *K}}
 
 
+def rounding(nodes, values):
+    """What rounds in these at most, where values are known to a rounding."""
+    arithmetic = RunningErrors(Floats)
+    place = {name: Rounded(x, UNIT * abs(x)) for name, x in values.items()}
+    return max(map(error_in, evaluate(nodes, arithmetic, place)), default=0.0)
+
+
 def compare(one):
     scene, equations = full_equations(one)
     try:
@@ -74,7 +82,7 @@ def compare(one):
         found = evaluate(nodes, Floats, values)
         wanted = [sum(part.get((i, j), 0.0) for part in parts) for i in range(n) for j in range(n)]
         size[kind] = max(map(abs, (*found, *wanted)))
-        slack = 1e-9 * size[kind] + 1e-13 * max(size.values())
+        slack = 1e-9 * size[kind] + 1e-13 * max(size.values()) + rounding(nodes, values)
         assert found == pytest.approx(wanted, rel=1e-9, abs=slack), (one.spec.get("title"), kind)
     COMPARED.append(one)
 

@@ -31,10 +31,11 @@ if TYPE_CHECKING:
 
 
 class ShapeAtRest(NamedTuple):
-    """A Piece, bent(places, order): u or a derivative of it below the order of the piece, and the LoadForms on it."""
+    """A Piece, bent(places, order): u or a derivative of it below the order of the piece, None where an end that
+    nothing pulls is no station, and the LoadForms on it."""
 
     piece: Piece
-    bent: "Callable[[np.ndarray, int], np.ndarray]"
+    bent: "Callable[[np.ndarray, int], np.ndarray] | None"
     forms: list[LoadForm]
 
     def highest(self, x: float) -> float:
@@ -125,7 +126,8 @@ def shape_at_rest(configuration: "Configuration", text: str) -> "ShapeAtRest":
     zero, of = scene.table.zero, signal.piece(scene)
     numbers = evaluate([of.length, of.bending if of.bends else zero, of.tension, of.gradient, zero, zero,
                         of.foundation], Floats, configuration.at_rest)
-    return ShapeAtRest(Piece(*numbers), _bent(configuration, scene, signal), _loads(configuration, scene, signal))
+    bent = _bent(configuration, scene, signal) if None not in signal.ends else None
+    return ShapeAtRest(Piece(*numbers), bent, _loads(configuration, scene, signal))
 
 
 def _loads(configuration, scene, signal):

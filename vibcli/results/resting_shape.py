@@ -47,7 +47,7 @@ def less_rest(field: Forcing, configuration: "Configuration", piece: "PlacedPiec
     powers = None if uneven else polynomial_at_rest(configuration, piece, degree)
     if powers is not None:
         return with_polynomials(field, 0, [-powers], length)
-    resting = _on_panels(shape) if shape.piece.order == piece.piece.order else None
+    resting = _on_panels(shape) if shape.bent and shape.piece.order == piece.piece.order else None
     return resting and Forcing(field.channels, difference(field.segments(length), resting, length))
 
 
