@@ -200,7 +200,7 @@ def _part(elements, coordinates, n):
     return DampedPart(matrix, coordinates, n, dynamic_matrix(elements, kept=()), partial(_natural, elements))
 
 
-def _natural(elements):
+def _natural(elements: "FactoredSystem") -> Modes:
     """Its modes without dampers."""
     from vibcli.analyses.continuous.mode_source import NaturalModes
 
