@@ -6,6 +6,7 @@ import mpmath
 from mpmath import mp
 from support.printed_equations import blocks, told
 
+from vibcli.analyses.closed_form.free_letters import ARGUMENTS, FREQUENCY
 from vibcli.notation.plain import plain
 from vibcli.report.blocks import Factor
 from vibcli.report.formats.formula import formula
@@ -93,13 +94,13 @@ class Printed:
         for left, right in meant:
             base, power = (left, 1) if left.op == "symbol" else left.args[0]
             self.means[base.name] = power, right
-        self.omega = next((name for name in ("omega", "p", "nu") if name in self.means), None)
+        self.omega = next((name for name in FREQUENCY if name in self.means), None)
 
     def at(self, omega, floats, other=False):
         """names(name) at a frequency; `other`: with the other βL that has it, of a pressed beam in a bed."""
         values = {name: mpmath.mpf(one) for name, one in floats.items()}
         if self.omega is None:
-            values |= {name: omega for name in ("omega", "p", "nu") if name not in values}
+            values |= {name: omega for name in FREQUENCY if name not in values}
         else:
             values[self.omega] = omega
             wave = self._wave()
@@ -116,7 +117,7 @@ class Printed:
     def _wave(self):
         """What ω is told by."""
         names = {one.name for part in self.means[self.omega][1] if isinstance(part, Node) for one in _symbols(part)}
-        return next(name for name in ("βL", "z", "z1", "theta", "eta", "kappa", "chi", "zeta") if name in names)
+        return next(name for name in ("βL", "z", "z1", *ARGUMENTS) if name in names)
 
     def _argument(self, wave, omega, values, sign):
         """A z with ω² = a + b z² + c z⁴."""

@@ -247,8 +247,8 @@ def test_letters_of_equations_are_none_of_the_scene():
         bodies: {b: {mass: M, slide: x}}
         springs: {s: {between: [ground, b], k: k1}}
         """))
-    assert one[0] == "k₁ + D₁ + D₂ − M·p² = 0,  p the circular frequency" and "Q = k − M·p²" in one
-    assert three[:3] == ["tan\u00a0βL = −EA·Z·βL/(L·Q)", "Q = k − M·ω·p²", "p = βL·√(EA·k·Z/(μ·k₁))/L"]
+    assert one[0] == "k₁ + D₁ + D₂ − M·ν² = 0,  ν the circular frequency" and "Q = k − M·ν²" in one
+    assert three[:3] == ["tan\u00a0βL = −EA·Z·βL/(L·Q)", "Q = k − M·ω·ν²", "ν = βL·√(EA·k·Z/(μ·k₁))/L"]
 
 
 def test_equations_that_are_asked_for_have_the_frequency_equation_with_them():

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
-FREQUENCY = ("omega", "p", "nu")
-ARGUMENTS = ("theta", "eta", "kappa", "chi", "zeta")
+FREQUENCY = ("omega", "nu", "iota")
+ARGUMENTS = ("theta", "eta", "kappa", "zeta")
 IMPEDANCES = ("Z", "Q", "P")
 STIFFNESSES = ("k", "D", "R", "S")
 

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 MOST = 2            # pieces of a chain whose equation is written out
-WAVE_NUMBER, SECOND = "βL", "αL"     # of notation.PRODUCTS
+WAVE_NUMBER, SECOND = "βL", "αL"     # products, as notation.names reads them
 HYPERBOLIC = "sinh", "cosh"
 
 
@@ -63,10 +63,10 @@ class FrequencyEquation(NamedTuple):
         """[(letter, what it is)]: that for βL where L is another length, and those of impedances."""
         table, x = self.wave_number.table, self.wave_number
         length = textbook(table.total([placed.piece.length for placed in self.pieces]))
-        own = [] if x.name == WAVE_NUMBER else [(x, table.parameter("beta") * length)]
+        own = [] if x.name == WAVE_NUMBER else [(x, table.parameter("β") * length)]
         other = [] if self.second is None else [(self.second, table.sqrt(self.second_square))]
         if own and other:
-            own.append((self.second, table.parameter("alpha") * length))
+            own.append((self.second, table.parameter("α") * length))
         return [*own, *other, *self.letters.items()]
 
     def by_wave_number(self, *nodes: "Node") -> "list[Node]":

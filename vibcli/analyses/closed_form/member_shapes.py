@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.closed_form.member_frequencies import FrequencyEquation
     from vibcli.symbolic.node import Node
 
-ALONG, SECOND = "βx", "αx"      # of notation.WAVES
+ALONG, SECOND = "βx", "αx"      # products, as notation.names reads them
 HYPERBOLIC = "sinh", "cosh"
 SLOPE = {"cosh": ("sinh", 1), "sinh": ("cosh", 1), "cos": ("sin", -1), "sin": ("cos", 1)}
 LEFT = {(True, True): ({"cosh": 1, "cos": -1}, {"sinh": 1, "sin": -1}), (True, False): ({"sin": 1}, {"sinh": 1}),

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.notation.numbers import figure
 from vibcli.report.blocks import Factor, Section, Words, equations, line, section
-from vibcli.report.place_letter import lines_by_letter, place_letter
+from vibcli.report.own_letters import own_letters
 from vibcli.report.sections.orthogonality import orthogonality
 from vibcli.report.sections.shapes_in_numbers import shapes_in_numbers
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -32,7 +32,7 @@ def frequency_equation(problem: "Problem", report: "Report") -> Iterator[Section
         yield from section("Frequency equation", equations(
             _determinant(problem.configuration.linear_system.n, None))) if known else ()
         return
-    blocks = [equations(lines_by_letter(lines, place_letter(problem.scene))) for lines in _equations(problem, partial(
+    blocks = [equations(own_letters(problem.scene).lines(lines)) for lines in _equations(problem, partial(
         shapes_in_numbers, problem, report.normalise))]
     undamped = " (of the undamped system)" if _damped(problem) else ""
     yield from section("Frequency equation" + "s" * (len(blocks) > 1) + undamped, *blocks)
