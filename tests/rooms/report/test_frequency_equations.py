@@ -202,7 +202,7 @@ def test_what_has_no_equation_in_closed_form_tells_its_determinant():
     (line,), = printed(problem("""
         parameters: {L: 1.2 m, EI: 4 kN*m^2, mu: 2 kg/m, M: 3 kg}
         beams: {b: {length: L, EI: EI, mass_per_length: mu, left: clamped, preload: 300 N,
-                    attached: [{at: L/2, mass: M}, {at: L, mass: M}]}}
+                    attached: [{at: L/3, mass: M}, {at: 2*L/3, mass: M}]}}
         """))
     assert line.startswith("det D(ω) = 0,  4 × 4")
 

@@ -9,7 +9,9 @@ if TYPE_CHECKING:
 FREQUENCY = ("omega", "nu", "iota")
 ARGUMENTS = ("theta", "eta", "kappa", "zeta")
 IMPEDANCES = ("Z", "Q", "P")
-STIFFNESSES = ("k", "D", "R", "S")
+STIFFNESSES = ("k", "D", "B", "A")      # of the displacement of an end, or of its only motion; of its turn, of both
+TURNS = ("R", "H", "K")
+BOTH = ("G", "F", "C")
 
 
 def free_letter(taken: Collection[str], letters: Sequence[str]) -> str:

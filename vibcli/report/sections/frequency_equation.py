@@ -5,7 +5,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from vibcli.notation.numbers import figure
-from vibcli.report.blocks import Factor, Section, Words, equations, line, section
+from vibcli.report.blocks import Factor, Section, Words, equations, factors, line, section
 from vibcli.report.own_letters import own_letters
 from vibcli.report.sections.orthogonality import orthogonality
 from vibcli.report.sections.shapes_in_numbers import shapes_in_numbers
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 SIMPLE, PRINTED, DIGITS = {"sin": "n·π", "cos": "(2n − 1)·π/2"}, 5, 10
+SERIES = "a beam whose tension varies along it has no shape in elementary functions: power series in its place"
 CLOSE = 1e-8        # of ω²: frequencies that are one
 
 
@@ -46,25 +47,30 @@ def _equations(problem, shapes):
     from vibcli.analyses.closed_form.tied_members import tied_equations
     from vibcli.report.sections.hanging_string import hanging_alone, of_hanging
 
-    names, told, left = list(problem.scene.members), {}, []
+    names, told, left, long = list(problem.scene.members), {}, [], {}
     for chain, found in zip(chains(problem.symbolic.linearisation.pieces), frequency_equations(problem.symbolic),
                             strict=True):
-        if found is None or met(found):
+        if found is None or met(found) or not is_short(found):
             left += chain
+            long |= {} if found is None else {found.members: found}
         else:
-            told[found.members] = partial(_solved if is_short(found) else _long, problem, shapes, found)
+            told[found.members] = partial(_solved, problem, shapes, found)
     for pieces, tied, size in tied_equations(problem.symbolic, left):
         owners = tuple(dict.fromkeys(piece.owner for piece in pieces))
         hanging = hanging_alone(problem, pieces) if tied is None else None
         told[owners] = partial(of_hanging, problem, hanging) if hanging is not None else partial(
-            _unwritten, shapes, owners, size) if tied is None else partial(_met, problem, shapes, tied)
+            _long, problem, shapes, long[owners]) if tied is None and owners in long else partial(
+            _unwritten, problem, shapes, owners, size) if tied is None else partial(_met, problem, shapes, tied)
     for members, lines in sorted(told.items(), key=lambda pair: min(map(names.index, pair[0]))):
         yield list(lines(Words(", ".join(members)) if len(names) > 1 else None))
 
 
-def _unwritten(shapes, members, size, label):
+def _unwritten(problem, shapes, members, size, label):
     """What is solved, and the shapes."""
     yield from _determinant(size, label)
+    if any(placed.owner in members and not (placed.piece.bending.is_zero or placed.piece.gradient.is_zero)
+           for placed in problem.symbolic.linearisation.pieces):
+        yield line(Words(SERIES), inset=2)
     yield from shapes(members)
 
 
@@ -87,7 +93,7 @@ def _long(problem, shapes, found, label):
 
 def _met(problem, shapes, tied, label):
     """k₁ + k₂ + Z = 0, and what these are."""
-    yield line(tied.left, " = ", tied.right, *([] if tied.omega.name == "omega" else [
+    yield line(*factors(tied.left), " = ", tied.right, *([] if tied.omega.name == "omega" else [
         Words(",  "), tied.omega, Words(" the circular frequency")]), label=label)
     for letter, (above, below) in tied.stiffnesses.items():
         yield line(letter, " = ", above / below, Words("   "), *whose(tied, letter), inset=2)
@@ -95,9 +101,13 @@ def _met(problem, shapes, tied, label):
         yield line(letter ** order, " = ", power, inset=2)
     for letter, Z in tied.letters.items():
         yield line(letter, " = ", Z, inset=2)
-    names = [part for number, letter in enumerate(tied.stiffnesses) for part in (
-        Words(" and " if number + 1 == len(tied.stiffnesses) else ", "), letter)][1:]
-    if len(tied.stiffnesses) > 1:
+    letters = list(dict.fromkeys(tied.clamped)) or list(tied.stiffnesses)
+    names = [part for number, letter in enumerate(letters) for part in (
+        Words(" and " if number + 1 == len(letters) else ", "), letter)][1:]
+    if len(letters) < len(tied.clamped):
+        yield line(Words("multiplied by the square of the denominator of "), *names,
+                   Words(" it has all roots, those at which the joint rests among them"), inset=2)
+    if len(letters) > 1:
         yield line(Words("multiplied by the denominators of "), *names,
                    Words(" it has all roots, those at which a joint rests among them"), inset=2)
     for letter in tied.repeated:
@@ -109,10 +119,11 @@ def _met(problem, shapes, tied, label):
 
 def whose(tied: "Tied", letter: "Node") -> list:
     """Parts that tell of which members, or on which stretches of one, a dynamic stiffness is."""
+    role = [Words(f",  {tied.roles[letter]}")] if letter in tied.roles else []
     if len(tied.members) > 1:
-        return [Words("of " + ", ".join(dict.fromkeys(placed.owner for placed in tied.owners[letter])))]
+        return [Words("of " + ", ".join(dict.fromkeys(placed.owner for placed in tied.owners[letter]))), *role]
     return [part for placed in tied.owners[letter] for part in (Words(", "), placed.start, " < x < ",
-            textbook(placed.start + placed.piece.length))][1:]
+            textbook(placed.start + placed.piece.length))][1:] + role
 
 
 def _damped(problem):

@@ -12,7 +12,7 @@ from vibcli.analyses.closed_form.tied_members import tied_equations
 from vibcli.base.errors import PhysicsError
 from vibcli.notation.names import GREEK, lowered
 from vibcli.notation.numbers import figure
-from vibcli.report.blocks import Factor, Name, WithNumbers, Words
+from vibcli.report.blocks import Factor, Name, WithNumbers, Words, factors
 from vibcli.report.own_letters import own_letters
 from vibcli.report.sections.frequency_equation import SIMPLE, whose
 from vibcli.report.sections.hanging_string import hanging_alone
@@ -132,8 +132,8 @@ class MemberSteps:
         words = ", without what damps" if self.damped else ""
         rests = [part for letter in found.repeated for part in (
             Words(",  and where the denominator of "), letter, Words(" is 0, the joint at rest"))]
-        line = self.sheet.write(Words(f"so the frequency equation{words}:  "), found.left, " = ", found.right, *rests,
-                                settles="frequency equation", uses=joint)
+        line = self.sheet.write(Words(f"so the frequency equation{words}:  "), *factors(found.left), " = ",
+                                found.right, *rests, settles="frequency equation", uses=joint)
         if not self.problem.numeric.has_free_symbols:
             self._searched(self.sheet.write(Words("its roots, by a search, which misses none"), settles="frequencies",
                                             uses=[line]))
