@@ -6,6 +6,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from vibcli.analyses.closed_form.closed_forms import ClosedForms, ClosedMode
+from vibcli.analyses.closed_form.endless_forms import ROUNDING
 from vibcli.analyses.closed_form.hanging_strings import hanging_string
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -40,4 +41,4 @@ def _mode(found: "HangingString", number: int) -> ClosedMode:
 
     half = table.number(Fraction(nstr(besseljzero(order, number - order) / 2, DIGITS)))
     square = textbook(substitute([found.square], {z: 2 * half})[0])
-    return ClosedMode(square, half * table.sqrt(textbook(4 * found.square / z ** 2)), index=number)
+    return ClosedMode(square, half * table.sqrt(textbook(4 * found.square / z ** 2)), index=number, error=ROUNDING)

@@ -60,6 +60,7 @@ def test_frequencies_are_those_of_numbers(text):
     (SCENES[3], "omega[1]", "3.51601526850015*sqrt(EI/mu)/L^2"),
     (SCENES[9], "omega[1]", "0"),
     (HANGING, "omega[1]", "1.20241277884789*sqrt(g/L)"),
+    (HANGING, "period[1]", "1.66332230926249*pi*sqrt(L/g)"),
 ])
 def test_expressions_as_textbooks_have_them(text, asked, told):
     letters, _ = in_letters(text)
