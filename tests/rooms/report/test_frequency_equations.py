@@ -2,6 +2,7 @@
 
 import pytest
 from support.equations_in_mpmath import fulfilled
+from support.formulas import plain, value
 from support.printed_equations import PrintedEquation, numbers, orthogonality, printed
 from support.scenes import problem
 
@@ -234,6 +235,25 @@ def test_shapes_are_those_that_are_printed(text):
         largest = max(range(5), key=lambda k: abs(moved[k]))
         factor = moved[largest] / told[largest]
         assert [factor * one for one in told] == pytest.approx(list(moved), abs=1e-7 * abs(moved[largest]))
+
+
+@pytest.mark.parametrize("left", ["clamped", "free"])
+def test_shapes_on_both_sides_of_an_inner_place_are_those_of_numbers(left):
+    """In letters, by θ₁ and θ₂ and the lengths."""
+    text = "bars: {b: {segments: [{length: a, EA: EA}, {length: L, EA: 2*EA}], mass_per_length: mu, " \
+        f"left: {left}, right: {{k: k}}}}}}"
+    values = {"L": "0.7 m", "a": "0.3 m", "EA": "9 kN", "mu": "2 kg/m", "k": "900 N/m"}
+    letters, found = (problem("parameters: {" + ", ".join(f"{name}: {how(name)}" for name in values) + "}\n" + text)
+                      for how in (lambda _: "", values.get))
+    (lines,), known = printed(letters), numbers(found)
+    equation = PrintedEquation(lines)
+    shapes = [line.partition(" = ")[2].partition("   ")[0] for line in lines if line.startswith("X(x)")]
+    for mode in [mode for mode in found.modal.modes.first(4) if mode.omega]:
+        names = equation.names(equation.at(float(mode.omega), known), known)
+        left, right = (value(plain(shape), lambda name, x=x, names=names: x if name == "x" else names(name))
+                       for shape, x in zip(shapes, (0.1, 0.8), strict=True))
+        moved = shape_along(found.modal.fields(mode).pieces("b"), [0.1, 0.8])[:, 0]
+        assert left * moved[1] == pytest.approx(right * moved[0], rel=1e-7)
 
 
 def test_letters_of_equations_are_none_of_the_scene():

@@ -62,6 +62,25 @@ def shape(found: "FrequencyEquation") -> MemberShape | None:
     return MemberShape(_sum(one, along), _sum(two, along), sigma)
 
 
+def on_both_sides(found: "FrequencyEquation", place: "Node") -> "list[tuple[Node, Node, Node]]":
+    """[(start, end, X)] of a bar, shaft or string that is two pieces, where the place between them moves: each piece as
+    its own end holds it, times what the other is there; nothing of others. `place`: x."""
+    if len(found.pieces) != 2 or found.order != 2:
+        return []
+    sides = []
+    for placed, argument, (Z,), way in zip(found.pieces, found.arguments, (found.standing[0], found.standing[-1]), (
+            1, -1), strict=True):
+        piece = placed.piece
+        end = textbook(placed.start + piece.length)
+        along = textbook(place - placed.start if way > 0 else end - place)
+        terms = [(1, {"sin": 1})] if Z is None else [(1, {"cos": 1})] if Z.is_zero else [(1, {"cos": 1}), (
+            textbook(Z * piece.length / (piece.tension * argument)), {"sin": 1})]
+        values = [_sum(terms, (at, at)) for at in (textbook(argument * along / piece.length), argument)]
+        sides.append((placed.start, end, *values))
+    (a, b, left, here), (c, d, right, there) = sides
+    return [(a, b, there * left), (c, d, here * right)]
+
+
 def _by_units(found, Z, order):
     """Z/(S β) of a force along the one motion or of a moment, Z/(S β³) of a shear force."""
     piece = found.pieces[0].piece

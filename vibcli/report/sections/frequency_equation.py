@@ -134,7 +134,7 @@ def _damped(problem):
 
 def _solved(problem, shapes, found, label):
     """The equation, its roots, the frequencies, the shape and the orthogonality."""
-    from vibcli.analyses.closed_form.member_shapes import shape, unstrained
+    from vibcli.analyses.closed_form.member_shapes import on_both_sides, shape, unstrained
     from vibcli.analyses.closed_form.textbook_equation import by_letters, sides
 
     named, letters = by_letters(found, problem.scene.parameters.nodes)
@@ -151,7 +151,12 @@ def _solved(problem, shapes, found, label):
         yield line(found.wave_number, " = ", ", ".join(f"{value:.{DIGITS}g}" for value in values), ", …", inset=2)
     yield _frequency(found, bool(simple or values))
     drawn = shape(found)
-    if drawn is None:
+    if drawn is None and problem.numeric.has_free_symbols:
+        place = problem.scene.table.parameter(own_letters(problem.scene).place)
+        for start, end, X in on_both_sides(named, place):
+            yield line("X(x) = ", X, Words("   "), start, " < x < ", end, Words(",  where it moves at  "), "x = ",
+                       textbook(found.pieces[1].start), inset=2)
+    elif drawn is None:
         yield from shapes(found.members)
     else:
         second = [] if drawn.sigma is None else [" − σ·", Factor(drawn.second)]
