@@ -29,7 +29,7 @@ HYPERBOLIC = "sinh", "cosh"
 UNKNOWN = "Z at the joint", "Z of its turn", "Z of both"
 
 
-class Waves(NamedTuple):
+class WaveArguments(NamedTuple):
     """θ of a member, the argument of sin and cos, and η, that of sinh and cosh where an axial force acts."""
 
     wave_number: "Node"
@@ -70,7 +70,7 @@ def wave_power(piece: Any, omega: "Node") -> "tuple[int, Node]":
     return order, textbook(piece.length ** order / stiffness) * (load if load.op == "sum" else textbook(load))
 
 
-def end_stiffness(placed: "PlacedPiece", waves: Waves, joints: Collection[int],
+def end_stiffness(placed: "PlacedPiece", waves: WaveArguments, joints: Collection[int],
                   impedance: "Callable[[int, Node], Node]") -> "dict[tuple[int, int], tuple[Node, Node]]":
     """{(motion, motion): (above, below)} of the motions that are joints, 0 the displacement, of beams 1 the turn;
     `impedance`(coordinate, how much the end moves by it): what acts on another, a letter where that stands apart."""

@@ -13,7 +13,7 @@ from collections.abc import Collection, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from vibcli.analyses.closed_form.end_stiffness import Waves, end_stiffness, is_pulled, wave_power
+from vibcli.analyses.closed_form.end_stiffness import WaveArguments, end_stiffness, is_pulled, wave_power
 from vibcli.analyses.closed_form.free_letters import (
     ARGUMENTS,
     BOTH,
@@ -153,7 +153,7 @@ class _Equation:
         etas = dict(zip(pulled, self._named(list(pulled), others).values(), strict=True))
         self.arguments |= {eta: (2, thetas[power] ** 2 + pulled[power]) for power, eta in etas.items()}
         in_order(*etas.values())
-        return [Waves(thetas[power], etas.get(power)) for power in powers]
+        return [WaveArguments(thetas[power], etas.get(power)) for power in powers]
 
     def _named(self, things, names):
         """{thing: letter}, what is alike once."""

@@ -7,7 +7,6 @@ from vibcli.analyses.modal.normalisation import words
 from vibcli.base.errors import Inertless
 from vibcli.mechanics.factored_system import MOST_DENSE
 from vibcli.report.blocks import Section, TableBlock, equations, line, note, paragraph, section, without_empty
-from vibcli.report.own_letters import own_letters
 from vibcli.report.sections.mode_tables import damped_row, mode_row, polar, repeated, shapes, shapes_told
 from vibcli.report.sections.shown_modes import in_letters, shown, shown_damped
 
@@ -50,6 +49,12 @@ def _doubts(problem):
     return member_warnings(problem.configuration)
 
 
+def _letters(problem):
+    from vibcli.report.own_letters import own_letters
+
+    return own_letters(problem.scene)
+
+
 def _counted(problem, found):
     """The proof that none is missing: the count just above the last frequency."""
     from vibcli.notation.names import lowered
@@ -61,7 +66,7 @@ def _counted(problem, found):
     if count is None or count < last.index:
         return None
     close = "".join(f" ≈ ω{lowered(number)}" for number in range(last.index + 1, count + 1))
-    told = own_letters(problem.scene).text
+    told = _letters(problem).text
     frequencies = f"ω{lowered(last.index)}{close}"
     frequencies = told(frequencies) if problem.scene.pieces else frequencies
     return paragraph(f"{told('J')} = {count} just above {frequencies}: none is missing")
@@ -72,7 +77,7 @@ def _of_members(problem, found, head, rows, doubts):
     from vibcli.report.sections.wave_numbers import wave_numbers
 
     columns, definition = wave_numbers(problem, found)
-    head = (head[0], *(one for one, _ in columns), *map(own_letters(problem.scene).text, head[1:]))
+    head = (head[0], *(one for one, _ in columns), *map(_letters(problem).text, head[1:]))
     rows = [(row[0], *beta, *row[1:]) for row, *beta in zip(rows, *(told for _, told in columns), strict=True)]
     yield from section(f"Natural frequencies ({'of the undamped system' if problem.modal.damps else 'undamped'})",
                        without_empty(TableBlock(head, tuple(rows)), "–"), definition,
@@ -101,7 +106,7 @@ def _frequencies_in_letters(problem, report):
         yield from told
         forms = problem.closed_forms
         if forms is not None:
-            yield from section("Natural frequencies [rad/s]", equations(own_letters(problem.scene).lines(
+            yield from section("Natural frequencies [rad/s]", equations(_letters(problem).lines(
                 line(f"ω{lowered(mode.index)} = ", mode.omega) for mode in in_letters(problem, report.wanted, forms))))
             return
         yield from section("Natural frequencies", paragraph(
@@ -134,7 +139,7 @@ def damping(problem: "Problem", report: "Report") -> Iterator[Section]:
     if not found and problem.configuration.rated_beside_dampers:
         yield from section("Damped modes", paragraph("not found where these ratios of modes stand beside dampers"))
         return
-    told = own_letters(problem.scene).text if problem.scene.pieces else str
+    told = _letters(problem).text if problem.scene.pieces else str
     table = TableBlock(tuple(map(told, head)), tuple(map(damped_row, found)))
     yield from section("Damped modes", without_empty(table, "–"), paragraph(
         f"no other: {ended}") if ended else _proved(problem.modal.damped, found, told), note(told(OF_DAMPED)))
