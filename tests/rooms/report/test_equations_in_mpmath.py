@@ -150,11 +150,23 @@ beams:
   one: {from: [0, 0], to: [L, 0], EI: EI, mass_per_length: mu, preload: -N, left: clamped, right: {clamped: hub}}
   two: {from: [L + a, 0], to: [L, 0], EI: 2*EI, mass_per_length: mu, left: pinned, right: {clamped: hub}}
 bodies: {hub: {mass: M, inertia: J, at: [L, 0], move: [0, y, psi]}}
-""": BOTH.replace("+ G₂", "− G₂")}
+""": BOTH.replace("+ G₂", "− G₂"),
+    """
+gravity: g
+strings:
+  b: {from: [0, 0], to: [0, -L], mass_per_length: mu, left: pinned, attached: [
+      {at: a, mass: M}, {at: L, mass: m}, {at: L, oscillator: {mass: m, k: k}}]}
+""": "k₁ + k₂ − M·ω² = 0",
+    """
+gravity: g
+strings:
+  b: {from: [0, 0], to: [0, L], mass_per_length: mu, right: pinned, attached: [{at: a, mass: M}, {at: a, k: k}]}
+""": "k + k₁ + k₂ − M·ω² = 0"}
 
 
 @pytest.mark.parametrize("text", JOINED, ids=range(len(JOINED)))
 def test_two_stretches_under_an_axial_force(text):
+    """Even along each, or that of a string by its weight."""
     found = scene(text)
     assert JOINED[text] in Printed(*blocks(found)).text
     assert fulfilled(found, 4) == 1

@@ -25,6 +25,8 @@ from vibcli.analyses.closed_form.free_letters import (
     free_letters,
     in_order,
 )
+from vibcli.analyses.closed_form.hanging_stiffness import BesselArguments, bessel_powers, hanging_stiffness
+from vibcli.analyses.closed_form.hanging_strings import names_bessel
 from vibcli.analyses.closed_form.lumped_impedances import acting, coupled, over, stands_apart
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.symbolic_matrices import matrices_in_letters
@@ -36,6 +38,7 @@ if TYPE_CHECKING:
     from vibcli.mechanics.factored_system import PlacedPiece
     from vibcli.symbolic.node import Node
 
+ZEROS = ("z", "y", "w")       # letters of arguments of Bessel's functions
 JOINTS = 2          # motions in which members of one equation meet
 ROLES = {(0, 0): "force by displacement", (1, 1): "moment by turn", (0, 1): "moment by displacement"}
 
@@ -95,18 +98,26 @@ def tied(form: Any, pieces: "Sequence[PlacedPiece]", taken: Collection[str]) -> 
     if G or any(len(row) > 1 for row in rows) or not all(map(_even, pieces)):
         return None
     moved = [i for row in rows for i in row]
+    varied = [piece for piece in pieces if _varies(piece)]
+    if varied and (names_bessel(form.table, taken) or any(not one.piece.foundation.is_zero for one in varied)):
+        return None
     omega = form.table.parameter(free_letter(taken, FREQUENCY))
     Z, hung = acting(M, K, moved, omega ** 2)
     joints = sorted({i for i in moved if moved.count(i) > 1} | {i for i, j in Z if i != j})
     met = [_met(piece, joints) for piece in pieces]
     if not 0 < len(joints) <= JOINTS or not all(met) or (len(pieces) > JOINTS and any(len(one) > 1 for one in met)):
         return None
-    return _Equation(form.table, omega, taken, Z, joints, pieces).found(hung)
+    equation = _Equation(form.table, omega, taken, Z, joints, pieces)
+    return equation.found(hung) if equation.told else None
+
+
+def _varies(placed):
+    return not placed.piece.gradient.is_zero
 
 
 def _even(placed):
-    """Has a piece inertia, and one tension along it?"""
-    return placed.piece.gradient.is_zero and not placed.piece.inertia.is_zero
+    """Has a piece inertia, and one tension along it unless it is a string?"""
+    return (placed.piece.gradient.is_zero or placed.piece.bending.is_zero) and not placed.piece.inertia.is_zero
 
 
 def _met(placed, joints):
@@ -131,8 +142,12 @@ class _Equation:
         self.letters = self._named(far, IMPEDANCES)
         self.arguments: dict = {}
         self.waves = self._waves()
-        self.parts = [end_stiffness(piece, waves, joints, partial(self._far, piece.piece, waves))
-                      for piece, waves in zip(pieces, self.waves, strict=True)]
+        self.parts = [(end_stiffness if isinstance(waves, WaveArguments) else hanging_stiffness)(
+            piece, waves, joints, partial(self._far, piece.piece, waves))
+            for piece, waves in zip(pieces, self.waves, strict=True)]
+        self.told = None not in self.parts
+        if not self.told:
+            return
         self.clamped = any(len(one) > 1 for one in self.parts)
         self.letters_of: dict = {}
         self.stiffnesses: dict = {}
@@ -142,18 +157,22 @@ class _Equation:
                        names)
 
     def _waves(self):
-        """θ of each piece, with η where an axial force acts."""
-        powers = [wave_power(piece.piece, self.omega) for piece in self.pieces]
-        thetas = self._named(powers, ARGUMENTS)
-        self.arguments = {theta: power for power, theta in thetas.items()}
-        in_order(*self.arguments)
+        """θ of each piece, with η where an axial force acts; z at both ends of strings whose tension varies."""
+        pairs = [bessel_powers(placed.piece, self.omega) for placed in self.pieces if _varies(placed)]
+        zs = self._named([power for pair in pairs for power in pair if power], ZEROS)
+        powers = [None if _varies(placed) else wave_power(placed.piece, self.omega) for placed in self.pieces]
+        thetas = self._named([power for power in powers if power], ARGUMENTS)
+        self.arguments = {letter: power for named in (zs, thetas) for power, letter in named.items()}
+        in_order(*thetas.values())
         pulled = {power: textbook(placed.piece.length ** 2 * placed.piece.tension / placed.piece.bending)
                   for placed, power in zip(self.pieces, powers, strict=True) if is_pulled(placed.piece)}
         others = [name for name in ARGUMENTS if not any(theta.name.startswith(name) for theta in self.arguments)]
         etas = dict(zip(pulled, self._named(list(pulled), others).values(), strict=True))
         self.arguments |= {eta: (2, thetas[power] ** 2 + pulled[power]) for power, eta in etas.items()}
         in_order(*etas.values())
-        return [WaveArguments(thetas[power], etas.get(power)) for power in powers]
+        ends = iter(pairs)
+        return [WaveArguments(thetas[power], etas.get(power)) if power else BesselArguments(*map(zs.get, next(ends)))
+                for power in powers]
 
     def _named(self, things, names):
         """{thing: letter}, what is alike once."""
@@ -176,6 +195,8 @@ class _Equation:
     def _far(self, piece, waves, i, slope):
         """What acts on an end that is no joint: a letter, or by θ."""
         known = self._impedance(i, slope)
+        if isinstance(waves, BesselArguments):
+            return self.letters.get(known, known)
         return self.letters.get(known) or substitute([known], {self.omega: self.table.sqrt(waves.square(piece))})[0]
 
     def _joints(self, placed):
