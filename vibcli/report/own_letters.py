@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.analyses.closed_form.free_letters import ARGUMENTS, FREQUENCY
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.notation.names import GREEK, NAMES, PLACES, factors_of, split_name
-from vibcli.report.blocks import Factor, Name, Words
+from vibcli.report.blocks import Equations, Factor, Maths, Name, SumOfTerms, Words
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.node import Node
@@ -25,6 +25,7 @@ OTHERS = {**dict.fromkeys("βασφεζλδθ", GREEK_POOL), **dict.fromkeys("un
 ALONE, INDEXED = "xuφθλζβασεωXtτnDJSNlfT", "ωXmQPδθ"       # letters that stand without an index, and with one
 INDEX = re.compile(r"_?(\d+|[ijk])")
 KEPT = {GREEK[one] for one in (*ARGUMENTS, *FREQUENCY)}
+OMEGA, BARE = "ω", re.compile("ω(?![₀-₉_])")
 TOKEN = re.compile(r"([A-Za-z]+|[α-ωΑ-Ω])")
 WORD = re.compile(r"(?<![^\W\d])x(?= = | counts|, counted)|(?<=an element d)x\b")     # within words: the place
 
@@ -112,3 +113,31 @@ def own_letters(scene: "Scene") -> OwnLetters:
         used = {*taken, *OTHERS, *found.values(), *(() if letter == "ω" else KEPT)}
         found[letter] = next((one for one in OTHERS[letter] if one not in used), letter)
     return OwnLetters(names, found)
+
+
+def of_oscillators(scene: "Scene", blocks: "Iterable[Any]") -> list[Any]:
+    """Blocks on natural frequencies of coordinates: ω_n for a ω without number where the scene has that, others for ζ,
+    λ and δ."""
+    own = own_letters(scene)
+    letters = OwnLetters(own.names, {one: other for one, other in own.others.items() if one in "ζλδ"})
+    if not letters.others and "omega" not in own.names:
+        return list(blocks)
+    natural = "omega_n" if "omega" in own.names else OMEGA
+
+    def part(one):
+        if type(one) is str:
+            return letters.text(BARE.sub("ω_n", one) if natural != OMEGA else one)
+        if isinstance(one, Node):
+            table = one.table
+            return letters.node(substitute([one], {table.variable(OMEGA): table.parameter(natural)})[0])
+        if isinstance(one, SumOfTerms):
+            return SumOfTerms(tuple(map(part, one.nodes)))
+        return Factor(part(one.node)) if isinstance(one, Factor) else one
+
+    def block(one):
+        if isinstance(one, Equations):
+            return Equations(tuple(line._replace(parts=tuple(map(part, line.parts))) for line in one.lines))
+        return one._replace(parts=tuple(Maths(tuple(map(part, each.parts))) if isinstance(each, Maths) else (
+            part(each) if "ω" in each else each) for each in one.parts))
+
+    return [block(one) for one in blocks if one]

@@ -101,3 +101,21 @@ def test_no_letter_is_one_of_the_scene(what, every):
     told = {one for parts in formulas(scene) for one in introduced(parts, names)}
     assert told & own == set()
     assert len(told) > 12
+
+
+def test_natural_frequencies_beside_a_drive_named_omega():
+    """ω is the drive, ω_n what the shapes hang on; ζ and λ are others where the scene has these."""
+    scene = problem("""
+        parameters: {m: , k: , F: {unit: N}, omega: {unit: rad/s}, lambda: {unit: kg}, c: {unit: N*s/m}}
+        bodies: {a: {mass: m, slide: x}, b: {mass: lambda, slide: y}}
+        springs: {one: {between: [ground, a], k: k}, two: {between: [a, b], k: k}}
+        dampers: {d: {between: [ground, a], c: c}}
+        forces: {f: {coordinate: x, value: F*sin(omega*t)}}
+        """)
+    report = Report(scene)
+    for name in ("frequencies", "damping", "modes"):
+        report.add(name)
+    lines = [line.parts for section in report.sections for block in section.blocks if isinstance(block, Equations)
+             for line in block.lines]
+    told = {one for parts in lines for one in introduced(parts, scene.scene.parameters.nodes.keys())}
+    assert "ω_n" in told and told.isdisjoint({"ω", "λ"})

@@ -95,6 +95,7 @@ def _form(problem):
 
 def _frequencies_in_letters(problem, report):
     from vibcli.notation.names import lowered
+    from vibcli.report.own_letters import of_oscillators
     from vibcli.report.sections.symbolic_modes import damping_blocks, frequency_blocks
 
     problem.symbolic.equilibrium_position  # noqa: B018, refused where there is none
@@ -120,8 +121,8 @@ def _frequencies_in_letters(problem, report):
         yield from section("Relaxation", equations([line("λ = ", -(K[0, 0] / C[0, 0]))]))
         return
     forms = problem.closed_forms
-    yield from section("Natural frequencies [rad/s]", *frequency_blocks(problem, forms))
-    yield from section("Damping", *damping_blocks(forms))
+    yield from section("Natural frequencies [rad/s]", *of_oscillators(problem.scene, frequency_blocks(problem, forms)))
+    yield from section("Damping", *of_oscillators(problem.scene, damping_blocks(forms)))
 
 
 def damping(problem: "Problem", report: "Report") -> Iterator[Section]:
@@ -181,12 +182,14 @@ def modes(problem: "Problem", report: "Report") -> Iterator[Section]:
             yield from _of_one(problem)
         return
     if problem.numeric.has_free_symbols:
+        from vibcli.report.own_letters import of_oscillators
         from vibcli.report.sections.symbolic_modes import shape_blocks
 
         if problem.scene.pieces:        # shapes stand below the frequency equation
             return
         if problem.closed_forms is not None:
-            yield from section("Mode shapes", *shape_blocks(problem, names, problem.closed_forms), note(words("first")))
+            told = of_oscillators(problem.scene, shape_blocks(problem, names, problem.closed_forms))
+            yield from section("Mode shapes", *told, note(words("first")))
         return
     members, found = problem.spec.members, shown(problem, report.wanted)
     if found and names:
