@@ -283,3 +283,14 @@ def test_equations_that_are_asked_for_have_the_frequency_equation_with_them():
         """)
     titles = [section.title for section in report(found, solution(found)).sections]
     assert titles[-2:] == ["Equations of free vibration", "Frequency equation"]
+
+
+def test_what_moves_apart_from_members_is_told():
+    """An oscillator on a clamped end."""
+    found = problem("""
+        beams: {b: {length: 2, EI: 3, mass_per_length: 1, left: clamped, right: clamped,
+                    attached: [{at: 2, oscillator: {mass: 1, k: 4}}]}}
+        find: [equations]
+        """)
+    *_, last = report(found, solution(found)).sections[-1].blocks
+    assert "".join(part for part in last.parts if isinstance(part, str)).startswith(" moves apart from these members")

@@ -4,8 +4,22 @@ from collections.abc import Iterator
 from functools import partial
 from typing import TYPE_CHECKING
 
+from vibcli.analyses.closed_form.lumped_impedances import coupled
+from vibcli.mechanics.symbolic_matrices import matrices_in_letters
 from vibcli.notation.numbers import figure
-from vibcli.report.blocks import Factor, Section, Words, equations, factors, line, section
+from vibcli.report.blocks import (
+    Factor,
+    Name,
+    Section,
+    Words,
+    equations,
+    factors,
+    line,
+    maths,
+    paragraph,
+    section,
+    separated,
+)
 from vibcli.report.own_letters import own_letters
 from vibcli.report.sections.orthogonality import orthogonality
 from vibcli.report.sections.shapes_in_numbers import shapes_in_numbers
@@ -36,7 +50,18 @@ def frequency_equation(problem: "Problem", report: "Report") -> Iterator[Section
     blocks = [equations(own_letters(problem.scene).lines(lines)) for lines in _equations(problem, partial(
         shapes_in_numbers, problem, report.normalise))]
     undamped = " (of the undamped system)" if _damped(problem) else ""
-    yield from section("Frequency equation" + "s" * (len(blocks) > 1) + undamped, *blocks)
+    yield from section("Frequency equation" + "s" * (len(blocks) > 1) + undamped, *blocks, *_apart(problem))
+
+
+def _apart(problem):
+    """What no member is tied to, whose frequencies these equations do not have."""
+    form, names = problem.symbolic.linearisation, problem.scene.q
+    M, _, G, K = matrices_in_letters(form)
+    tied = coupled({*M, *G, *K}, {i for placed in form.pieces for row in placed.rows for i in row})
+    apart = [maths(Name(q.name)) for i, q in enumerate(names) if i not in tied and any(i in pair for pair in M)]
+    if apart:
+        yield paragraph(*separated(apart), f" move{'s' * (len(apart) == 1)} apart from these members, by frequencies "
+                        "of which these equations tell nothing")
 
 
 def _equations(problem, shapes):
