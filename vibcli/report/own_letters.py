@@ -5,7 +5,7 @@ import re
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from vibcli.analyses.closed_form.free_letters import ARGUMENTS, FREQUENCY
+from vibcli.analyses.closed_form.free_letters import ARGUMENTS, BOTH, FREQUENCY, IMPEDANCES, STIFFNESSES, TURNS
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.notation.names import GREEK, NAMES, PLACES, factors_of, split_name
 from vibcli.report.blocks import Equations, Factor, Maths, Name, SumOfTerms, Words
@@ -18,13 +18,13 @@ if TYPE_CHECKING:
     from vibcli.report.steps.step import WorkedLine
     from vibcli.scene.scene import Scene
 
-GREEK_POOL, SMALL, CAPITALS = "γλρχψτιυΓΛΔ", "wvyhbrag", "BHERFGOIA"
+GREEK_POOL, SMALL, CAPITALS = "γλρχψτιυΓΛΔ", "wvyhbrag", "EIOΛΓΔΘΞ"
 OTHERS = {**dict.fromkeys("βασφεζλδθ", GREEK_POOL), **dict.fromkeys("unlm", SMALL), **dict.fromkeys("DJSNQP", CAPITALS),
           "x": PLACES[1:], "X": "ΨΦΞΛF", "ω": [GREEK[one] for one in FREQUENCY[1:]], "t": "τs", "τ": "sh",
           "f": ["frequency"], "T": ["period"]}
 ALONE, INDEXED = "xuφθλζβασεωXtτnDJSNlfT", "ωXmQPδθ"       # letters that stand without an index, and with one
 INDEX = re.compile(r"_?(\d+|[ijk])")
-KEPT = {GREEK[one] for one in (*ARGUMENTS, *FREQUENCY)}
+KEPT = {GREEK.get(one, one) for one in (*ARGUMENTS, *FREQUENCY, *IMPEDANCES, *STIFFNESSES, *TURNS, *BOTH)}
 OMEGA, BARE = "ω", re.compile("ω(?![₀-₉_])")
 TOKEN = re.compile(r"([A-Za-z]+|[α-ωΑ-Ω])")
 WORD = re.compile(r"(?<![^\W\d])x(?= = | counts|, counted)|(?<=an element d)x\b")     # within words: the place
