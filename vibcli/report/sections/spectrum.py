@@ -69,7 +69,8 @@ def _counted(problem, found):
     told = _letters(problem).text
     frequencies = f"ω{lowered(last.index)}{close}"
     frequencies = told(frequencies) if problem.scene.pieces else frequencies
-    return paragraph(f"{told('J')} = {count} just above {frequencies}: none is missing")
+    counted = f"J = {count}" if told("J") == "J" else f"{count} lie up to"
+    return paragraph(f"{counted} just above {frequencies}: none is missing")
 
 
 def _of_members(problem, found, head, rows, doubts):
