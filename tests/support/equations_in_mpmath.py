@@ -6,6 +6,7 @@ import mpmath
 from mpmath import mp
 from support.printed_equations import blocks, told
 
+from vibcli.analyses.closed_form.free_letters import ARGUMENTS, FREQUENCY
 from vibcli.notation.plain import plain
 from vibcli.report.blocks import Factor
 from vibcli.report.formats.formula import formula
@@ -56,11 +57,12 @@ def _product(parts):
 
 def _split(one):
     """(left, right) parts of a line that defines or equates nodes; None of others, those of roots among them."""
-    parts = one.parts
-    if len(parts) < 3 or not isinstance(parts[0], Node) or parts[1] != " = ":
+    parts = list(one.parts)
+    if " = " not in parts[1:] or not isinstance(parts[0], Node | Factor):
         return None
-    right = _product(parts[2:])
-    return None if right is None else (parts[0], right)
+    at = parts.index(" = ")
+    left, right = _product(parts[:at]), _product(parts[at + 1:])
+    return None if right is None or not left else (left, right)
 
 
 def is_equation(lines):
@@ -91,15 +93,15 @@ class Printed:
         self.sigma = next((_product(one.parts[1:]) for one in lines if one.parts[0] == "σ = "), None)
         self.means = {}
         for left, right in meant:
-            base, power = (left, 1) if left.op == "symbol" else left.args[0]
+            base, power = (left[0], 1) if left[0].op == "symbol" else left[0].args[0]
             self.means[base.name] = power, right
-        self.omega = next((name for name in ("omega", "p", "nu") if name in self.means), None)
+        self.omega = next((name for name in FREQUENCY if name in self.means), None)
 
     def at(self, omega, floats, other=False):
         """names(name) at a frequency; `other`: with the other βL that has it, of a pressed beam in a bed."""
         values = {name: mpmath.mpf(one) for name, one in floats.items()}
         if self.omega is None:
-            values |= {name: omega for name in ("omega", "p", "nu") if name not in values}
+            values |= {name: omega for name in FREQUENCY if name not in values}
         else:
             values[self.omega] = omega
             wave = self._wave()
@@ -116,7 +118,7 @@ class Printed:
     def _wave(self):
         """What ω is told by."""
         names = {one.name for part in self.means[self.omega][1] if isinstance(part, Node) for one in _symbols(part)}
-        return next(name for name in ("βL", "z", "z1", "theta", "eta", "kappa", "chi", "zeta") if name in names)
+        return next(name for name in ("βL", "z", "z1", *ARGUMENTS) if name in names)
 
     def _argument(self, wave, omega, values, sign):
         """A z with ω² = a + b z² + c z⁴."""
@@ -139,7 +141,7 @@ class Printed:
         below = {name: mpmath.fprod(number(base, names) ** -int(e) for node in right if isinstance(node, Node)
                                     and node.op == "product" for base, e in node.args if e < 0 and _calls(base))
                  for name, (_, right) in self.means.items()}
-        found = number(self.sides[0], names) - _times(self.sides[1], names)
+        found = _times(self.sides[0], names) - _times(self.sides[1], names)
         return [found * mpmath.fprod(below.values()), *(below[name] for name in self.repeated)]
 
     def shape(self, omega, share, floats):

@@ -88,7 +88,7 @@ def _of_mode(problem, tree, mode):
     if head == "period" and mode.omega.is_zero:
         raise PhysicsError(f"mode {mode.index} is a rigid-body mode: it has no period", f"ask for omega[{mode.index}]")
     forms = {"omega": lambda: mode.omega, "frequency": lambda: mode.omega / (2 * table.pi),
-             "period": lambda: 2 * table.pi / mode.omega, "zeta": lambda: mode.zeta, "omega_d": lambda: mode.omega_d,
+             "period": lambda: mode.period, "zeta": lambda: mode.zeta, "omega_d": lambda: mode.omega_d,
              "period_d": lambda: 2 * table.pi / mode.omega_d,
              "decay": lambda: mode.zeta * mode.omega}
     return forms[head]()

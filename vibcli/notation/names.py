@@ -12,7 +12,7 @@ COMMANDS = {"phi": "varphi", "epsilon": "varepsilon"}      # of LaTeX, where the
 NAMES = {letter: name for name, letter in GREEK.items()}
 SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 PRODUCTS = r"([EG])([AIJ](?:[op]|\d*))"       # names read as products: EI, GIo of members
-WAVES = {letter + place for letter in "αβ" for place in "Lxξsχ"}        # and wave numbers times a place: βL, βx
+PLACES = "xξsχ"         # letters of a place along members
 BESSEL = "J0", "J1", "Y0", "Y1"         # functions that are written with an index
 TYPED = r"[A-Za-z][a-z]\d{1,2}"               # kt1: the stiffness k of torsion number 1
 
@@ -23,9 +23,11 @@ def lowered(number: int) -> str:
 
 
 def factors_of(name: str) -> list[str]:
-    """The names of which one is a product, as E and I2 of EI2; none of others."""
+    """The names of which one is a product, as E and I2 of EI2, β and x of a wave number times a place; none of
+    others."""
     found = re.fullmatch(PRODUCTS, name) if name[:1] in ("E", "G") else None
-    return list(name) if name in WAVES else list(found.groups()) if found else []
+    along = len(name) == 2 and name[0] in NAMES and (name[1] == "L" or name[1] in PLACES)
+    return list(name) if along else list(found.groups()) if found else []
 
 
 @lru_cache(maxsize=1000)

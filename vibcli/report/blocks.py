@@ -186,6 +186,16 @@ def line(*parts: Any, label: Any = None, hang: int = 4, inset: int = 0) -> Line:
     return Line(parts, () if label is None else (label,), hang, inset)
 
 
+def factors(nodes: "Iterable[Node]") -> list[Any]:
+    """Parts of a product, sums behind; of one node it is that."""
+    found = list(nodes)
+    alone = [node for node in found if node.op != "sum"]
+    sums: list[Any] = [node for node in found if node.op == "sum"]
+    together = [found[0].table.product(*((node, 1) for node in alone))] if alone else []
+    return [*together, *sums] if len(together + sums) == 1 else [
+        part for node in together + sums for part in ("·", Factor(node))][1:]
+
+
 def equations(lines: Iterable) -> Equations | None:
     """The lines as a block, or None where there are none."""
     lines = tuple(lines)

@@ -9,6 +9,7 @@ import numpy as np
 
 from vibcli.analyses.continuous.modal_reads import Read
 from vibcli.analyses.continuous.real_modes import RealModes
+from vibcli.analyses.continuous.shapes import mean_tension
 from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
 from vibcli.analyses.excitation.linear_output import LinearOutput
 from vibcli.base.errors import PhysicsError
@@ -263,7 +264,7 @@ def _drifts(signal):
 
 def _way(piece):
     """The time in which a wave runs along a piece; 0 where it has no speed."""
-    return float(piece.length) * (float(piece.inertia / piece.tension) ** 0.5 if piece.order == 2 else 0.0)
+    return float(piece.length) * (float(piece.inertia / mean_tension(piece)) ** 0.5 if piece.order == 2 else 0.0)
 
 
 def _mean_square(signal, start):

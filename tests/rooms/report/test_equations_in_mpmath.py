@@ -135,6 +135,43 @@ def test_members_with_all_ends_and_attachments(text):
     assert fulfilled(scene(text)) == 1
 
 
+BOTH = "(k₁ + k₂ − M·ω²)·(R₁ + R₂ − J·ω²) = (G₁ + G₂)²"
+JOINED = {
+    beam("clamped", "free", "preload: N, attached: [{at: a, mass: M, inertia: J}]"): BOTH,
+    beam("pinned", "guided", "preload: N, attached: [{at: a, support: pinned}]"): "k₁ + k₂ = 0",
+    beam("pinned", "pinned", "preload: -N, foundation: kf, attached: [{at: L/2, mass: M}]"): "2·R·(2·k − M·ω²) = 0",
+    beam("clamped", "{k: k}", "attached: [{at: a, oscillator: {mass: m, k: k}}, {at: a, torsion: kt}]"):
+        "·(kt + R₁ + R₂) = (G₁ + G₂)²",
+    """
+beams: {b: {segments: [{length: a, EI: EI}, {length: L, EI: 3*EI}], mass_per_length: mu, left: clamped, preload: N}}
+""": "(k₁ + k₂)·(R₁ + R₂) = (G₁ + G₂)²",
+    """
+beams:
+  one: {from: [0, 0], to: [L, 0], EI: EI, mass_per_length: mu, preload: -N, left: clamped, right: {clamped: hub}}
+  two: {from: [L + a, 0], to: [L, 0], EI: 2*EI, mass_per_length: mu, left: pinned, right: {clamped: hub}}
+bodies: {hub: {mass: M, inertia: J, at: [L, 0], move: [0, y, psi]}}
+""": BOTH.replace("+ G₂", "− G₂"),
+    """
+gravity: g
+strings:
+  b: {from: [0, 0], to: [0, -L], mass_per_length: mu, left: pinned, attached: [
+      {at: a, mass: M}, {at: L, mass: m}, {at: L, oscillator: {mass: m, k: k}}]}
+""": "k₁ + k₂ − M·ω² = 0",
+    """
+gravity: g
+strings:
+  b: {from: [0, 0], to: [0, L], mass_per_length: mu, right: pinned, attached: [{at: a, mass: M}, {at: a, k: k}]}
+""": "k + k₁ + k₂ − M·ω² = 0"}
+
+
+@pytest.mark.parametrize("text", JOINED, ids=range(len(JOINED)))
+def test_two_stretches_under_an_axial_force(text):
+    """Even along each, or that of a string by its weight."""
+    found = scene(text)
+    assert JOINED[text] in Printed(*blocks(found)).text
+    assert fulfilled(found, 4) == 1
+
+
 def test_wave_numbers_of_another_length_have_letters():
     found = scene("beams: {b: {length: 2*L, EI: EI, mass_per_length: mu, left: clamped, preload: N}}")
     lines, = blocks(found)

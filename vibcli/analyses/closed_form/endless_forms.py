@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 EVEN, SEARCHED = 16, 100        # roots from which on they are π apart; those of other equations that are told
+ROUNDING = 1e-14            # of fifteen digits, relative
 NUMBERS = "these frequencies are found in numbers"
 
 
@@ -58,11 +59,12 @@ def _mode(found, number):
         return ClosedMode(table.zero, table.zero, index=number)
     root, alone = _root(found, elastic), textbook(found.square / x ** order)
     square = textbook(substitute([found.square], {x: root})[0])
+    error = ROUNDING if root.op == "number" else 0.0
     if x in reachable([alone]):
-        return ClosedMode(square, table.sqrt(square), index=number)
+        return ClosedMode(square, table.sqrt(square), index=number, error=error)
     power = root ** (order // 2)
     return ClosedMode(square, (power if root.op != "number" else _digits(table, float(root.coefficient) ** (
-        order // 2), 15)) * table.sqrt(alone), index=number)
+        order // 2), 15)) * table.sqrt(alone), index=number, error=error)
 
 
 def _root(found: "FrequencyEquation", number: int) -> "Node":

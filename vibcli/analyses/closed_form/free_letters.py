@@ -6,10 +6,12 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
-FREQUENCY = ("omega", "p", "nu")
-ARGUMENTS = ("theta", "eta", "kappa", "chi", "zeta")
+FREQUENCY = ("omega", "nu", "iota")
+ARGUMENTS = ("theta", "eta", "kappa", "zeta")
 IMPEDANCES = ("Z", "Q", "P")
-STIFFNESSES = ("k", "D", "R", "S")
+STIFFNESSES = ("k", "D", "B", "A")      # of the displacement of an end, or of its only motion; of its turn, of both
+TURNS = ("R", "H", "K")
+BOTH = ("G", "F", "C")
 
 
 def free_letter(taken: Collection[str], letters: Sequence[str]) -> str:

@@ -45,7 +45,7 @@ class HangingString(NamedTuple):
     def along(self, place: "Node") -> "Node":
         """ζ at a place from the left end."""
         placed, table = self.pieces[0], place.table
-        tension, end = _tensions(placed.piece)
+        tension, end = tensions(placed.piece)
         share = (tension + placed.piece.gradient * place) / (end if tension.is_zero else tension)
         return self.wave_number * table.sqrt(textbook(share))
 
@@ -53,38 +53,43 @@ class HangingString(NamedTuple):
 def hanging_string(form: Any, placed: "PlacedPiece", taken: Collection[str]) -> HangingString | None:
     """The equation of a member that is such a string, whose slack end holds nothing; None of others."""
     piece, table = placed.piece, form.table
-    if piece.gradient.is_zero or not piece.bending.is_zero or {*FIRST, *SECOND}.intersection(
-            (*table.functions, *table.records, *taken)):
+    if piece.gradient.is_zero or not piece.bending.is_zero or names_bessel(table, taken):
         return None
     omega = table.parameter(free_letter(taken, FREQUENCY))
     acting = impedances(form, [placed], omega)
-    tensions = _tensions(piece)
-    slack = [tension.is_zero for tension in tensions]
+    pulls = tensions(piece)
+    slack = [tension.is_zero for tension in pulls]
     if acting is None:
         return None
     own = [table.parameter(name) for name in free_letters(taken, ENDS, 1 if any(slack) else 2)]
-    z, reference = (own[0], tensions[1]) if slack[0] else (own[0], tensions[0])
+    z, reference = (own[0], pulls[1]) if slack[0] else (own[0], pulls[0])
     ends = [own[0]] * 2 if any(slack) else own
     square = (piece.gradient ** 2 * z ** 2 / (4 * reference) + piece.foundation) / piece.inertia
-    found = _Ends(piece, tensions, ends, omega, taken)
+    found = _Ends(piece, pulls, ends, omega, taken)
     parts = [None if none else found.condition(side, Z[0])
              for side, (none, Z) in enumerate(zip(slack, acting[0], strict=True))]
     left, right, zeros = found.equation(parts)
     sigma = None if any(slack) else found.of(parts[0], 0, FIRST) / found.of(parts[0], 0, SECOND)
-    other = [] if any(slack) else [(own[1], z * table.sqrt(textbook(tensions[1] / tensions[0])))]
+    other = [] if any(slack) else [(own[1], z * table.sqrt(textbook(pulls[1] / pulls[0])))]
     return HangingString((placed.owner,), [placed], left, right, z, omega, textbook(square),
                          [*other, *found.letters.items()], zeros, sigma, acting[1])
 
 
-def _tensions(piece):
+def names_bessel(table: Any, taken: Collection[str]) -> bool:
+    """Has a scene a name that is Bessel's?"""
+    return not {*FIRST, *SECOND}.isdisjoint((*table.functions, *table.records, *taken))
+
+
+def tensions(piece: Any) -> "tuple[Node, Node]":
+    """At the left end and at the right one."""
     return textbook(piece.tension), textbook(piece.tension + piece.gradient * piece.length)
 
 
 class _Ends:
     """What holds at the ends of one, (q₁, q₀) of q₁ f₁(z) + q₀ f₀(z) = 0, f of J or Y."""
 
-    def __init__(self, piece, tensions, ends, omega, taken):
-        self.piece, self.tensions, self.ends, self.omega, self.taken = piece, tensions, ends, omega, taken
+    def __init__(self, piece, pulls, ends, omega, taken):
+        self.piece, self.tensions, self.ends, self.omega, self.taken = piece, pulls, ends, omega, taken
         self.table, self.letters = omega.table, {}
         self.calls = {(name, side): self.table.call(name, ends[side]) for names, side in (
             (FIRST, 0), (SECOND, 0), (FIRST, 1), (SECOND, 1)) for name in names}

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 MOST = 2            # pieces of a chain whose equation is written out
-WAVE_NUMBER, SECOND = "βL", "αL"     # of notation.PRODUCTS
+WAVE_NUMBER, SECOND = "βL", "αL"     # products, as notation.names reads them
 HYPERBOLIC = "sinh", "cosh"
 
 
@@ -60,13 +60,15 @@ class FrequencyEquation(NamedTuple):
 
     @property
     def named(self) -> "list[tuple[Node, Node]]":
-        """[(letter, what it is)]: that for βL where L is another length, and those of impedances."""
+        """[(letter, what it is)]: that for βL where L is another length, or L where the scene has none, and those of
+        impedances."""
         table, x = self.wave_number.table, self.wave_number
         length = textbook(table.total([placed.piece.length for placed in self.pieces]))
-        own = [] if x.name == WAVE_NUMBER else [(x, table.parameter("beta") * length)]
+        own = [(x, table.parameter("β") * length)] if x.name != WAVE_NUMBER else [] if length.name == "L" else [
+            (table.parameter("L"), length)]
         other = [] if self.second is None else [(self.second, table.sqrt(self.second_square))]
-        if own and other:
-            own.append((self.second, table.parameter("alpha") * length))
+        if x.name != WAVE_NUMBER and other:
+            own.append((self.second, table.parameter("α") * length))
         return [*own, *other, *self.letters.items()]
 
     def by_wave_number(self, *nodes: "Node") -> "list[Node]":

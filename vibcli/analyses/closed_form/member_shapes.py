@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.closed_form.member_frequencies import FrequencyEquation
     from vibcli.symbolic.node import Node
 
-ALONG, SECOND = "βx", "αx"      # of notation.WAVES
+ALONG, SECOND = "βx", "αx"      # products, as notation.names reads them
 HYPERBOLIC = "sinh", "cosh"
 SLOPE = {"cosh": ("sinh", 1), "sinh": ("cosh", 1), "cos": ("sin", -1), "sin": ("cos", 1)}
 LEFT = {(True, True): ({"cosh": 1, "cos": -1}, {"sinh": 1, "sin": -1}), (True, False): ({"sin": 1}, {"sinh": 1}),
@@ -60,6 +60,25 @@ def shape(found: "FrequencyEquation") -> MemberShape | None:
     if found.second is not None or any(len(terms) > 1 for terms in at_right):
         sigma = quotient(single(sigma[0]) / single(sigma[1]))
     return MemberShape(_sum(one, along), _sum(two, along), sigma)
+
+
+def on_both_sides(found: "FrequencyEquation", place: "Node") -> "list[tuple[Node, Node, Node]]":
+    """[(start, end, X)] of a bar, shaft or string that is two pieces, where the place between them moves: each piece as
+    its own end holds it, times what the other is there; nothing of others. `place`: x."""
+    if len(found.pieces) != 2 or found.order != 2:
+        return []
+    sides = []
+    for placed, argument, (Z,), way in zip(found.pieces, found.arguments, (found.standing[0], found.standing[-1]), (
+            1, -1), strict=True):
+        piece = placed.piece
+        end = textbook(placed.start + piece.length)
+        along = textbook(place - placed.start if way > 0 else end - place)
+        terms = [(1, {"sin": 1})] if Z is None else [(1, {"cos": 1})] if Z.is_zero else [(1, {"cos": 1}), (
+            textbook(Z * piece.length / (piece.tension * argument)), {"sin": 1})]
+        values = [_sum(terms, (at, at)) for at in (textbook(argument * along / piece.length), argument)]
+        sides.append((placed.start, end, *values))
+    (a, b, left, here), (c, d, right, there) = sides
+    return [(a, b, there * left), (c, d, here * right)]
 
 
 def _by_units(found, Z, order):

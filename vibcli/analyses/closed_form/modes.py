@@ -14,8 +14,9 @@ def closed_forms(symbolic: "SymbolicSystem", modal: "ModalAnalysis") -> "ClosedF
         return None
     if symbolic.system.scene.members and symbolic.scene.pieces:
         from vibcli.analyses.closed_form.endless_forms import endless_forms
+        from vibcli.analyses.closed_form.hanging_forms import hanging_forms
 
-        return endless_forms(symbolic)
+        return endless_forms(symbolic) or hanging_forms(symbolic)
     M, C, G, K = symbolic.matrices
     if len(symbolic.scene.q) == 1:
         from vibcli.analyses.closed_form.one_degree import one_degree

@@ -103,10 +103,14 @@ def _as_sum(found):
             sums[monomial] = content(total)
     lead = min(sums, key=lambda monomial: (sum(base in found.letters for base, _ in monomial),
                                            dict(monomial).get(x, 0), len(monomial)))
-    left, scale = sums.pop(lead)
-    below = [(base, -e) for base, e in lead]
-    return left, table.total([table.product((table.number(-number / scale), 1), *monomial, *below, (total, 1))
-                              for monomial, (total, number) in sums.items()])
+    left, _ = sums[lead]
+    scale = table.total([_monomial(table, one, number) for one, (total, number) in sums.items() if total is left])
+    return left, table.total([-single(_monomial(table, monomial, number) / scale) * total
+                              for monomial, (total, number) in sums.items() if total is not left])
+
+
+def _monomial(table, factors, number):
+    return table.product((table.number(number), 1), *factors)
 
 
 def content(total: "Node") -> "tuple[Node, Fraction]":

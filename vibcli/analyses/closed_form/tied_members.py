@@ -1,33 +1,35 @@
-"""Frequency equations of members that meet in one motion, or in two that a spring or an inertia couples:
+"""Frequency equations of members that meet in one motion, in two that a spring or an inertia couples, or of two beams
+clamped to each other, two stretches of one among these:
 
-    k₁ + k₂ + Z = 0                     (k₁ + Z₁₁) (k₂ + Z₂₂) = Z₁₂²
+    k₁ + k₂ + Z = 0       (k₁ + Z₁₁) (k₂ + Z₂₂) = Z₁₂²       (k₁ + k₂ + Z₁₁) (R₁ + R₂ + Z₂₂) = (G₁ + G₂ + Z₁₂)²
 
-k = F/H is the dynamic stiffness of a uniform member at its joint, seen along the joint's coordinate: F vanishes at its
-frequencies with the joint free, H with the joint held. Both are linear parts of its frequency function with an
-impedance Z at the joint, F + Z H (Bishop & Johnson 1960). Where several k are infinite at once the joint rests: with
-their denominators multiplied the equation has these roots too, and no others.
+k is the dynamic stiffness of a uniform member at its joint, seen along the joint's coordinate (Bishop & Johnson 1960);
+of clamped ones R is that of the turn, G that of both. Where several are infinite at once the joint rests: with their
+denominators multiplied, once for each member, the equation has these roots too, and no others.
 """
 
 from collections import Counter
 from collections.abc import Collection, Sequence
-from fractions import Fraction
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from vibcli.analyses.closed_form.end_stiffness import WaveArguments, end_stiffness, is_pulled, wave_power
 from vibcli.analyses.closed_form.free_letters import (
     ARGUMENTS,
+    BOTH,
     FREQUENCY,
     IMPEDANCES,
     STIFFNESSES,
+    TURNS,
     free_letter,
     free_letters,
     in_order,
 )
-from vibcli.analyses.closed_form.frequency_functions import UniformPiece, frequency_function
+from vibcli.analyses.closed_form.hanging_stiffness import BesselArguments, bessel_powers, hanging_stiffness
+from vibcli.analyses.closed_form.hanging_strings import names_bessel
 from vibcli.analyses.closed_form.lumped_impedances import acting, coupled, over, stands_apart
-from vibcli.analyses.closed_form.textbook_equation import content, is_small, quotient
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.symbolic_matrices import matrices_in_letters
-from vibcli.symbolic.common_denominator import single
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
@@ -36,18 +38,21 @@ if TYPE_CHECKING:
     from vibcli.mechanics.factored_system import PlacedPiece
     from vibcli.symbolic.node import Node
 
+ZEROS = ("z", "y", "w")       # letters of arguments of Bessel's functions
 JOINTS = 2          # motions in which members of one equation meet
+ROLES = {(0, 0): "force by displacement", (1, 1): "moment by turn", (0, 1): "moment by displacement"}
 
 
 class Tied(NamedTuple):
-    """Members that meet at joints: `left` = `right` in k₁, k₂, … and ω; `stiffnesses`: {letter: (F, H)} in θ, those of
-    the pieces in `owners`; `repeated`: those of several members at one joint; `arguments`: {θ: (2, θ²) of bars, shafts
-    and strings, (4, θ⁴) of beams, by ω}; `letters`: {impedance: what it is, by ω}; the coordinates of what hangs on
-    them."""
+    """Members that meet at joints: a product `left` = `right` in k₁, k₂, … and ω; `stiffnesses`: {letter: (F, H)} in
+    θ, those of the pieces in `owners`; `repeated`: those of several members at one joint; `arguments`: {θ: (2, θ²) of
+    bars, shafts and strings, (4, θ⁴) of beams, by ω}, under an axial force θ² and η²; `letters`: {impedance: what it
+    is, by ω}; the coordinates of what hangs on them; of clamped ones the stiffness of each along the displacement, and
+    {letter: what it tells}."""
 
     members: tuple
     omega: "Node"
-    left: "Node"
+    left: "list[Node]"
     right: "Node"
     stiffnesses: "dict[Node, tuple[Node, Node]]"
     owners: "dict[Node, list[PlacedPiece]]"
@@ -56,6 +61,8 @@ class Tied(NamedTuple):
     letters: "dict[Node, Node]"
     pieces: "list[PlacedPiece]"
     hung: list
+    clamped: "list[Node]"
+    roles: "dict[Node, str]"
 
 
 def tied_equations(symbolic: Any, pieces: "Sequence[PlacedPiece]") -> list[tuple]:
@@ -70,12 +77,6 @@ def tied_equations(symbolic: Any, pieces: "Sequence[PlacedPiece]") -> list[tuple
 
 def _moved(pieces):
     return {i for piece in pieces for row in piece.rows for i in row}
-
-
-def _in_letters(nodes):
-    """Have sums no numbers but small ones?"""
-    return all(is_small(Fraction(c)) for part in reachable(nodes) for c in (
-        part.coefficient, *(c for _, c in (part.args if part.op == "sum" else ()))))
 
 
 def components(pieces: "Sequence[PlacedPiece]", entries: "Collection[tuple[int, int]]") -> "list[list[PlacedPiece]]":
@@ -94,22 +95,41 @@ def tied(form: Any, pieces: "Sequence[PlacedPiece]", taken: Collection[str]) -> 
     many."""
     M, _, G, K = matrices_in_letters(form)
     rows = [row for piece in pieces for row in piece.rows]
-    if G or any(len(row) > 1 for row in rows) or not all(map(_uniform, pieces)):
+    if G or any(len(row) > 1 for row in rows) or not all(map(_even, pieces)):
         return None
     moved = [i for row in rows for i in row]
+    varied = [piece for piece in pieces if _varies(piece)]
+    if varied and (names_bessel(form.table, taken) or any(not one.piece.foundation.is_zero for one in varied)):
+        return None
     omega = form.table.parameter(free_letter(taken, FREQUENCY))
     Z, hung = acting(M, K, moved, omega ** 2)
     joints = sorted({i for i in moved if moved.count(i) > 1} | {i for i, j in Z if i != j})
-    met = [sum(i in joints for row in piece.rows for i in row) for piece in pieces]
-    if not 0 < len(joints) <= JOINTS or any(count != 1 for count in met):
+    met = [_met(piece, joints) for piece in pieces]
+    if not 0 < len(joints) <= JOINTS or not all(met) or (len(pieces) > JOINTS and any(len(one) > 1 for one in met)):
         return None
-    return _Equation(form.table, omega, taken, Z, joints, pieces).found(hung)
+    equation = _Equation(form.table, omega, taken, Z, joints, pieces)
+    return equation.found(hung) if equation.told else None
 
 
-def _uniform(placed):
-    """Is a piece a bar, shaft or string of even tension, or a beam without tension?"""
-    piece = placed.piece
-    return piece.gradient.is_zero and not piece.inertia.is_zero and (piece.bending.is_zero or piece.tension.is_zero)
+def _varies(placed):
+    return not placed.piece.gradient.is_zero
+
+
+def _even(placed):
+    """Has a piece inertia, and one tension along it unless it is a string?"""
+    return (placed.piece.gradient.is_zero or placed.piece.bending.is_zero) and not placed.piece.inertia.is_zero
+
+
+def _met(placed, joints):
+    """The motions of one end of a piece that are joints; nothing where both ends have some."""
+    half = len(placed.rows) // 2
+    found = [(number // half, number % half) for number, row in enumerate(placed.rows)
+             if row and next(iter(row)) in joints]
+    return [motion for _, motion in found] if len({side for side, _ in found}) == 1 else []
+
+
+def _opposite(part):
+    return -part[0], part[1]
 
 
 class _Equation:
@@ -120,12 +140,39 @@ class _Equation:
         far = [node for piece in pieces for row in piece.rows for i, slope in row.items() if i not in joints
                for node in [self._impedance(i, slope)] if stands_apart(node, omega, not piece.piece.foundation.is_zero)]
         self.letters = self._named(far, IMPEDANCES)
-        powers = [self._power(piece.piece) for piece in pieces]
-        self.arguments = self._named(powers, ARGUMENTS)
-        in_order(*self.arguments.values())
-        parts = [self._stiffness(piece, self.arguments[power]) for piece, power in zip(pieces, powers, strict=True)]
-        self.stiffnesses = self._named(parts, STIFFNESSES)
-        self.parts = parts
+        self.arguments: dict = {}
+        self.waves = self._waves()
+        self.parts = [(end_stiffness if isinstance(waves, WaveArguments) else hanging_stiffness)(
+            piece, waves, joints, partial(self._far, piece.piece, waves))
+            for piece, waves in zip(pieces, self.waves, strict=True)]
+        self.told = None not in self.parts
+        if not self.told:
+            return
+        self.clamped = any(len(one) > 1 for one in self.parts)
+        self.letters_of: dict = {}
+        self.stiffnesses: dict = {}
+        for names, keys in ((STIFFNESSES, [(0, 0)]), (TURNS, [(1, 1)]), (BOTH, [(0, 1)])) if self.clamped else (
+                (STIFFNESSES, [(0, 0), (1, 1)]),):
+            self._name([one[key] for one in self.parts for key in keys if key in one and not one[key][0].is_zero],
+                       names)
+
+    def _waves(self):
+        """θ of each piece, with η where an axial force acts; z at both ends of strings whose tension varies."""
+        pairs = [bessel_powers(placed.piece, self.omega) for placed in self.pieces if _varies(placed)]
+        zs = self._named([power for pair in pairs for power in pair if power], ZEROS)
+        powers = [None if _varies(placed) else wave_power(placed.piece, self.omega) for placed in self.pieces]
+        thetas = self._named([power for power in powers if power], ARGUMENTS)
+        self.arguments = {letter: power for named in (zs, thetas) for power, letter in named.items()}
+        in_order(*thetas.values())
+        pulled = {power: textbook(placed.piece.length ** 2 * placed.piece.tension / placed.piece.bending)
+                  for placed, power in zip(self.pieces, powers, strict=True) if is_pulled(placed.piece)}
+        others = [name for name in ARGUMENTS if not any(theta.name.startswith(name) for theta in self.arguments)]
+        etas = dict(zip(pulled, self._named(list(pulled), others).values(), strict=True))
+        self.arguments |= {eta: (2, thetas[power] ** 2 + pulled[power]) for power, eta in etas.items()}
+        in_order(*etas.values())
+        ends = iter(pairs)
+        return [WaveArguments(thetas[power], etas.get(power)) if power else BesselArguments(*map(zs.get, next(ends)))
+                for power in powers]
 
     def _named(self, things, names):
         """{thing: letter}, what is alike once."""
@@ -133,78 +180,56 @@ class _Equation:
         found = free_letters(self.taken, names, len(once))
         return {thing: self.table.parameter(name) for thing, name in zip(once, found, strict=True)}
 
+    def _name(self, parts, names):
+        """Letters of stiffnesses, those of opposite sign by the same one."""
+        once: list = []
+        for part in parts:
+            once += [part] if _opposite(part) not in once else []
+        named = self._named(once, names)
+        self.letters_of |= named
+        self.stiffnesses |= named | {part: -named[_opposite(part)] for part in parts if part not in named}
+
     def _impedance(self, i, slope):
         return over(self.Z.get((i, i), self.table.zero), slope)
 
-    def _power(self, piece):
-        """(order, θ to that power) by ω."""
-        order = 2 if piece.bending.is_zero else 4
-        stiffness = piece.tension if order == 2 else piece.bending
-        load = piece.inertia * self.omega ** 2 - piece.foundation
-        return order, textbook(piece.length ** order / stiffness) * (load if load.op == "sum" else textbook(load))
+    def _far(self, piece, waves, i, slope):
+        """What acts on an end that is no joint: a letter, or by θ."""
+        known = self._impedance(i, slope)
+        if isinstance(waves, BesselArguments):
+            return self.letters.get(known, known)
+        return self.letters.get(known) or substitute([known], {self.omega: self.table.sqrt(waves.square(piece))})[0]
 
-    def _stiffness(self, placed, theta):
-        """(F, H) of a member by its θ."""
-        piece, table = placed.piece, self.table
-        order, half = (2, 1) if piece.bending.is_zero else (4, 2)
-        stiffness, beta = piece.tension if order == 2 else piece.bending, theta / piece.length
-        square = (stiffness * beta ** order + piece.foundation) / piece.inertia
-        unknown = table.parameter("Z at the joint")
-        scales = [stiffness * beta ** (3 if half > 1 else 1), stiffness * beta]
-        ends, power = [], None
-        for number, row in enumerate(placed.rows):
-            scale = scales[number % half]
-            if not row:
-                ends.append(None)
-            elif next(iter(row)) in self.joints:
-                power = scale
-                ends.append(unknown)
-            else:
-                (i, slope), = row.items()
-                known = self._impedance(i, slope)
-                node = self.letters.get(known) or substitute([known], {self.omega: table.sqrt(square)})[0]
-                ends.append(textbook(node / scale))
-        function = frequency_function(table, order, [UniformPiece(table.one, theta, table.one)],
-                                      [tuple(ends[:half]), tuple(ends[half:])])
-        return self._quotient(function, unknown, theta, power)
-
-    def _quotient(self, function, unknown, theta, power):
-        """F and H of F + Z H, the stiffness of the member with F."""
-        table, sums = self.table, []
-        free = {names: substitute([node], {unknown: table.zero})[0] for names, node in function.items()}
-        held = {names: textbook((node - free[names]) / unknown) for names, node in function.items()}
-        for terms in (free, held):
-            sums.append([(coefficient, table.product(*((table.call(name, theta), 1) for _, *called in names
-                                                       for name in called)))
-                         for names, coefficient in terms.items() if not coefficient.is_zero])
-        scale = next((size for size, _ in sums[1] if all(part.op != "sum" for part in reachable([size]))), table.one)
-        raw = [table.total([textbook(coefficient / scale) * calls for coefficient, calls in terms]) for terms in sums]
-        cleared = [single(total) for total in raw]
-        if not _in_letters(cleared):
-            return textbook(power) * raw[0], raw[1]
-        (above, one), (below, other) = map(content, cleared)
-        return quotient(textbook(power * one / other) * above / below)
-
-    def _joint(self, placed):
-        """(the coordinate of the joint, how much the end of a member moves by it)."""
-        return next((i, slope) for row in placed.rows for i, slope in row.items() if i in self.joints)
+    def _joints(self, placed):
+        """{motion: (the coordinate of the joint, how much the end of a member moves by it)}."""
+        half = len(placed.rows) // 2
+        return {number % half: pair for number, row in enumerate(placed.rows) for pair in row.items()
+                if pair[0] in self.joints}
 
     def found(self, hung: list[int]) -> Tied:
         """The equation."""
-        table, sums = self.table, dict.fromkeys(self.joints, self.table.zero)
-        for placed, part in zip(self.pieces, self.parts, strict=True):
-            joint, slope = self._joint(placed)
-            sums[joint] += textbook(slope ** 2) * self.stiffnesses[part]
-        left = [sums[i] + self.Z.get((i, i), table.zero) for i in self.joints]
-        right = table.zero if len(left) == 1 else self.Z[tuple(self.joints)] ** 2
+        table = self.table
+        sums = {(i, j): self.Z.get((i, j), table.zero) for i in self.joints for j in self.joints}
         owners: dict = {}
         for placed, part in zip(self.pieces, self.parts, strict=True):
-            owners.setdefault(self.stiffnesses[part], []).append(placed)
+            met = self._joints(placed)
+            for (m, n), stiffness in part.items():
+                if not stiffness[0].is_zero:
+                    (i, first), (j, second) = met[m], met[n]
+                    sums[min(i, j), max(i, j)] += textbook(first * second) * self.stiffnesses[stiffness]
+                    if stiffness in self.letters_of:
+                        owners.setdefault(self.letters_of[stiffness], []).append(placed)
+        left = [sums[i, i] for i in self.joints]
+        off = table.zero if len(left) == 1 else sums[min(self.joints), max(self.joints)]
         repeated = [letter for letter, count in Counter(
-            (self._joint(placed)[0], self.stiffnesses[part])
-            for placed, part in zip(self.pieces, self.parts, strict=True)).items() if count > 1]
-        return Tied(tuple(dict.fromkeys(placed.owner for placed in self.pieces)), self.omega, table.product(
-            *((node, 1) for node in left)), right, {letter: part for part, letter in self.stiffnesses.items()}, owners,
-            list(dict.fromkeys(letter for _, letter in repeated)),
-            {letter: power for power, letter in self.arguments.items()},
-            {letter: node for node, letter in self.letters.items()}, list(self.pieces), hung)
+            (self._joints(placed)[m][0], self.stiffnesses[one]) for placed, part in zip(
+                self.pieces, self.parts, strict=True) for (m, _), one in part.items()).items()
+            if count > 1] if not self.clamped else []
+        roles = {self.letters_of[one]: ROLES[key] for part in self.parts if len(part) > 1 for key, one in part.items()
+                 if one in self.letters_of}
+        stands = reachable([*left, off])
+        return Tied(
+            tuple(dict.fromkeys(placed.owner for placed in self.pieces)), self.omega, left, off ** 2,
+            {letter: part for part, letter in self.letters_of.items() if letter in stands}, owners,
+            list(dict.fromkeys(letter for _, letter in repeated)), self.arguments,
+            {letter: node for node, letter in self.letters.items()}, list(self.pieces), hung,
+            [self.stiffnesses[next(iter(part.values()))] for part in self.parts] if self.clamped else [], roles)

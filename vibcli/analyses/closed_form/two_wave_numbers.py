@@ -6,7 +6,7 @@
 from collections.abc import Mapping
 from fractions import Fraction
 from math import gcd, lcm
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.normal_form import expanded, reduced
 
@@ -17,20 +17,35 @@ if TYPE_CHECKING:
 
 def by_wave_numbers(found: "FrequencyEquation") -> "tuple[Node, Node]":
     """(what no letter of an attachment stands before, minus the rest), without what divides all of it."""
-    groups: dict = {}
-    for functions, coefficient in found.function.items():
-        for monomial, value in reduced(expanded(coefficient)).items():
-            powers = dict(monomial)
-            exponents = tuple(int(powers.pop(one, 0)) for one in (found.second, found.wave_number))
-            polynomials = groups.setdefault(tuple(powers.items()), {})
-            polynomials.setdefault(functions, {})[exponents] = Fraction(value)
-    parted = [(others, *_parted(polynomials)) for others, polynomials in groups.items()]
+    parted = _groups(found, found.function)
     shared = [min(powers[k] for _, powers, *_ in parted) for k in range(3)]
     lead = min(parted, key=lambda one: (len(one[0]), [str(base.name) for base, _ in one[0]]))
     below, scale = [(base, -e) for base, e in lead[0]], lead[2]
     sides = [(found.wave_number.table.total([_product(found, one, below, shared, sign / scale) for one in parted
                                              if (one is lead) == (sign > 0)])) for sign in (1, -1)]
     return sides[0], sides[1]
+
+
+def ratio(waves: Any, above: Mapping, below: Mapping) -> "tuple[Node, Node]":
+    """Two functions of αL and βL without what divides both; `waves`: their `second`, `wave_number` and `called`."""
+    parted = [_groups(waves, function) for function in (above, below)]
+    shared = [min(powers[k] for groups in parted for _, powers, *_ in groups) for k in range(3)]
+    scale = parted[1][0][2]
+    over, under = (waves.wave_number.table.total([_product(waves, one, [], shared, 1 / scale) for one in groups])
+                   for groups in parted)
+    return over, under
+
+
+def _groups(waves, function):
+    """[(what letters stand before, powers, content, what is left)]."""
+    groups: dict = {}
+    for functions, coefficient in function.items():
+        for monomial, value in reduced(expanded(coefficient)).items():
+            powers = dict(monomial)
+            exponents = tuple(int(powers.pop(one, 0)) for one in (waves.second, waves.wave_number))
+            polynomials = groups.setdefault(tuple(powers.items()), {})
+            polynomials.setdefault(functions, {})[exponents] = Fraction(value)
+    return [(others, *_parted(polynomials)) for others, polynomials in groups.items()]
 
 
 def _parted(polynomials: "Mapping[tuple, dict]"):

@@ -105,7 +105,9 @@ class ModeFields:
             place = min(max(self.number(x) - moved.start, 0 * piece.length), piece.length)
             found = list(fields(piece, moved.kappa, moved.ends, place))
         if piece.order == 2:        # (N u′)′ = κ u
-            found.append((moved.kappa * found[0] - piece.gradient * found[1]) / piece.tension)
+            N = piece.tension + piece.gradient * (self.number(x) - moved.start)
+            found.append((moved.kappa * found[0] - piece.gradient * found[1]) / N if N else
+                         moved.kappa * found[1] / (2 * piece.gradient))
         return found
 
     def displacements(self, member: str, places: Sequence[float]) -> np.ndarray:
@@ -224,7 +226,8 @@ def _most(moved, order):
 def _wave_number(moved):
     """Of what vibrates on a piece, at least as many as one on its length."""
     piece = moved.piece
-    return max(abs(moved.kappa / (piece.bending or piece.tension)) ** (1 / piece.order), 1 / piece.length)
+    stiffness = piece.bending or max(piece.tension, piece.tension + piece.gradient * piece.length)
+    return max(abs(moved.kappa / stiffness) ** (1 / piece.order), 1 / piece.length)
 
 
 def _is_complex(x):

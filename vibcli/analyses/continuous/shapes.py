@@ -143,11 +143,17 @@ def _piece_at(pieces, places):
     return np.maximum(np.searchsorted(starts, places, side="right") - 1, 0)
 
 
+def mean_tension(piece: Piece) -> Any:
+    """N of a tension that varies evenly, so that ∫ dx/√N(x) = l/√N."""
+    left, right = piece.tension, piece.tension + piece.gradient * piece.length
+    return ((max(left, 0 * left)**0.5 + max(right, 0 * right)**0.5) / 2)**2 if piece.gradient else left
+
+
 def _lengths(piece, q):
     """(half-waves along a piece at most, the part of it in which what begins at an end fades, 0 where nothing does), by
     the roots of B β⁴ + N β² = q and B γ⁴ − N γ² = q, N the least tension, q what drives the motion per length and u."""
     if piece.order == 2:
-        return np.sqrt(q / piece.tension) * piece.length / np.pi, 0.0
+        return np.sqrt(q / mean_tension(piece)) * piece.length / np.pi, 0.0
     N = min(piece.tension, piece.tension + piece.gradient * piece.length)
     larger = (abs(N) + np.sqrt(N * N + 4 * piece.bending * q)) / (2 * piece.bending)
     smaller = q / (piece.bending * larger) if larger else 0.0

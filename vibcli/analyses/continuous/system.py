@@ -197,7 +197,8 @@ def _scale(system):
     found = []
     for placed in system.pieces:
         piece = placed.piece
-        found.append((abs(piece.tension) / piece.length ** 2 + abs(piece.bending) / piece.length ** 4
+        tension = max(abs(piece.tension), abs(piece.tension + piece.gradient * piece.length))
+        found.append((tension / piece.length ** 2 + abs(piece.bending) / piece.length ** 4
                       + abs(piece.foundation)) / piece.inertia)
     for (i, j), m in system.inertia.magnitudes.items():
         k = system.stiffness.magnitudes.get((i, i), 0)

@@ -22,13 +22,17 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
-ENERGIES = (("T", "T", "Kinetic energy"), ("V", "V", "Potential energy"), ("Phi", "Φ", "Dissipation function"))
+# (name, letter, the one for it where the scene has that, title)
+ENERGIES = (("T", "T", "E_kin", "Kinetic energy"), ("V", "V", "E_pot", "Potential energy"),
+            ("Phi", "Φ", "Φ_R", "Dissipation function"))
 WRITTEN_OUT = 16        # coordinates of a scene whose equations are printed in numbers
 
 
 def energies(problem: "Problem", report: "Report") -> Iterator[Section]:
     drives, untold = named_drives(problem), True
-    for key, symbol, title in ENERGIES:
+    names = {*problem.scene.coordinates, *problem.scene.parameters.nodes}
+    for key, letter, other, title in ENERGIES:
+        symbol = other if key in names else letter
         node = problem.symbolic.energies[key] if drives is None else drives.energy(key)
         (shown,), lengths = abbreviated([node], report.roots)
         stands = drives.stands if drives is not None and untold and not {s for s, _ in drives.stands}.isdisjoint(

@@ -4,9 +4,23 @@ from collections.abc import Iterator
 from functools import partial
 from typing import TYPE_CHECKING
 
+from vibcli.analyses.closed_form.lumped_impedances import coupled
+from vibcli.mechanics.symbolic_matrices import matrices_in_letters
 from vibcli.notation.numbers import figure
-from vibcli.report.blocks import Factor, Section, Words, equations, line, section
-from vibcli.report.place_letter import lines_by_letter, place_letter
+from vibcli.report.blocks import (
+    Factor,
+    Name,
+    Section,
+    Words,
+    equations,
+    factors,
+    line,
+    maths,
+    paragraph,
+    section,
+    separated,
+)
+from vibcli.report.own_letters import own_letters
 from vibcli.report.sections.orthogonality import orthogonality
 from vibcli.report.sections.shapes_in_numbers import shapes_in_numbers
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -20,6 +34,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 SIMPLE, PRINTED, DIGITS = {"sin": "n·π", "cos": "(2n − 1)·π/2"}, 5, 10
+SERIES = "a beam whose tension varies along it has no shape in elementary functions: power series in its place"
 CLOSE = 1e-8        # of ω²: frequencies that are one
 
 
@@ -32,10 +47,21 @@ def frequency_equation(problem: "Problem", report: "Report") -> Iterator[Section
         yield from section("Frequency equation", equations(
             _determinant(problem.configuration.linear_system.n, None))) if known else ()
         return
-    blocks = [equations(lines_by_letter(lines, place_letter(problem.scene))) for lines in _equations(problem, partial(
+    blocks = [equations(own_letters(problem.scene).lines(lines)) for lines in _equations(problem, partial(
         shapes_in_numbers, problem, report.normalise))]
     undamped = " (of the undamped system)" if _damped(problem) else ""
-    yield from section("Frequency equation" + "s" * (len(blocks) > 1) + undamped, *blocks)
+    yield from section("Frequency equation" + "s" * (len(blocks) > 1) + undamped, *blocks, *_apart(problem))
+
+
+def _apart(problem):
+    """What no member is tied to, whose frequencies these equations do not have."""
+    form, names = problem.symbolic.linearisation, problem.scene.q
+    M, _, G, K = matrices_in_letters(form)
+    tied = coupled({*M, *G, *K}, {i for placed in form.pieces for row in placed.rows for i in row})
+    apart = [maths(Name(q.name)) for i, q in enumerate(names) if i not in tied and any(i in pair for pair in M)]
+    if apart:
+        yield paragraph(*separated(apart), f" move{'s' * (len(apart) == 1)} apart from these members, by frequencies "
+                        "of which these equations tell nothing")
 
 
 def _equations(problem, shapes):
@@ -46,25 +72,30 @@ def _equations(problem, shapes):
     from vibcli.analyses.closed_form.tied_members import tied_equations
     from vibcli.report.sections.hanging_string import hanging_alone, of_hanging
 
-    names, told, left = list(problem.scene.members), {}, []
+    names, told, left, long = list(problem.scene.members), {}, [], {}
     for chain, found in zip(chains(problem.symbolic.linearisation.pieces), frequency_equations(problem.symbolic),
                             strict=True):
-        if found is None or met(found):
+        if found is None or met(found) or not is_short(found):
             left += chain
+            long |= {} if found is None else {found.members: found}
         else:
-            told[found.members] = partial(_solved if is_short(found) else _long, problem, shapes, found)
+            told[found.members] = partial(_solved, problem, shapes, found)
     for pieces, tied, size in tied_equations(problem.symbolic, left):
         owners = tuple(dict.fromkeys(piece.owner for piece in pieces))
         hanging = hanging_alone(problem, pieces) if tied is None else None
         told[owners] = partial(of_hanging, problem, hanging) if hanging is not None else partial(
-            _unwritten, shapes, owners, size) if tied is None else partial(_met, problem, shapes, tied)
+            _long, problem, shapes, long[owners]) if tied is None and owners in long else partial(
+            _unwritten, problem, shapes, owners, size) if tied is None else partial(_met, problem, shapes, tied)
     for members, lines in sorted(told.items(), key=lambda pair: min(map(names.index, pair[0]))):
         yield list(lines(Words(", ".join(members)) if len(names) > 1 else None))
 
 
-def _unwritten(shapes, members, size, label):
+def _unwritten(problem, shapes, members, size, label):
     """What is solved, and the shapes."""
     yield from _determinant(size, label)
+    if any(placed.owner in members and not (placed.piece.bending.is_zero or placed.piece.gradient.is_zero)
+           for placed in problem.symbolic.linearisation.pieces):
+        yield line(Words(SERIES), inset=2)
     yield from shapes(members)
 
 
@@ -87,7 +118,7 @@ def _long(problem, shapes, found, label):
 
 def _met(problem, shapes, tied, label):
     """k₁ + k₂ + Z = 0, and what these are."""
-    yield line(tied.left, " = ", tied.right, *([] if tied.omega.name == "omega" else [
+    yield line(*factors(tied.left), " = ", tied.right, *([] if tied.omega.name == "omega" else [
         Words(",  "), tied.omega, Words(" the circular frequency")]), label=label)
     for letter, (above, below) in tied.stiffnesses.items():
         yield line(letter, " = ", above / below, Words("   "), *whose(tied, letter), inset=2)
@@ -95,9 +126,13 @@ def _met(problem, shapes, tied, label):
         yield line(letter ** order, " = ", power, inset=2)
     for letter, Z in tied.letters.items():
         yield line(letter, " = ", Z, inset=2)
-    names = [part for number, letter in enumerate(tied.stiffnesses) for part in (
-        Words(" and " if number + 1 == len(tied.stiffnesses) else ", "), letter)][1:]
-    if len(tied.stiffnesses) > 1:
+    letters = list(dict.fromkeys(tied.clamped)) or list(tied.stiffnesses)
+    names = [part for number, letter in enumerate(letters) for part in (
+        Words(" and " if number + 1 == len(letters) else ", "), letter)][1:]
+    if len(letters) < len(tied.clamped):
+        yield line(Words("multiplied by the square of the denominator of "), *names,
+                   Words(" it has all roots, those at which the joint rests among them"), inset=2)
+    if len(letters) > 1:
         yield line(Words("multiplied by the denominators of "), *names,
                    Words(" it has all roots, those at which a joint rests among them"), inset=2)
     for letter in tied.repeated:
@@ -109,10 +144,11 @@ def _met(problem, shapes, tied, label):
 
 def whose(tied: "Tied", letter: "Node") -> list:
     """Parts that tell of which members, or on which stretches of one, a dynamic stiffness is."""
+    role = [Words(f",  {tied.roles[letter]}")] if letter in tied.roles else []
     if len(tied.members) > 1:
-        return [Words("of " + ", ".join(dict.fromkeys(placed.owner for placed in tied.owners[letter])))]
+        return [Words("of " + ", ".join(dict.fromkeys(placed.owner for placed in tied.owners[letter]))), *role]
     return [part for placed in tied.owners[letter] for part in (Words(", "), placed.start, " < x < ",
-            textbook(placed.start + placed.piece.length))][1:]
+            textbook(placed.start + placed.piece.length))][1:] + role
 
 
 def _damped(problem):
@@ -123,7 +159,7 @@ def _damped(problem):
 
 def _solved(problem, shapes, found, label):
     """The equation, its roots, the frequencies, the shape and the orthogonality."""
-    from vibcli.analyses.closed_form.member_shapes import shape, unstrained
+    from vibcli.analyses.closed_form.member_shapes import on_both_sides, shape, unstrained
     from vibcli.analyses.closed_form.textbook_equation import by_letters, sides
 
     named, letters = by_letters(found, problem.scene.parameters.nodes)
@@ -140,7 +176,12 @@ def _solved(problem, shapes, found, label):
         yield line(found.wave_number, " = ", ", ".join(f"{value:.{DIGITS}g}" for value in values), ", …", inset=2)
     yield _frequency(found, bool(simple or values))
     drawn = shape(found)
-    if drawn is None:
+    if drawn is None and problem.numeric.has_free_symbols:
+        place = problem.scene.table.parameter(own_letters(problem.scene).place)
+        for start, end, X in on_both_sides(named, place):
+            yield line("X(x) = ", X, Words("   "), start, " < x < ", end, Words(",  where it moves at  "), "x = ",
+                       textbook(found.pieces[1].start), inset=2)
+    elif drawn is None:
         yield from shapes(found.members)
     else:
         second = [] if drawn.sigma is None else [" − σ·", Factor(drawn.second)]

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.report.blocks import Line, line
-from vibcli.report.place_letter import place_letter
+from vibcli.report.own_letters import own_letters
 from vibcli.report.sections.orthogonality import orthogonality
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ def of_hanging(problem: "Problem", found: "HangingString", label: Any) -> Iterat
     if found.zeros_of:
         yield line(z, " = ", ZEROS[found.zeros_of], ", …", inset=2)
     yield line(found.omega, " = ", z * table.sqrt(found.square / z ** 2), inset=2)
-    along = found.along(table.parameter(place_letter(problem.scene)))
+    along = found.along(table.parameter(own_letters(problem.scene).place))
     second = [] if found.sigma is None else [" − σ·", table.call("Y0", along)]
     yield line("X(x) = ", table.call("J0", along), *second, inset=2)
     if found.sigma is not None:

@@ -7,6 +7,7 @@ from vibcli.analyses.modal.normalisation import words
 from vibcli.notation.numbers import figure
 from vibcli.report.blocks import Section, TableBlock, note, section
 from vibcli.report.keys import Key
+from vibcli.report.own_letters import own_letters
 
 if TYPE_CHECKING:
     from vibcli.analyses.modal.undamped import Mode
@@ -21,6 +22,7 @@ FORCES = {"bar": "force", "shaft": "moment"}      # what u′ times the stiffnes
 def along_members(problem: "Problem", modes: "Sequence[Mode]", how: str) -> Iterator[Section]:
     """Of each member a table: the largest displacement in each mode, where it rests and where it moves most."""
     stated = None if problem.scene.coordinates else note(words(how, problem.scene.members))
+    others = own_letters(problem.scene).others
     for name, member in problem.scene.members.items():
         rows = []
         for mode in modes:
@@ -29,7 +31,8 @@ def along_members(problem: "Problem", modes: "Sequence[Mode]", how: str) -> Iter
             rows.append((str(mode.index), *_row(place, largest * scale, fields.node_places(name),
                                                 fields.antinode_places(name))))
         motion = "φ" if member.kind.torsional else member.kind.letter
-        head = ("mode", f"largest {motion}", "at x [m]", "nodes at x [m]", "antinodes at x [m]")
+        x, moved = (others.get(letter, letter) for letter in ("x", motion))
+        head = ("mode", f"largest {moved}", f"at {x} [m]", f"nodes at {x} [m]", f"antinodes at {x} [m]")
         yield from section(f"Modes along {name}", TableBlock(head, tuple(rows)), stated)
 
 

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.report.blocks import Factor, Heading, Line, Name, Section, Words, equations, line, paragraph, section
-from vibcli.report.place_letter import by_letter, lines_by_letter, place_letter, words_by_letter
+from vibcli.report.own_letters import own_letters
 from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ def member_equations(problem: "Problem") -> Iterator[Section]:
     M, C, _, K = problem.symbolic.discrete_matrices
     blocks: list = []
     own: dict = {}
-    remark, letter = REMARK, place_letter(scene)
+    remark, letters = REMARK, own_letters(scene)
     for name, member in scene.members.items():
         pieces = [piece for piece in form.pieces if piece.owner == name]
         own |= {scene.q.index(node): (member, part) for station in member.stations
@@ -40,13 +40,13 @@ def member_equations(problem: "Problem") -> Iterator[Section]:
             for mark, words in (("[", JUMPS), (RIGHT, SIDES)):
                 if words not in remark and any(mark in part for part in told):
                     remark += words
-            blocks += [Heading(f"{name}:"), equations(lines_by_letter([
-                *differential(pieces, _letter(member)), *conditions], letter))]
+            blocks += [Heading(f"{name}:"), equations(letters.lines([
+                *differential(pieces, _letter(member)), *conditions]))]
     others = [i for i in range(len(scene.q)) if i not in own]
     if others:
-        blocks += [Heading("what they carry:"), equations(lines_by_letter([
-            carried(i, form.pieces, (M, C, K), scene) for i in others], letter))]
-    yield from section("Equations of free vibration", *blocks, paragraph(words_by_letter(remark, letter), hang=4),
+        blocks += [Heading("what they carry:"), equations(letters.lines(
+            carried(i, form.pieces, (M, C, K), scene) for i in others))]
+    yield from section("Equations of free vibration", *blocks, paragraph(letters.words(remark), hang=4),
                        paragraph(DAMPED) if problem.spec.get("damping") is not None else None)
 
 
@@ -117,7 +117,7 @@ def member_energies(problem: "Problem", kind: str) -> list:
         long = len(inner) > 3
         parts += [" + ½·∫(" if long else " + ½·∫", *inner, ")·d" if long else "·d", "x",
                   *([Words(f" ({owner})")] if several else []), *where]
-    return list(by_letter(parts, place_letter(problem.scene)))
+    return list(own_letters(problem.scene).parts(parts))
 
 
 def integrals(pieces: "Sequence[Any]", integrand: "Callable[[Any], list]") -> list[tuple]:

@@ -37,7 +37,7 @@ def frequencies(problem: "Problem", report: "Report") -> Iterator[Section]:
     damped = "of the undamped system" if (modal.damps if modal.many else modal.damped) else "undamped"
     yield from section(f"Natural frequencies ({damped})", without_empty(TableBlock(head, tuple(rows)), "–"),
                        _form(problem),
-                       _counted(modal.modes, found), *doubts)
+                       _counted(problem, found), *doubts)
 
 
 def _doubts(problem):
@@ -49,18 +49,28 @@ def _doubts(problem):
     return member_warnings(problem.configuration)
 
 
-def _counted(modes, found):
+def _letters(problem):
+    from vibcli.report.own_letters import own_letters
+
+    return own_letters(problem.scene)
+
+
+def _counted(problem, found):
     """The proof that none is missing: the count just above the last frequency."""
     from vibcli.notation.names import lowered
 
-    last = found[-1]
+    modes, last = problem.modal.modes, found[-1]
     if not last.omega:
         return None
     count = modes.counted_above(last)
     if count is None or count < last.index:
         return None
     close = "".join(f" ≈ ω{lowered(number)}" for number in range(last.index + 1, count + 1))
-    return paragraph(f"J = {count} just above ω{lowered(last.index)}{close}: none is missing")
+    told = _letters(problem).text
+    frequencies = f"ω{lowered(last.index)}{close}"
+    frequencies = told(frequencies) if problem.scene.pieces else frequencies
+    counted = f"J = {count}" if told("J") == "J" else f"{count} lie up to"
+    return paragraph(f"{counted} just above {frequencies}: none is missing")
 
 
 def _of_members(problem, found, head, rows, doubts):
@@ -68,11 +78,11 @@ def _of_members(problem, found, head, rows, doubts):
     from vibcli.report.sections.wave_numbers import wave_numbers
 
     columns, definition = wave_numbers(problem, found)
-    head = (head[0], *(one for one, _ in columns), *head[1:])
+    head = (head[0], *(one for one, _ in columns), *map(_letters(problem).text, head[1:]))
     rows = [(row[0], *beta, *row[1:]) for row, *beta in zip(rows, *(told for _, told in columns), strict=True)]
     yield from section(f"Natural frequencies ({'of the undamped system' if problem.modal.damps else 'undamped'})",
                        without_empty(TableBlock(head, tuple(rows)), "–"), definition,
-                       _counted(problem.modal.modes, found), *doubts)
+                       _counted(problem, found), *doubts)
 
 
 def _form(problem):
@@ -86,6 +96,7 @@ def _form(problem):
 
 def _frequencies_in_letters(problem, report):
     from vibcli.notation.names import lowered
+    from vibcli.report.own_letters import of_oscillators
     from vibcli.report.sections.symbolic_modes import damping_blocks, frequency_blocks
 
     problem.symbolic.equilibrium_position  # noqa: B018, refused where there is none
@@ -97,8 +108,8 @@ def _frequencies_in_letters(problem, report):
         yield from told
         forms = problem.closed_forms
         if forms is not None:
-            yield from section("Natural frequencies [rad/s]", equations(
-                line(f"ω{lowered(mode.index)} = ", mode.omega) for mode in in_letters(problem, report.wanted, forms)))
+            yield from section("Natural frequencies [rad/s]", equations(_letters(problem).lines(
+                line(f"ω{lowered(mode.index)} = ", mode.omega) for mode in in_letters(problem, report.wanted, forms))))
             return
         yield from section("Natural frequencies", paragraph(
             ("numbers: the roots of the frequency equations; " if known or told else
@@ -111,8 +122,8 @@ def _frequencies_in_letters(problem, report):
         yield from section("Relaxation", equations([line("λ = ", -(K[0, 0] / C[0, 0]))]))
         return
     forms = problem.closed_forms
-    yield from section("Natural frequencies [rad/s]", *frequency_blocks(problem, forms))
-    yield from section("Damping", *damping_blocks(forms))
+    yield from section("Natural frequencies [rad/s]", *of_oscillators(problem.scene, frequency_blocks(problem, forms)))
+    yield from section("Damping", *of_oscillators(problem.scene, damping_blocks(forms)))
 
 
 def damping(problem: "Problem", report: "Report") -> Iterator[Section]:
@@ -130,23 +141,25 @@ def damping(problem: "Problem", report: "Report") -> Iterator[Section]:
     if not found and problem.configuration.rated_beside_dampers:
         yield from section("Damped modes", paragraph("not found where these ratios of modes stand beside dampers"))
         return
-    yield from section("Damped modes", without_empty(TableBlock(head, tuple(map(damped_row, found))), "–"),
-                       paragraph(f"no other: {ended}") if ended else _proved(problem.modal.damped, found),
-                       note(OF_DAMPED))
+    told = _letters(problem).text if problem.scene.pieces else str
+    table = TableBlock(tuple(map(told, head)), tuple(map(damped_row, found)))
+    yield from section("Damped modes", without_empty(table, "–"), paragraph(
+        f"no other: {ended}") if ended else _proved(problem.modal.damped, found, told), note(told(OF_DAMPED)))
 
 
 def _damps(problem):
     return problem.modal.damps if problem.modal.many else problem.modal.damped is not None
 
 
-def _proved(modes, found):
+def _proved(modes, found, in_letters):
     """What the argument principle counts; None where the modes are a list."""
     region = modes.proof(found)
     if region is None:
         return None
-    told = f"{region.count} eigenvalues, conjugates counted, have |λ| < {region.radius:.8g} 1/s"
+    size = in_letters("|λ|")
+    told = f"{region.count} eigenvalues, conjugates counted, have {size} < {region.radius:.8g} 1/s"
     if region.below:
-        told += f", {region.below} of them |λ| < {region.inner:.8g} 1/s"
+        told += f", {region.below} of them {size} < {region.inner:.8g} 1/s"
     rest = "" if any(mode.eigenvalue.real for mode in found) else "; those above leave all dampers at rest"
     rest = "; whether more grow is left open" if found[-1].growth_rate is not None else rest
     return paragraph(f"{told}, by the argument principle: none is missing{rest}")
@@ -157,8 +170,10 @@ def _none_comes_back(problem):
     from vibcli.analyses.continuous.matched_damper import dies_after
 
     ended = dies_after(problem.configuration.linear_system)
+    letters = "" if {"L", "c0"} & problem.scene.parameters.nodes.keys() else "2L/c₀ = "
     return None if ended is None else (
-        f"a wave that arrives at the damper dies; what moves freely has ended after 2L/c₀ = {ended:.6g} s")
+        f"a wave that arrives at the damper dies; what moves freely has ended after {letters}{ended:.6g} s, in which a "
+        "wave runs twice along it")
 
 
 def modes(problem: "Problem", report: "Report") -> Iterator[Section]:
@@ -168,12 +183,14 @@ def modes(problem: "Problem", report: "Report") -> Iterator[Section]:
             yield from _of_one(problem)
         return
     if problem.numeric.has_free_symbols:
+        from vibcli.report.own_letters import of_oscillators
         from vibcli.report.sections.symbolic_modes import shape_blocks
 
         if problem.scene.pieces:        # shapes stand below the frequency equation
             return
         if problem.closed_forms is not None:
-            yield from section("Mode shapes", *shape_blocks(problem, names, problem.closed_forms), note(words("first")))
+            told = of_oscillators(problem.scene, shape_blocks(problem, names, problem.closed_forms))
+            yield from section("Mode shapes", *told, note(words("first")))
         return
     members, found = problem.spec.members, shown(problem, report.wanted)
     if found and names:

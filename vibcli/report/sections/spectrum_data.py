@@ -108,8 +108,8 @@ def _closed_forms(problem, wanted):
     for mode in forms.modes if forms.numbered is None else in_letters(problem, wanted, forms):
         shape = dict(zip(names, mode.shape or [None] * len(names), strict=True))
         rates = (None, None, None, mode.omega) if mode.unstable else (
-            mode.omega, mode.omega / turn, None if mode.omega.is_zero else turn / mode.omega, None)
-        modes.append(MODES.row(mode.index, *rates, shape, 0.0))
+            mode.omega, mode.omega / turn, None if mode.omega.is_zero else mode.period, None)
+        modes.append(MODES.row(mode.index, *rates, shape, mode.error))
         if mode.zeta is not None:
             damped.append(DAMPED_MODES.row(
                 mode.index, None, mode.omega, mode.zeta, mode.omega_d, f"{language(mode.zeta)} < 1",

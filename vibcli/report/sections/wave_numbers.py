@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.notation.numbers import figure
 from vibcli.report.blocks import Paragraph, note
+from vibcli.report.own_letters import own_letters
 
 if TYPE_CHECKING:
     from vibcli.analyses.modal.undamped import Mode
@@ -17,7 +18,11 @@ if TYPE_CHECKING:
 
 CLOSE, COLUMNS, NAMED = 1e-9, 2, 1      # relative: what is alike; columns that are told, members named in each
 NOTHING = 1e-12                 # of μω² and k: a β of 0
-STIFFNESS = {"bar": "EA", "shaft": "GI_o", "beam": "EI", "string": "N"}
+# (name in scenes, letter, words where the scene has that name of something else)
+STIFFNESS = {"bar": ("EA", "EA", "stiffness"), "shaft": ("GIo", "GI_o", "stiffness"), "beam": ("EI", "EI", "stiffness"),
+             "string": ("N", "N", "tension")}
+PULL, BED = ("N", "N", "tension"), ("k", "k", "foundation")
+MASS, TURNING = ("mu", "μ", "mass per length"), ("j", "j", "inertia per length")
 
 
 def wave_numbers(problem: "Problem", modes: "Sequence[Mode]") -> tuple[list[tuple], Paragraph | None]:
@@ -25,7 +30,8 @@ def wave_numbers(problem: "Problem", modes: "Sequence[Mode]") -> tuple[list[tupl
     found = _alike([placed for placed in problem.configuration.linear_system.pieces
                     if placed.piece.inertia and not placed.piece.gradient])
     shown = found if len(found) <= COLUMNS else found[:1]
-    columns = [("β [1/m]" if len(found) == 1 else f"β of {_name(group, found, problem)} [1/m]",
+    beta = own_letters(problem.scene).text("β")
+    columns = [(f"{beta} [1/m]" if len(found) == 1 else f"{beta} of {_name(group, found, problem)} [1/m]",
                 [_told(group[0].piece, mode) for mode in modes]) for group in shown]
     return columns, _definition(shown, problem)
 
@@ -85,13 +91,21 @@ def _told(piece, mode):
 
 def _definition(groups, problem):
     """EI·β⁴ + N·β² + k = μ·ω² of those that a force along them or a foundation acts on."""
-    told = []
-    for group in groups:
-        piece, kind = group[0].piece, problem.scene.members[group[0].owner].kind.name
-        pulled = piece.bending and piece.tension
-        if pulled or piece.foundation:
-            text = f"{STIFFNESS[kind]}·β{'⁴' if piece.order == 4 else '²'}" + " + N·β²" * bool(pulled) + (
-                " + k" * bool(piece.foundation)) + f" = {'j' if kind == 'shaft' else 'μ'}·ω²"
-            told.append(text)
-    told = list(dict.fromkeys(told))
-    return note("; ".join(told)) if told else None
+    text = "; ".join(dict.fromkeys(filter(None, (_relation(group[0], problem) for group in groups))))
+    return note(own_letters(problem.scene).text(text)) if text else None
+
+
+def _relation(placed, problem):
+    """The relation of β and ω of a piece, in words what shares its letter with something else; "" of two terms."""
+    piece, kind = placed.piece, problem.scene.members[placed.owner].kind.name
+    if not ((piece.bending and piece.tension) or piece.foundation):
+        return ""
+    floats, values = problem.numeric.floats, (piece.bending or piece.tension, piece.tension, piece.foundation,
+                                              piece.inertia)
+    stiffness, pull, bed, inertia = (
+        letter if name not in floats or isclose(floats[name], value, rel_tol=CLOSE) else words
+        for (name, letter, words), value in zip((STIFFNESS[kind], PULL, BED, TURNING if kind == "shaft" else MASS),
+                                                values, strict=True))
+    power = "⁴" if piece.order == 4 else "²"
+    return f"{stiffness}·β{power}" + f" + {pull}·β²" * bool(piece.bending and piece.tension) + (
+        f" + {bed}" * bool(piece.foundation)) + f" = {inertia}·ω²"

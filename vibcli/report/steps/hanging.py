@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from vibcli.report.blocks import Name, Words
-from vibcli.report.place_letter import place_letter
+from vibcli.report.own_letters import own_letters
 from vibcli.report.steps.step import WorkedSolution
 
 if TYPE_CHECKING:
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 def general_solution(sheet: WorkedSolution, found: "HangingString", scene: "Scene", uses: list[int]) -> int:
     """X = C₁ J₀(ζ) + C₂ Y₀(ζ), J₀ alone where the tension ends at zero, and ω² by z: its number."""
     table, second = found.omega.table, []
-    call, along = table.call, found.along(table.parameter(place_letter(scene)))
+    call, along = table.call, found.along(table.parameter(own_letters(scene).place))
     if found.sigma is not None:
         second = [" + ", Name(sheet.letter("C2")), "·", call("Y0", along)]
     why = "" if second else ", J₀ alone finite where the tension ends"

@@ -13,8 +13,10 @@ from vibcli.analyses.closed_form.member_shapes import ALONG, shape
 from vibcli.analyses.closed_form.steady_state import waves_of_all
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.notation.names import GREEK, lowered
+from vibcli.notation.names import GREEK, NAMES, lowered
+from vibcli.notation.plain import plain
 from vibcli.report.blocks import Name, Words
+from vibcli.report.own_letters import own_letters
 from vibcli.report.sections.orthogonality import orthogonality
 from vibcli.report.sections.shapes_in_numbers import shape_in_numbers
 from vibcli.report.steps.from_modes import ALIKE, waves
@@ -82,7 +84,7 @@ class MotionOfMembers:
         self.names = list(problem.scene.members)
         kinds = {member.kind.letter for member in problem.scene.members.values()}
         letter = next(iter(kinds)) if len(kinds) == 1 else "u"
-        self.letter, self.u, self.unit = letter, GREEK.get(letter, letter), "rad" if letter == "phi" else "m"
+        self.u, self.unit = GREEK.get(letter, letter), "rad" if letter == "phi" else "m"
 
     def write(self, equations: "Sequence[Any]", uses: "Sequence[int]") -> None:
         """Write down all of it; equations: the frequency equations, nothing where modes are not told apart."""
@@ -137,7 +139,8 @@ class MotionOfMembers:
         if product is not None:
             places, speeds = (any(getattr(one, what) for one in self.modes) for what in ("place", "speed"))
             dot = "" if places else "'"
-            of_mass, of_start = of_one_mode(product, Name(self.letter + dot))
+            shown = own_letters(self.scene).text(self.u)
+            of_mass, of_start = of_one_mode(product, Name(NAMES.get(shown, shown) + dot))
             by_loads = [Words(",  "), "Q_k", Words(" the loads, each by "), "X_k", Words(" where it acts")] * loaded
             self.sheet.write("m_k = ", *of_mass, *by_loads, settles="modal masses", uses=uses)
             if of_start and (places or speeds):
@@ -221,10 +224,14 @@ class MotionOfMembers:
         if len(arguments) != 1:
             return
         floats, (argument,) = self.problem.numeric.floats, arguments
-        Omega, = evaluate([gradient(argument)[self.scene.time]], Floats, floats)
-        line = self.sheet.write(Words("once it is steady each mode has, by the amplitude of its load,  "),
-                                "P_k = Q_k/(m_k·√((ω_k² − Ω²)² + 4·δ_k²·Ω²))", Words(",  and lags by  "),
-                                "tan θ_k = 2·δ_k·Ω/(ω_k² − Ω²)", settles="steady modes", uses=uses)
+        rate = gradient(argument)[self.scene.time]
+        Omega, = evaluate([rate], Floats, floats)
+        letter = "Ω" if rate.name == "Omega" else plain.symbol(self.sheet.letter("Omega"))
+        meant = [] if rate.name == "Omega" else [f"{letter} = ", rate, Words(",  ")]
+        line = self.sheet.write(Words("once it is steady each mode has, by the amplitude of its load,  "), *meant,
+                                f"P_k = Q_k/(m_k·√((ω_k² − {letter}²)² + 4·δ_k²·{letter}²))",
+                                Words(",  and lags by  "), f"tan θ_k = 2·δ_k·{letter}/(ω_k² − {letter}²)",
+                                settles="steady modes", uses=uses)
         for i, one in enumerate(one for one in self.modes if one.loads):
             k, square = one.mode.index, float(one.mode.omega)**2 - Omega**2
             size = hypot(*evaluate(list(found[k].values()), Floats, floats)) / one.mass / hypot(

@@ -15,7 +15,8 @@ from vibcli.report.steps.complex_numbers import cleared, complex_told
 from vibcli.report.steps.step import WorkedSolution, number, told
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.rationals import fraction_of
+from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.rationals import HALF, fraction_of
 from vibcli.symbolic.syntax import NameRef
 
 if TYPE_CHECKING:
@@ -148,29 +149,31 @@ class _SteadyMembers:
     def _stretches(self, line) -> "Iterator[int]":
         """β of each kind of stretch, and what its ends need."""
         kinds: dict[tuple, list] = {}
-        for one in self.pieces:
-            kinds.setdefault((one.piece.order, _beta(one.piece, self.loads.Omega)), []).append(one)
+        for one, of in zip(self.pieces, self.problem.symbolic.linearisation.pieces, strict=True):
+            kinds.setdefault((one.piece.order, _beta(one.piece, self.loads.Omega)), []).append((one, of.piece))
+        Omega = gradient(self.loads.argument)[self.problem.scene.time]
         plain = [(order, beta) for order, beta in kinds if beta is not None]
         for order, beta in plain:
-            lengths = list(dict.fromkeys(told(one.piece.length) for one in kinds[order, beta]))
-            stiff = "√((μ·Ω² − k)/S)" if order == 2 else "((μ·Ω² − k)/EI)^(1/4)"
-            whole = stiff.replace("(μ·Ω² − k)", "μ·Ω²") if not kinds[order, beta][0].piece.foundation else stiff
-            owners = ", ".join(dict.fromkeys(one.owner for one in kinds[order, beta]))
-            words = ",  S and μ being the factors of ∂²u/∂x² and ∂²u/∂t²" if order == 2 else ""
-            yield self.sheet.write(Words(f"{owners}:  "), f"β = {whole}", *number(beta, "1/m"), Words(
-                f",  of length l = {' m, '.join(lengths)} m{words}"), settles=f"beta {owners} {beta}", value=beta,
-                unit="1/m", uses=[line])
+            lengths = list(dict.fromkeys(told(one.piece.length) for one, _ in kinds[order, beta]))
+            owners = ", ".join(dict.fromkeys(one.owner for one, _ in kinds[order, beta]))
+            piece = kinds[order, beta][0][1]
+            square = textbook((piece.inertia * Omega ** 2 - piece.foundation) / (piece.bending if order == 4 else
+                                                                                 piece.tension))
+            yield self.sheet.write(Words(f"{owners}:  "), "β = ", square ** (HALF if order == 2 else HALF / 2),
+                                   *number(beta, "1/m"), Words(",  of length  "), f"l = {' m, '.join(lengths)}",
+                                   Words(" m"), settles=f"beta {owners} {beta}", value=beta, unit="1/m", uses=[line])
         for order in sorted({order for order, _ in plain}):
             yield self._needs(order, line)
 
     def _needs(self, order, line):
         if order == 2:
             return self.sheet.write(Words("an end that moves by 1 while the other one is held needs  "), "S·β·cot βl",
-                                    Words(",  the other one  "), "−S·β/sin βl", settles="stiffness 2", uses=[line])
+                                    Words(",  the other one  "), "−S·β/sin βl", Words(",  "), "S",
+                                    Words(" the factor of  "), "∂²u/∂x²", settles="stiffness 2", uses=[line])
         parts = [part for head, text in ENTRIES for part in (Words(",  "), f"{head} = {text}")][1:]
         return self.sheet.write(Words("ends that move by  "), "u₀, θ₀, u₁, θ₁", Words(",  "), "θ = ∂u/∂x", Words(
-            ",  need  "), "d", Words("  times these,  "), "N = 1 − cos βl·cosh βl", Words(":  "), *parts,
-            settles="stiffness 4", uses=[line])
+            ",  need  "), "d", Words("  times these,  "), "N = 1 − cos βl·cosh βl", Words(",  "), "EI",
+            Words(" the factor of  "), "∂⁴u/∂x⁴", Words(":  "), *parts, settles="stiffness 4", uses=[line])
 
     def _entries(self, uses):
         """The line of D and F in numbers."""

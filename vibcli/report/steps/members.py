@@ -12,8 +12,8 @@ from vibcli.analyses.closed_form.tied_members import tied_equations
 from vibcli.base.errors import PhysicsError
 from vibcli.notation.names import GREEK, lowered
 from vibcli.notation.numbers import figure
-from vibcli.report.blocks import Factor, Name, WithNumbers, Words
-from vibcli.report.place_letter import by_letter, place_letter
+from vibcli.report.blocks import Factor, Name, WithNumbers, Words, factors
+from vibcli.report.own_letters import own_letters
 from vibcli.report.sections.frequency_equation import SIMPLE, whose
 from vibcli.report.sections.hanging_string import hanging_alone
 from vibcli.report.sections.members import carried, differential, station_conditions
@@ -54,10 +54,9 @@ class MemberSteps:
 
     def write(self) -> None:
         """Write down all steps."""
-        before, letter = len(self.sheet.steps), place_letter(self.scene)
+        before, letters = len(self.sheet.steps), own_letters(self.scene)
         tell_motion_of_members(self.problem, self.sheet, self._write())
-        self.sheet.steps[before:] = [one._replace(parts=by_letter(one.parts, letter))
-                                     for one in self.sheet.steps[before:]]
+        self.sheet.steps[before:] = map(letters.step, self.sheet.steps[before:])
 
     def _write(self):
         if self.scene.loops is not None:
@@ -133,8 +132,8 @@ class MemberSteps:
         words = ", without what damps" if self.damped else ""
         rests = [part for letter in found.repeated for part in (
             Words(",  and where the denominator of "), letter, Words(" is 0, the joint at rest"))]
-        line = self.sheet.write(Words(f"so the frequency equation{words}:  "), found.left, " = ", found.right, *rests,
-                                settles="frequency equation", uses=joint)
+        line = self.sheet.write(Words(f"so the frequency equation{words}:  "), *factors(found.left), " = ",
+                                found.right, *rests, settles="frequency equation", uses=joint)
         if not self.problem.numeric.has_free_symbols:
             self._searched(self.sheet.write(Words("its roots, by a search, which misses none"), settles="frequencies",
                                             uses=[line]))
@@ -160,8 +159,6 @@ class MemberSteps:
         ends = Ends(found, self.sheet)
         asked = ends.write(uses) if len(found.pieces) == 1 and not self._pressed(found) else None
         named, letters = by_letters(found, self.scene.parameters.nodes)
-        omega = {found.omega: self.table.parameter(self.sheet.letter("omega"))}
-        letters = [(letter, *substitute([meant], omega)) for letter, meant in letters]
         left, right = sides(named)
         words = ", without what damps" if self.damped else ""
         how = f"so the frequency equation{words}:  " if asked else (
@@ -190,9 +187,8 @@ class MemberSteps:
 
     def _standing_waves(self, found, uses):
         """u = X(x) sin(ωt + ε), β by ω, the general solution; of a beam under tension the shape that fits its ends."""
-        piece, table = found.pieces[0].piece, self.table
-        omega = table.parameter(self.sheet.letter("omega"))
-        inertia = piece.inertia * omega ** 2 - piece.foundation
+        piece = found.pieces[0].piece
+        inertia = piece.inertia * found.omega ** 2 - piece.foundation
         if found.second is not None:
             return self._two_waves(found, inertia, uses)
         if self._pressed(found):
@@ -212,11 +208,12 @@ class MemberSteps:
 
     def _two_waves(self, found, inertia, uses):
         """α and β of a beam under an axial force that bends otherwise than a sine."""
-        piece, (alpha, beta) = found.pieces[0].piece, map(self.table.parameter, ("alpha", "beta"))
+        piece, (alpha, beta) = found.pieces[0].piece, map(self.table.parameter, "αβ")
         difference, both = (textbook(one / piece.bending) for one in (piece.tension, inertia))
-        line = self.sheet.write(Words("standing waves  "), "X(x)·sin(ω·t + ε)", Words(
-            "  with cosh αx, sinh αx, cos βx and sin βx:  "), alpha ** 2 - beta ** 2, " = ", difference, Words(",  "),
-                                alpha ** 2 * beta ** 2, " = ", both, settles="beta", uses=uses)
+        line = self.sheet.write(Words("standing waves  "), "X(x)·sin(ω·t + ε)", Words("  with  "),
+                                "cosh αx, sinh αx, cos βx, sin βx", Words(":  "), alpha ** 2 - beta ** 2, " = ",
+                                difference, Words(",  "), alpha ** 2 * beta ** 2, " = ", both, settles="beta",
+                                uses=uses)
         return self._general("αx", found.order, "", line)
 
     def _general(self, along, order, where, line):
@@ -229,8 +226,7 @@ class MemberSteps:
     def _frequency(self, found, uses):
         """ω by βL."""
         x, order = found.wave_number, found.order
-        omega = self.table.parameter(self.sheet.letter("omega"))
-        alone = textbook(found.square / x ** order)
+        omega, alone = found.omega, textbook(found.square / x ** order)
         if x in reachable([alone]):
             return self.sheet.write(omega ** 2, " = ", found.square, settles="omega^2", node=found.square, uses=[uses])
         node = x ** (order // 2) * self.table.sqrt(alone)

@@ -12,8 +12,9 @@ from vibcli.api.values import quantity_value
 from vibcli.base.errors import NotInLetters
 from vibcli.symbolic.evaluation import Floats, evaluate
 
-VALUES = {"L": 0.6, "EI": 70.0, "EA": 9e5, "mu": 0.27, "S": 80.0, "E": 7e10, "rho": 2700.0, "k": 900.0}
+VALUES = {"L": 0.6, "EI": 70.0, "EA": 9e5, "mu": 0.27, "S": 80.0, "E": 7e10, "rho": 2700.0, "k": 900.0, "g": 9.81}
 BEAM, BAR = "length: L, EI: EI, mass_per_length: mu", "length: L, EA: EA, mass_per_length: mu"
+HANGING = "gravity: g\nstrings: {b: {from: [0, 0], to: [0, -L], mass_per_length: mu, left: pinned}}"
 SCENES = [
     *(f"beams: {{b: {{{BEAM}, left: {left}, right: {right}}}}}" for left, right in combinations_with_replacement(
         ("clamped", "pinned", "guided", "free"), 2)),
@@ -26,6 +27,9 @@ SCENES = [
     f"beams: {{b: {{{BEAM}, attached: [{{at: L, mass: mu*L/2}}]}}}}",
     f"bars: {{b: {{{BAR}, left: clamped, attached: [{{at: L, mass: mu*L}}]}}}}",
     "strings: {b: {length: L, preload: S, mass_per_length: mu, left: pinned, right: pinned}}",
+    HANGING,
+    HANGING.replace("-L", "L").replace("left", "right"),
+    HANGING.replace("pinned", "{pinned: cart}") + "\nbodies: {cart: {at: [0, 0], slide: {along: [1, 0], by: s}}}",
 ]
 
 
@@ -55,6 +59,8 @@ def test_frequencies_are_those_of_numbers(text):
     (SCENES[2], "omega[1]", "5.59332136201533*sqrt(EI/mu)/L^2"),
     (SCENES[3], "omega[1]", "3.51601526850015*sqrt(EI/mu)/L^2"),
     (SCENES[9], "omega[1]", "0"),
+    (HANGING, "omega[1]", "1.20241277884789*sqrt(g/L)"),
+    (HANGING, "period[1]", "1.66332230926249*pi*sqrt(L/g)"),
 ])
 def test_expressions_as_textbooks_have_them(text, asked, told):
     letters, _ = in_letters(text)

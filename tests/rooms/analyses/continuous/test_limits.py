@@ -120,6 +120,13 @@ def test_a_hanging_chain_has_the_zeros_of_bessel():
     assert found == pytest.approx(exact, rel=1e-12)
 
 
+def test_a_chain_counted_from_its_free_end_hangs_as_well():
+    """Whose tension is 0 at x = 0."""
+    chain = Piece(1.7, 0.0, 0.0, 2.3 * 9.81, 2.3, 0.0, 0.0)
+    exact = [float(mpmath.besseljzero(0, n)) / 2 * math.sqrt(9.81 / 1.7) for n in range(1, 7)]
+    assert frequencies(FactoredSystem(0, pieces=[placed(chain, {}, {})]), 6) == pytest.approx(exact, rel=1e-12)
+
+
 COLUMN = """
     gravity: 9.81 m/s^2
     parameters: {L: 1.7 m, EI: 3 N*m^2, M: MASS kg}

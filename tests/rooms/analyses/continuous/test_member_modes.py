@@ -260,3 +260,21 @@ def test_an_end_at_a_name_that_is_no_point_of_the_ground_is_refused(name, tmp_pa
                     "left: clamped, right: {clamped: motor}}}\n")
     assert run(["solve", str(path)]) == 3
     assert f"strut.yaml:2:{len('beams: {strut: {from: [0, 0], to: ') + 1}: error" in capsys.readouterr().err
+
+
+def test_a_chain_drawn_from_its_free_end_up_moves_as_one_that_is_drawn_down():
+    up, down = (problem(f"""
+        gravity: 9.81 m/s^2
+        strings: {{b: {{from: [0, 0], to: [0, {to} m], mass_per_length: 2 kg/m, {side}: pinned}}}}
+        """) for to, side in (("0.6", "right"), ("-0.6", "left")))
+    for one, two in zip(up.modal.modes.first(3), down.modal.modes.first(3), strict=True):
+        (first, second), scale = (found.modal.fields(mode) for found, mode in ((up, one), (down, two))), 0.6
+        assert first.node_places("b") == pytest.approx([scale - x for x in second.node_places("b")[::-1]])
+        for x in (0.0, 0.2, 0.45):
+            (u, slope, bent), (v, turn, twice) = (
+                [part / fields.at("b", end)[0] for part in fields.at("b", at)]
+                for fields, end, at in ((first, 0.0, x), (second, scale, scale - x)))
+            assert (u, slope) == pytest.approx((v, -turn)) and (x == 0 or bent == pytest.approx(twice))
+    z = 2 * float(up.modal.modes[0].omega) * sqrt(0.6 / 9.81)
+    u, slope, bent = up.modal.fields(up.modal.modes[0]).at("b", 0.0)
+    assert (slope / u, bent / u) == pytest.approx((-z**2 / 4 / 0.6, z**4 / 32 / 0.36))
