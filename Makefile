@@ -37,7 +37,6 @@ quick: $(BIN)/pytest
 
 test: $(BIN)/pytest
 	@$(MAKE) --no-print-directory -j 2 lint all
-	$(BIN)/vibcli check --quiet --jobs 2 problems
 
 chosen: $(BIN)/pytest
 	$(BIN)/pytest -q -n 2 -m "not sweep" --ignore tests/fuzz

@@ -2,7 +2,9 @@
 those of all but one file in a chapter; of the other tests of rooms and commands with several cases all but the first
 case; what takes a third of a second is marked where it stands. Each process has one thread: those of small matrices
 wait for one another where several processes share the cores; and it seldom looks for garbage, among what was
-collected never, nor while it is, as fifteen thousand tests and what they import are looked through each time."""
+collected never, nor while it is, as fifteen thousand tests and what they import are looked through each time; nor at
+the end, in all that is kept. Every other process begins to collect at the end, where it is all that is collected: what
+is rewritten to tell why an assertion fails is kept for the others, and each rewrites half."""
 
 import gc
 import os
@@ -20,6 +22,7 @@ TESTS = Path(__file__).parent
 PROBLEMS = sorted(TESTS.parent.glob("problems/*/*.yaml"))
 ALL = {path.stem for path in PROBLEMS}
 ONE_CASE = {"rooms", "commands"}
+FROM_THE_END = pytest.StashKey[bool]()
 ONE_A_CHAPTER = set({path.parent: path.stem for path in reversed(PROBLEMS)}.values())
 
 
@@ -36,7 +39,16 @@ def kind_of(path):
     return path.relative_to(TESTS).parts[0]
 
 
-def pytest_collection_modifyitems(items):
+def pytest_configure(config):
+    number = int(getattr(config, "workerinput", {"workerid": "gw0"})["workerid"].removeprefix("gw"))
+    if number % 2 and [Path(arg).resolve() for arg in config.args] == [TESTS]:
+        config.args = [str(path) for path in sorted(TESTS.rglob("test_*.py"), reverse=True)]
+        config.stash[FROM_THE_END] = True
+
+
+def pytest_collection_modifyitems(config, items):
+    if config.stash.get(FROM_THE_END, False):
+        items.sort(key=lambda item: item.path)
     met = set()     # tests of which one case was met
     for item in items:
         stems = files_of_problems(item)
@@ -60,6 +72,10 @@ def pytest_collection_finish():
     gc.freeze()
     gc.set_threshold(100_000, 50, 100)
     gc.enable()
+
+
+def pytest_sessionfinish():
+    gc.freeze()
 
 
 @pytest.fixture

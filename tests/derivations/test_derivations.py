@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 from support.scenes import kept_instances_of, kept_problem_of, number
 
+from vibcli.check.verdicts import verdicts_of
 from vibcli.inverse import settled
 from vibcli.symbolic.syntax import QuantityRef
 
@@ -144,6 +145,19 @@ def test_answers_agree_with_the_derivation(path):
         assert not differ, f"{path}: {', '.join(differ)}"
         if not i:
             assert not [key for key, part, answer in asked if agrees(part, answer, spoiled(found[key]))]
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize("path", PROBLEMS, ids=lambda path: path.stem)
+def test_the_program_finds_every_answer(path):
+    """All that `vibcli check problems` compares, in scenes that other tests solve as well."""
+    scene = kept_problem_of(path)
+    scene.draw()
+    for case in ("", *scene.spec.cases):
+        part = scene.case(case) if case else scene
+        found = verdicts_of(part, part.spec.answers, case, instances=kept_instances_of(path, case))
+        assert not [verdict for verdict in found if not verdict.agrees]
+    assert scene.spec.answers or scene.spec.cases
 
 
 @pytest.mark.sweep

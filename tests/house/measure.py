@@ -222,7 +222,7 @@ class House:
         if self._unused is None:
             page = self.package / "manual" / "python.py"
             told = page.read_text(encoding="utf-8") if page.exists() else ""
-            self._unused = Uses(self.package.name, self.trees, told).unused()
+            self._unused = Uses(self.package.name, self.trees, self.nodes, told).unused()
         return self._unused
 
     def lines(self):

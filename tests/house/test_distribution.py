@@ -1,7 +1,10 @@
-"""Which tests one process does where several share them: those that share what is solved, the house, those of a file.
-"""
+"""Which tests one process does where several share them: those that share what is solved, the house, those of a file;
+first of all those that fork."""
 
-from support.distribution import unit_of
+from collections import OrderedDict
+from unittest.mock import Mock
+
+from support.distribution import FORKS, Together, unit_of
 
 
 def test_what_shares_solved_problems_is_done_together():
@@ -19,6 +22,17 @@ def test_a_problem_is_in_the_same_part_for_all():
         assert len({unit_of(f"tests/{file}::test_it[{stem}{more}]", 4) for file, more in (
             ("derivations/test_derivations.py", ""), ("rooms/report/test_steps.py", "-html"))}) == 1
     assert len({unit_of(f"tests/rooms/report/test_steps.py::test_it[{stem}]", 4) for stem in stems}) > 1
+
+
+def test_files_that_fork_come_first():
+    files = "commands/test_streams.py", "commands/test_check_jobs.py", "rooms/homework/test_parts.py"
+    assert {unit_of(f"tests/{file}::test_it") for file in files} == {FORKS}
+    scheduling, node = Together.__new__(Together), Mock()
+    scheduling.workqueue = OrderedDict({"problems 0": {"a": False}, FORKS: {"b": False}, "house": {"c": False}})
+    scheduling.assigned_work, scheduling.registered_collections = {}, {node: ["a", "b", "c"]}
+    for _ in range(3):
+        scheduling._assign_work_unit(node)
+    assert [call.args for call in node.send_runtest_some.call_args_list] == [([1],), ([0],), ([2],)]
 
 
 def test_other_files_are_done_by_themselves():

@@ -7,6 +7,7 @@ loaded by name offer (`FACES`) may be taken of anything, and named by a text: `g
 
 import ast
 import re
+from itertools import chain
 
 from vibcli.analyses import ANALYSES
 
@@ -21,13 +22,14 @@ FUNCTION = (ast.FunctionDef, ast.AsyncFunctionDef)
 class Uses(ast.NodeVisitor):
     """What the files of a package define, and what they use of it, each with the definitions around the use."""
 
-    def __init__(self, package, trees, door=""):
-        """`door`: the manual's page of the room `api`, the names of which Python calls from outside."""
+    def __init__(self, package, trees, nodes, door=""):
+        """trees, nodes: {module: its syntax tree, all nodes of this}; `door`: the manual's page of the room `api`, the
+        names of which Python calls from outside."""
         self.package, self.modules, self.door = package, set(trees), set(re.findall(r"\w+", door))
         self.defined, self.found, self.patterns = {}, {}, {}
         self.offered_to_others, self.by_name = set(), set()
         for module, tree in trees.items():
-            self.module, self.around, self.names = module, (), _modules_named(tree, self.modules)
+            self.module, self.around, self.names = module, (), _modules_named(nodes[module], self.modules)
             for node in tree.body:
                 self._define(node)
             self.visit(tree)
@@ -113,14 +115,14 @@ class Uses(ast.NodeVisitor):
         by_name = module in self.by_name or module.removeprefix(self.package + ".").startswith(FACES)
         ways = [self.found.get((module, word), ())] if not owner else []
         ways += [self.found.get((of, word), ()) for of in (None, "text") if owner or by_name]
-        ways += [uses for pattern, uses in self.patterns.items() if re.fullmatch(pattern, word)]
-        return any(used.issuperset(around) for uses in ways for around in uses)
+        named = (uses for pattern, uses in self.patterns.items() if re.fullmatch(pattern, word))
+        return any(used.issuperset(around) for uses in chain(ways, named) for around in uses)
 
 
-def _modules_named(tree, modules):
+def _modules_named(nodes, modules):
     """{name in a file: module of the package}."""
     found = {}
-    for node in ast.walk(tree):
+    for node in nodes:
         if isinstance(node, ast.ImportFrom):
             found |= {alias.asname or alias.name: f"{node.module}.{alias.name}" for alias in node.names
                       if f"{node.module}.{alias.name}" in modules}

@@ -43,7 +43,7 @@ class Theirs:
     def at(self, expressions, state):
         """Values in many digits at a state (q, v, a) of floats."""
         flat = [mpmath.mpf(x) for part in state for x in part]
-        return sympy.lambdify([self.arguments], list(expressions), "mpmath")(flat)
+        return compiled(self.arguments, tuple(expressions))(flat)
 
     def symbols(self, state):
         """The state as vibcli names it."""
@@ -70,6 +70,12 @@ def rational(value):
     if isinstance(value, float):        # 20 deg is a multiple of pi
         return sympy.pi * sympy.nsimplify(sympy.Rational(value) / sympy.pi.evalf(40), rational=True, tolerance=1e-15)
     return sympy.Rational(value.numerator, value.denominator)
+
+
+@cache
+def compiled(arguments, expressions):
+    """[values] of expressions as a function of all arguments, in many digits: a matrix is read at many states."""
+    return sympy.lambdify([arguments], list(expressions), "mpmath")
 
 
 @cache

@@ -29,7 +29,7 @@ class PrescribedResponse(StatesInTime):
 
     def __init__(self, problem: "Problem"):
         super().__init__(problem)
-        self._closed = [self._start()]
+        self._closed = self._start()
 
     @property
     def start(self):
@@ -51,13 +51,11 @@ class PrescribedResponse(StatesInTime):
         """{name: float} of all symbols at t = 0."""
         problem = self.problem
         values = {**problem.numeric.floats, problem.scene.time.name: 0.0, **problem.numeric.drawn_floats}
-        return values if problem.scene.loops is None else self._followed(values, 0.0)
-
-    def _followed(self, start, time):
-        found = self.problem.scene.loops.followed(start, {**start, self.problem.scene.time.name: time})
+        if problem.scene.loops is None:
+            return values
+        found = problem.scene.loops.followed(values, values)
         if found is None:
-            raise PhysicsError(f"the loops of this scene cannot close at t = {time:.6g} s",
-                               "mind the lengths of its links, and dead centres")
+            raise _not_closed(0.0)
         return found
 
     def value_to(self, node: "Node", time: "Fraction", digits: int) -> "mpmath.mpf":
@@ -100,12 +98,17 @@ class PrescribedResponse(StatesInTime):
         found = {**problem.numeric.floats, time: times}
         if loops is None:
             return found
-        order, here = np.argsort(times, kind="stable"), self._closed[0]
-        values = np.empty((len(loops.names), len(times)))
-        for k in order:
-            here = self._followed(here, float(times[k]))
-            values[:, k] = [here[name] for name in loops.names]
+        order, values = np.argsort(times, kind="stable"), np.empty((len(loops.names), len(times)))
+        reached = loops.through(self._closed, {time: times[order]})
+        if reached.shape[1] < len(times):
+            raise _not_closed(times[order[reached.shape[1]]])
+        values[:, order] = reached
         return {**found, **dict(zip(loops.names, values, strict=True))}
 
     def signal_of(self, node: "Node", forces: Mapping[Any, Any], shared: "SharedFriction | None" = None):
         return PrescribedSignal(self, node, forces, shared)
+
+
+def _not_closed(time):
+    return PhysicsError(f"the loops of this scene cannot close at t = {time:.6g} s",
+                        "mind the lengths of its links, and dead centres")

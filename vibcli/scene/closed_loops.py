@@ -13,6 +13,7 @@ from vibcli.symbolic.expression_graph import reachable
 
 if TYPE_CHECKING:
     import mpmath
+    import numpy as np
 
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
@@ -96,6 +97,59 @@ class Loops:
                 return size <= 1e-12
             before = size
         return False
+
+    def through(self, start: Mapping[str, float], path: "Mapping[str, np.ndarray]") -> "np.ndarray":
+        """The unknowns at positions {name: array} one after the other, (unknowns, positions), from a closed one on: at
+        as many at once as a whole step reaches. Fewer positions where the loops cannot follow to the next."""
+        import numpy as np
+
+        here, sense, count, reach = self._in_floats(start), self._sense(start), len(next(iter(path.values()))), 1
+        found, first = np.empty((len(self.names), count)), 0
+        while first < count:
+            near = {name: values[first:first + reach] for name, values in path.items()}
+            z = self._closed_at_once(here, near, sense)
+            if z.shape[1]:
+                here.update({name: float(values[z.shape[1] - 1]) for name, values in near.items()})
+                here.update(zip(self.names, map(float, z[:, -1]), strict=True))
+            else:
+                one = self.followed(here, {**here, **{name: float(values[0]) for name, values in near.items()}})
+                if one is None:
+                    return found[:, :first]
+                here, z = one, np.array([[one[name]] for name in self.names])
+            found[:, first:first + z.shape[1]] = z
+            first, reach = first + z.shape[1], 2 * reach if z.shape[1] == reach else max(1, z.shape[1])
+        return found
+
+    def _closed_at_once(self, here, path, sense):
+        """The unknowns at positions to which Newton's method leads from one in whole steps, up to the first to which it
+        does not."""
+        import numpy as np
+
+        from vibcli.symbolic.array_arithmetic import Arrays
+
+        n, count = len(self.names), len(next(iter(path.values())))
+        z, closed, size = np.array([np.full(count, here[name]) for name in self.names]), np.zeros(count, bool), np.inf
+        lost, sizes = np.zeros(count, bool), np.array(self.sizes, float)[:, None]
+        for _ in range(12):
+            at = {**here, **path, **dict(zip(self.names, z, strict=True))}
+            flat = np.array([np.broadcast_to(x, count) for x in evaluate([*self.conditions, *self.slopes], Arrays, at)])
+            lost |= ~np.isfinite(flat).all(axis=0)
+            Gz = np.where(lost, np.eye(n).reshape(-1, 1), flat[n:]).T.reshape(count, n, n)
+            try:
+                step = np.linalg.solve(Gz, -np.where(lost, 0.0, flat[:n]).T[:, :, None])[:, :, 0].T
+            except np.linalg.LinAlgError:
+                return z[:, :0]
+            z, before, size = np.where(closed, z, z + step), size, np.abs(step / sizes).max(axis=0)
+            slow = size > CONTRACTION * before
+            closed |= ~lost & ((size <= 1e-16) | (slow & (size <= 1e-12)))
+            lost |= ~closed & slow
+            if (closed | lost).all():
+                break
+        at = {**here, **path, **dict(zip(self.names, z, strict=True))}
+        flat = np.array([np.broadcast_to(x, count) for x in evaluate(self.slopes, Arrays, at)])
+        with np.errstate(invalid="ignore"):
+            good = closed & (np.linalg.slogdet(flat.T.reshape(count, n, n))[0] == sense)
+        return z[:, :count if good.all() else int(np.argmin(good))]
 
     def along(self, start: Mapping[str, float], values: Mapping[str, float]):
         """{name: array} of the unknowns for arrays of coordinates and instants near the closed position `start`; None

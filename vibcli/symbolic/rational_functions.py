@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.irreducible_factors import irreducible_factors
 from vibcli.symbolic.nested_form import grouped, letters
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.rationals import HALF, ONE
@@ -91,7 +92,7 @@ class Quotients:
     def factors(self, polynomial: Any):
         """(rational, [(irreducible factor, multiplicity)]) of a polynomial of the ring; each is factored once."""
         if polynomial not in self._factored:
-            found = within(CALLS, polynomial.factor_list, None)
+            found = within(CALLS, lambda: irreducible_factors(polynomial), None)
             if found is None:
                 return polynomial.ring.domain(1), [(polynomial, 1)]
             self._factored[polynomial] = found

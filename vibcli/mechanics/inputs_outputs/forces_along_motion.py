@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.language.signal_names import signal_name
 from vibcli.language.signals import CONTACT
 from vibcli.mechanics.energies import dissipation, kinetic, potential
-from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING, OPEN, Released, constraint_slopes, solved
+from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING, OPEN, Released, constraint_slopes, solved_each
 from vibcli.mechanics.lagrange import equation_of
 from vibcli.mechanics.signals import in_contact, normal_of, reaction_of, require_fixed
 from vibcli.symbolic.array_arithmetic import Arrays
@@ -81,41 +81,37 @@ class ForcesAlong:
         flat = np.array([np.broadcast_to(value, count) for value in evaluate(nodes, Arrays, states)], dtype=float)
         size, ties = len(scene.q), len(scene.constraints)
         E, G = flat[:size], flat[size:].reshape(ties, size, count)
-        found = {name: np.empty(count) for name in names}
-        for k in range(count):
-            known = self._at(E[:, k], G[:, :, k], n)
-            for name in names:
-                found[name][k] = self._value(known, name, states, k)
-        return found
+        known = self._known(E.T, G.transpose(2, 0, 1), n)
+        return {name: np.array(np.broadcast_to(self._value(known, name, states), count)) for name in names}
 
-    def _at(self, E, G, n):
-        """{signal: value, None where rigid bodies alone leave it open} at one instant."""
+    def _known(self, E, G, n):
+        """{signal: array, None where rigid bodies alone leave it open at any instant}, of E and G one instant a row."""
         import numpy as np
 
         scene, found = self.released.scene, {}
-        multipliers, loose = solved(G[:, :n], E[:n])
-        held, left_open = E[n:] + multipliers @ G[:, n:], np.abs(loose @ G[:, n:]).max(axis=0, initial=0.0) > OPEN
+        multipliers, loose = solved_each(G[:, :, :n], E[:, :n])
+        held = E[:, n:] + (multipliers[:, None] @ G[:, :, n:])[:, 0]
+        left_open = np.abs(loose @ G[:, :, n:]).max(axis=(0, 1), initial=0.0) > OPEN
         for k, tie in enumerate(scene.constraints):
             sign = 1.0 if tie.form in LENGTHENING else -1.0
-            found[tie.signal] = None if np.abs(loose[:, k]).max(initial=0.0) > OPEN else sign * multipliers[k]
+            found[tie.signal] = None if np.abs(loose[:, :, k]).max(initial=0.0) > OPEN else sign * multipliers[:, k]
         found.update({q.name: None if unknown else value
-                      for q, value, unknown in zip(self.released.held, held, left_open, strict=True)})
+                      for q, value, unknown in zip(self.released.held, held.T, left_open, strict=True)})
         return found
 
-    def _value(self, known, text, states, k):
+    def _value(self, known, text, states):
         signal = signal_name(text)
         if signal.kind in CONTACT and text not in known:
-            return self._contact(known, signal.name, signal.kind, states, k)
+            return self._contact(known, signal.name, signal.kind, states)
         text = reaction_of(self.numeric.system, text, known)
         return require_fixed(text, known[text])
 
-    def _contact(self, known, name, part, states, k):
+    def _contact(self, known, name, part, states):
         reach, normal = self.released.scene.bodies[name].reach, self._normal(name)
-        state = {name: value[k] if getattr(value, "ndim", 0) else value for name, value in states.items()}
         if part == "friction" and reach is not None and f"{name}.drive" not in known:
-            return self._value(known, f"{name}.reaction.moment", states, k) / evaluate([reach], Arrays, state)[0]
-        return in_contact(part, evaluate(normal, Arrays, state), [
-            self._value(known, f"{name}.reaction.{axis}", states, k) for axis in "xy"])
+            return self._value(known, f"{name}.reaction.moment", states) / evaluate([reach], Arrays, states)[0]
+        return in_contact(part, evaluate(normal, Arrays, states), [
+            self._value(known, f"{name}.reaction.{axis}", states) for axis in "xy"])
 
     def _normal(self, name):
         """The normal of the surface that a body touches, what is released being held."""

@@ -103,18 +103,27 @@ def _at_rest(configuration, released):
 
 def solved(G: "np.ndarray", E: "np.ndarray") -> "tuple[np.ndarray, np.ndarray]":
     """λ of Gᵀλ = −E by least squares, and a basis of what Gᵀλ = 0 leaves open, as rows."""
+    multipliers, loose = solved_each(G[None], E[None])
+    return multipliers[0], loose[0][loose[0].any(axis=1)]
+
+
+def solved_each(G: "np.ndarray", E: "np.ndarray") -> "tuple[np.ndarray, np.ndarray]":
+    """The same of stacks (N, k, n) and (N, n), among rows of zeros: (N, k), (N, k, k)."""
     import numpy as np
 
-    if not len(G):
-        return np.zeros(0), np.zeros((0, 0))
-    scale = np.abs(G).max(axis=1)
+    ties, kept = G.shape[1], min(G.shape[1:])
+    if not kept:
+        return np.zeros((len(G), ties)), np.broadcast_to(np.eye(ties), (len(G), ties, ties))
+    scale = np.abs(G).max(axis=2)
     scale[scale == 0.0] = 1.0       # of what ties supports alone
-    u, s, vt = np.linalg.svd((G / scale[:, None]).T, full_matrices=True)
-    rank = int(np.sum(s > OPEN * s[0]))
-    inverse = vt[:rank].T / s[:rank] @ u[:, :rank].T
-    multipliers = inverse @ -E
-    multipliers -= inverse @ (E + (G / scale[:, None]).T @ multipliers)     # which left hundreds of roundings
-    return multipliers / scale, vt[rank:] / scale
+    transposed = (G / scale[:, :, None]).swapaxes(1, 2)
+    u, s, vt = np.linalg.svd(transposed, full_matrices=True)
+    fixed = s > OPEN * s[:, :1]
+    inverse = vt[:, :kept].swapaxes(1, 2) / np.where(fixed, s, np.inf)[:, None] @ u[:, :, :kept].swapaxes(1, 2)
+    multipliers = inverse @ -E[:, :, None]
+    multipliers -= inverse @ (E[:, :, None] + transposed @ multipliers)     # which left hundreds of roundings
+    rest = np.arange(ties) >= fixed.sum(axis=1)[:, None]
+    return multipliers[:, :, 0] / scale, vt * rest[:, :, None] / scale[:, None]
 
 
 def reaction_errors(configuration: "Configuration") -> dict[str, float]:
