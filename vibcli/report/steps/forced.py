@@ -5,6 +5,7 @@ A load A sin Ωt + B cos Ωt keeps up X sin(Ωt + ε − θ), as (K − M Ω² +
 """
 
 from cmath import phase
+from math import cos
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters, PhysicsError
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 SERIES = {"square": ("4/π·(", 2, 4), "sawtooth": ("−2/π·(", 1, -2)}      # of 2π: its factor, step of n, π·factor
+QUARTER = 1e-12         # of the cosine of a lag: it is a quarter of a turn
 TOLD = 3                # harmonics of a periodic wave that have numbers
 
 
@@ -86,15 +88,25 @@ def _one_harmonic(degree):
     line = sheet.write(Words("steady state:  "), Name(degree.name), " = ", *mean, node, uses=degree.found.lines,
                        settles="steady state")
     lines = [line, *([_complex_equation(degree, X, steady, line)] if lags else [])]
-    degree.settled([X], formula.amplitude, degree.unit, f"amplitude({degree.name})", lines)
+    size = degree.about.tidy(formula.amplitude) if formula.undamped else formula.amplitude
+    degree.settled([X], size, degree.unit, f"amplitude({degree.name})", lines)
     lag = _lag(degree, steady) if lags else None
     if lags and formula.tangent is not None:
-        more = [] if lag is None else [Words(",  "), theta, *number(lag, "rad")]
-        lines.append(degree.settled([table.call("tan", theta)], formula.tangent, "", "tan theta", lines, more=more))
+        lines.append(_told_lag(degree, theta, formula, lag, lines))
     degree.about.know(X, degree.about.value(formula.amplitude))
     tell_of_one(degree.about, sheet, X, formula.Omega, lines)
     if not formula.ahead:
         tell_start(degree, KeptUp(steady, X, theta if lags else None, lag), lines)
+
+
+def _told_lag(degree, theta, formula, lag, lines):
+    """The line of tan θ, and of θ; of θ alone where it is a quarter of a turn, but for rounding."""
+    if lag is not None and abs(cos(lag)) <= QUARTER:
+        resists = degree.K - degree.M * formula.Omega ** 2
+        return degree.sheet.write(resists, " = 0", Words(":  "), theta, *number(lag, "rad"), uses=lines,
+                                  settles="quarter of a turn", value=lag, unit="rad")
+    more = [] if lag is None else [Words(",  "), theta, *number(lag, "rad")]
+    return degree.settled([theta.table.call("tan", theta)], formula.tangent, "", "tan theta", lines, more=more)
 
 
 def _lag(degree, steady):
