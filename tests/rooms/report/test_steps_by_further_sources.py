@@ -32,7 +32,8 @@ points: {road: {at: [0, 0], moves: [0, Y*sin(W*t)]}}
 bodies: {trailer: {mass: m, at: [0, 1 m], slide: {along: [0, 1], by: x}}}
 springs: {s: {k: k, between: [road, trailer], preload: static}}
 """, ("ω² = g/d,  ω = √(9.81/0.1) = 9.90454 rad/s",
-      "X = Y·g/(g − d·W²) = 0.075·9.81/(9.81 − 0.1·6.98132²) = 0.149054 m")),
+      "X = Y·g/(g − d·W²) = 0.075·9.81/(9.81 − 0.1·6.98132²) = 0.149054 m",
+      "or, with  r = W/ω = 0.70486:  X = Y/(1 − r²)")),
     "Thomson, on rotating unbalance: an exciter of 0.0921 kg·m on 181.4 kg, a quarter of a turn behind at 900 rpm": ("""
 parameters: {m: 181.4 kg, u: 0.0921 kg*m, n: 900 rpm, k: m*n^2, X1: 21.6 mm, c: u*n/X1}
 bodies: {b: {mass: m, at: [0, 0], slide: {along: [0, 1], by: x}}}
@@ -85,7 +86,8 @@ parameters: {m1: 10 kg, m2: 1 kg, k1: 30 N/m, k2: 5 N/m, X: 1 m}
 bodies: {a: {mass: m1, slide: x1}, b: {mass: m2, slide: x2}}
 springs: {s1: {k: k1, between: [ground, a]}, s2: {k: k2, between: [a, b]}}
 initial: {x1: X}
-""", ("a₂ = m₁·m₂ = 10", "(85 ∓ 35)/20", "ω₁ = 1.58114 rad/s", "x₂/x₁ = 2", "x₂/x₁ = −5",
+""", ("K₁₁ = k₁ + k₂ = 35 N/m,  K₁₂ = K₂₁ = −k₂,  K₂₂ = k₂",
+      "a₂ = m₁·m₂ = 10", "(85 ∓ 35)/20", "ω₁ = 1.58114 rad/s", "x₂/x₁ = 2", "x₂/x₁ = −5",
       "x₁ = 0.714286·cos(ω₁·t) + 0.285714·cos(ω₂·t)   (in m)", "x₂ = 1.42857·cos(ω₁·t) − 1.42857·cos(ω₂·t)   (in m)")),
     "Rao, Vibration of Continuous Systems, chapter 9: the node of a clamped bar's second mode is at 2L/3": ("""
 parameters: {L: 1.8 m, A: 4 cm^2, E: 210 GPa, rho: 7850 kg/m^3}

@@ -90,6 +90,7 @@ def _one_harmonic(degree):
     lines = [line, *([_complex_equation(degree, X, steady, line)] if lags else [])]
     size = degree.about.tidy(formula.amplitude) if formula.undamped else formula.amplitude
     degree.settled([X], size, degree.unit, f"amplitude({degree.name})", lines)
+    _by_ratio(degree, X, formula, lines)
     lag = _lag(degree, steady) if lags else None
     if lags and formula.tangent is not None:
         lines.append(_told_lag(degree, theta, formula, lag, lines))
@@ -97,6 +98,27 @@ def _one_harmonic(degree):
     tell_of_one(degree.about, sheet, X, formula.Omega, lines)
     if not formula.ahead:
         tell_start(degree, KeptUp(steady, X, theta if lags else None, lag), lines)
+
+
+def _by_ratio(degree, X, formula, lines):
+    """The same amplitude by r = Ω/ω and ζ, where it is a product of these."""
+    from vibcli.analyses.closed_form.dimensionless import CONSTANT, SQUARE, dimensionless
+
+    found = dimensionless(formula)
+    if found is None:
+        return
+    table, sheet, Omega = degree.about.table, degree.sheet, degree.about.letter(formula.Omega.name)
+    r, omega = degree.about.letter(sheet.letter("r")), degree.about.known_value(found.omega)
+    turned = 2 * degree.zeta * r
+    above = {CONSTANT: table.one, SQUARE: r ** 2}.get(found.above, table.sqrt(1 + turned ** 2))
+    below = 1 - r ** 2 if found.zeta is None else table.sqrt((1 - r ** 2) ** 2 + turned ** 2)
+    speed = degree.about.known_value(formula.Omega)
+    value = None if None in (omega, speed) else speed / omega
+    gain = [] if found.gain.op == "number" and found.gain.coefficient == 1 else [Factor(found.gain)]
+    over = ["/", Factor(below)] if gain and above is table.one else ["·"] * bool(gain) + [above / below]
+    sheet.write(Words("or, with  "), r, " = ", Omega / degree.omega, *(() if value is None else number(value)),
+                Words(":  "), X, " = ", *gain, *over, settles=r.name, node=Omega / degree.omega, value=value,
+                letter=r.name, uses=lines)
 
 
 def _told_lag(degree, theta, formula, lag, lines):
