@@ -25,8 +25,8 @@ def on_the_ground(opened: Any, signal: "SignalName") -> LinearFunction:
     for record in opened.configuration.spec.connections:
         terms += _of_element(opened, record, signal.kind, axis)
     if not terms:
-        along = f" along {axis}" if axis else ""
-        raise PhysicsError(f"no spring or damper exerts a {signal.kind} on the ground{along}",
+        which, along = ("", f" along {axis}") if axis else (" of one axis", "")
+        raise PhysicsError(f"no spring or damper{which} exerts a {signal.kind} on the ground{along}",
                            "ask for ground.force in one-axis scenes, else for ground.force.x or .y")
     return combined(terms)
 

@@ -16,11 +16,13 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 
-def quantity_in_letters(problem: "Problem", tree: QuantityRef) -> "Node":
+def quantity_in_letters(problem: "Problem", tree: Any) -> "Node":
     """A quantity as an expression of the parameters; NotInLetters where it is found in numbers."""
     response = response_of(problem, tree)
     if response is not None:
         return size_of(problem, response)
+    if not isinstance(tree, QuantityRef):
+        raise NotInLetters("expressions of quantities are found in numbers")
     quantity = declared(tree)
     known = quantity is not None and quantity.symbolic is not None and quantity.kind not in OF_STATE
     if not known or about_which(tree)[1] is not None:

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
 
-MOST = 300
+MOST, SQUARES = 300, (3, 6, 10)     # terms; of squares of sums of two, three and four
 
 
 class TooLong(ArithmeticError):
@@ -249,11 +249,12 @@ def factors_of(table: "Table", terms: Any) -> "tuple[tuple[Node, Fraction | int]
     content = tuple(sorted((pair for pair in common.items() if pair[1]), key=lambda pair: pair[0].index))
     scale = _scale(list(terms.values()))
     inner = {times(monomial, content, -1): exact(value / scale) for monomial, value in terms.items()}
-    if (root := square_root(inner)) is None:
-        return ((table.number(scale), ONE), (_node(table, inner), ONE), *content)
-    common = abs(_scale(list(root.values())))       # the half of ((R − r)/2)²
-    node = _node(table, reduced({monomial: exact(value / common) for monomial, value in root.items()}))
-    return ((table.number(exact(scale * common**2)), ONE), (node, 2), *content)
+    for lead in dict.fromkeys((ONE, next(map(abs, inner.values())))) if len(inner) in SQUARES else ():
+        if (root := square_root({monomial: exact(value / lead) for monomial, value in inner.items()})) is not None:
+            common = abs(_scale(list(root.values())))       # the half of ((R − r)/2)²
+            node = _node(table, reduced({monomial: exact(value / common) for monomial, value in root.items()}))
+            return ((table.number(exact(scale * lead * common**2)), ONE), (node, 2), *content)
+    return ((table.number(scale), ONE), (_node(table, inner), ONE), *content)
 
 
 def _node(table, terms):
@@ -268,13 +269,13 @@ def _scale(values):
 
 
 def square_root(terms: Any) -> "dict[tuple[tuple[Node, Fraction], ...], Fraction] | None":
-    """The polynomial whose square this is (up to sign), None where there is none of up to four terms."""
+    """The polynomial whose square this is (up to sign), None where there is none of two to four terms."""
     squares = {monomial: exact_root(value) for monomial, value in terms.items()
                if all(e.denominator == 1 and e.numerator % 2 == 0 for _, e in monomial) and value > 0}
     roots = [(tuple((atom, e.numerator // 2) for atom, e in monomial), exact(value))
              for monomial, value in squares.items() if value]
     k = len(roots)
-    if not 2 <= k <= 4 or len(terms) != k * (k + 1) // 2:
+    if len(terms) not in SQUARES or len(terms) != k * (k + 1) // 2:
         return None
     for signs in range(2 ** (k - 1)):
         candidate = {monomial: -value if signs >> i & 1 else value
@@ -296,5 +297,4 @@ def root_of_square(node: "Node") -> "Node | None":
         if root is None or any((e * HALF).denominator > 1 for _, e in monomial):
             return None
         return node.table.product((node.table.number(root), ONE), *((atom, e * HALF) for atom, e in monomial))
-    root = square_root(terms)
-    return None if root is None else _node(node.table, root)
+    return _node(node.table, root) if (root := square_root(terms)) is not None else None

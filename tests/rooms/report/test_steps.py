@@ -375,7 +375,8 @@ def test_no_small_oscillations_where_the_engine_has_none():
             kinked.add(path.stem)
             assert not any(name.startswith(("equation[", "omega[")) for name in found), path.stem
             continue
-        told = {name: value for name, value in found.items() if re.fullmatch(r"omega\[\d+\]", name) and value}
+        told = {name: value for name, value in found.items() if re.fullmatch(r"omega\[\d+\]", name) and value
+                and not scene.numeric.has_free_symbols}
         known = {f"omega[{mode.index}]": mode.omega for mode in scene.modal.modes} if told else {}
         compared += len(told)
         assert all(math.isclose(value, float(known[name]), rel_tol=1e-9) for name, value in told.items()), path.stem

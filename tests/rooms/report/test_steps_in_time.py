@@ -167,7 +167,7 @@ def test_a_motion_from_the_start_is_a_sum_of_modes_beside_what_is_kept_up(c, roo
         ("|X", "amplitude(x{})", "|"), ("θ", "phase(x{})", ""))}
     due = expm(A * t) @ np.array([0.01, 0, 0, 0.3, 0, 9])
     for name, wanted in (("x1", due[0]), ("x2", due[1])):
-        told = settled[f"motion of {name}"].split(" = ")[1].replace("·", "*").replace("−", "-").replace("\u00a0", " ")
+        told = settled[f"motion of {name}"].split(" = ")[1].partition("   (in m")[0].replace("·", "*").replace("−", "-")
         value = eval(re.sub(r"δ\d|ω_d\d|ω\d|\|X\d\||X\d|θ\d", lambda one: f"({letters[one.group()]})", told),
                      {"cos": math.cos, "sin": math.sin, "exp": math.exp, "t": t})
         assert value == pytest.approx(wanted, rel=2e-4)
@@ -201,7 +201,7 @@ def test_under_two_harmonics_and_a_steady_load_each_keeps_up_its_own(c):
     letters |= {f"|X{i}{n}|": values.get(f"amplitude {n} of x{i}") for i in (1, 2) for n in (1, 2)}
     letters |= {f"θ{i}{n}": values.get(f"lag {n} of x{i}") for i in (1, 2) for n in (1, 2)} | signed
     for name, wanted in zip(("x1", "x2"), due, strict=True):
-        told = settled[f"motion of {name}"].split(" = ")[1].replace("·", "*").replace("−", "-").replace("\u00a0", " ")
+        told = settled[f"motion of {name}"].split(" = ")[1].partition("   (in m")[0].replace("·", "*").replace("−", "-")
         value = eval(re.sub(r"δ\d|ω_d\d|ω\d|\|X\d\d\||X\d\d|θ\d\d", lambda one: f"({letters[one.group()]})", told),
                      {"cos": math.cos, "sin": math.sin, "exp": math.exp, "t": t})
         assert value == pytest.approx(wanted, rel=2e-4, abs=1e-7)
@@ -225,5 +225,5 @@ def test_what_is_asked_of_a_place_in_time_is_told_as_counted():
     """)
     said = {key: formula(line.parts, plain).replace("\u00a0", " ") for key, line in lines.items()}
     assert said["x(0.3 s)"] == "x(0.3 s) = 0.104511 m (counted as drawn)"
-    assert said["max(x)"] == "max(x) = 0.1108 m (counted as drawn)"
+    assert said["max(x)"] == "max(x):  m·g/k + √(A² + B²) = 0.1108 m (counted as drawn)"
     assert "counted" not in said["x'(0.2 s)"]

@@ -267,7 +267,7 @@ def test_modes_that_whirl_are_complex():
 
 def read(line, known):
     """The number behind the first `=` of a line, its letters by these values."""
-    text = line.partition(" = ")[2].partition(",  its")[0].replace("\u00a0", " ")
+    text = line.partition(" = ")[2].partition(",  its")[0].replace("\u00a0", " ").partition("   (in ")[0]
     for sign, plainly in (("−", "-"), ("·", "*"), ("₁", "1"), ("₂", "2")):
         text = text.replace(sign, plainly)
     names = {"cos": math.cos, "sin": math.sin, "exp": math.exp}

@@ -42,4 +42,5 @@ def test_a_square_has_its_number_before_it():
     m, R, r = (table.parameter(name) for name in ("m", "R", "r"))
     assert textbook(m * (R - r) ** 2 / 2 + m * (R - r) ** 2 / 4).coefficient == Fraction(3, 4)
     assert plain(textbook(3 * m * (r * r - 2 * r * R + R * R) / 4)) == "3·m·(R − r)²/4"
+    assert plain(textbook(3 * m * (r * r - 2 * r * R + R * R) / 2)) == "3·m·(R − r)²/2"     # whose half is no square
     assert plain(textbook(m * (9 * r * r + 6 * r * R + R * R) / 9)) == "m·(R/3 + r)²"

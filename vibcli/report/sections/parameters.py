@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from vibcli.base import units
 from vibcli.base.enumeration import listed
 from vibcli.language.record_calls import own
+from vibcli.notation.numbers import figure, with_unit
 from vibcli.report.blocks import (
     Definition,
     Definitions,
@@ -20,6 +21,7 @@ from vibcli.report.blocks import (
     separated,
 )
 from vibcli.report.sections.too_long import brief, passed_over, places_told
+from vibcli.symbolic.evaluation import Floats
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -42,7 +44,7 @@ def given(problem: "Problem", _: "Report") -> Iterator[Section]:
         if name in problem.spec.choices:
             continue
         if "value" in record or "about" in record:
-            items.append(Definition(_valued(name, record, names), record.get("about", "")))
+            items.append(Definition(_valued(problem, name, record, names), record.get("about", "")))
         else:
             letters.append(maths(Name(name)))
     known = Definitions(tuple(items), "   ", not any(item.about for item in items)) if items else None
@@ -50,12 +52,21 @@ def given(problem: "Problem", _: "Report") -> Iterator[Section]:
     yield from section("Given", known, free, measured(problem))
 
 
-def _valued(name, record, names):
-    """`m = 3 kg`, in words but for a formula."""
+def _valued(problem, name, record, names):
+    """`m = 3 kg`, in words but for a formula, whose number follows where its letters have some."""
     if "value" not in record:
         return (maths(Name(name)),)
     told = as_given(record["value"], names)
-    return (maths(Name(name)), f" = {told}") if isinstance(told, str) else (maths(Name(name), " = ", *told.parts),)
+    if isinstance(told, str):
+        return maths(Name(name)), f" = {told}"
+    value = problem.scene.parameters.values(Floats).get(name)
+    number = () if value is None else (f" = {_in_unit(value, problem.spec.dimensions.of(name))}",)
+    return maths(Name(name), " = ", *told.parts), *number
+
+
+def _in_unit(value, dimension):
+    """A number and its SI unit, that of a pure one alone."""
+    return with_unit(value, dimension) if dimension else figure(value)
 
 
 def as_given(value: "Expression", names: Collection[str]) -> str | Maths:

@@ -1,52 +1,69 @@
 """What a sheet asks that no line before tells: by its expression in letters where that is short, else its number."""
 
 from contextlib import suppress
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.notation.as_printed import as_printed
 from vibcli.quantities.expression import value_of
 from vibcli.quantities.in_letters import quantity_in_letters
-from vibcli.quantities.quantity import OF_STATE, quantity_of
+from vibcli.quantities.quantity import OF_STATE, is_choice, quantity_of
 from vibcli.report.blocks import Words
+from vibcli.report.steps.agreement import samples_of
 from vibcli.report.steps.characteristic import LONG
 from vibcli.report.steps.directions import tell_direction
+from vibcli.report.steps.free_vibration import tell_of_free
 from vibcli.report.steps.instants import tell_instant
 from vibcli.report.steps.place_of_rest import as_counted
 from vibcli.report.steps.small import tidy
 from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.radicals import without_bars
+from vibcli.symbolic.syntax import QuantityRef
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Expression
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
-BY_LETTERS = tell_direction, tell_instant      # that have lines of their own
+BY_LETTERS = tell_direction, tell_instant, tell_of_free      # that have lines of their own
 CLOSE = 1e-9        # relative: of an expression and the engine's number
 BESIDE = "frequency", "period", "period_d", "eigenvalue"      # told beside another number of the mode
 
 
 def tell_asked(problem: "Problem", sheet: WorkedSolution) -> None:
-    """Write down a line to each number that the variants of a scene ask, or answers ask of a motion, and no line
-    settles; those of a motion side by side."""
+    """Write down a line to each number that the variants of a scene ask, or answers ask of a motion, of a node or by an
+    expression of quantities, and no line settles; those of answers side by side."""
     rules = problem.spec.get("variants")
     if problem.numeric.has_free_symbols:
         return
     settled, before = {line.settles for line in sheet.steps}, sheet.last
-    of_motion = [one for one in problem.spec.answers if any(tree.args for tree in one.asked.parts.quantities)]
-    for one in (*(rules.ask if rules is not None else ()), *of_motion):
-        tree = one.asked.tree
-        quantity = quantity_of(problem.spec, tree)
-        if quantity is not None and quantity.value is not None and quantity.kind not in OF_STATE and (
-                (tree.head not in BESIDE or tree.args) and one.asked.text not in settled):
+    of_answers = [one for one in problem.spec.answers if _untold(problem.spec, one.asked)]
+    for one in (*(rules.ask if rules is not None else ()), *of_answers):
+        if one.asked.text not in settled and _is_number(problem.spec, one.asked.tree):
             settled.add(one.asked.text)
-            _tell(problem, sheet, one.asked, joined=one in of_motion and sheet.last > before)
+            _tell(problem, sheet, one.asked, joined=one in of_answers and sheet.last > before)
+
+
+def _untold(spec, asked):
+    """Is it of a motion, of a node, or an expression of quantities that the scene does not choose?"""
+    quantities = asked.parts.quantities
+    if isinstance(asked.tree, QuantityRef):
+        return bool(asked.tree.args) or asked.tree.head == "node"
+    return bool(quantities) and not any(is_choice(spec, tree) for tree in quantities)
+
+
+def _is_number(spec, tree):
+    """Is it an expression of quantities, or one that is a number and has a line of its own?"""
+    quantity = quantity_of(spec, tree)
+    if quantity is None:
+        return not isinstance(tree, QuantityRef)
+    return quantity.value is not None and quantity.kind not in OF_STATE and (tree.head not in BESIDE or tree.args)
 
 
 def _tell(problem, sheet, asked, joined):
-    for tell in BY_LETTERS:
+    for tell in BY_LETTERS if isinstance(asked.tree, QuantityRef) else ():
         with suppress(PhysicsError, SpecError):
             if tell(problem, sheet, asked):
                 return
@@ -58,7 +75,9 @@ def _tell(problem, sheet, asked, joined):
     node = _in_letters(problem, asked, value)
     text = as_printed(asked.text, {*problem.spec.parameters, *problem.spec.coordinates})
     shown = [Words(text)] if node is None or node.op == "number" else [Words(f"{text}:  "), node]
-    sheet.write(*shown, *number(value, unit), *as_counted(problem, asked.tree), settles=asked.text, node=node,
+    more = [Words("   (there the mode does not move)")] if getattr(asked.tree, "head", "") == "node" else as_counted(
+        problem, asked.tree)
+    sheet.write(*shown, *number(value, unit), *more, settles=asked.text, node=node,
                 value=value, unit=unit, uses=[sheet.last], joined=joined)
 
 
@@ -71,9 +90,15 @@ def known(problem: "Problem", asked: "Expression") -> float:
 def _in_letters(problem: "Problem", asked: "Expression", value: float) -> "Node | None":
     """Its expression where that is not long and has the engine's number; None of others."""
     try:
-        found = quantity_in_letters(problem, asked.tree)
-        node = min(tidy(found, [problem.numeric.floats]), found, key=letters)
+        node = short_quantity(problem, asked.tree)
     except (PhysicsError, SpecError):
         return None
     again, = evaluate([node], Floats, problem.numeric.floats)
     return node if letters(node) <= LONG and abs(again - value) <= CLOSE * abs(value) else None
+
+
+def short_quantity(problem: "Problem", tree: Any) -> "Node":
+    """A quantity in letters, in its shortest form; NotInLetters where it is found in numbers."""
+    samples = samples_of(problem, {})
+    found = without_bars(quantity_in_letters(problem, tree), samples)
+    return min(tidy(found, samples), found, key=letters)

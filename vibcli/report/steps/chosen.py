@@ -1,11 +1,19 @@
 """The last lines of a scene that chooses parameters: each condition solved, and which root was taken."""
 
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
+from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.notation.numbers import figure, quantity
 from vibcli.report.blocks import Name, Words
 from vibcli.report.sections.design_parameters import condition_parts, condition_told, names_of
+from vibcli.report.sections.parameters import as_given
+from vibcli.report.steps.asked import short_quantity
+from vibcli.report.steps.characteristic import LONG
+from vibcli.report.steps.instants import at_instant
 from vibcli.report.steps.step import WorkedSolution
+from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.syntax import parts_of
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
@@ -41,5 +49,21 @@ def tell_chosen(problem: "Problem", sheet: WorkedSolution) -> None:
         left += f"   (the first of the solutions; others: {', '.join(more)})" if more else ""
         uses = [line.number for line in sheet.steps if line.settles and line.settles in condition]
         told = f"so that {condition_told(condition, names_of(problem))}:  "
-        sheet.write(Words(told), *parts, Words(left), settles=name, node=form, uses=uses or [sheet.last],
+        written = _written_out(problem, sheet, problem.spec.choices[name]["so"])
+        sheet.write(Words(told), *written, *parts, Words(left), settles=name, node=form, uses=uses or [sheet.last],
                     value=None if value is None else float(value), unit=unit.strip())
+
+
+def _written_out(problem, sheet, condition) -> list[Any]:
+    """Parts of a condition on a quantity by its expression in letters, where no line tells that; none of others."""
+    if condition.word or parts_of(condition.right.tree).quantities:
+        return []
+    asked = condition.left
+    if any(line.settles == asked.text for line in sheet.steps):
+        return []
+    with suppress(PhysicsError, SpecError):
+        node = at_instant(problem, sheet, asked) or short_quantity(problem, asked.tree)
+        if letters(node) <= LONG and node.op != "number":
+            told = as_given(condition.right, names_of(problem))
+            return [node, " = ", *([Words(told)] if isinstance(told, str) else told.parts), Words(",  ")]
+    return []

@@ -38,7 +38,7 @@ class Degree:
     def settled(self, head: Iterable[Any], node: "Node", unit: str, settles: str, uses: Iterable[int | None],
                 letters: bool = True, more: Iterable[Any] = (), joined: bool = False) -> int:
         """A line `head = expression = with numbers = value`, and `more`, or joined to the last one; its number."""
-        value, numbers, head = self.about.value(node), self.about.numbers(), list(head)
+        value, numbers, head = self.about.known_value(node), self.about.numbers(), list(head)
         letter = next((part.name for part in (head[-1], head[0]) if getattr(part, "op", "") == "symbol"), "")
         parts: list[Any] = [*head, *([" = ", node] if letters or value is None else [])]
         if value is not None:

@@ -5,6 +5,7 @@ A load A sin Ωt + B cos Ωt keeps up X sin(Ωt + ε − θ), as (K − M Ω² +
 """
 
 from cmath import phase
+from math import cos
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters, PhysicsError
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 SERIES = {"square": ("4/π·(", 2, 4), "sawtooth": ("−2/π·(", 1, -2)}      # of 2π: its factor, step of n, π·factor
+QUARTER = 1e-12         # of the cosine of a lag: it is a quarter of a turn
 TOLD = 3                # harmonics of a periodic wave that have numbers
 
 
@@ -86,15 +88,47 @@ def _one_harmonic(degree):
     line = sheet.write(Words("steady state:  "), Name(degree.name), " = ", *mean, node, uses=degree.found.lines,
                        settles="steady state")
     lines = [line, *([_complex_equation(degree, X, steady, line)] if lags else [])]
-    degree.settled([X], formula.amplitude, degree.unit, f"amplitude({degree.name})", lines)
+    size = degree.about.tidy(formula.amplitude) if formula.undamped else formula.amplitude
+    degree.settled([X], size, degree.unit, f"amplitude({degree.name})", lines)
+    _by_ratio(degree, X, formula, lines)
     lag = _lag(degree, steady) if lags else None
     if lags and formula.tangent is not None:
-        more = [] if lag is None else [Words(",  "), theta, *number(lag, "rad")]
-        lines.append(degree.settled([table.call("tan", theta)], formula.tangent, "", "tan theta", lines, more=more))
+        lines.append(_told_lag(degree, theta, formula, lag, lines))
     degree.about.know(X, degree.about.value(formula.amplitude))
     tell_of_one(degree.about, sheet, X, formula.Omega, lines)
     if not formula.ahead:
         tell_start(degree, KeptUp(steady, X, theta if lags else None, lag), lines)
+
+
+def _by_ratio(degree, X, formula, lines):
+    """The same amplitude by r = Ω/ω and ζ, where it is a product of these."""
+    from vibcli.analyses.closed_form.dimensionless import CONSTANT, SQUARE, dimensionless
+
+    found = dimensionless(formula)
+    if found is None:
+        return
+    table, sheet, Omega = degree.about.table, degree.sheet, degree.about.letter(formula.Omega.name)
+    r, omega = degree.about.letter(sheet.letter("r")), degree.about.known_value(found.omega)
+    turned = 2 * degree.zeta * r
+    above = {CONSTANT: table.one, SQUARE: r ** 2}.get(found.above, table.sqrt(1 + turned ** 2))
+    below = 1 - r ** 2 if found.zeta is None else table.sqrt((1 - r ** 2) ** 2 + turned ** 2)
+    speed = degree.about.known_value(formula.Omega)
+    value = None if None in (omega, speed) else speed / omega
+    gain = [] if found.gain.op == "number" and found.gain.coefficient == 1 else [Factor(found.gain)]
+    over = ["/", Factor(below)] if gain and above is table.one else ["·"] * bool(gain) + [above / below]
+    sheet.write(Words("or, with  "), r, " = ", Omega / degree.omega, *(() if value is None else number(value)),
+                Words(":  "), X, " = ", *gain, *over, settles=r.name, node=Omega / degree.omega, value=value,
+                letter=r.name, uses=lines)
+
+
+def _told_lag(degree, theta, formula, lag, lines):
+    """The line of tan θ, and of θ; of θ alone where it is a quarter of a turn, but for rounding."""
+    if lag is not None and abs(cos(lag)) <= QUARTER:
+        resists = degree.K - degree.M * formula.Omega ** 2
+        return degree.sheet.write(resists, " = 0", Words(":  "), theta, *number(lag, "rad"), uses=lines,
+                                  settles="quarter of a turn", value=lag, unit="rad")
+    more = [] if lag is None else [Words(",  "), theta, *number(lag, "rad")]
+    return degree.settled([theta.table.call("tan", theta)], formula.tangent, "", "tan theta", lines, more=more)
 
 
 def _lag(degree, steady):

@@ -48,7 +48,7 @@ def tell_complex_modes(about: AboutRest, sheet: WorkedSolution, modes: "Sequence
         nothing = ALIKE * max(abs(mode.sizes[i]) for mode in modes)
         terms = [part for mode in modes for part in _terms(about, sheet, mode, i, nothing)]
         if terms or name in kept:
-            motion_of(sheet, name, [*kept.get(name, []), *terms], lines)
+            motion_of(about, sheet, name, [*kept.get(name, []), *terms], lines)
 
 
 def complex_modes_of(problem: "Problem", start: "Sequence[Sequence[float]]") -> list[ComplexMode]:

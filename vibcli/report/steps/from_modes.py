@@ -101,7 +101,7 @@ def tell_modes(about: AboutRest, sheet: WorkedSolution, modes: "Sequence[ModeFro
     for i, name in enumerate(names):
         terms = [part for mode in moved for part in _terms(about, sheet, mode, mode.shape[i])]
         if terms or name in kept:
-            line = motion_of(sheet, name, [*kept.get(name, []), *terms], lines)
+            line = motion_of(about, sheet, name, [*kept.get(name, []), *terms], lines)
         if terms and not kept:
             _beats(about, sheet, name, [(mode, mode.shape[i]) for mode in moved], line)
 
@@ -158,9 +158,10 @@ def waves(scene: "Scene", sheet: WorkedSolution, order: int, sizes: tuple[float,
     return [sign, *inner, "·", decay]
 
 
-def motion_of(sheet: WorkedSolution, name: str, terms: "Sequence[Any]", uses: "Sequence[int]") -> int:
+def motion_of(about: AboutRest, sheet: WorkedSolution, name: str, terms: "Sequence[Any]", uses: "Sequence[int]") -> int:
     """Write down the motion of a coordinate as a sum of terms with signs."""
-    return sheet.write(Words("so  "), Name(name), " = ", *terms[1:] if terms[0] == " + " else ["−", *terms[1:]],
+    sign, unit = [] if terms[0] == " + " else ["−"], "m" if about.problem.system.dimension(name) else "rad"
+    return sheet.write(Words("so  "), Name(name), " = ", *sign, *terms[1:], Words(f"   (in {unit})"),
                        settles=f"motion of {name}", uses=uses)
 
 

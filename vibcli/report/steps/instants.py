@@ -29,11 +29,29 @@ CLOSE = 1e-9        # relative: of a line and the engine's number
 
 def tell_instant(problem: "Problem", sheet: WorkedSolution, asked: "Expression") -> bool:
     """Is what is asked a coordinate, or its speed, at an instant, and is it written down by the motion?"""
-    tree = asked.tree
-    if tree.head != VALUE or not isinstance(tree.args[0], NameRef) or tree.args[0].primes > 1 or parts_of(
-            tree.args[1]).quantities:
+    found = _found(problem, sheet, asked)
+    if found is None:
         return False
+    (node, line), value, unit = found, float(value_of(problem, asked)[0]), unit_told(problem.spec, asked)
+    shown = [" = ", node] if line is None and node.op != "number" else []
     names = {*problem.spec.parameters, *problem.spec.coordinates}
+    sheet.write(Words(as_printed(asked.text, names)), *shown, *number(value, unit), *as_counted(problem, asked.tree),
+                settles=asked.text, node=node, value=value, unit=unit, uses=[line])
+    return True
+
+
+def at_instant(problem: "Problem", sheet: WorkedSolution, asked: "Expression") -> "Node | None":
+    """Its expression by the letters of the lines; None of what is no such place or speed."""
+    found = _found(problem, sheet, asked)
+    return None if found is None else found[0]
+
+
+def _found(problem, sheet, asked) -> "tuple[Node, int | None] | None":
+    """(its expression, the line that tells the motion)."""
+    tree = asked.tree
+    if getattr(tree, "head", "") != VALUE or not isinstance(tree.args[0], NameRef) or (
+            tree.args[0].primes > 1 or parts_of(tree.args[1]).quantities):
+        return None
     value, known = float(value_of(problem, asked)[0]), _numbers(problem, sheet)
     for node, line in _forms(problem, sheet, tree):
         try:
@@ -41,12 +59,8 @@ def tell_instant(problem: "Problem", sheet: WorkedSolution, asked: "Expression")
         except KeyError:
             continue
         if abs(found - value) <= CLOSE * abs(value):
-            shown = [" = ", node] if line is None and node.op != "number" else []
-            unit = unit_told(problem.spec, asked)
-            sheet.write(Words(as_printed(asked.text, names)), *shown, *number(value, unit), *as_counted(problem, tree),
-                        settles=asked.text, node=node, value=value, unit=unit, uses=[line])
-            return True
-    return False
+            return node, line
+    return None
 
 
 def _numbers(problem, sheet) -> "Mapping[str, float]":

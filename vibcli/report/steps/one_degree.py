@@ -65,7 +65,7 @@ class OneDegree:
         omega = self.degree.root(square)
         line = self.degree.settled([self.omega ** 2, " = ", square, Words(",  "), self.omega], omega, "rad/s",
                              "omega[1]", self.found.lines, letters=False)
-        if (value := self.about.value(omega)) is not None:
+        if (value := self.about.known_value(omega)) is not None:
             turn, f, T = 2 * self.about.table.pi, self.sheet.letter("f"), self.sheet.letter("T")
             period = [Words(",  "), Name(T), " = ", turn / self.omega, *number(tau / value, "s")]
             self.sheet.write(Name(f), " = ", self.omega / turn, *number(value / tau, "Hz"), *period, uses=[line],
@@ -188,9 +188,10 @@ class OneDegree:
         self._start([(x0, start[0], unit), (v0, start[1], unit + "/s")])
         of_start: list = []
         for which, letter, node, per in ((name, x0, start[0], ""), (name + "'", v0, start[1], "/s")):
-            known = self.about.value(node) if node.op == "number" else None
+            known = None if node.op == "symbol" else self.about.value(node)
             of_start += [Words(",  " * bool(of_start)), Name(which), *([" = ", letter] if letter is not node else []),
-                         *(number(known, unit + per) if known else (" = ", node))]
+                         *([" = ", node] if node.op != "number" or not known else []),
+                         *(number(known, unit + per) if known else ())]
         found = [(letter, form, self.about.value(value), unit + per) for letter, form, value, per in (
             (A, forms[0], exact[0], ""), (B, forms[1], exact[1], "/s" * of_speed))]
         constants: list = []

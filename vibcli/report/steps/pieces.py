@@ -82,10 +82,8 @@ def _pieces(scene, monomial, value):
 
 def tell_impulses(degree: Degree) -> None:
     """The motion from rest under any load, as the sum of the impulses that it consists of; of under-damped ones."""
-    from vibcli.mechanics.initial_state import start_in_letters
-
     rest = degree.about.value(degree.K / degree.M - (degree.C / degree.M / 2) ** 2)
-    if rest is None or rest <= 0 or start_in_letters(degree.problem.symbolic) is not None:
+    if rest is None or rest <= 0 or not _from_rest(degree):
         return
     t, name = degree.problem.scene.time, Name(degree.name)
     tau = degree.about.letter(degree.sheet.letter("tau"))
@@ -95,6 +93,13 @@ def tell_impulses(degree: Degree) -> None:
             Words(" to "), t, Words(" of its impulses:  ")]
     degree.sheet.write(*head, name, " = ", Words("∫ "), Name(Q), "(", tau, ")·", Factor(weight), "·d", tau,
                        settles="convolution", uses=degree.found.lines)
+
+
+def _from_rest(degree):
+    """Does the motion start at rest, as the file says or leaves out?"""
+    from vibcli.mechanics.initial_state import start_in_letters
+
+    return all(node.is_zero for node in start_in_letters(degree.problem.symbolic) or ())
 
 
 def _begun(wave, factor, begins, time):
@@ -115,10 +120,8 @@ def _begun(wave, factor, begins, time):
 
 def tell_pieces(degree: Degree, pieces: Sequence[LoadPiece]) -> None:
     """What a unit of each kind brings about from rest, and the motion as their sum; of under-damped ones."""
-    from vibcli.mechanics.initial_state import start_in_letters
-
     rest = degree.about.value(degree.K / degree.M - (degree.C / degree.M / 2) ** 2)
-    if (rest is not None and rest <= 0) or start_in_letters(degree.problem.symbolic) is not None:
+    if (rest is not None and rest <= 0) or not _from_rest(degree):
         return
     sheet, letters = degree.sheet, {}
     found = _resistances(degree, pieces)

@@ -15,10 +15,14 @@ from vibcli.report.steps.loads_that_swing import tell_loads
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number, of_time, told
 from vibcli.report.steps.two_degrees import NOTHING, TwoDegrees
+from vibcli.symbolic.evaluation import evaluate_rational
+from vibcli.symbolic.nested_form import letters
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
+NUMBERED = 3        # degrees, up to which entries of matrices have numbers
+UNITS = {"M": ("kg", "kg·m", "kg·m²"), "K": ("N/m", "N", "N·m"), **dict.fromkeys("CG", ("N·s/m", "N·s", "N·m·s"))}
 MATRICES = ("mass matrix", "M"), ("damping matrix", "C"), ("gyroscopic matrix", "G"), ("stiffness matrix", "K")
 
 
@@ -68,7 +72,17 @@ class SeveralDegrees:
                 continue
             twin = "" if i == j or not twins else f" = {'−' * skew}{name}{lowered(j + 1)}{lowered(i + 1)}"
             parts += [Words(",  ")] * bool(parts) + [f"{name}{lowered(i + 1)}{lowered(j + 1)}{twin} = ", node]
+            parts += self._put_in(letter, i, j, node)
         return self.sheet.write(Words(f"{words}:  "), *parts, settles=letter, uses=self.found.lines)
+
+    def _put_in(self, letter, i, j, node):
+        """Parts of ` = number unit` of an entry that is more than a letter, of up to three degrees."""
+        names = self.about.scene.coordinates
+        value = None if letters(node) <= 1 or len(names) > NUMBERED else self.about.value(node)
+        exact = None if value is None else evaluate_rational([node], self.problem.scene.parameters.exact)
+        value = 0.0 if exact == [0] else value
+        turns = sum(not self.problem.system.dimension(names[k]) for k in (i, j))
+        return [] if value is None else number(value, UNITS[letter][turns])
 
     def _modes(self, uses):
         """Each frequency, and the ratio of its amplitudes."""

@@ -5,6 +5,7 @@ against what it came from:
 """
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -221,12 +222,20 @@ class AboutRest:
         return self.table.parameter(name)
 
     def numbers(self) -> dict[str, float]:
-        """{letter: number} of the parameters, empty where they have none."""
-        return {} if self.problem.numeric.has_free_symbols else {**self.problem.numeric.floats, **self._known}
+        """{letter: number} of those that have one."""
+        numeric = self.problem.numeric
+        known = self.scene.parameters.values(Floats) if numeric.has_free_symbols else numeric.floats
+        return {**known, **self._known}
 
     def value(self, node: "Node") -> float | None:
         """The number of an expression of parameters; None where they have none."""
         return value_of(self.problem, node, self._known)
+
+    def known_value(self, node: "Node") -> float | None:
+        """The same of one whose letters all have numbers, although others may have none."""
+        with suppress(KeyError):
+            return evaluate([node], Floats, self.numbers())[0]
+        return None
 
     def square(self, speeds: "Sequence[Node]") -> "Node":
         """Σ vᵢ² of speeds to the first order, multiplied out where nothing is driven."""

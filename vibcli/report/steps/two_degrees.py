@@ -10,9 +10,11 @@ from vibcli.report.steps.from_modes import tell_in_letters
 from vibcli.report.steps.held import SmallEquations
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number, told
+from vibcli.symbolic.common_denominator import single
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.radicals import root
 from vibcli.symbolic.rationals import HALF, fraction_of
@@ -61,6 +63,11 @@ class TwoDegrees:
         (a2, a1, a0), omega = self.letters, self.omega
         if self.coefficients[0].is_zero:
             return [*lines, self.sheet.write(omega ** 2, " = ", a0 / a1, settles="omega^2", node=a0 / a1, uses=lines)]
+        if self.coefficients[2].is_zero:
+            values = [self.about.value(node) for node in self.coefficients[:2]]
+            put_in = [] if None in values else [f" = {told(values[1])}/{told(values[0])}"]
+            return [*lines, self.sheet.write(omega ** 2, " = 0", Words("  or  "), omega ** 2, " = ", a1 / a2, *put_in,
+                                             settles="omega^2", node=a1 / a2, uses=lines)]
         mark = self.table.sqrt(self.table.parameter(MARK, positive=False))
         roots = Either((a1 + mark) / (2 * a2), mark, self.table.sqrt(a1 * a1 - 4 * a0 * a2))
         return [*lines, self.sheet.write(omega ** 2, " = ", roots, *self._put_in(), settles="omega^2", uses=lines)]
@@ -87,12 +94,14 @@ class TwoDegrees:
     def in_letters(self, uses: list[int]) -> None:
         """Write down the roots where their square root is none, else those of closed form, and the ratios."""
         found = self._squares()
+        lines = [self._root_in_letters(k, node, uses) for k, node in enumerate(found, 1)]
+        coupled = not (self.found.G or self.row is None or self._stiffened(self.row, 0).is_zero)
+        ratio = self.ratio([*uses, *lines]) if coupled else None
         if not found:
             tell_roots(self.about, self.sheet, self.found, uses)
-        lines = [self._root_in_letters(k, node, uses) for k, node in enumerate(found, 1)]
-        if self.found.G or self.row is None or self._stiffened(self.row, 0).is_zero:
+        if not coupled:
             return
-        ratio, shapes = self.ratio([*uses, *lines]), []
+        shapes = []
         for k, node in enumerate(found, 1):
             x, y = map(Name, self.names)
             below = self.about.tidy(substitute([self._stiffened(self.row, 1)], {self.omega: self.table.sqrt(node)})[0])
@@ -141,7 +150,9 @@ class TwoDegrees:
     def ratio(self, uses: list[int]) -> int:
         """Write down the ratio of amplitudes from the first equation that couples them."""
         x, y = map(Name, self.names)
-        self.shape = -self._stiffened(self.row, 0) / self._stiffened(self.row, 1)
+        shape = -self._stiffened(self.row, 0) / self._stiffened(self.row, 1)
+        shorter = single(shape)
+        self.shape = shorter if 4 * letters(shorter) <= 3 * letters(shape) else shape
         return self.sheet.write(Words(f"from row {self.row + 1} the ratio of amplitudes  "), y, "/", x, " = ",
                                 self.shape, settles=f"{self.names[1]}/{self.names[0]}", node=self.shape, uses=uses)
 
