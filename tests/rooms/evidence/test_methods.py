@@ -138,11 +138,13 @@ def test_where_no_time_is_left_methods_are_left_out():
     assert [one.why for one in found] == ["", SPENT]
 
 
-def test_methods_are_tried_in_turns_and_what_would_outgrow_the_time_left_is_not_begun(monkeypatch):
+@pytest.fixture
+def lasting(monkeypatch):
+    """(makes an attempt that takes so many seconds of a clock of its own, what was begun)."""
     clock, begun = [0.0], []
     monkeypatch.setattr(timing, "process_time", lambda: clock[0])
 
-    def lasting(method, setting, seconds):
+    def attempt(method, setting, seconds):
         def run(_):
             begun.append(method + setting)
             clock[0] += seconds
@@ -150,13 +152,27 @@ def test_methods_are_tried_in_turns_and_what_would_outgrow_the_time_left_is_not_
 
         return MethodRun(method, setting, run)
 
-    subject = Subject("motion", "x(1 s)", "", None, ONE, None, None, relative_error)
-    found = measured(subject, [lasting("vibcli", "", 0.01), *(lasting("grid", str(k), 0.6 * 8**k) for k in range(4)),
-                               lasting("odeint", "0", 1.0), lasting("odeint", "1", 1.0)], 3, patience=40.0)
+    return attempt, begun
+
+
+ANY = Subject("motion", "x(1 s)", "", None, ONE, None, None, relative_error)
+
+
+def test_methods_are_tried_in_turns_and_what_would_outgrow_the_time_left_is_not_begun(lasting):
+    attempt, begun = lasting
+    found = measured(ANY, [attempt("vibcli", "", 0.01), *(attempt("grid", str(k), 0.6 * 8**k) for k in range(4)),
+                           attempt("odeint", "0", 1.0), attempt("odeint", "1", 1.0)], 3, patience=40.0)
     assert begun[:6] == ["vibcli", "grid0", "odeint0", "grid1", "odeint1", "vibcli"] and "grid2" not in begun
     assert [(one.method, one.setting, one.why) for one in found] == [
         ("vibcli", "", ""), ("grid", "0", ""), ("grid", "1", ""), ("grid", "2", SPENT), ("odeint", "0", ""),
         ("odeint", "1", "")]
+
+
+def test_what_one_leaves_of_the_time_is_for_those_after_it(lasting):
+    attempt, _ = lasting
+    whole, dear = 24.0, [attempt("odeint", str(k), 4.0) for k in range(3)]      # half of 12 s is enough for one of them
+    found = timing.measured_in_shares([(ANY, [attempt("vibcli", "", 0.01)]), (ANY, dear)], 3, whole)
+    assert [[one.why for one in points] for points in found] == [[""], ["", "", SPENT]]
 
 
 def test_a_deadline_ends_what_asks():
