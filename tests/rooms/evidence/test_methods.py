@@ -13,6 +13,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.bench import scenes
 from vibcli.evidence import timing, told
 from vibcli.evidence.asked import subjects
+from vibcli.evidence.compared import WorkPrecision
 from vibcli.evidence.compared import evidence as compared
 from vibcli.evidence.methods import METHODS, held_inputs
 from vibcli.evidence.picture import figure
@@ -72,6 +73,16 @@ def test_the_table_has_the_one_that_the_sentence_names():
 def test_a_refusal_of_ours_is_said():
     refused = Point("vibcli", "", (0.1, 0.1, 0.1), 0, None, None, "it is singular")
     assert verdict([refused, point("eigh", 1e-4, 1e-3)]) == "vibcli itself refuses: it is singular"
+
+
+def test_long_reasons_stand_below_the_table():
+    why = "the energies of this motion do not balance to the digits that are stated"
+    ours, other = (Point(name, "", (0.1, 0.1, 0.1), 0, None, None, why) for name in ("vibcli", "eig"))
+    subject = Subject("modes", "omega", "", None, ONE, None, None, relative_error)
+    page = told.markdown(WorkPrecision(subject, [ours, other, point("eigh", 1e-4, 1e-3)]))
+    table = [line for line in page.splitlines() if line.startswith("|")]
+    assert len(table) == 5 and not any(why in line for line in table)
+    assert f"eig: {why}." in page and f"vibcli itself refuses: {why}." in page and page.count(why) == 2
 
 
 DRIVEN = """
