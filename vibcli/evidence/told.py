@@ -67,7 +67,7 @@ def worth_a_picture(one: "WorkPrecision") -> bool:
 
 
 def _row(point: "Point"):
-    low, middle, high = (f"{1e3 * second:.3g}" for second in point.seconds)
+    low, middle, high = map(_in_ms, point.seconds)
     if point.error is None:
         return point.method, point.setting, middle if point.seconds[1] else "", _brief(point.why), ""
     return (point.method, point.setting, f"{middle} ({low} … {high})" if point.runs > 1 else f"{middle} (one run)",
@@ -111,7 +111,12 @@ def _stages(found: "Evidence") -> tuple[Section, ...]:
 
 
 def _ms(cost):
-    return "" if cost.seconds is None else f"{1e3 * cost.seconds:.3g}"
+    return "" if cost.seconds is None else _in_ms(cost.seconds)
+
+
+def _in_ms(seconds: float) -> str:
+    """To three digits, never with an exponent of what is long."""
+    return f"{1e3 * seconds:.3g}" if seconds < 0.9995 else f"{1e3 * seconds:.0f}"
 
 
 def _reason(why: str, asked: Sequence[str]) -> Paragraph:

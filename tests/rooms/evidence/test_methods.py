@@ -75,6 +75,12 @@ def test_a_refusal_of_ours_is_said():
     assert verdict([refused, point("eigh", 1e-4, 1e-3)]) == "vibcli itself refuses: it is singular"
 
 
+@pytest.mark.parametrize(("seconds", "said"), [(1.234e-6, "0.00123"), (0.04567, "45.7"), (0.9994, "999"),
+                                               (0.9999, "1000"), (2.41234, "2412")])
+def test_times_have_no_exponents(seconds, said):
+    assert told._row(point("RK45", seconds, 1e-3))[2] == f"{said} ({said} … {said})"
+
+
 def test_long_reasons_stand_below_the_table():
     why = "the energies of this motion do not balance to the digits that are stated"
     ours, other = (Point(name, "", (0.1, 0.1, 0.1), 0, None, None, why) for name in ("vibcli", "eig"))
