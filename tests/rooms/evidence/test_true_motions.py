@@ -143,6 +143,8 @@ motion: full
     with mpmath.workdps(50):
         exact = mpmath.asinh(mpmath.sinh(3000) * mpmath.exp(-3000)) / 10000
         assert close(found.values[0], exact, 25)
+        later = motion.at_instant(sliding, sliding.coordinate("x"), Fraction(1, 2), problem.work).values[0]
+        assert close(problem.until(0.5).response.value_to(problem.scene.q[0], Fraction(1, 2), 20), later, 18)
 
 
 def test_what_takes_minutes_tells_how_far_it_came():
