@@ -76,6 +76,14 @@ def test_a_scene_is_shaken_and_its_digits_are_told(scene, capsys):
     assert [one["parameter"] for one in found["supported"]] == ["k"]
 
 
+def test_what_has_no_number_is_told_with_its_reason_and_is_no_row(tmp_path, capsys):
+    path = tmp_path / "still.yaml"
+    path.write_text(SCENE.replace("answers: {", "answers: {\"period(x)\": 1 s, ", 1) % "800 N/m", encoding="utf-8")
+    assert run(["stress", str(path)]) == 0
+    out = capsys.readouterr().out
+    assert "\n  period(x): " in out and "omega[1]  20     2.8     m" in out
+
+
 def test_what_does_not_go_together(scene):
     assert run(["stress", scene, "--family", "mass_ratio"]) == 2
     assert run(["stress", "--set", "m=1 kg"]) == 2

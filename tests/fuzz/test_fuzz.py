@@ -4,6 +4,7 @@ try a few, `make fuzz` very many (many.py).
 
 import json
 import random
+from copy import deepcopy
 from pathlib import Path
 
 from support.hostile_texts import EXTREMES, SAME, require_told
@@ -141,7 +142,7 @@ def mutate(root, dice):
         container.entries[name] = (Scalar(name, node.where, False, 0), value)
     elif kind == 2:
         other, place = dice.choice(found)
-        put(container, key, value_at(other, place))
+        put(container, key, deepcopy(value_at(other, place)))       # a file writes each node once
         if dice.random() < 0.5 and not contains(old, other):
             put(other, place, old)
     else:
@@ -170,6 +171,13 @@ def tree_of(dice):
         if depth(root) > 32:
             return read(dice.choice(SCENES), "s.yaml")
     return root, problems
+
+
+def test_a_node_stands_in_one_place():
+    """As in what is read of a file, where names are looked up by their nodes."""
+    root, _ = tree_of(random.Random("nodes 18183 104"))
+    nodes = [id(value_at(*place)) for place in places(root)]
+    assert len(nodes) == len(set(nodes))
 
 
 def depth(node, above=0):

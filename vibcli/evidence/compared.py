@@ -10,7 +10,7 @@ from vibcli.evidence.asked import NotCompared, subjects
 from vibcli.evidence.methods import METHODS
 from vibcli.evidence.stages import StageCost, stage_costs
 from vibcli.evidence.subject import MethodRun, Subject
-from vibcli.evidence.timing import RUNS, Point, measured
+from vibcli.evidence.timing import RUNS, Point, measured_in_shares
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Expression
@@ -43,14 +43,11 @@ def evidence(problem: "Problem", asked: "Iterable[Expression]", runs: int = RUNS
     given = list(asked)
     asked = given or [answer.asked for answer in problem.spec.answers]
     problem, drawn = in_numbers(problem)
-    compared, left = [], []
     found = list(subjects(problem, asked, not given))
-    several = sum(isinstance(one, Subject) for one in found)
-    for one in found:
-        if isinstance(one, NotCompared):
-            left.append(one)
-        else:
-            compared.append(WorkPrecision(one, measured(one, _attempts(one), runs, whole / several)))
+    left = [one for one in found if isinstance(one, NotCompared)]
+    known = [one for one in found if isinstance(one, Subject)]
+    points = measured_in_shares([(one, _attempts(one)) for one in known], runs, whole)
+    compared = [WorkPrecision(*pair) for pair in zip(known, points, strict=True)]
     kinds = {one.subject.kind for one in compared}
     return Evidence(problem, drawn, compared, left, stage_costs(problem, kinds) if compared else [])
 

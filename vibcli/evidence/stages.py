@@ -10,6 +10,7 @@ from vibcli.results.problem import Problem
 from vibcli.results.stages import STAGES
 
 DEAR, FEW = ("closed_forms", "equilibria"), 3       # stages, and the coordinates up to which they are measured
+UNMEASURED = f"not measured: of members and of more than {FEW} coordinates they may take minutes"
 
 
 class StageCost(NamedTuple):
@@ -37,7 +38,7 @@ def _cost(problem, stage, taken):
     if taken:
         return StageCost(stage, problem.timings[stage], True)
     if stage in DEAR and (len(problem.scene.q) > FEW or problem.scene.pieces):
-        return StageCost(stage, None, False, "not measured")
+        return StageCost(stage, None, False, UNMEASURED)
     try:
         _touch(stage)(problem)
     except PhysicsError as error:

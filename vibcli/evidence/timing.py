@@ -2,7 +2,7 @@
 
 import math
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from statistics import quantiles
 from time import process_time
 
@@ -53,6 +53,16 @@ def measured(subject: Subject, attempts: Sequence[MethodRun], runs: int = RUNS,
     points = [_point(subject, *one, times) for one, times in zip(tried, spent, strict=True)]
     order = list(dict.fromkeys(point.method for point in points))
     return sorted(points, key=lambda point: order.index(point.method))
+
+
+def measured_in_shares(asked: Iterable[tuple[Subject, Sequence[MethodRun]]], runs: int, whole: float
+                       ) -> Iterator[list[Point]]:
+    """The Points of each of several, of which each has an equal share of what those before left of `whole` s."""
+    several = list(asked)
+    for place, (subject, attempts) in enumerate(several):
+        start = process_time()
+        yield measured(subject, attempts, runs, whole / (len(several) - place))
+        whole -= process_time() - start
 
 
 def _in_turns(attempts):

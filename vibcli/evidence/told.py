@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from vibcli.evidence.timing import Point
 
 MANY = 6                # settings of a method, of which not all are told in a table
+SHORT = 32              # characters of a reason that stand in a table, longer ones below it
 HEAD = ("method", "with", "ms (quartiles)", "error", "bound")
 
 
@@ -35,7 +36,7 @@ def _section(one, pictures, number):
     true, points = one.subject.true, one.points
     blocks: list[Any] = [
         paragraph(f"True values: mpmath, {true.digits} digits alike with {true.before} and {true.working}."),
-        TableBlock(HEAD, tuple(map(_row, _shown(points)))), paragraph(f"{verdict(points)}.")]
+        TableBlock(HEAD, tuple(map(_row, _shown(points)))), *_reasons(points[1:]), paragraph(f"{verdict(points)}.")]
     if pictures and worth_a_picture(one):
         from vibcli.evidence.picture import figure, picture_of
 
@@ -66,11 +67,24 @@ def worth_a_picture(one: "WorkPrecision") -> bool:
 
 
 def _row(point: "Point"):
-    low, middle, high = (f"{1e3 * second:.3g}" for second in point.seconds)
+    low, middle, high = map(_in_ms, point.seconds)
     if point.error is None:
-        return point.method, point.setting, middle if point.seconds[1] else "", point.why, ""
+        return point.method, point.setting, middle if point.seconds[1] else "", _brief(point.why), ""
     return (point.method, point.setting, f"{middle} ({low} … {high})" if point.runs > 1 else f"{middle} (one run)",
             f"{point.error:.1e}", "" if point.bound is None else f"{float(point.bound):.1e}")
+
+
+def _brief(why: str) -> str:
+    return why if len(why) <= SHORT else "none"
+
+
+def _reasons(points: "Sequence[Point]") -> list[Paragraph]:
+    """Why others than ours have no answer, where that is long; of ours the sentence tells it."""
+    methods: dict[str, list[str]] = {}
+    for point in points:
+        if point.error is None and _brief(point.why) != point.why:
+            methods.setdefault(point.why, []).append(point.method)
+    return [_reason(why, names) for why, names in methods.items()]
 
 
 def _left_out(found: "Evidence") -> tuple[Section, ...]:
@@ -97,7 +111,12 @@ def _stages(found: "Evidence") -> tuple[Section, ...]:
 
 
 def _ms(cost):
-    return "" if cost.seconds is None else f"{1e3 * cost.seconds:.3g}"
+    return "" if cost.seconds is None else _in_ms(cost.seconds)
+
+
+def _in_ms(seconds: float) -> str:
+    """To three digits, never with an exponent of what is long."""
+    return f"{1e3 * seconds:.3g}" if seconds < 0.9995 else f"{1e3 * seconds:.0f}"
 
 
 def _reason(why: str, asked: Sequence[str]) -> Paragraph:

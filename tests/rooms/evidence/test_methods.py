@@ -13,6 +13,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.bench import scenes
 from vibcli.evidence import timing, told
 from vibcli.evidence.asked import subjects
+from vibcli.evidence.compared import WorkPrecision
 from vibcli.evidence.compared import evidence as compared
 from vibcli.evidence.methods import METHODS, held_inputs
 from vibcli.evidence.picture import figure
@@ -72,6 +73,22 @@ def test_the_table_has_the_one_that_the_sentence_names():
 def test_a_refusal_of_ours_is_said():
     refused = Point("vibcli", "", (0.1, 0.1, 0.1), 0, None, None, "it is singular")
     assert verdict([refused, point("eigh", 1e-4, 1e-3)]) == "vibcli itself refuses: it is singular"
+
+
+@pytest.mark.parametrize(("seconds", "said"), [(1.234e-6, "0.00123"), (0.04567, "45.7"), (0.9994, "999"),
+                                               (0.9999, "1000"), (2.41234, "2412")])
+def test_times_have_no_exponents(seconds, said):
+    assert told._row(point("RK45", seconds, 1e-3))[2] == f"{said} ({said} … {said})"
+
+
+def test_long_reasons_stand_below_the_table():
+    why = "the energies of this motion do not balance to the digits that are stated"
+    ours, other = (Point(name, "", (0.1, 0.1, 0.1), 0, None, None, why) for name in ("vibcli", "eig"))
+    subject = Subject("modes", "omega", "", None, ONE, None, None, relative_error)
+    page = told.markdown(WorkPrecision(subject, [ours, other, point("eigh", 1e-4, 1e-3)]))
+    table = [line for line in page.splitlines() if line.startswith("|")]
+    assert len(table) == 5 and not any(why in line for line in table)
+    assert f"eig: {why}." in page and f"vibcli itself refuses: {why}." in page and page.count(why) == 2
 
 
 DRIVEN = """
@@ -138,11 +155,13 @@ def test_where_no_time_is_left_methods_are_left_out():
     assert [one.why for one in found] == ["", SPENT]
 
 
-def test_methods_are_tried_in_turns_and_what_would_outgrow_the_time_left_is_not_begun(monkeypatch):
+@pytest.fixture
+def lasting(monkeypatch):
+    """(makes an attempt that takes so many seconds of a clock of its own, what was begun)."""
     clock, begun = [0.0], []
     monkeypatch.setattr(timing, "process_time", lambda: clock[0])
 
-    def lasting(method, setting, seconds):
+    def attempt(method, setting, seconds):
         def run(_):
             begun.append(method + setting)
             clock[0] += seconds
@@ -150,13 +169,27 @@ def test_methods_are_tried_in_turns_and_what_would_outgrow_the_time_left_is_not_
 
         return MethodRun(method, setting, run)
 
-    subject = Subject("motion", "x(1 s)", "", None, ONE, None, None, relative_error)
-    found = measured(subject, [lasting("vibcli", "", 0.01), *(lasting("grid", str(k), 0.6 * 8**k) for k in range(4)),
-                               lasting("odeint", "0", 1.0), lasting("odeint", "1", 1.0)], 3, patience=40.0)
+    return attempt, begun
+
+
+ANY = Subject("motion", "x(1 s)", "", None, ONE, None, None, relative_error)
+
+
+def test_methods_are_tried_in_turns_and_what_would_outgrow_the_time_left_is_not_begun(lasting):
+    attempt, begun = lasting
+    found = measured(ANY, [attempt("vibcli", "", 0.01), *(attempt("grid", str(k), 0.6 * 8**k) for k in range(4)),
+                           attempt("odeint", "0", 1.0), attempt("odeint", "1", 1.0)], 3, patience=40.0)
     assert begun[:6] == ["vibcli", "grid0", "odeint0", "grid1", "odeint1", "vibcli"] and "grid2" not in begun
     assert [(one.method, one.setting, one.why) for one in found] == [
         ("vibcli", "", ""), ("grid", "0", ""), ("grid", "1", ""), ("grid", "2", SPENT), ("odeint", "0", ""),
         ("odeint", "1", "")]
+
+
+def test_what_one_leaves_of_the_time_is_for_those_after_it(lasting):
+    attempt, _ = lasting
+    whole, dear = 24.0, [attempt("odeint", str(k), 4.0) for k in range(3)]      # half of 12 s is enough for one of them
+    found = timing.measured_in_shares([(ANY, [attempt("vibcli", "", 0.01)]), (ANY, dear)], 3, whole)
+    assert [[one.why for one in points] for points in found] == [[""], ["", "", SPENT]]
 
 
 def test_a_deadline_ends_what_asks():

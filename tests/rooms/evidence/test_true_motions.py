@@ -130,6 +130,23 @@ def test_a_pendulum_by_elliptic_functions():
         assert close(found.values[0], 2 * mpmath.asin(k * mpmath.ellipfun("cd", w * mpmath.mpf(7) / 3, m=k * k)), 30)
 
 
+def test_a_friction_that_turns_about_where_a_step_before_shows_nothing_of_it():
+    """v̇ = −a tanh(v/u): sinh(v/u) falls as exp(−a t/u)."""
+    problem = problem_of(text_source("""
+bodies: {b: {mass: 1 kg, slide: x}}
+dampers: {d: {law: (1 N)*tanh(v/(0.1 mm/s)), between: [ground, b]}}
+initial: {x': 0.3 m/s}
+motion: full
+"""))
+    sliding = motion.full(problem)
+    found = motion.at_instant(sliding, sliding.scene.v[0], Fraction(3, 10), problem.work)
+    with mpmath.workdps(50):
+        exact = mpmath.asinh(mpmath.sinh(3000) * mpmath.exp(-3000)) / 10000
+        assert close(found.values[0], exact, 25)
+        later = motion.at_instant(sliding, sliding.coordinate("x"), Fraction(1, 2), problem.work).values[0]
+        assert close(problem.until(0.5).response.value_to(problem.scene.q[0], Fraction(1, 2), 20), later, 18)
+
+
 def test_what_takes_minutes_tells_how_far_it_came():
     problem = problem_of(text_source(PENDULUM))
     swinging = motion.full(problem)

@@ -1,7 +1,8 @@
 """Windows made of steps by Taylor series that are compiled (mechanics/compiled_series.py), of long smooth motions.
 
 A window is the polynomial through q̈ at Gauss's points, where the series know the state, which takes the state at its
-start to that at its end. It holds as many steps as it resolves.
+start to that at its end. It holds as many steps as it resolves. Where the forces on the way do not lead to that end, as
+where what was too small for the series to be seen grows within a step, the march goes on otherwise from there.
 """
 
 from math import sqrt
@@ -22,6 +23,7 @@ FEW, MOST = 12, 64      # steps in a window, to begin with; where more fit, stab
 RESOLVED, LAST = 0.6, 3     # of the coefficients of a window, below which the next one is longer; those that are small
 WIDE = 8.0              # radians of the fastest oscillation in a window at most: changes of it are to be known as well
 IDLE = 0.3              # of the coefficients of one so long, below which nothing of that oscillation is in it
+ASTRAY = 1e-10          # of the motion: what the forces on the way may lack of the end of a window
 TOLERANCES = 2.0**-52, 1e-18    # of a step: of the first solution, and of the second, by series of higher order
 
 
@@ -50,21 +52,24 @@ class SeriesWindows:
             if len(ends):
                 self._keep(march, np.append(march.t, ends), states)
             grows = self.most > before
-            self.given_up = not len(ends) or march.pace.slow or self.most > MOST
+            self.given_up |= not len(ends) or march.pace.slow or self.most > MOST
 
     def _keep(self, march, instants, states):
         """Move on by windows, each of as many steps as it resolves; instants: their ends."""
         widest = max(int(WIDE * march.sizes.radian * (len(instants) - 1) / (instants[-1] - instants[0])), 1)
         while True:
             cuts = np.unique([*range(0, len(instants), min(self.most, widest)), len(instants) - 1])
-            windows, ends = self._windows(march, instants[cuts], states)
+            raw, ends = self._windows(march, instants[cuts], states)
+            windows = [ended(window, *end) for window, end in zip(raw, ends, strict=True)]
             unresolved = _unresolved(march, windows)
             if self.most == 1 or not (unresolved[-LAST:] > 1).any():
                 break
             self.most = max(3 * self.most // 4, 1)
-        for window in windows:
+        there = _there(march, raw, windows)
+        self.given_up = there < len(windows)
+        for window in windows[:there]:
             march.sizes.meet(window.values)
-        march.take(windows, ends)
+        march.take(windows[:there], ends[:there])
         used = np.flatnonzero(unresolved > 1)
         part = (used[-1] + 1 if len(used) else 1) / len(unresolved)
         if part < (RESOLVED if self.most <= widest else IDLE):
@@ -83,7 +88,15 @@ class SeriesWindows:
         values = A.reshape(n, len(lengths), rule.points)
         windows = [Window(rule, start, length, *before, A, march.g, ()) for start, length, before, A in
                    zip(starts, lengths, ends[:-1], values.transpose(1, 0, 2), strict=True)]
-        return [ended(window, *end) for window, end in zip(windows, ends[1:], strict=True)], ends[1:]
+        return windows, ends[1:]
+
+
+def _there(march, raw, windows):
+    """How many of the `raw` windows, from the first on, end where the forces on the way lead, or have no numbers."""
+    sizes = march.sizes.scale(max(window.length for window in raw), 0.0 * march.v, 0.0 * march.v)[:, None]
+    lacking = [float((np.abs(one.values - window.values) * window.length**2 / sizes).max())
+               for one, window in zip(windows, raw, strict=True)]
+    return int(np.cumprod(~(np.array(lacking) > ASTRAY)).sum())
 
 
 def _unresolved(march, windows):

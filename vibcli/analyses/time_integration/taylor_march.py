@@ -96,8 +96,10 @@ class TaylorMarch:
             raise self._undefined() from None
         reach = min(self._reach(series, self.accuracy), GROWTH_BITS / self.order)
         length = shifted(int(2.0 ** (reach % 1) * 2**30), int(reach // 1) - 30 + self.bits) * self._scale >> self.bits
-        if longest is not None:
-            length = self._checked(compute, series, min(length, longest))
+        places: Sequence[int] = range(1, CHECKS + 1)
+        if longest is None:
+            places, longest = (CHECKS,), length if limit is None else limit - self._t
+        length = self._checked(compute, series, min(length, longest), places)
         if self._is_none(length):
             raise self._undefined()
         end = self._t + length if limit is None else min(self._t + length, limit)
@@ -110,12 +112,13 @@ class TaylorMarch:
         """[q, q̇] in a step."""
         return [summed(row, s, self.bits) for row in (*series.q, *series.v)]
 
-    def _checked(self, compute, series, length):
-        """A length within which the series obeys the equations, so that no pulse of the time is stepped over."""
+    def _checked(self, compute, series, length, places):
+        """A length within which the series obeys the equations at its end, so that nothing grows unseen, as what a
+        hyperbolic tangent lacks of 1, and at all `places` where a pulse of the time may be stepped over."""
         scale, bits = self._scale, self.bits
         sizes = self._scales([0] * len(self._sizes))[:len(series.q)]
         while not self._is_none(length):
-            for k in range(1, CHECKS + 1):
+            for k in places:
                 t = length * k // CHECKS
                 s = (t << bits) // scale
                 found = compute(self._t + t, scale, self._within(series, s), 0).a

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 SPARE = 64              # bits below the digits asked for
 LAST = 3                # coefficients that have to be small
 ROUNDED = 16            # bits, of fixed points: what is no larger may be rounding alone
+ASTRAY = 16             # bits, of what accelerations at the end of a step may lack
 SHORTER, LONGER = 0.5, 1.25
 SHORTEST = 1e-30        # of the motion
 
@@ -63,23 +64,41 @@ class TaylorSteps:
                 state = [*state[:len(jumps)], *map(sum, zip(state[len(jumps):], jumps, strict=True))]
                 sizes = [max(size, abs(x)) for size, x in zip(sizes, state, strict=True)]
             compute, limit, longest = pieces.series(t, self.bits)
-            scale = min(scale, longest or scale)
+            ends = [max(end, t + 1), *([] if limit is None else [limit]), *(at for at, _ in left[:1])]
+            step, state, spare = self._stepped(compute, t, min(scale, longest or scale), state, sizes, min(ends), end)
+            self.steps.append(step)
+            sizes = [max(size, abs(x)) for size, x in zip(sizes, state, strict=True)]
+            t, scale = step.end, int(step.scale * min(LONGER, 2.0 ** (spare / self.order)))
+        self.sizes = [x / 2**self.bits for x in sizes]
+
+    def _stepped(self, compute, t, scale, state, sizes, stop, end):
+        """(the TaylorStep, the state at its end, bits to spare)."""
+        while True:
             found = self._computed(compute, t, scale, state)
             spare = self._spare(found, sizes)
-            while spare < 0:
-                scale = max(int(scale * max(SHORTER, 2.0 ** (spare / self.order))), 1)
-                if scale < SHORTEST * end:
-                    raise PhysicsError(f"the reference does not get beyond t = {t / 2**self.bits:.6g} s: the motion is "
-                                       "singular there")
-                found = self._computed(compute, t, scale, state)
-                spare = self._spare(found, sizes)
-            stop = min(t + scale, max(end, t + 1), *([] if limit is None else [limit]), *(at for at, _ in left[:1]))
-            step = TaylorStep(t, stop, scale, (found.q, found.v, found.a))
-            self.steps.append(step)
-            state = [self.summed(row, step, stop) for row in (*found.q, *found.v)]
-            sizes = [max(size, abs(x)) for size, x in zip(sizes, state, strict=True)]
-            t, scale = stop, int(scale * min(LONGER, 2.0 ** (spare / self.order)))
-        self.sizes = [x / 2**self.bits for x in sizes]
+            if spare >= 0:
+                step = TaylorStep(t, min(t + scale, stop), scale, (found.q, found.v, found.a))
+                after = [self.summed(row, step, step.end) for row in (*found.q, *found.v)]
+                if self._arrives(compute, step, after):
+                    return step, after, spare
+                spare = -self.order
+            scale = max(int(scale * max(SHORTER, 2.0 ** (spare / self.order))), 1)
+            if scale < SHORTEST * end:
+                raise PhysicsError(f"the reference does not get beyond t = {t / 2**self.bits:.6g} s: the motion is "
+                                   "singular there")
+
+    def _arrives(self, compute, step, after):
+        """Are the accelerations at its end those that its series come to? What is too small for them to be seen, as
+        what a hyperbolic tangent lacks of 1, may grow within a step."""
+        _, v, a = step.rows
+        try:
+            found = compute(step.end, step.scale, after, 1).a
+        except ArithmeticError:         # no force has a value there: the next step tells
+            return True
+        lacking = max((abs(there[0] - self.summed(row, step, step.end)) * step.scale >> self.bits
+                       for there, row in zip(found, a, strict=True)), default=0)
+        allowed = max((abs(x) for row in v for x in row), default=0) * self.order >> max(self.accuracy - ASTRAY, 0)
+        return lacking <= max(allowed, 1 << ROUNDED)
 
     def _computed(self, compute, t, scale, state):
         self._left -= self._price

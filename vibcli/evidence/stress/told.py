@@ -57,11 +57,12 @@ def scene_sections(shakes: Sequence[Shake], answers: Sequence[SupportedAnswer], 
     head = "change", "compared", "verdict", "apart/bounds"
     found = [*drawn_values(drawn), Section("Shaken", (TableBlock(head, rows),))]
     if answers:
-        lines = tuple((one.asked, "" if one.value is None else f"{one.value:.6g}", _digits(one),
-                       one.parameter or one.why) for one in answers)
+        lines = tuple((one.asked, f"{one.value:.6g}", _digits(one), one.parameter) for one in answers
+                      if one.value is not None)
+        table = TableBlock(("answer", "value", "digits", "taken most by"), lines)
+        refused = (paragraph(f"{one.asked}: {one.why}") for one in answers if one.value is None)
         found.append(Section("Digits that the data support", (
-            TableBlock(("answer", "value", "digits", "taken most by"), lines),
-            paragraph(MOVED + _held(answers)))))
+            *[table] * bool(lines), *refused, paragraph(MOVED + _held(answers)))))
     return found
 
 
@@ -72,7 +73,7 @@ def _held(answers: Sequence[SupportedAnswer]) -> str:
 
 
 def _digits(one: SupportedAnswer) -> str:
-    return "" if one.value is None else "all" if one.digits is None else f"{one.digits:.1f}"
+    return "all" if one.digits is None else f"{one.digits:.1f}"
 
 
 def scene_data(shakes: Sequence[Shake], answers: Sequence[SupportedAnswer], drawn: Mapping[str, str]
