@@ -76,7 +76,7 @@ class RepeatingSignal(Signal):
             raise PhysicsError("zeros are not found of the steady state of members that nothing holds",
                                "ask for max(steady(x)), or for values at instants")
         end = min(end, start + self.period)
-        found = self.signal.zeros(start + self.start, end + self.start)     # type: ignore[attr-defined]
+        found = self.signal.zeros(start + self.start, end + self.start)
         return [t - self.start for t in found]
 
     def error_of_zero(self, t: float) -> float:
