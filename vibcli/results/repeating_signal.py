@@ -11,6 +11,7 @@ from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signal_names import signal_name
 from vibcli.results.averaged_waves import averaged, fits_into
+from vibcli.results.modal_signals import ModalSignal
 from vibcli.results.signal import Signal
 from vibcli.results.signals import LinearSignal
 from vibcli.symbolic.syntax import NameRef
@@ -22,6 +23,7 @@ FIRST, MOST = 16, 2048      # periods after which it is looked at first, and at 
 JUMPS = 16_384      # pieces of a load that are followed
 MODES = 12          # free vibrations that are looked at one by one
 SAMPLES, DEAD = 257, 2.0**-49       # instants of a period; of the largest value: a difference that is rounding
+SURE = 4.0          # times what is known: what is more than that is there
 HARMONICS = "ask for harmonic[1](…), harmonic[2](…) and so on of single signals"
 INNER = "force", "moment", "shear", "stress"       # what a free motion does not change
 PANELS, NODES = 64, (12, 8)     # of a period, and of Gauss's rule on each of them
@@ -144,9 +146,25 @@ def repeating(response: "SteadyResponse", tree: Any) -> RepeatingSignal:
             aside, error = _aside(response, tree, signal, late * period)
             looked = signal.coarse if error else signal     # as no mean is known better than values at instants are
             return RepeatingSignal(looked, period, late * period, apart / ahead + error, aside)
+        if isinstance(signal, ModalSignal):
+            _require_dying(signal, late - 1, period, most - count, known * most / count)
         count *= 2
-    raise PhysicsError(f"free vibrations of these members have not died out after {count // 2} periods of this load",
-                       f"damp them more, or {HARMONICS}")
+    raise _lasting(count // 2)
+
+
+def _require_dying(signal, before, period, more, known):
+    """The same PhysicsError where what some mode changes by from one period to the next, after so many of them, is more
+    than is known even some more later."""
+    sizes, rates = signal.modal.changes(signal.reads, before * period, period)
+    left = sizes * np.exp(rates.real * more * period)
+    if left.max(initial=0.0) > SURE * known:
+        raise _lasting(before + 1 + more, float(abs(rates[np.argmax(left)])))
+
+
+def _lasting(periods, omega=None):
+    own = "" if omega is None else f", that of {omega:.5g} rad/s least of all"
+    return PhysicsError(f"free vibrations of these members have not died out after {periods} periods of this load{own}",
+                        f"damp them more, where they move, or {HARMONICS}")
 
 
 def _undamped(problem, tree, forcing):

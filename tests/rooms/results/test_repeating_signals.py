@@ -8,6 +8,8 @@ from support.scenes import problem
 import vibcli
 from vibcli.base.errors import PhysicsError
 from vibcli.check.verdicts import check
+from vibcli.results import modal_response
+from vibcli.results.modal_signals import ModalSignal
 from vibcli.results.repeating_signal import RepeatingSignal
 from vibcli.results.signal import Signal
 
@@ -146,6 +148,16 @@ def test_what_never_dies_out_is_refused_by_name():
     with pytest.raises(PhysicsError, match="never die out") as refused:
         model["rms(rod.u(L))"]
     assert "max(steady" not in refused.value.hint
+
+
+def test_a_mode_that_hardly_dies_out_is_named_before_all_periods_are_followed(monkeypatch):
+    followed, values = [], ModalSignal.values
+    monkeypatch.setattr(modal_response, "MOST", {True: 128, False: 128})
+    monkeypatch.setattr(ModalSignal, "values", lambda self, times: followed.append(max(times)) or values(self, times))
+    slow = vibcli.loads(BEAM.replace("25 %", "[25 %, 1e-6, 25 %]"))
+    with pytest.raises(PhysicsError, match=r"2048 periods of this load, that of 220\.3\d rad/s least of all"):
+        slow["amplitude(b.u(L))"]
+    assert max(followed) < 20 * 2 * np.pi / 20
 
 
 def test_what_nothing_damps_is_kept_up_where_its_period_fits_with_that_of_the_load():
