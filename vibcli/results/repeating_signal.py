@@ -27,6 +27,8 @@ SURE = 4.0          # times what is known: what is more than that is there
 HARMONICS = "ask for harmonic[1](…), harmonic[2](…) and so on of single signals"
 INNER = "force", "moment", "shear", "stress"       # what a free motion does not change
 PANELS, NODES = 64, (12, 8)     # of a period, and of Gauss's rule on each of them
+MANY = 256          # of them that are not divided further
+HALVES = 16         # times that panels are halved on which the rules differ, as next to fronts at small masses
 BEHIND = 1e-12      # relative: how far an instant may be before a front that it stands for
 
 
@@ -93,12 +95,18 @@ class RepeatingSignal(Signal):
 
     def mean_square(self, about: float) -> tuple[float, float]:
         """(the mean of the square of its distance from a value over a period, how far that may be off)."""
-        fronts = self.signal.fronts(self.start + self.period) - self.start
-        edges = _edges(self.period, [fronts])
-        fine, coarse = (_mean(lambda t: (self.signal.values(t) - self.aside - about) ** 2, self.start, edges, order)
-                        for order in NODES)
+        edges = _edges(self.period, [self.signal.fronts(self.start + self.period) - self.start])
         most = max(abs(self.signal.values(self.start + edges) - self.aside - about))
-        return fine, abs(fine - coarse) + 2 * float(most) * (self.left + self.signal.error(self.start + self.period))
+        known = 2 * float(most) * (self.left + self.signal.error(self.start + self.period))
+        for _ in range(HALVES):
+            fine, coarse = (_panels(lambda t: (self.signal.values(t) - self.aside - about) ** 2, self.start, edges,
+                                    order) / self.period for order in NODES)
+            off = abs(fine - coarse)
+            if off.sum() <= max(known, DEAD * fine.sum()) or len(off) > MANY:
+                break
+            steep = off * len(off) > known + DEAD * fine.sum()
+            edges = np.unique(np.concatenate([edges, (edges[1:] + edges[:-1])[steep] / 2]))
+        return float(fine.sum()), float(off.sum()) + known
 
     @property
     def rms(self) -> tuple[float, float]:
@@ -214,8 +222,13 @@ def _edges(period, bends):
 
 
 def _mean(values, start, edges, order):
-    """The mean of a function between edges by Gauss's rule on each of the stretches between them."""
+    """The mean of a function between edges."""
+    return float(_panels(values, start, edges, order).sum()) / (edges[-1] - edges[0])
+
+
+def _panels(values, start, edges, order):
+    """The integrals of a function over the stretches between edges by Gauss's rule on each of them."""
     at, weights = np.polynomial.legendre.leggauss(order)
     middle, half = (edges[1:] + edges[:-1]) / 2, np.diff(edges) / 2
     values = values(start + (middle[:, None] + half[:, None] * at).ravel()).reshape(-1, order)
-    return float(half @ (values @ weights)) / (edges[-1] - edges[0])
+    return half * (values @ weights)

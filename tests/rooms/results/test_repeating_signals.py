@@ -228,3 +228,16 @@ def test_a_load_that_jumps_very_often_is_refused_before_it_is_followed():
 def test_a_harmonic_that_no_load_has_is_nothing_beside_the_first():
     scene = problem(BAR.format("") + "    answers: {'harmonic[2](rod.u(L))': 0 m, 'harmonic[1](rod.u(L))': 0 m}\n")
     assert [verdict.agrees for verdict in check(scene)] == [True, False]
+
+
+def test_the_mean_square_of_what_dies_out_next_to_a_front():
+    """e^{−t/ε} from each period on, as a force beside a small mass: ε/2 of the period, within a bound that is near."""
+    class Layer(Signal):
+        def values(self, times):
+            return np.exp(-(np.asarray(times) % 1.0) / 1e-4)
+
+        def error(self, t):
+            return 0.0
+
+    square, error = RepeatingSignal(Layer(), 1.0, 0.0, 0.0).mean_square(0.0)
+    assert abs(square - 5e-5) <= error <= 1e-12 * 5e-5
