@@ -177,7 +177,7 @@ def _overshoot(problem, tree, args):
 def _zero(problem, tree, args):
     number, signal = int(tree.indices[0]), _signal(problem, tree)
     until = problem.response_of(tree).until
-    found = signal.zeros(0.0, until)
+    found = signal.first_zeros(until, number)
     if len(found) < number:
         raise PhysicsError(f"the signal passes through zero {len(found)} times until t = {until:.6g} s",
                            f"later ones, if there are any, are seen with a later end: find: [{{response: {{until: "

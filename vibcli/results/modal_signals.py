@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from vibcli.analyses.continuous.modal_motion import ModalMotion
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
+SHARES = 1 / 64, 1 / 16, 1 / 4      # of the time in which zeros are looked for
+
 
 class ModalSignal(Signal):
     """A linear output of a ModalMotion; asked: the response and the tree that it was asked as; finest(motion, output):
@@ -115,6 +117,22 @@ class ModalSignal(Signal):
 
         self.require_bound(end)
         return zeros(self.modal, self.reads, start, end)
+
+    def first_zeros(self, end: float, count: int) -> list[float]:
+        """In growing windows, until it has left the last of them."""
+        import numpy as np
+
+        from vibcli.analyses.continuous.modal_search import leaves
+
+        self.require_bound(end)
+        first = leaves(self.modal, self.reads, 0.0, end)[1]
+        if len(first) >= count:
+            return first
+        for share in SHARES:
+            found = self.zeros(0.0, share * end)
+            if len(found) >= count and abs(self.values(np.array([share * end]))[0]) > self.error(share * end):
+                return found
+        return self.zeros(0.0, end)
 
     def along(self, end: float) -> Any:
         """It has no few parts with known bounds."""

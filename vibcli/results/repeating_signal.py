@@ -11,6 +11,7 @@ from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signal_names import signal_name
 from vibcli.results.averaged_waves import averaged, fits_into
+from vibcli.results.modal_signals import ModalSignal
 from vibcli.results.signal import Signal
 from vibcli.results.signals import LinearSignal
 from vibcli.symbolic.syntax import NameRef
@@ -22,9 +23,12 @@ FIRST, MOST = 16, 2048      # periods after which it is looked at first, and at 
 JUMPS = 16_384      # pieces of a load that are followed
 MODES = 12          # free vibrations that are looked at one by one
 SAMPLES, DEAD = 257, 2.0**-49       # instants of a period; of the largest value: a difference that is rounding
+SURE = 4.0          # times what is known: what is more than that is there
 HARMONICS = "ask for harmonic[1](…), harmonic[2](…) and so on of single signals"
 INNER = "force", "moment", "shear", "stress"       # what a free motion does not change
 PANELS, NODES = 64, (12, 8)     # of a period, and of Gauss's rule on each of them
+MANY = 256          # of them that are not divided further
+HALVES = 16         # times that panels are halved on which the rules differ, as next to fronts at small masses
 BEHIND = 1e-12      # relative: how far an instant may be before a front that it stands for
 
 
@@ -76,7 +80,7 @@ class RepeatingSignal(Signal):
             raise PhysicsError("zeros are not found of the steady state of members that nothing holds",
                                "ask for max(steady(x)), or for values at instants")
         end = min(end, start + self.period)
-        found = self.signal.zeros(start + self.start, end + self.start)     # type: ignore[attr-defined]
+        found = self.signal.zeros(start + self.start, end + self.start)
         return [t - self.start for t in found]
 
     def error_of_zero(self, t: float) -> float:
@@ -91,12 +95,18 @@ class RepeatingSignal(Signal):
 
     def mean_square(self, about: float) -> tuple[float, float]:
         """(the mean of the square of its distance from a value over a period, how far that may be off)."""
-        fronts = self.signal.fronts(self.start + self.period) - self.start
-        edges = _edges(self.period, [fronts])
-        fine, coarse = (_mean(lambda t: (self.signal.values(t) - self.aside - about) ** 2, self.start, edges, order)
-                        for order in NODES)
+        edges = _edges(self.period, [self.signal.fronts(self.start + self.period) - self.start])
         most = max(abs(self.signal.values(self.start + edges) - self.aside - about))
-        return fine, abs(fine - coarse) + 2 * float(most) * (self.left + self.signal.error(self.start + self.period))
+        known = 2 * float(most) * (self.left + self.signal.error(self.start + self.period))
+        for _ in range(HALVES):
+            fine, coarse = (_panels(lambda t: (self.signal.values(t) - self.aside - about) ** 2, self.start, edges,
+                                    order) / self.period for order in NODES)
+            off = abs(fine - coarse)
+            if off.sum() <= max(known, DEAD * fine.sum()) or len(off) > MANY:
+                break
+            steep = off * len(off) > known + DEAD * fine.sum()
+            edges = np.unique(np.concatenate([edges, (edges[1:] + edges[:-1])[steep] / 2]))
+        return float(fine.sum()), float(off.sum()) + known
 
     @property
     def rms(self) -> tuple[float, float]:
@@ -144,9 +154,25 @@ def repeating(response: "SteadyResponse", tree: Any) -> RepeatingSignal:
             aside, error = _aside(response, tree, signal, late * period)
             looked = signal.coarse if error else signal     # as no mean is known better than values at instants are
             return RepeatingSignal(looked, period, late * period, apart / ahead + error, aside)
+        if isinstance(signal, ModalSignal):
+            _require_dying(signal, late - 1, period, most - count, known * most / count)
         count *= 2
-    raise PhysicsError(f"free vibrations of these members have not died out after {count // 2} periods of this load",
-                       f"damp them more, or {HARMONICS}")
+    raise _lasting(count // 2)
+
+
+def _require_dying(signal, before, period, more, known):
+    """The same PhysicsError where what some mode changes by from one period to the next, after so many of them, is more
+    than is known even some more later."""
+    sizes, rates = signal.modal.changes(signal.reads, before * period, period)
+    left = sizes * np.exp(rates.real * more * period)
+    if left.max(initial=0.0) > SURE * known:
+        raise _lasting(before + 1 + more, float(abs(rates[np.argmax(left)])))
+
+
+def _lasting(periods, omega=None):
+    own = "" if omega is None else f", that of {omega:.5g} rad/s least of all"
+    return PhysicsError(f"free vibrations of these members have not died out after {periods} periods of this load{own}",
+                        f"damp them more, where they move, or {HARMONICS}")
 
 
 def _undamped(problem, tree, forcing):
@@ -196,8 +222,13 @@ def _edges(period, bends):
 
 
 def _mean(values, start, edges, order):
-    """The mean of a function between edges by Gauss's rule on each of the stretches between them."""
+    """The mean of a function between edges."""
+    return float(_panels(values, start, edges, order).sum()) / (edges[-1] - edges[0])
+
+
+def _panels(values, start, edges, order):
+    """The integrals of a function over the stretches between edges by Gauss's rule on each of them."""
     at, weights = np.polynomial.legendre.leggauss(order)
     middle, half = (edges[1:] + edges[:-1]) / 2, np.diff(edges) / 2
     values = values(start + (middle[:, None] + half[:, None] * at).ravel()).reshape(-1, order)
-    return float(half @ (values @ weights)) / (edges[-1] - edges[0])
+    return half * (values @ weights)

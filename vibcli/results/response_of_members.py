@@ -11,6 +11,7 @@ from vibcli.analyses.excitation.linear_output import FieldPoint, LinearOutput
 from vibcli.base.errors import PhysicsError
 from vibcli.results.responses import SmallResponse
 from vibcli.results.resting_shape import ROUNDING, less_rest, polynomial_at_rest, with_polynomials
+from vibcli.results.unloaded_ends import is_unloaded
 from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
@@ -285,7 +286,7 @@ class ResponseOfMembers(SmallResponse):
         constant = 0.0 if primes else self._at_rest(name)
         length = float(self.placed[found.piece].piece.length)
         point = FieldPoint(found.piece, float(found.share) * length, found.order, found.primes)
-        output = LinearOutput(constant, places={point: float(found.factor)})
+        output = LinearOutput(constant, places={} if is_unloaded(self, found) else {point: float(found.factor)})
         return self._named(parts, f"signal {name}" + "'" * primes, (output, None))
 
     def _at_rest(self, name):

@@ -1,6 +1,6 @@
 """What all signals in time have: a function of the time, the bounds of its errors, more digits of it."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -34,6 +34,7 @@ class Signal:
     source: tuple = ()
     values: Callable[..., "np.ndarray"]
     extreme: Callable[..., tuple[float, float]]
+    zeros: "Callable[[float, float], Sequence[float]]"
 
     def read_at(self, t: float) -> "Signal":
         """The same signal as its value at an instant is best found."""
@@ -53,6 +54,10 @@ class Signal:
         import numpy as np
 
         return np.zeros(0)
+
+    def first_zeros(self, end: float, count: int) -> "Sequence[float]":
+        """Instants up to an end at which it passes or touches zero, in order, all or at least the first so many."""
+        return self.zeros(0.0, end)
 
     def require_bounded(self, end: float) -> None:
         """PhysicsError where it is infinite at an instant."""

@@ -11,7 +11,8 @@ if TYPE_CHECKING:
 
 
 def products_of(node: "Node", x: "Node", time: "Node") -> "list[tuple[Node, Node]] | None":
-    """[(f, g)] of an expression, no two g alike; None where a part of it is no such product, as step(x − t)."""
+    """[(f, g)] of an expression, no two f in proportion, nor g; None where a part of it is no such product, as
+    step(x − t)."""
     table, found = node.table, {}
     try:
         for monomial, value in expanded(_opened(node, x, time)).items():
@@ -19,11 +20,16 @@ def products_of(node: "Node", x: "Node", time: "Node") -> "list[tuple[Node, Node
                 return None
             moving = table.product(*(pair for pair in monomial if pair[0].mask & time.mask))
             along = table.product(*(pair for pair in monomial if not pair[0].mask & time.mask))
-            found.setdefault(moving, []).append(table.scaled(along, value))
+            found.setdefault(moving, {})[along] = value
     except (TooLong, ZeroDivisionError):
         return None
-    sums = [(table.total(parts), moving) for moving, parts in found.items()]
-    return [(along, moving) for along, moving in sums if not along.is_zero]
+    forms: dict = {}
+    for moving, parts in found.items():
+        size = next(iter(parts.values()))
+        forms.setdefault(frozenset((along, value / size) for along, value in parts.items()), []).append((size, moving))
+    return [(table.total([table.scaled(along, value * alike[0][0]) for along, value in form]),
+             table.total([table.scaled(moving, size / alike[0][0]) for size, moving in alike]))
+            for form, alike in forms.items()]
 
 
 def _opened(node, x, time):

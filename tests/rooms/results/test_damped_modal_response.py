@@ -7,6 +7,7 @@ import pytest
 from support.scenes import problem
 
 from vibcli.analyses.continuous import damped_series
+from vibcli.analyses.excitation.linear_output import FieldPoint, LinearOutput
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signals_of_places import with_places
 from vibcli.results import damped_modal_response
@@ -86,6 +87,17 @@ def test_a_smooth_push_at_a_damper_by_the_integral_of_bromwich():
     expected = [np.real(image @ np.exp(s * t)) * step / (2 * np.pi) for t in TIMES[:3]]
     assert np.abs(found.values(TIMES[:3]) - expected).max() <= 1e-12 * max(expected)
     assert max(found.error(t) for t in TIMES) <= 1e-11 * max(expected)
+    _bears_no_moment(found)
+
+
+def _bears_no_moment(found):
+    """The end: in modes but for what their λ round, times how often waves turn along the beam."""
+    end = found.asked[0].signal(with_places(parse("arm.moment(L)"), ["arm"]))
+    assert not end.values(TIMES).any() and not max(end.error(t) for t in TIMES)
+    modes = found.modal.modes
+    for x, is_end in ((1.0, True), (0.95, False)):
+        output = LinearOutput(places={FieldPoint(0, x, 2): 1.0})
+        assert ((np.abs(modes.rows(output)[0][0]) <= modes.lost_rows(output)[0]) == is_end).all()
 
 
 @pytest.mark.sweep

@@ -12,6 +12,7 @@ from vibcli.analyses.continuous.mode_basis import ModeBasis
 from vibcli.base.errors import NoBound, PhysicsError
 from vibcli.language.signal_names import LEFT_OF
 from vibcli.language.signals_of_places import with_places
+from vibcli.results import modal_response
 from vibcli.results.internal_forces import forces_in_time
 from vibcli.results.modal_response import ModalResponse
 from vibcli.results.modal_signals import ModalSignal
@@ -125,6 +126,26 @@ def test_shears_of_a_beam_whose_modes_are_damped_evenly():
     assert max(found.error(t) for t in late) <= 1e-6
     with pytest.raises(PhysicsError, match="no bound"):
         found.values(np.array([0.0]))
+
+
+def test_bounds_right_after_a_jump_follow_what_is_left_out(monkeypatch):
+    """Of a bar, damped evenly, whose force falls as 1/n: Σ e^{−ζωτ}/n over n > N is less than ln(1 + 1/(ζωτ))."""
+    monkeypatch.setattr(modal_response, "MOST", {True: 256, False: 256})
+    scene = problem("parameters: {L: 1 m, EA: 1 N, mu: 1 kg/m}\n"
+                    "bars: {rod: {length: L, EA: EA, mass_per_length: mu, left: clamped}}\n"
+                    "points: {tip: {body: rod, at: L}}\nforces: {push: {at: tip, force: 1 N*step(t)}}\n"
+                    "damping: {modal: 1 %}\n")
+    found = signal(scene, "rod.force(L/2)")
+    for t in (1e-5, 1e-3, 0.1):
+        assert np.abs(found.values(np.array([t]))) <= found.error(t) <= 4 * np.log1p(1 / (0.01 * 256 * np.pi * t))
+
+
+def test_what_a_sudden_load_brings_begins_at_zero(monkeypatch):
+    """The moment at the clamp passes zero without end just after: all of that is one zero."""
+    monkeypatch.setattr(modal_response, "MOST", {True: 256, False: 256})
+    scene = problem(CANTILEVER + "points: {tip: {body: arm, at: L}}\nforces: {push: {at: tip, force: 1 N*step(t)}}\n")
+    for name in ("arm.moment(0 m)", "arm.u(L/2)"):
+        assert signal(scene, name).first_zeros(3.0, 1) == [0.0]
 
 
 @pytest.mark.sweep

@@ -8,6 +8,8 @@ from support.scenes import problem
 import vibcli
 from vibcli.base.errors import PhysicsError
 from vibcli.check.verdicts import check
+from vibcli.results import modal_response
+from vibcli.results.modal_signals import ModalSignal
 from vibcli.results.repeating_signal import RepeatingSignal
 from vibcli.results.signal import Signal
 
@@ -148,6 +150,16 @@ def test_what_never_dies_out_is_refused_by_name():
     assert "max(steady" not in refused.value.hint
 
 
+def test_a_mode_that_hardly_dies_out_is_named_before_all_periods_are_followed(monkeypatch):
+    followed, values = [], ModalSignal.values
+    monkeypatch.setattr(modal_response, "MOST", {True: 128, False: 128})
+    monkeypatch.setattr(ModalSignal, "values", lambda self, times: followed.append(max(times)) or values(self, times))
+    slow = vibcli.loads(BEAM.replace("25 %", "[25 %, 1e-6, 25 %]"))
+    with pytest.raises(PhysicsError, match=r"2048 periods of this load, that of 220\.3\d rad/s least of all"):
+        slow["amplitude(b.u(L))"]
+    assert max(followed) < 20 * 2 * np.pi / 20
+
+
 def test_what_nothing_damps_is_kept_up_where_its_period_fits_with_that_of_the_load():
     """T = 3/4 of that of a clamped bar: u = Σ 4F₀/(πn) tan kL/(EA k) sin nΩt, N = EA u′, each over the odd n."""
     model = vibcli.loads(BAR.format("").replace("Om: 2000", "Om: pi/3*2000"))
@@ -216,3 +228,16 @@ def test_a_load_that_jumps_very_often_is_refused_before_it_is_followed():
 def test_a_harmonic_that_no_load_has_is_nothing_beside_the_first():
     scene = problem(BAR.format("") + "    answers: {'harmonic[2](rod.u(L))': 0 m, 'harmonic[1](rod.u(L))': 0 m}\n")
     assert [verdict.agrees for verdict in check(scene)] == [True, False]
+
+
+def test_the_mean_square_of_what_dies_out_next_to_a_front():
+    """e^{−t/ε} from each period on, as a force beside a small mass: ε/2 of the period, within a bound that is near."""
+    class Layer(Signal):
+        def values(self, times):
+            return np.exp(-(np.asarray(times) % 1.0) / 1e-4)
+
+        def error(self, t):
+            return 0.0
+
+    square, error = RepeatingSignal(Layer(), 1.0, 0.0, 0.0).mean_square(0.0)
+    assert abs(square - 5e-5) <= error <= 1e-12 * 5e-5

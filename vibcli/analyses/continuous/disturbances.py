@@ -10,7 +10,7 @@ less than |1 + x²|; what begins with η and η̇ there creeps with |η̇| ≤ |
 """
 
 from collections.abc import Sequence
-from math import comb, e, inf, log, perm, sqrt
+from math import comb, inf, log, perm, sqrt
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -31,7 +31,7 @@ ROUNDING = 1e-12    # of a load: what is no bend
 FADING = 0.9        # ratio up to which E falls by √((1 + ζ)/(1 − ζ)) e^{−ζωt} at least
 CREEPING = 1.25     # ratio from which on it creeps
 ALMOST = 1e-6       # imaginary part of a root that may be real
-GAINED = 2          # powers of 1/ω that even damping brings
+GAINED = 0.25, 0.5, 1.0, 2.0    # powers of 1/ω that even damping brings
 SLOWER = 2.0        # times e^{−rt/2} it falls at least, whatever ζ, r being the slower rate
 
 
@@ -151,22 +151,23 @@ class Disturbances:
 
     def _of(self, part, output, t, order, reach):
         found = inf
-        for gained in (0, GAINED) if self.damping.even else (0,):
+        for gained in (0.0, *GAINED) if self.damping.even else (0.0,):
             sizes = self._until(self.sizes(part), t, gained)
             found = min(found, sum(self._of_rate(output, rate, rate + order, sizes, gained, reach)
                                    for rate in range(3)))
         return found
 
     def _until(self, sizes, t, gained):
-        """Σ of sizes up to an instant, (powers of 1/ω, POWERS); of so many powers more where modes are damped evenly,
-        as e^{−ζωτ} ≤ e^{−ζΩτ/2} (2q/(e ζτω))^q."""
+        """Σ of sizes up to an instant, (powers of 1/ω, POWERS); of q powers more where modes are damped evenly, as
+        ω^q e^{−ζωτ} falls from ω = q/(ζτ) on."""
         count, damping = max(1, int(np.searchsorted(self.times, t, side="right"))), self.damping
         if not damping.fading:
             return sizes[:count].sum(axis=0)
         tau = np.maximum(t - self.times[:count], 0.0)
         if gained:
             with np.errstate(divide="ignore"):
-                left = np.exp(-damping.fading * tau / 2) * (2 * gained / (e * damping.even * tau)) ** gained
+                most = np.maximum(damping.highest, gained / (damping.even * tau))
+            left = np.where(tau, most**gained * np.exp(-damping.even * np.minimum(most, 1e300) * tau), inf)
         else:
             left = np.minimum(np.exp(-damping.fading * tau), 1 / damping.grown)
         with np.errstate(invalid="ignore"):

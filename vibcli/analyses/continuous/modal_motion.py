@@ -186,6 +186,14 @@ class ModalMotion:
         sizes = np.abs(read.states * stretch.free)[beyond]
         return float(sizes @ np.exp(states.rates.real[beyond] * (t - start)))
 
+    def changes(self, output: "LinearOutput", t: float, period: float) -> tuple[np.ndarray, np.ndarray]:
+        """(by how much what an output reads of each state is another a period later, λ)."""
+        read, found = Read(self, output, 0), []
+        for at in (t, t + period):
+            stretch = next(iter(self._placed(np.array([at]))))[0]
+            found.append(read.states * stretch.free * np.exp(self.states.rates * (at - stretch.start)))
+        return np.abs(found[1] - found[0]), self.states.rates
+
     def _uncounted(self, read, stretch, t):
         """A bound of what is left out; where none is known how amplitudes fall."""
         if self._disturbances is not None:

@@ -29,6 +29,8 @@ OCTAVES = 24                    # of a stretch, at which bounds are looked at
 ALIKE = 0.99                    # of a bound: no smaller
 BESIDE = 16                     # instants between zeros
 NOTHING = 1e-6                  # of later values: an error that tells a start at zero
+SMALL = 1e-3                    # of later values: an error that tells that a beam is at rest
+FIRST, BY = 24, 16              # octaves from a start on, and parts of each, at which it is looked when it leaves zero
 
 
 def extreme(motion: "ModalMotion", output: "LinearOutput", start: float, end: float,
@@ -94,9 +96,10 @@ def zeros(motion: "ModalMotion", output: "LinearOutput", start: float, end: floa
         passes = values[:, 0] * values[:, 1] <= 0
         return passes | (np.abs(values).min(axis=1) <= BENT * bends(cells, values) + rest)
 
-    cells = _searched(motion, output, start, end, near)
+    left, begins = leaves(motion, output, start, end)
+    cells = _searched(motion, output, left, end, near)
     if not len(cells):
-        return []
+        return begins
     edges = np.unique(cells)
     values = motion.values(output, edges)
     turns = np.flatnonzero(values[:-1] * values[1:] < 0)
@@ -105,9 +108,26 @@ def zeros(motion: "ModalMotion", output: "LinearOutput", start: float, end: floa
         middle = (low + high) / 2
         same = motion.values(output, middle) * below > 0
         low, high = np.where(same, middle, low), np.where(same, high, middle)
-    begins = edges[:1] if edges[0] == start and _starts_at_zero(motion, output, start, end) else []
+    if edges[0] == start and _starts_at_zero(motion, output, start, end):
+        begins = [start]
     found = np.unique([*(low + high) / 2, *edges[values == 0], *begins])
-    return found[_told_apart(motion, output, found, end)].tolist()
+    told = found[_told_apart(motion, output, found, end)].tolist()
+    return [*begins, *told[1:]] if left > start else told
+
+
+def leaves(motion: "ModalMotion", output: "LinearOutput", start: float, end: float) -> tuple[float, list[float]]:
+    """(instant up to which a signal of beams stands at zero but for its errors, as octaves from the start on show, what
+    it begins with): as waves come at once, its zeros up to there are without end, and are one with the last jump or
+    bend of loads before; (start, []) where it does not."""
+    if any(one.piece.order == 2 for one in motion.modes.basis.placed):
+        return start, []
+    times = start + (end - start) * 2.0 ** np.append(-np.inf, np.arange(-FIRST * BY, 1) / BY)
+    values, off = np.abs(motion.values(output, times)), off_along(motion, output, times, end, motion.count)
+    away = values > off
+    if away[:2].any() or not away.any() or off[0] > SMALL * values.max():
+        return start, []
+    left = float(times[np.argmax(away) - 1])
+    return left, [max(t for t in _beginnings(motion, left) if t <= left)]
 
 
 def _starts_at_zero(motion, output, start, end):
@@ -159,7 +179,8 @@ def width_about(curve: "Callable[[np.ndarray], np.ndarray]", error: float, t: fl
 def off_along(motion: "ModalMotion", output: "LinearOutput", times: np.ndarray, end: float, modes: int) -> np.ndarray:
     """Bounds of the errors of values by so many modes at instants up to an end: what modes left out add never grows on
     a stretch, so that it is looked at where stretches begin and, of few, at instants on them, each twice as far on."""
-    spans = [(low, high) for low, high in _spans(motion, end) if high > low] or [(0.0, end)]
+    first = float(np.min(times, initial=end))
+    spans = [(low, high) for low, high in _spans(motion, end) if high > max(low, first)] or [(0.0, end)]
     octaves = 2.0 ** -np.arange(OCTAVES if len(spans) <= WINDOWS else 0)
     begins = np.unique([t for low, high in spans for t in (low, *(low + (high - low) * octaves[1:]))])
     rounding = float(motion.errors(output, np.array([end]))[0]) - motion.bound(output, end)
@@ -170,10 +191,11 @@ def off_along(motion: "ModalMotion", output: "LinearOutput", times: np.ndarray, 
 def _searched(motion, output, start, end, chosen):
     """The cells left when all modes are counted, `chosen` saying which of those of a level are."""
     cells, total = np.array([[start, end]]), motion.count
+    begins = [start, *(t for t in _beginnings(motion, end) if t > start)]
     with motion.work.task("the search along a motion by modes", MOST) as task:
         for count in [*(level for level in LEVELS if level < total), total]:
             cells = divided(cells, motion, output, count, task)
-            rest = max(motion.bound(output, t, modes=count) for t in _beginnings(motion, end))
+            rest = max(motion.bound(output, t, modes=count) for t in begins)
             while True:
                 before = _widths(cells).sum()
                 cells = cells[chosen(cells, motion.values(output, cells, modes=count), rest)]

@@ -13,7 +13,7 @@ from vibcli.analyses.continuous.counting import count
 from vibcli.analyses.continuous.local_modes import local_modes
 from vibcli.analyses.continuous.natural_frequencies import SURE, NaturalFrequency, better, natural_frequencies
 from vibcli.analyses.continuous.rigid_motions import never_grows, rigid_count, rigid_shapes
-from vibcli.analyses.continuous.system import continuous_system
+from vibcli.analyses.continuous.system import ContinuousSystem, continuous_system
 from vibcli.analyses.continuous.uniform_members import uniform_member
 from vibcli.analyses.continuous.uniform_shapes import uniform_modes
 from vibcli.analyses.modal.scaling import mechanism
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 DEEPER = 40, 80, 160    # digits that are tried in turn where floats do not tell
 ABOVE = 1e-14, 1e-13, 1e-12, 1e-11      # relative distances above a frequency that are tried in turn
 NEVER_BELOW = 2.0 ** -53
+SEARCHED = 64       # modes of a uniform member with places on it that are found beside these, as those of others are
 
 
 class NaturalModes:
@@ -45,6 +46,7 @@ class NaturalModes:
         _require_tied(elements)
         self.elements, self.precise, self.digits = elements, precise, digits
         self._known: dict[int | None, KnownCounts] = {}
+        self._divided: dict[tuple[int, ...], ContinuousSystem] = {}
         self.ground, self._resting = self._grounded()
         uniform = uniform_member(elements) if digits is None else None
         self.uniform = uniform if uniform is not None and uniform.resting == self.ground.resting else None
@@ -59,20 +61,25 @@ class NaturalModes:
 
     def _found(self, first, last):
         """Modes that are not rigid."""
+        uniform = self.uniform
+        if uniform is not None and uniform.cuts:
+            if first <= SEARCHED < last:
+                return self._found(first, SEARCHED) + self._found(SEARCHED + 1, last)
+            uniform = uniform if first > SEARCHED else None
         if self.digits is not None:
             near = natural_frequencies(self._at(None), first, last)
             roots = self._precise_roots(first, last, near, 10.0 ** -self.digits)
-        elif self.uniform is not None:
-            resting = self.uniform.resting
-            known = uniform_modes(self.uniform, self._at(None).system, first - resting, last - resting)
+        elif uniform is not None:
+            resting = uniform.resting
+            known = uniform_modes(uniform, self._at(None).system, first - resting, last - resting, self._divided)
             roots = {root.index: root for root in known}
         else:
             roots = natural_frequencies(self._at(None), first, last)
             for low, high in _runs([i for i in range(first, last + 1) if _doubtful(roots, i)]):
                 roots |= self._precise_roots(low, high, roots, SURE)
-        if self.uniform is None:
+        if uniform is None:
             return [self._mode(roots[i], _rate(roots[i])) for i in range(first, last + 1)]
-        rates = self.uniform.frequencies(np.arange(first, last + 1) - self.uniform.resting)
+        rates = uniform.frequencies(np.arange(first, last + 1) - uniform.resting)
         return [self._mode(roots[i], rate) for i, rate in zip(range(first, last + 1), rates, strict=True)]
 
     def count(self, Omega: float) -> int:

@@ -10,22 +10,26 @@
 βL = (n + c)π + e, e of order exp(−βL): e is found, which keeps all digits.
 """
 
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
 from vibcli.base.named_tuple import NamedTuple
 
+SAME = 1e-14        # of a place
 NEWTON = 8          # steps; from e = 0 five reach the last digit
 PINNED, GUIDED = (False, True), (True, False)
 SINES = frozenset({PINNED, GUIDED})
 
 
 class UniformMember(NamedTuple):
-    """A piece by itself; ends: which of the end values move, (u,), of beams (u, θ), at either end."""
+    """A piece by itself; ends: which of the end values move, (u,), of beams (u, θ), at either end; cuts: where it is
+    divided by places at which nothing is attached."""
 
     piece: Any
     ends: tuple[tuple[bool, ...], tuple[bool, ...]]
+    cuts: tuple[float, ...] = ()
 
     @property
     def resting(self) -> int:
@@ -71,10 +75,11 @@ class UniformMember(NamedTuple):
 def uniform_member(elements: Any) -> UniformMember | None:
     """The UniformMember that a FactoredSystem is, without what nothing moves; None where it is something else."""
     lumped = any(any(row.values()) for _, row in (*elements.inertias, *elements.springs))
-    if len(elements.pieces) != 1 or lumped or elements.M or elements.K or elements.G:
+    joined = None if lumped or elements.M or elements.K or elements.G else _joined(elements.pieces)
+    if joined is None:
         return None
-    piece, rows = elements.pieces[0].piece, elements.pieces[0].rows
-    touched = [i for row in rows for i, x in row.items() if x]
+    piece, rows, cuts, within = joined
+    touched = [*within, *(i for row in rows for i, x in row.items() if x)]
     own = all(sum(1 for x in row.values() if x) <= 1 for row in rows) and sorted(touched) == list(range(elements.n))
     if not own or piece.gradient or piece.inertia <= 0 or (piece.bending or piece.tension) <= 0 or piece.foundation < 0:
         return None
@@ -83,7 +88,25 @@ def uniform_member(elements: Any) -> UniformMember | None:
     ends = (tuple(moved[:half]), tuple(moved[half:]))
     if half == 2 and piece.tension and (piece.tension < 0 or not set(ends) <= SINES):
         return None
-    return UniformMember(piece, ends)
+    return UniformMember(piece, ends, cuts)
+
+
+def _joined(placed):
+    """(piece, rows of its ends, cuts, coordinates of these) of pieces that are one but for places on it; None of
+    others."""
+    if not placed:
+        return None
+    first, half, within = placed[0], placed[0].piece.order // 2, []
+    for one, other in pairwise(placed):
+        joint = one.rows[half:]
+        alike = one.piece._replace(length=0, drag=0) == other.piece._replace(length=0, drag=0)
+        meets = one.owner == other.owner and abs(one.start + one.piece.length - other.start) <= SAME * other.start
+        if not (alike and meets) or joint != other.rows[:half] or any([*row.values()] != [1] for row in joint):
+            return None
+        within += [i for row in joint for i in row]
+    length = placed[-1].start + placed[-1].piece.length - first.start
+    cuts = tuple(float(one.start - first.start) for one in placed[1:])
+    return first.piece._replace(length=length), (*first.rows[:half], *placed[-1].rows[half:]), cuts, within
 
 
 def _tangent(start, sign):

@@ -47,10 +47,11 @@ class LoadStretch(NamedTuple):
     terms: tuple[LoadTerm, ...]
 
     def is_far(self, piece: "Piece", kappa: np.ndarray) -> np.ndarray:
-        """Is κ far above what else is in P? Not where the tension varies along a piece."""
+        """Is κ far above what else is in P, and in what bends over the stretch, of which little is left at rest? Not
+        where the tension varies along a piece."""
         if piece.gradient or not self.terms:
             return np.zeros(kappa.shape, bool)
-        rate = max(float(abs(term.exponent)) + term.power / float(self.end - self.start) for term in self.terms)
+        rate = max(float(abs(term.exponent)) + (1 + term.power) / float(self.end - self.start) for term in self.terms)
         return np.abs(kappa) > FAR * (abs(piece.bending) * rate**4 + abs(piece.tension) * rate**2)
 
     def at(self, x: np.ndarray, numbers: "Arithmetic") -> np.ndarray:

@@ -10,6 +10,7 @@ from support.scenes import problem
 
 from tests.support.moved_pieces import moved_pieces
 from tests.support.random_members import at_rest
+from vibcli.analyses.continuous import mode_source
 from vibcli.analyses.continuous.mode_fields import ModeFields
 from vibcli.analyses.continuous.mode_source import NaturalModes
 from vibcli.analyses.continuous.shapes import shape_along
@@ -167,3 +168,28 @@ def test_values_of_high_modes_are_off_by_no_more_than_told(more):
     fields = ModeFields(mode, scene.scene.resting, Floats, scene.configuration.at_rest)
     exact = 0.75**0.5 * (2 / (3 * 1.2)) ** 0.5
     assert abs(abs(fields.at("a", 0.4)[0]) - exact) <= SHAPE * fields.size("a", 0)
+
+
+@pytest.mark.parametrize(("kind", "ends", "rigid"), [
+    ("beams", "left: clamped", 0), ("beams", "left: pinned", 1), ("bars", "left: clamped", 0)])
+def test_places_at_which_nothing_is_attached_leave_the_closed_form(kind, ends, rigid, monkeypatch):
+    """A beam or bar with a load on it moves in the modes that counting finds, beyond those that are searched."""
+    stiff = "EI: 2 N*m^2" if kind == "beams" else "EA: 2 N"
+    elements = problem(f"{kind}: {{a: {{length: 1.3 m, {stiff}, mass_per_length: 2 kg/m, {ends}}}}}\n"
+                       "points: {p: {body: a, at: 0.4 m}, q: {body: a, at: 0.9 m}}\n"
+                       "forces: {f: {at: p, force: 1 N*step(t)}, g: {at: q, force: 1 N*step(t)}}\n"
+                       ).configuration.linear_system
+    known = NaturalModes(elements)
+    assert known.uniform.cuts == (0.4, 0.9) and known.uniform.resting == rigid
+    monkeypatch.setattr(mode_source, "SEARCHED", 4)
+    searched = NaturalModes(elements)
+    searched.uniform = None
+    for mode, other in zip(known.numbered(3, 12), searched.numbered(3, 12), strict=True):
+        assert mode.omega == pytest.approx(other.omega, rel=1e-14)
+        sign = np.sign(mode.shape @ other.shape) / np.linalg.norm(other.shape) * np.linalg.norm(mode.shape)
+        assert mode.shape == pytest.approx(sign * other.shape, abs=1e-10 * np.abs(mode.shape).max())
+
+
+def test_pieces_that_differ_are_no_uniform_member():
+    scene = "segments: [{length: 1 m, EI: 2 N*m^2}, {length: 1 m, EI: 3 N*m^2}], mass_per_length: 2 kg/m, left: clamped"
+    assert uniform_member(problem(f"beams: {{a: {{{scene}}}}}\n").configuration.linear_system) is None

@@ -33,6 +33,15 @@ def test_a_beam_at_rest_takes_what_textbooks_say():
         assert found[3] == pytest.approx(6.0 * (24 * x - 24) / 72, abs=1e-13)
 
 
+def test_an_even_load_near_rest_is_as_at_rest():
+    """However small κ is: the loads on the ends are those at rest but for O(κ l⁴/B)."""
+    kappa = np.array([1e-18, -1e-13, 1e-9, 1e-9j, -1e-9 + 1e-9j])
+    bar = BEAM._replace(bending=0.0, tension=3.0)
+    for piece, rest in ((BEAM, [6, 2, 6, -2]), (bar, [6, 6])):
+        assert np.abs(end_loads(piece, kappa, form((6.0, 0, 0.0))) - rest).max() <= 1e-8
+        assert np.abs(end_loads(piece, kappa[:2], form((6.0, 0, 0.0))) - rest).max() <= 1e-12
+
+
 def test_a_load_in_two_stretches_is_the_sum_of_both():
     whole = form((2.0 - 1j, 2, -0.3 + 2j))
     parts = whole.on(0, 0.7).stretches + tuple(
