@@ -138,3 +138,10 @@ def test_what_modes_left_out_add_is_told_where_nodes_make_octaves_alike():
 def test_what_rounding_leaves_of_modes_has_a_bound():
     noise = 1e-19 * np.random.default_rng(1).random(256)
     assert remainder(noise) == np.inf and remainder(noise, 1e-19) < 1e-16
+
+
+def test_an_octave_in_which_no_mode_is_felt_tells_no_fall():
+    sizes = np.arange(1.0, 129.0) ** -4
+    sizes[32:64] = 0
+    with np.errstate(all="raise"):
+        assert remainder(sizes) == np.inf
