@@ -35,7 +35,7 @@ def remainder(sizes: np.ndarray, rounded: float = 0.0) -> float:
         size = float((sizes[tail] * ((tail + 1) / count) ** power).max())
     most = SAFE * size * count / (power - 1)
     last, before, first = (float(sizes[count // 2**(k + 1):count // 2**k].sum()) for k in range(3))
-    shares = last / before, before / first
+    shares = (last / before, before / first) if before and first else (1.0,)
     if max(shares) < 1 and max(shares) <= (1 + EVEN) * min(shares):
         return min(most, SURE * last * max(shares) / (1 - max(shares)))
     return most
