@@ -142,7 +142,11 @@ class ModeFields:
 
     def node_places(self, member: str) -> list[Any]:
         """The places from left to right at which a member rests, its ends and supports not counted."""
-        return [self._polished(member, x, 0) for x in self._kept(self._marks, member)[0]]
+        return [self._polished(member, x, 0) for x in self.nodes_in_floats(member)]
+
+    def nodes_in_floats(self, member: str) -> list[float]:
+        """The same in floats."""
+        return self._kept(self._marks, member)[0]
 
     def antinode_places(self, member: str) -> list[float]:
         """The places from left to right at which a member moves more than beside them, in floats."""

@@ -26,7 +26,7 @@ def along_members(problem: "Problem", modes: "Sequence[Mode]", how: str) -> Iter
         for mode in modes:
             fields, scale = _told(problem, mode, how)
             place, largest = fields.largest(name)
-            rows.append((str(mode.index), *_row(place, largest * scale, fields.node_places(name),
+            rows.append((str(mode.index), *_row(place, largest * scale, fields.nodes_in_floats(name),
                                                 fields.antinode_places(name))))
         motion = "φ" if member.kind.torsional else member.kind.letter
         head = ("mode", f"largest {motion}", "at x [m]", "nodes at x [m]", "antinodes at x [m]")
@@ -49,7 +49,7 @@ def _row(place, largest, nodes, antinodes):
 
 
 def _listed(places):
-    told = ", ".join(figure(float(x)) for x in places[:LISTED]) + (
+    told = ", ".join(figure(x) for x in places[:LISTED]) + (
         f", … ({len(places)} in all)" if len(places) > LISTED else "")
     return told or "none"
 
