@@ -11,6 +11,8 @@ import numpy as np
 
 from vibcli.base.named_tuple import NamedTuple
 
+MAY_TURN = "cO"     # kinds of arrays: complex floats, and numbers of more digits, which may be complex
+
 
 class EliminationStep(NamedTuple):
     """One coordinate to eliminate: its later neighbours, ascending; the places of its column, and which of these hold
@@ -90,20 +92,19 @@ class Elimination:
     def __init__(self, pattern: Pattern, entries: np.ndarray, tiny: np.ndarray):
         """tiny: what takes the place of a pivot that is exactly zero, (n, 1) or (n, matrices)."""
         work, n = entries.copy(), pattern.n
-        self.pattern, self.columns = pattern, []
-        self.pivots = work[:n].real.copy() if work.dtype.kind == "c" else work[:n].copy()
+        self.pattern, self.columns, turning = pattern, [], work.dtype.kind in MAY_TURN
+        self.pivots = _real(work[:n]).copy() if turning else work[:n].copy()
         tiny = np.broadcast_to(tiny, self.pivots.shape)
         for step in pattern.steps:
-            pivot = work[step.pivot].real if work.dtype.kind == "c" else work[step.pivot]
+            pivot = _real(work[step.pivot]) if turning else work[step.pivot]
             pivot = np.where(pivot == 0, tiny[step.pivot], pivot)
             self.pivots[step.pivot] = pivot
             column = work[step.column]
-            if work.dtype.kind == "c":
+            if turning:
                 column = np.where(step.conjugate, column.conj(), column)
             factor = column / pivot
             self.columns.append(factor)
-            work[step.changed] -= factor[step.first] * (column[step.second].conj() if work.dtype.kind == "c"
-                                                        else column[step.second])
+            work[step.changed] -= factor[step.first] * (column[step.second].conj() if turning else column[step.second])
 
     @property
     def products(self) -> np.ndarray:
@@ -130,13 +131,18 @@ class Elimination:
         return x
 
 
+def _real(entries):
+    """The real parts, which NumPy does not take of objects."""
+    return entries.real if entries.dtype.kind != "O" else np.array(
+        [x.real for x in entries.flat], object).reshape(entries.shape)
+
+
 def quadratic(pattern: Pattern, entries: np.ndarray, x: np.ndarray, y: Any = None) -> np.ndarray:
-    """xᴴ A y of each matrix, y = x where not given; x, y are (n, matrices)."""
-    y = x if y is None else y
-    i, j = pattern.above
-    a = entries[pattern.n:]
-    return ((np.conj(x) * entries[:pattern.n] * y).sum(axis=0)
-            + (np.conj(x[i]) * a * y[j] + np.conj(x[j]) * np.conj(a) * y[i]).sum(axis=0))
+    """xᴴ A y of each matrix, y = x where not given, of which it is real; x, y are (n, matrices)."""
+    of, (i, j), a = x if y is None else y, pattern.above, entries[pattern.n:]
+    found = ((np.conj(x) * entries[:pattern.n] * of).sum(axis=0)
+             + (np.conj(x[i]) * a * of[j] + np.conj(x[j]) * np.conj(a) * of[i]).sum(axis=0))
+    return _real(found) if y is None else found
 
 
 def product(pattern: Pattern, entries: np.ndarray, x: np.ndarray) -> np.ndarray:

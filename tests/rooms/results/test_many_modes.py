@@ -138,3 +138,11 @@ def test_what_modes_left_out_add_is_told_where_nodes_make_octaves_alike():
 def test_what_rounding_leaves_of_modes_has_a_bound():
     noise = 1e-19 * np.random.default_rng(1).random(256)
     assert remainder(noise) == np.inf and remainder(noise, 1e-19) < 1e-16
+
+
+def test_an_octave_in_which_no_mode_is_felt_leaves_what_others_tell():
+    sizes = np.arange(1.0, 20_000.0) ** -4
+    sizes[32:64] = 0
+    with np.errstate(all="raise"):
+        assert sizes[128:].sum() <= remainder(sizes[:128]) <= 10 * sizes[128:].sum()
+        assert remainder(np.where(np.arange(128) < 64, 0.0, sizes[:128])) == np.inf

@@ -37,7 +37,8 @@ def quotient(modal: "ModalAnalysis", text: str, digits: int | None) -> Any:
         resting = [name for i, name in enumerate(modal.scene.coordinates)
                    if ALONG not in name and i not in found.motions[0]]
         if resting:
-            raise PhysicsError(f"how {', '.join(resting)} move does not follow from the deflection of '{members[0]}'",
+            raise PhysicsError(f"the motion of {', '.join(resting)} does not follow from the deflection of "
+                               f"'{members[0]}'",
                                "Rayleigh's quotient of one deflection needs a scene in which all follows from it")
         if not found.M[0, 0]:
             raise PhysicsError("nothing moves in this deflection", "a function that is not zero fits")

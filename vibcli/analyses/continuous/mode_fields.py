@@ -116,7 +116,7 @@ class ModeFields:
 
     def _displaced(self, asked):
         member, *places = asked
-        return shape_along(self._in_floats(member), places)[:, 0]
+        return shape_along(self.in_floats(member), places)[:, 0]
 
     def largest(self, member: str) -> tuple[Any, Any]:
         """(x, u) where a member moves furthest, the leftmost of equal ones."""
@@ -136,15 +136,19 @@ class ModeFields:
     def size(self, member: str, order: int) -> float:
         """How large a derivative of u by x is on a member, or would be if it moved as far as any: what its rounding is
         measured by. So many waves that what their length is off shows count as a larger one."""
-        pieces = self._in_floats(member)
-        most = max(_most(moved, 0) for name in self.scene.members for moved in self._in_floats(name))
+        pieces = self.in_floats(member)
+        most = max(_most(moved, 0) for name in self.scene.members for moved in self.in_floats(name))
         largest = max(max(_most(moved, order), most * _wave_number(moved)**order) for moved in pieces)
         phase = sum(_wave_number(moved) * moved.piece.length for moved in pieces)
         return largest * max(1.0, phase * (float(self.mode.error) + PLACE) / ALLOWED)
 
     def node_places(self, member: str) -> list[Any]:
         """The places from left to right at which a member rests, its ends and supports not counted."""
-        return [self._polished(member, x, 0) for x in self._kept(self._marks, member)[0]]
+        return [self._polished(member, x, 0) for x in self.nodes_in_floats(member)]
+
+    def nodes_in_floats(self, member: str) -> list[float]:
+        """The same in floats."""
+        return self._kept(self._marks, member)[0]
 
     def antinode_places(self, member: str) -> list[float]:
         """The places from left to right at which a member moves more than beside them, in floats."""
@@ -152,16 +156,17 @@ class ModeFields:
 
     def _tops(self, member):
         """Ends of pieces, these and the turning places, u there, and the antinodes among them."""
-        pieces, turning = self._in_floats(member), self._kept(self._marks, member)[1]
+        pieces, turning = self.in_floats(member), self._kept(self._marks, member)[1]
         ends = [place for moved in pieces for place in (moved.start, moved.start + moved.piece.length)]
         places = sorted([*ends, *turning])
         found, u = antinodes_and_displacements(pieces, turning, places)
         return ends, places, u, found
 
     def _marks(self, member):
-        return resting_and_turning(self._in_floats(member))
+        return resting_and_turning(self.in_floats(member))
 
-    def _in_floats(self, member):
+    def in_floats(self, member: str) -> list[Moved]:
+        """The pieces of a member, their numbers rounded to floats."""
         return self._kept(self._rounded, member)
 
     def _rounded(self, member):

@@ -144,10 +144,10 @@ def certified(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray, indices:
     for _ in range(PASSES):     # the shape and the inertia are those at the last z
         entries, sizes, slope = system.dynamic_stiffness(z)
         x = settled(system, z, entries, x)
-        inertia = abs(quadratic(system.pattern, slope, x).real)
+        inertia = abs(quadratic(system.pattern, slope, x))
         sound &= inertia > 0                    # a step that ran into a pole leaves no shape
         inertia = np.where(inertia > 0, inertia, 1)
-        moved = quadratic(system.pattern, entries, x).real / inertia
+        moved = quadratic(system.pattern, entries, x) / inertia
         z = z + moved
         if (abs(moved) <= 16 * system.unit * abs(z)).all():
             break

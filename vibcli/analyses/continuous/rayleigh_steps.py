@@ -27,8 +27,8 @@ def rayleigh_step(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray) -> t
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         entries, sizes, slope = system.dynamic_stiffness(here)
         x = system.eliminated(entries, sizes).solved(product(system.pattern, slope, x))
-        x = x / np.sqrt(quadratic(system.pattern, slope, x).real)
-        new = here + quadratic(system.pattern, entries, x).real
+        x = x / np.sqrt(quadratic(system.pattern, slope, x))
+        new = here + quadratic(system.pattern, entries, x)
         return new, x, new - z
 
 

@@ -24,7 +24,8 @@ def remainder(sizes: np.ndarray, rounded: float = 0.0) -> float:
         return np.inf if top else 0.0
     if top <= max(NOISE * sizes.max(initial=0.0), rounded):
         return SAFE * count * float(top)
-    power = np.floor(2 * (np.log2(min(middle / top, 2 * low / middle if middle else np.inf)) + 0.3)) / 2
+    fall = min(middle / top, 2 * low / middle if middle else np.inf)
+    power = np.floor(2 * (np.log2(fall) + 0.3)) / 2 if fall else 0.0
     size = float(top) / 2**power
     if power <= 1:
         power = _over_octaves(sizes)
@@ -34,7 +35,7 @@ def remainder(sizes: np.ndarray, rounded: float = 0.0) -> float:
         size = float((sizes[tail] * ((tail + 1) / count) ** power).max())
     most = SAFE * size * count / (power - 1)
     last, before, first = (float(sizes[count // 2**(k + 1):count // 2**k].sum()) for k in range(3))
-    shares = last / before, before / first
+    shares = (last / before, before / first) if before and first else (1.0,)
     if max(shares) < 1 and max(shares) <= (1 + EVEN) * min(shares):
         return min(most, SURE * last * max(shares) / (1 - max(shares)))
     return most

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from vibcli.mechanics.factored_system import FactoredSystem
 
 ROUNDING, ASIDE = 1e-15, 1e-5
+CLOSEST = 24        # halvings of the distance from a pole at which zeros are looked for
 BESIDE = 0.05       # relative distance of a damped pole from where it is without dampers, within which it is its own
 DAMPINGS, EVEN, EACH = (0.003, 0.05, 0.2, 0.7), 40, 8      # where damped poles are looked for besides: ratios, places
 
@@ -80,7 +81,7 @@ def poles(response: "MemberTransfer", low: float, high: float) -> np.ndarray:
     start = 1j * np.array([mode.omega for mode in response.marks.natural(low, high)])
     if response.undamped or not math.isfinite(high):
         return start
-    axis = np.linspace(low, high, EVEN + EACH * len(start) + 1)[1:]
+    axis = _evenly(response, low, high)
     starts = np.concatenate([start, *((1j - damping) * axis for damping in DAMPINGS)])
     found = distinct(np.concatenate([followed(response.to_pole, starts), followed(response.to_pole_within, starts)]))
     alone = [s for s in start if not (np.abs(found - s) <= BESIDE * abs(s)).any()]
@@ -88,11 +89,26 @@ def poles(response: "MemberTransfer", low: float, high: float) -> np.ndarray:
     return found[np.argsort(found.imag)]
 
 
+def _evenly(response, low, high):
+    """Places on the axis, several to each natural frequency."""
+    return np.linspace(low, high, EVEN + EACH * len(response.marks.natural(low, high)) + 1)[1:]
+
+
+def _beside_poles(response, low, high):
+    """Places ever closer to each natural frequency: zeros lie next to those that are hardly felt."""
+    natural = np.array([mode.omega for mode in response.marks.natural(low, high)])
+    return [natural * (1 + side * 2.0**-k) for k in range(3, CLOSEST) for side in (-1, 1)]
+
+
 def zeros(response: "MemberTransfer", low: float, high: float) -> np.ndarray:
-    """The zeros with low ≤ Im s ≤ high."""
+    """The zeros with low ≤ Im s ≤ high. Beside gyroscopic terms, and of what velocities enter, they are looked for from
+    many places, as there no scene without dampers tells where."""
     if not response.undamped:
-        start = zeros(response.without_damping, low, high)
-        return distinct(followed(lambda s: _newton(response, s), start))
+        still = response.without_damping
+        start = zeros(still, low, high) if still.undamped else 1j * np.concatenate(
+            [_evenly(response, low, high), *_beside_poles(response, low, high)])
+        found = distinct(followed(lambda s: _newton(response, s), start))
+        return found if still.undamped else found[(found.imag >= low) & (found.imag <= high)]
     natural = np.array([mode.omega for mode in response.marks.natural(low, high)])
     seen = taking_part(response, ascending(natural))
     if response.marks.shared is None:

@@ -26,9 +26,9 @@ def along_members(problem: "Problem", modes: "Sequence[Mode]", how: str) -> Iter
     for name, member in problem.scene.members.items():
         rows = []
         for mode in modes:
-            fields, scale = problem.modal.fields(mode), problem.modal.scale(mode, how)
+            fields, scale = _told(problem, mode, how)
             place, largest = fields.largest(name)
-            rows.append((str(mode.index), *_row(place, largest * scale, fields.node_places(name),
+            rows.append((str(mode.index), *_row(place, largest * scale, fields.nodes_in_floats(name),
                                                 fields.antinode_places(name))))
         motion = "φ" if member.kind.torsional else member.kind.letter
         x, moved = (others.get(letter, letter) for letter in ("x", motion))
@@ -36,11 +36,19 @@ def along_members(problem: "Problem", modes: "Sequence[Mode]", how: str) -> Iter
         yield from section(f"Modes along {name}", TableBlock(head, tuple(rows)), stated)
 
 
+def _told(problem, mode, how):
+    """(its ModeFields, what they are multiplied by, in floats), found in more digits where floats mix it with
+    another."""
+    told = problem.modal.told_apart(mode)
+    scale = problem.modal.scale(told, how)
+    return problem.modal.fields(told), complex(scale) if scale.imag else float(scale.real)
+
+
 def _row(place, largest, nodes, antinodes):
     if not largest:
         return "0", "–", "rests", "–"
-    size = f"{abs(largest):.6g}" if getattr(largest, "imag", 0) else figure(float(largest.real))
-    return size, figure(place), _listed(nodes), _listed(antinodes)
+    size = f"{abs(complex(largest)):.6g}" if largest.imag else figure(float(largest.real))
+    return size, figure(float(place)), _listed(nodes), _listed(antinodes)
 
 
 def _listed(places):
@@ -51,9 +59,8 @@ def _listed(places):
 
 def member_shapes(problem: "Problem", index: int, how: str) -> dict[str, dict[str, Any]]:
     """{member: its shape in a mode, with the keys of MEMBERS}."""
-    mode, = problem.modal.modes.numbered(index, index)
-    fields, scale = problem.modal.fields(mode), problem.modal.scale(mode, how)
-    return {name: _shape(member.kind, fields.pieces(name), scale, fields.largest(name)[0])
+    fields, scale = _told(problem, *problem.modal.modes.numbered(index, index), how)
+    return {name: _shape(member.kind, fields.in_floats(name), scale, float(fields.largest(name)[0]))
             for name, member in problem.scene.members.items()}
 
 

@@ -66,7 +66,7 @@ def test_what_is_no_bound_is_refused(held, deflection, said):
 def test_a_body_that_does_not_follow_is_refused_by_name():
     text = BEAM.format(HELD, "bodies: {other: {mass: 1 kg, slide: z}}\n"
                        "springs: {s: {k: 3 N/m, between: [ground, other]}}\n")
-    with pytest.raises(PhysicsError, match="how z move"):
+    with pytest.raises(PhysicsError, match="the motion of z does not follow"):
         quotient(text, "x^2")
 
 

@@ -13,6 +13,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.cli.program import run
 from vibcli.report.document import Report
 from vibcli.report.formats.text import render
+from vibcli.report.sections.member_modes import member_shapes
 
 BAR = "    bars: {rod: {length: 2 m, EA: 2e6 N, mass_per_length: 2 kg/m, left: clamped%s}}"
 CANTILEVER = """
@@ -95,6 +96,21 @@ def test_a_member_that_rests_in_a_mode_is_told_with_all_its_digits():
     """)
     assert "Modes along b" in told(scene)
     assert [value(scene, f"omega[{i}]") for i in (3, 4)] == pytest.approx([pi * sqrt(2e6)] * 2, rel=1e-14)
+
+
+def test_shapes_along_members_are_told_apart_from_that_of_a_close_frequency():
+    """Two cantilevers alike, tied so weakly that shapes in floats are mixed by 2e-4: they move alike and opposed."""
+    cantilever = "length: 1 m, EI: 3 N*m^2, mass_per_length: 1 kg/m, left: clamped"
+    scene = problem(f"""
+        beams: {{a: {{{cantilever}}}, b: {{{cantilever}}}}}
+        points: {{p: {{body: a, at: 1 m}}, q: {{body: b, at: 1 m}}}}
+        springs: {{s: {{k: 1e-11 N/m, between: [p, q]}}}}
+        find: [{{modes: 2}}]
+    """)
+    text = told(scene).partition("Modes along b")[2]
+    assert "  1     1          1         none" in text and "  2     -1         1         none" in text
+    for mode, end in ((1, 1), (2, -1)):
+        assert member_shapes(scene, mode, "first")["b"]["u"][-1] == pytest.approx(end, rel=1e-13)
 
 
 @pytest.mark.parametrize("further", [", right: {c: 3 N*s/m}", ", drag: 3 Pa*s"])

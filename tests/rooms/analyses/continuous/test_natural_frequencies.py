@@ -143,6 +143,9 @@ def test_bars_tied_by_gyroscopic_terms_and_free_ones_that_are_refused():
                    for sign, near in ((1, 0.6), (-1, 1.1), (1, 3.4), (-1, 3.5), (1, 6.4)))
     found = [mode.omega for mode in NaturalModes(coupled({}, {})).numbered(1, 5)]
     assert found == pytest.approx([float(w) for w in exact], rel=1e-14)
+    with mpmath.workdps(40):
+        lowest = mpmath.findroot(lambda w: mpmath.cot(w) - w - mpmath.mpf(0.7), 0.6)
+        assert abs(NaturalModes(coupled({}, {}), digits=25).numbered(1, 1)[0].omega / lowest - 1) < 1e-25
     with pytest.raises(PhysicsError, match="gyroscopic"):
         NaturalModes(coupled({2: 1.0}, {3: 1.0}))
 

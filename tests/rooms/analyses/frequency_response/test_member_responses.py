@@ -95,6 +95,24 @@ def test_reciprocity():
     assert np.abs(one / two - 1).max() <= 1e-12
 
 
+def test_zeros_beside_gyroscopic_terms():
+    """Two bars with a mass each at their ends, these tied by ±h: x rests under a force on it where the other bar swings
+    alone, EA β = m ω² tan βL, and where its own is at rest at both ends, βL = nπ."""
+    ends = "length: 1 m, mass_per_length: 1 kg/m, left: clamped"
+    found = curve(f"""
+        parameters: {{h: 4 N*s/m, F: 1 N, W: 3 rad/s}}
+        bodies: {{b: {{mass: 1 kg, slide: x}}, c: {{mass: 1 kg, slide: y}}}}
+        bars:
+          r: {{{ends}, EA: 3 kN, right: {{pinned: b}}}}
+          q: {{{ends}, EA: 5 kN, right: {{pinned: c}}}}
+        matrices: {{C: [[0, -h], [h, 0]]}}
+        forces: {{drive: {{at: b, force: F*sin(W*t)}}}}
+    """, "x").transfer.zeros(0.0, 400.0)
+    alone = [math.sqrt(5000) * float(mpmath.findroot(lambda z: z * mpmath.tan(z) - 1, near)) for near in (0.86, 3.43)]
+    held = [math.sqrt(3000) * n * math.pi for n in (1, 2)]
+    assert found.imag == pytest.approx(sorted(alone + held), rel=1e-12) and not found.real.any()
+
+
 def test_bar_with_an_end_damper():
     """u = sin(kx)/(EA k cos kL + iΩ c sin kL) and EA u′, k = Ω √(ρA/EA)."""
     text = """
