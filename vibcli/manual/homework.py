@@ -83,8 +83,8 @@ GRADE = [
     "with the columns of the table, `off`, `band` and `unit`; `points` and `of`. The exit code is 0 whatever the marks "
     "are.",
     [
-        ("--student", "whose answer `--answer QUANTITY=TEXT` is, which may be given several times; `--problem NAME` on a "
-         "sheet with several"),
+        ("--student", "whose answer `--answer QUANTITY=TEXT` is, which may be given several times; `--problem NAME` on "
+         "a sheet with several"),
         ("--csv FILE", "the answers of all, marked into `-o marks.csv`"),
         ("bands", "Right is what lies within the band of the key, its edges included: `vibcli explain homework`."),
     ],

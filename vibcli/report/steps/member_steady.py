@@ -12,6 +12,7 @@ from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.complex_numbers import cleared, complex_told
+from vibcli.report.steps.coupled_members import tell_coupled_steady
 from vibcli.report.steps.step import WorkedSolution, number, told
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -47,17 +48,18 @@ class SwingingLoads(NamedTuple):
 
 def tell_steady_members(problem: "Problem", sheet: WorkedSolution) -> None:
     """Write down D U = F and its solution where amplitudes are asked; nothing of several frequencies, of supports that
-    are driven, and where `damping` acts on modes."""
+    are driven, and where `damping` acts on modes and no damper beside it."""
     heads = {tree.head for answer in problem.spec.answers for tree in answer.asked.parts.quantities}
-    if not heads & ASKED or not problem.scene.timed or problem.numeric.has_free_symbols or (
-            problem.spec.get("damping") is not None):
+    if not heads & ASKED or not problem.scene.timed or problem.numeric.has_free_symbols:
         return
     from vibcli.results.modal_response import ModalResponse
 
     response = ModalResponse(problem)
     try:
         loads = _loads(problem, response)
-        if loads is not None and problem.scene.coordinates:
+        if loads is not None and problem.scene.coordinates and problem.spec.get("damping") is not None:
+            tell_coupled_steady(problem, sheet, loads.Omega, loads.forces)
+        elif loads is not None and problem.scene.coordinates:
             _SteadyMembers(problem, sheet, response, loads).write()
     except (PhysicsError, NotInLetters):
         return
