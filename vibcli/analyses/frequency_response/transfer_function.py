@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vibcli.analyses.frequency_response import poles_and_zeros
-from vibcli.analyses.frequency_response.direct import direct
+from vibcli.analyses.frequency_response.direct import SINGULAR, direct, scales
 from vibcli.analyses.frequency_response.frequency_response_function import FrequencyResponseFunction
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signal_names import signal_name
@@ -103,10 +103,13 @@ class TransferFunction(FrequencyResponseFunction):
     def _resting(self):
         """The AtRest of what nothing holds; None of what is held. No place of the circle is much nearer to a pole than
         the one on the axis, by which its error is bounded."""
+        scale, = scales(self, np.zeros(1))
+        if self._modal is None or np.linalg.cond(self.K * scale[:, None] * scale) < 1 / SINGULAR:
+            return None
         from vibcli.analyses.frequency_response.beside_rigid_motions import at_rest, next_to_zero
         from vibcli.analyses.frequency_response.value_errors import of_values
 
-        next_pole = next_to_zero(self._modal) if self._modal is not None else None
+        next_pole = next_to_zero(self._modal)
         return None if next_pole is None else at_rest(
             self, next_pole, lambda s: 2 * float(of_values(self, self.data, np.abs(s[:1]))[0]))
 
