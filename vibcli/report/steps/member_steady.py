@@ -163,16 +163,7 @@ class _SteadyMembers:
                 f",  of length l = {' m, '.join(lengths)} m{words}"), settles=f"beta {owners} {beta}", value=beta,
                 unit="1/m", uses=[line])
         for order in sorted({order for order, _ in plain}):
-            yield self._needs(order, line)
-
-    def _needs(self, order, line):
-        if order == 2:
-            return self.sheet.write(Words("an end that moves by 1 while the other one is held needs  "), "S·β·cot βl",
-                                    Words(",  the other one  "), "−S·β/sin βl", settles="stiffness 2", uses=[line])
-        parts = [part for head, text in ENTRIES for part in (Words(",  "), f"{head} = {text}")][1:]
-        return self.sheet.write(Words("ends that move by  "), "u₀, θ₀, u₁, θ₁", Words(",  "), "θ = ∂u/∂x", Words(
-            ",  need  "), "d", Words("  times these,  "), "N = 1 − cos βl·cosh βl", Words(":  "), *parts,
-            settles="stiffness 4", uses=[line])
+            yield tell_end_forces(self.sheet, order, line)
 
     def _entries(self, uses):
         """The line of D and F in numbers."""
@@ -205,6 +196,17 @@ class _SteadyMembers:
 
     def _exact(self, value) -> "Node":
         return self.table.number(fraction_of(float(value)))
+
+
+def tell_end_forces(sheet: WorkedSolution, order: int, line: int) -> int:
+    """The line of what the ends of a uniform stretch need to move."""
+    if order == 2:
+        return sheet.write(Words("an end that moves by 1 while the other one is held needs  "), "S·β·cot βl",
+                                Words(",  the other one  "), "−S·β/sin βl", settles="stiffness 2", uses=[line])
+    parts = [part for head, text in ENTRIES for part in (Words(",  "), f"{head} = {text}")][1:]
+    return sheet.write(Words("ends that move by  "), "u₀, θ₀, u₁, θ₁", Words(",  "), "θ = ∂u/∂x", Words(
+        ",  need  "), "d", Words("  times these,  "), "N = 1 − cos βl·cosh βl", Words(":  "), *parts,
+        settles="stiffness 4", uses=[line])
 
 
 def _beta(piece: "Piece", Omega: float) -> float | None:
