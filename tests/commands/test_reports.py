@@ -646,3 +646,9 @@ def test_a_label_stands_above_formulas_that_fill_the_page(count, beside):
     row = line("a = " + " + ".join(["b_1"] * count), label=Words("left, right, girder"))
     told = render_latex.render([Document("t", None, (), (Section("s", (Equations((row,)),)),))], None)
     assert (r"girder}:\quad & {}" in told) is beside and r"girder}:\quad" in told
+
+
+def test_what_has_no_bodies_has_no_picture_of_its_modes(tmp_path):
+    page = tmp_path / "page.html"
+    assert run(["solve", "vibcli/examples/u_tube.yaml", "--pictures", "-o", str(page)]) == 0
+    assert "given by its energies" in page.read_text() and "on the scene at rest" not in page.read_text()
