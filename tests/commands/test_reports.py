@@ -638,3 +638,17 @@ def test_a_formula_wider_than_a_line_stands_apart_from_the_text(kind, apart, cou
     wide = paragraph("with ", maths("a = " + " + ".join(["b_1"] * count)), ", say")
     told = kind.render([Document("t", None, (), (Section("s", (wide,)),))], None)
     assert (apart in told) is bool(rows) and told.count("& ") == rows
+
+
+@pytest.mark.parametrize(("count", "beside"), [(4, True), (40, False)])
+def test_a_label_stands_above_formulas_that_fill_the_page(count, beside):
+    """Its column would push them over the margin."""
+    row = line("a = " + " + ".join(["b_1"] * count), label=Words("left, right, girder"))
+    told = render_latex.render([Document("t", None, (), (Section("s", (Equations((row,)),)),))], None)
+    assert (r"girder}:\quad & {}" in told) is beside and r"girder}:\quad" in told
+
+
+def test_what_has_no_bodies_has_no_picture_of_its_modes(tmp_path):
+    page = tmp_path / "page.html"
+    assert run(["solve", "vibcli/examples/u_tube.yaml", "--pictures", "-o", str(page)]) == 0
+    assert "given by its energies" in page.read_text() and "on the scene at rest" not in page.read_text()

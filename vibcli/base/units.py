@@ -121,7 +121,8 @@ def combine(chain: Sequence[tuple[str, Fraction | int]]) -> Unit:
 _NAMED = (("N/m", si(1, 0, -2)), ("N·s/m", si(1, 0, -1)), ("N", FORCE), ("N·m", ENERGY),
           ("N·m·s", si(1, 2, -1)), ("Pa", PRESSURE), ("W", POWER), ("kg/m", si(1, -1)),
           ("rad/s", RATE), ("1/s²", si(s=-2)), ("N·m²", si(1, 3, -2)),
-          ("N/m³", si(1, -2, -2)))
+          ("N/m³", si(1, -2, -2)), ("m/N", si(-1, s=2)), ("m/(N·s)", si(-1, s=1)), ("rad/(N·m)", si(-1, -2, 2)),
+          ("rad/N", si(-1, -1, 2)))
 _SUPERSCRIPT = str.maketrans("0123456789-/", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᐟ")
 
 

@@ -33,7 +33,7 @@ def command(manifest: str, student: str | None, problem: str | None, answers: Se
             output: str | None, force: bool, as_json: bool) -> int:
     """Mark answers by the manifest of the sheets that `vibcli homework` handed out.
 
-    The exit code is 0 whatever the marks are: vibcli explain homework.
+    The exit code is 0 whatever the marks are: vibcli explain grade.
     """
     from vibcli.cli.pictures import target
     from vibcli.homework.manifest import read_manifest

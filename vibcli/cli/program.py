@@ -35,11 +35,19 @@ class Commands(click.Group):
             if os.path.exists(args[0]):
                 hint = f"write: vibcli solve {args[0]}"
             raise click.UsageError(f"there is no command '{args[0]}'; {hint}")
-        return super().resolve_command(context, args)
+        name, command, rest = super().resolve_command(context, args)
+        return name, command, _by_long_names(command, rest) if command is not None else rest
 
     def format_commands(self, context: click.Context, formatter: Any):
         with formatter.section("Commands"):
             formatter.write_dl(list(COMMANDS.items()))
+
+
+def _by_long_names(command, args):
+    """Arguments with the long name of an option in place of its short one, where that cannot be the value of another:
+    what click finds at once, without a search for what is spelt nearly so."""
+    long = {option.opts[0]: option.opts[-1] for option in command.params if len(option.opts) > 1}
+    return [long.get(arg, arg) if i and not args[i - 1].startswith("-") else arg for i, arg in enumerate(args)]
 
 
 @click.group(cls=Commands, context_settings={"help_option_names": ["-h", "--help"]},

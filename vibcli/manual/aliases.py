@@ -13,6 +13,7 @@ ALIASES = {
     "check": "ci", "junit": "ci", "sarif": "ci", "github": "ci", "gitlab": "ci", "cache": "ci", "pytest": "ci",
     "pre-commit": "ci", **dict.fromkeys(RULES, "ci"),
     "benchmark": "bench", "evidence": "bench", "run time": "bench", "speed": "bench",
+    "marks": "grade", "marking": "grade", "manifest": "grade",
     "json keys": "json", "progress": "patience", "limits": "patience",
     "schema": "editors", "inertias": "shapes", "case": "cases", "signal": "signals",
     "pulley": "pulley of a rope", "drum": "pulley of a rope", "ropes": "rope", "multiplier": "constraint",
@@ -40,6 +41,7 @@ ALIASES = {
     "diagram": "pictures", "diagrams": "pictures",
     "draw": "pictures", "animate": "pictures", "animation": "pictures", "figure": "pictures", "plot": "pictures",
     "plots": "pictures", "picture": "pictures", "svg": "pictures", "pdf": "pictures", "png": "pictures",
-    "gif": "pictures", "report": "reports", "format": "reports", "csv": "data", "npz": "data", "save": "data",
+    "gif": "pictures", "report": "reports", "format": "reports", "solve": "reports", "view": "reports",
+    "csv": "data", "npz": "data", "save": "data",
     "export": "data", **{name: "reports" for name in FORMATS if name != "text"},
 }

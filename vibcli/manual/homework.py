@@ -66,6 +66,12 @@ HOMEWORK = [
         ("again", "The same input gives the same bytes; `--from-manifest` writes the sheets of a manifest again, "
          "whatever became of the files; one that was edited is refused."),
     ],
+    "What comes back is marked by `vibcli grade manifest.json`: `vibcli explain grade`.",
+    "Cases do not inherit variants; a case may have its own (`--case`). All variants share one derivation where no "
+    "sign of the drawing hangs on their values; twenty are held against the scene read anew from the printed values.",
+]
+
+GRADE = [
     "`vibcli grade manifest.json` marks answers: `--student s1 --answer 'omega[1]=21.9 rad/s'` those of one, "
     "`--csv answers.csv -o marks.csv` those of all (columns `id`, `problem`, one for each quantity). Without a unit "
     "the one that was asked is meant; decimal commas are read; a mistake that is known is named, and of another wrong "
@@ -76,8 +82,13 @@ HOMEWORK = [
     "\"equation[x]=2*x'' + 800*x = 0\"`. `--json` prints `marks` "
     "with the columns of the table, `off`, `band` and `unit`; `points` and `of`. The exit code is 0 whatever the marks "
     "are.",
-    "Cases do not inherit variants; a case may have its own (`--case`). All variants share one derivation where no "
-    "sign of the drawing hangs on their values; twenty are held against the scene read anew from the printed values.",
+    [
+        ("--student", "whose answer `--answer QUANTITY=TEXT` is, which may be given several times; `--problem NAME` on "
+         "a sheet with several"),
+        ("--csv FILE", "the answers of all, marked into `-o marks.csv`"),
+        ("bands", "Right is what lies within the band of the key, its edges included: `vibcli explain homework`."),
+    ],
+    "Course systems mark by the same bands: `vibcli explain exports`.",
 ]
 
 KNOWN_MISTAKES = [

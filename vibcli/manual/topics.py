@@ -9,7 +9,7 @@ from vibcli.manual.bench import BENCH, STRESS
 from vibcli.manual.ci import CI
 from vibcli.manual.exports import EXPORTS
 from vibcli.manual.expressions import EXPRESSIONS
-from vibcli.manual.homework import HOMEWORK, KNOWN_MISTAKES
+from vibcli.manual.homework import GRADE, HOMEWORK, KNOWN_MISTAKES
 from vibcli.manual.members import MEMBERS
 from vibcli.manual.on_paper import DATA, PICTURES, REPORTS
 from vibcli.manual.python import PYTHON
@@ -232,6 +232,7 @@ TOPICS: dict[str, Any] = {
     "sweep": ("quantities over one or two parameters", SWEEP),
     "mistakes": ("known mistakes, and how they are found", KNOWN_MISTAKES),
     "homework": ("variants of a problem, and the gates that they pass", HOMEWORK),
+    "grade": ("answers that come back, marked by the manifest of the sheets", GRADE),
     "exports": ("packages of variants for course systems: Moodle, PrairieLearn, QTI, Canvas", EXPORTS),
     "frequency_response": ("amplitude and phase over the frequency", FREQUENCY_RESPONSE),
     "signals": ("places, turns, stretches and forces that can be asked for", SIGNALS),

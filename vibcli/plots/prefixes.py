@@ -15,15 +15,12 @@ _TAKES = {"m": _SMALL | {3: "k"}, "s": _SMALL, "rad": {-3: "m", 0: ""}, "N": _PR
           "W": _PREFIXES, "Pa": _PREFIXES, "Hz": _PREFIXES}
 _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _SMALLEST = 1e-290
-_RESPONSES = (({"kg": -1, "s": 2}, "m/N"), ({"kg": -1, "s": 1}, "m/(N·s)"), ({"kg": -1, "m": -2, "s": 2}, "rad/(N·m)"),
-              ({"kg": -1, "m": -1, "s": 2}, "rad/N"))
+
 
 
 def unit_text(unit: str) -> str:
-    """The SI unit of a dimension, as a response per force is written; a text is one already."""
-    if isinstance(unit, str):
-        return unit
-    return next((name for dimension, name in _RESPONSES if unit == dimension), None) or units.text(unit)
+    """The SI unit of a dimension; a text is one already."""
+    return unit if isinstance(unit, str) else units.text(unit)
 
 
 def readable(largest: float, unit: str) -> tuple[float, str]:

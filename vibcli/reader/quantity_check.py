@@ -12,7 +12,6 @@ from vibcli.quantities.cycle_count import cycles
 from vibcli.quantities.dimensions import checker
 from vibcli.quantities.index_kinds import INDICES
 from vibcli.quantities.quantity import ALL, COMPLEX, OF_SIGNAL, about_which, declared, is_choice, named, usage, usage_of
-from vibcli.quantities.signal_dimensions import deflection_dimension, input_dimension, inputs, output_dimension
 from vibcli.symbolic.cycles import left_over
 from vibcli.symbolic.parser import VALUE
 from vibcli.symbolic.semantics import ALL_NUMBERS
@@ -139,6 +138,8 @@ def check_questions(spec: "Spec", reader: "Reader", signals: "Sequence[Expressio
     for expression in signals:
         _signal(spec, reader, expression, QuantityRef(0, 0, "", "", (), "", (expression.tree,)), expression.tree)
     for expression in drivers:
+        from vibcli.quantities.signal_dimensions import input_dimension, inputs
+
         if not isinstance(expression.tree, NameRef) or input_dimension(spec, expression.text) is None:
             reader.report(expression.where, f"this scene has no input {quoted(expression.text)}",
                           nearest(expression.text, inputs(spec)))
@@ -161,6 +162,8 @@ def _argument(spec, reader, expression, tree, kind, arg):
 
 def _signal(spec, reader, expression, tree, arg):
     """A signal: names of coordinates and signals with at most two primes, and parameters."""
+    from vibcli.quantities.signal_dimensions import output_dimension
+
     before = len(reader.diagnostics)
     for name, primes, start, end in parts_of(arg).names:
         place = expression.scalar.place(start, end - start)
@@ -273,6 +276,8 @@ def _wanted(spec, reader, expression, kind, tree):
     if kind == "Omega":
         return units.RATE, "a frequency (rad/s or Hz)", "20 rad/s or 5 Hz"
     if kind == "deflection":
+        from vibcli.quantities.signal_dimensions import deflection_dimension
+
         rate, found = _law_letter(spec, tree.indices[0]) == "v", deflection_dimension(spec, tree.indices[0])
         unit = ("m" if found in (units.LENGTH, units.SPEED) else "rad") + "/s" * rate
         return found, f"a {'rate of ' * rate}deflection ({unit})", f"0.1 {unit}"

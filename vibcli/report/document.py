@@ -108,5 +108,6 @@ def _in_print(words):
     from vibcli.notation.numbers import NEGATIVE
     from vibcli.notation.typed_values import SUPERSCRIPT
 
+    words = re.sub(r"\bpi\b", "π", words)
     words = re.sub(r"\^(-?\d+)(?!\d|\.\d|/\d)", lambda found: found[1].translate(SUPERSCRIPT), words)
     return re.sub(r"(?<=\w)\*(?=\w)", "·", NEGATIVE.sub("−", words)).replace("sqrt(", "√(")

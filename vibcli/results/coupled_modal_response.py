@@ -9,6 +9,8 @@ from vibcli.results.modal_response import ModalResponse
 from vibcli.results.not_by_modes import NotByModes
 
 if TYPE_CHECKING:
+    from numpy import ndarray
+
     from vibcli.analyses.continuous.modal_motion import ModalMotion
 
 FEWEST, MOST = 32, 256      # modes
@@ -103,6 +105,16 @@ class CoupledModalResponse(ModalResponse):
         from vibcli.analyses.continuous.damped_transfer import DampedTransfer
 
         return CoupledTransfer(DampedTransfer(self._exact, self.problem.modal.modes, self._given), self._dampers)
+
+    def apart_from_dampers(self, s: complex) -> "tuple[ndarray, ndarray]":
+        """(what coordinates answer to unit loads e^{st} on them without dampers, C of these)."""
+        import numpy as np
+
+        from vibcli.analyses.excitation.linear_output import LinearOutput
+
+        n, rows = len(self.matrices[0]), self._dampers.rows
+        H = [self._transfer.given.at(LinearOutput(0.0, q={i: 1.0}), np.array([s]))[:n, 0] for i in range(n)]
+        return np.array(H), (rows * self._dampers.rates) @ rows.T
 
     def _found(self, count) -> "ModalMotion":
         from vibcli.analyses.continuous.estimated_motion import EstimatedMotion

@@ -37,7 +37,7 @@ _WORD = re.compile(r"[^\W\d]\w*")             # a name, where its letters are th
 _NAME = r"[A-Za-z_α-ωΑ-Ωϕϑϵ][A-Za-z0-9_α-ωΑ-Ωϕϑϵ]*"
 _PER_UNIT = r"1\s*/\s*[A-Za-z]"
 _PART = r"\.(?:[A-Za-z_][A-Za-z0-9_]*|[0-9]{1,3})"
-_INDEX = r"\[([^][]{1,80})\]"
+LONGEST_INDEX = 80
 _BETWEEN = r",(?![^()]*\))"                    # commas that no brackets hold
 _SPACES = " ", "\t", "\n"
 _SIGNS, _FACTORS = {"+": 1, "-": -1}, {"*": 1, "·": 1, "/": -1}
@@ -259,10 +259,10 @@ class _Parser:
         if head in FUNCTIONS:
             raise ExpressionError(self.at, 1, f"{head} takes its argument in round brackets", f"write {head}(…)")
         indices, last = [], ()
-        while match := re.compile(_INDEX).match(self.text, self.at):
-            last = re.split(_BETWEEN, match.group(1)) if "," in match.group(1) else [match.group(1)]
+        while index := self._index():
+            last = re.split(_BETWEEN, index) if "," in index else [index]
             indices.extend(plain_name(part.strip()) for part in last)
-            self.at = match.end()
+            self.at += len(index) + 2
         if self.text.startswith("[", self.at):
             raise ExpressionError(self.at, 1, "this index is not closed or empty", "write it as omega[1] or J[disc, O]")
         args = self.arguments(depth) if self.text.startswith("(", self.at) else []
@@ -271,6 +271,13 @@ class _Parser:
         component = self.component()
         return QuantityRef(start, self.at, self.text[start:self.at], head, tuple(indices), component, tuple(args),
                            alone=len(last) == 1)
+
+    def _index(self):
+        """What stands between square brackets at this place; '' where there is nothing, or too much."""
+        if not self.text.startswith("[", self.at):
+            return ""
+        found, closed, _ = self.text[self.at + 1:self.at + LONGEST_INDEX + 2].partition("]")
+        return found if closed and "[" not in found else ""
 
     def component(self) -> str:
         """The word after a dot, such as x of centre[rod].x, or nothing."""

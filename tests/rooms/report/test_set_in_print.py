@@ -8,7 +8,7 @@ from vibcli.report.blocks import Name, maths
 from vibcli.report.formats import html, text
 
 ASKED = """
-question: "Of k2 x^2 and 2*a sin(Omega1 t) let phi1' be {a}, k2.force or k3 (R/n^2)."
+question: "Of k2 x^2/pi and 2*a sin(Omega1 t) let phi1' be {a}, k2.force or k3 (R/n^2)."
 parameters: {a: 3 N*s/m, k2: 4 N/m, Omega1: 5 rad/s, m: 2 kg}
 bodies: {b: {mass: m, slide: x}, d: {inertia: 1 kg*m^2, turn: phi1}}
 springs: {s: {k: k2, between: [ground, b]}, t: {torsion: 1 N*m, between: [ground, d]}}
@@ -39,12 +39,12 @@ def test_questions_have_symbols():
     found = told(ASKED)
     assert found.question[:2] == ("Of ", maths(Name("k2")))
     assert text.render([found]).split("\n")[3] == \
-        "Of k₂ x² and 2·a sin(Ω₁ t) let φ̇₁ be 3 N·s/m, k2.force or k3 (R/n²)."
+        "Of k₂ x²/π and 2·a sin(Ω₁ t) let φ̇₁ be 3 N·s/m, k2.force or k3 (R/n²)."
     assert "3 N·s/m, k2.force" in html.render([found])
 
 
 def test_a_name_in_quotation_marks_is_no_rate():
-    scene = ASKED.replace("Of k2 x^2", "Of 'phi1' and phi1's k2 x^2/(3 k2)")
+    scene = ASKED.replace("Of k2 x^2/pi", "Of 'phi1' and phi1's k2 x^2/(3 k2)")
     assert text.render([told(scene)]).split("\n")[3].startswith("Of 'φ₁' and φ₁'s k₂ x²/(3 k₂) and 2·a")
 
 

@@ -39,8 +39,9 @@ springs: {s: {k: k, between: [[L, -h], B], preload: static}}
 dampers: {d: {c: c, between: [[L/2, -h], D]}}
 """
 PRINTED = """\
-   1  φ:  rotation of rod,  zero as drawn
-   2  rod turns about the fixed O:  J_O = J_C + m·OC² = m·L²/12 + m·L²/4 = m·L²/3 = 0.64 kg·m²
+   1  φ:  rotation of rod,  counter-clockwise,  zero as drawn
+   2  rod turns about the fixed O, C at  (L·cos φ/2, L·sin φ/2):  J_O = J_C + m·OC² = m·L²/12 +
+      m·L²/4 = m·L²/3 = 0.64 kg·m²
    3  T = J_O·φ̇²/2 = m·L²·φ̇²/6
    4  stretch of s, from rest, B at  (L·cos φ, L·sin φ):  Δ_s = √(2·L·h·sin φ + 2·L² + h² −
       2·L²·cos φ) − h = L·φ + …   (second order, as its force at rest counts: there is no such term)

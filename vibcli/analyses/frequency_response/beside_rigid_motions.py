@@ -1,17 +1,18 @@
-"""What members that nothing holds answer to steady forces: H(0) = ∮ H(s) ds/(2πi s) around a circle that holds no other
+"""What scenes that nothing holds answer to steady forces: H(0) = ∮ H(s) ds/(2πi s) around a circle that holds no other
 pole, by the trapezoidal rule, whose error falls as a power of the radius (Trefethen & Weideman 2014); of a rigid motion
 that is driven and seen the terms 1/s² and 1/s of the Laurent series are left."""
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from vibcli.analyses.frequency_response.member_errors import of_value_at
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
-    from vibcli.analyses.frequency_response.member_response import MemberTransfer
+    from vibcli.analyses.frequency_response.frequency_response_function import FrequencyResponseFunction
+    from vibcli.analyses.modal.modal_analysis import ModalAnalysis
 
 NEAR, PLACES = 0.25, 32     # radius beside the next pole; places on a circle
 ALIKE, SEEN = 1e-9, 1e-8    # of the largest H on a circle: how closely two agree; a term that is no rounding
@@ -26,8 +27,21 @@ class AtRest(NamedTuple):
     error: float
 
 
-def at_rest(response: "MemberTransfer", next_pole: float) -> AtRest:
-    """Of the output itself; PhysicsError where two circles do not tell the same."""
+def next_to_zero(modal: "ModalAnalysis") -> float | None:
+    """How far from 0 the next pole is where nothing holds the scene; None where that is held."""
+    modes = modal.modes
+    if not (any(mode.rigid for mode in modes) if modes.finite else modes.ground.rigid):
+        return None
+    found, damped = [float(mode.omega or mode.growth_rate or 0.0) for mode in modes.shown()], modal.damped
+    if damped is not None:
+        found = [abs(complex(mode.eigenvalue)) for mode in damped.first(len(found))]
+    return min((size for size in found if size), default=1.0)
+
+
+def at_rest(response: "FrequencyResponseFunction", next_pole: float,
+            bound: Callable[[np.ndarray], float]) -> AtRest:
+    """Of the output itself, `bound` giving the largest error of H around a circle; PhysicsError where two circles do
+    not tell the same."""
     circles = [NEAR * next_pole * part * np.exp(2j * np.pi * (np.arange(PLACES) + 0.5) / PLACES) for part in (1, 0.5)]
     one, other = (response.at(s)[0] for s in circles)
     s, size = circles[0], float(np.abs(one).max())
@@ -36,7 +50,7 @@ def at_rest(response: "MemberTransfer", next_pole: float) -> AtRest:
         return AtRest(0.0, 0.0, True, 0.0)
     apart = float(abs(other.mean() - value))
     if apart > ALIKE * size:
-        raise PhysicsError("what these members, which nothing holds, answer to steady forces is not found",
-                           "hold them with a spring, or ask at a time")
-    error = apart + max(of_value_at(response, complex(at)) for at in s[:PLACES // 2])
+        raise PhysicsError("what this scene, which nothing holds, answers to steady forces is not found",
+                           "hold it with a spring, or ask at a time")
+    error = apart + bound(s)
     return AtRest(value.real if abs(value.imag) <= error else value, (one / s).mean(), False, error)

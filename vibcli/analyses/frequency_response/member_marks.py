@@ -51,13 +51,9 @@ class Marks:
     @cached_property
     def next_to_zero(self) -> float | None:
         """How far from 0 the next pole is where nothing holds the scene; None where that is held."""
-        modes = self._modal.modes
-        if not (any(mode.rigid for mode in modes) if modes.finite else modes.ground.rigid):
-            return None
-        found, damped = [float(mode.omega or mode.growth_rate or 0.0) for mode in modes.shown()], self._modal.damped
-        if damped is not None:
-            found = [abs(complex(mode.eigenvalue)) for mode in damped.first(len(found))]
-        return min((size for size in found if size), default=1.0)
+        from vibcli.analyses.frequency_response.beside_rigid_motions import next_to_zero
+
+        return next_to_zero(self._modal)
 
     def held(self, low: float, high: float) -> np.ndarray:
         """The natural frequencies of the scene held where load and signal act."""

@@ -9,7 +9,7 @@ import numpy as np
 from vibcli.analyses.continuous.dynamic_matrix import BLOWN, SHARES
 from vibcli.analyses.frequency_response import member_marks
 from vibcli.analyses.frequency_response.frequency_response_function import FrequencyResponseFunction
-from vibcli.analyses.frequency_response.member_errors import of_value
+from vibcli.analyses.frequency_response.member_errors import of_value, of_value_at
 from vibcli.analyses.frequency_response.member_marks import error_of
 from vibcli.analyses.frequency_response.member_poles_and_zeros import taking_part
 from vibcli.base.errors import LostDigits
@@ -75,7 +75,8 @@ class MemberTransfer(FrequencyResponseFunction):
 
         if "rest" not in self._kept:
             next_pole = self.marks.next_to_zero
-            self._kept["rest"] = None if next_pole is None else at_rest(self, next_pole)
+            self._kept["rest"] = None if next_pole is None else at_rest(self, next_pole, lambda s: max(
+                of_value_at(self, complex(at)) for at in s[:len(s) // 2]))
         return self._kept["rest"]
 
     def _put_at_rest(self, found, k):

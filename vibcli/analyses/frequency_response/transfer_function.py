@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vibcli.analyses.frequency_response import poles_and_zeros
-from vibcli.analyses.frequency_response.direct import direct
+from vibcli.analyses.frequency_response.direct import SINGULAR, direct, scales
 from vibcli.analyses.frequency_response.frequency_response_function import FrequencyResponseFunction
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signal_names import signal_name
@@ -73,7 +73,14 @@ class TransferFunction(FrequencyResponseFunction):
                 from vibcli.analyses.frequency_response.large_systems import chosen
 
                 self._method = chosen(self) or direct
-        return (self._method or direct)(self, s, steep)
+        found = (self._method or direct)(self, s, steep)
+        for k in np.flatnonzero(s == 0):
+            rest = self._once(TransferFunction._resting)
+            if rest is not None:
+                for part, value in zip(found, (rest.value, rest.slope, rest.resonant), strict=True):
+                    if part is not None:
+                        part[k] = value
+        return found
 
     def fields(self, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """(D⁻¹b, D⁻ᵀc) at complex s, (N, n) each; of least squares where D is singular."""
@@ -93,6 +100,19 @@ class TransferFunction(FrequencyResponseFunction):
             self._marks[find] = find(self)
         return self._marks[find]
 
+    def _resting(self):
+        """The AtRest of what nothing holds; None of what is held. No place of the circle is much nearer to a pole than
+        the one on the axis, by which its error is bounded."""
+        scale, = scales(self, np.zeros(1))
+        if self._modal is None or np.linalg.cond(self.K * scale[:, None] * scale) < 1 / SINGULAR:
+            return None
+        from vibcli.analyses.frequency_response.beside_rigid_motions import at_rest, next_to_zero
+        from vibcli.analyses.frequency_response.value_errors import of_values
+
+        next_pole = next_to_zero(self._modal)
+        return None if next_pole is None else at_rest(
+            self, next_pole, lambda s: 2 * float(of_values(self, self.data, np.abs(s[:1]))[0]))
+
     @property
     def data(self) -> "DataErrors":
         """The DataErrors of the matrices, for what does not start."""
@@ -110,7 +130,9 @@ class TransferFunction(FrequencyResponseFunction):
     def errors(self, Omega: np.ndarray) -> np.ndarray:
         from vibcli.analyses.frequency_response.value_errors import of_values
 
-        return of_values(self, self.data, Omega)
+        found = of_values(self, self.data, Omega)
+        rest = self._once(TransferFunction._resting) if (Omega == 0).any() else None
+        return found if rest is None else np.where(Omega == 0, rest.error, found)
 
     def error_of_pole(self, Omega: float) -> float:
         modes = [mode for mode in self._modal.modes or () if mode.omega]

@@ -1,5 +1,6 @@
 """A report as a complete LaTeX document for pdflatex, in plain ASCII."""
 
+import itertools
 import re
 from collections.abc import Callable, Sequence
 
@@ -23,7 +24,9 @@ from vibcli.report.formats.text import running
 
 COLUMNS = 95        # of plain text, in a row of a formula
 FITTING, ROWS = 60, 30      # columns of a row, or of a table of so many rows, that surely fits a page
-LABEL, BOX = 20, 30         # of a label beside its formula; of a definition that is not broken
+LABEL, BESIDE = 20, 8       # of a label beside its formula, and beside formulas that fill the page
+BOX = 30                    # of a definition that is not broken
+WIDE = r"\wide"
 _SIGNED = re.compile(r"(?=.*[-−e])[-−]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 HEAD = r"""\documentclass[11pt,a4paper,fleqn]{article}
 \usepackage[T1]{fontenc}
@@ -76,17 +79,17 @@ def _equations(block):
 
 def _fitted_rows(parts, write, columns):
     """Rows of a formula, made smaller where they may be too wide for a page."""
-    return [rf"\wide{{$\displaystyle {row}$}}" if width(text) > FITTING else row
+    return [f"{WIDE}{{$\\displaystyle {row}$}}" if width(text) > FITTING else row
             for row, text in rows_and_plain(parts, write, columns)]
 
 
 def aligned(block: Equations, write: Latex, broken: Callable = rows) -> list[str]:
     """Rows of an alignment: labels, then formulas, broken where they are long."""
-    found = []
-    for line in block.lines:
-        first, *others = broken(line.parts, write, COLUMNS)
+    found, written = [], [broken(line.parts, write, COLUMNS) for line in block.lines]
+    most = BESIDE if any(row.startswith(WIDE) for row in itertools.chain(*written)) else LABEL
+    for line, (first, *others) in zip(block.lines, written, strict=True):
         label = formula(line.label, write) + r":\quad" if line.label else ""
-        if width(formula(line.label, plain)) > LABEL:
+        if width(formula(line.label, plain)) > most:
             found.append(rf"& {{}} {label}")
             label = ""
         head = f"{label} & {{}}".lstrip()

@@ -28,8 +28,8 @@ def lettering(problem: "Problem") -> list[str]:
 
 
 def mode_pictures(problem: "Problem", report: "Report") -> Iterator[Section]:
-    """The shapes of the lowest modes on the scene at rest."""
-    if problem.numeric.has_free_symbols:
+    """The shapes of the lowest modes on the scene at rest; none of one that is given by energies or matrices alone."""
+    if problem.numeric.has_free_symbols or not (problem.scene.bodies or problem.scene.members):
         return
     from vibcli.drawing.symbols.mode_shape import draw
     from vibcli.drawing.vibration import caption

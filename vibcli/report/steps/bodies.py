@@ -55,7 +55,8 @@ class Bodies:
         """T of each body that moves."""
         for body in self.scene.bodies.values():
             terms = [term for term in self.scene.inertias if term.owner == body.name]
-            if body.name not in self._apart and any(small.slopes for _, small in self._moved(body, terms)):
+            if body.name not in self._apart and any(
+                    small.slopes and not weight.is_zero for weight, small in self._moved(body, terms)):
                 yield self._like_another(body, terms) or self._of_body(body, terms)
         for name in dict.fromkeys(term.owner for term in self.scene.inertias if term.owner not in self.scene.bodies):
             yield self._of_terms(name, [term for term in self.scene.inertias if term.owner == name])
@@ -98,16 +99,19 @@ class Bodies:
         """½ J_O ω², J_O by the parallel axis theorem of each part."""
         about, parts = self.about, _about_the_axis(body)
         written, ((J, omega),) = list(map(textbook, parts)), self._moved(body, terms)
-        rate, turns = about.rate(omega), Words(f"{body.name} turns about the fixed O:  ")
+        rate, turns = about.rate(omega), [Words(f"{body.name} turns about the fixed O:  ")]
         if len(parts) == 1:
             turn = about.letter(self.sheet.letter("omega", body.name))
             shown = [] if rate.op == "symbol" else [turn, " = ", rate, Words(",  ")]
             return self._energy(body.name, [(J, omega)], None, [J * turn ** 2 / 2] if shown else [],
-                                before=[turns, *shown])
+                                before=[*turns, *shown])
         letter = self.sheet.letter("J_O", body.name if self._several else "")
         how = ["J_C + ", Factor(body.mass), "·OC² = "] if len(parts) == 2 and not (body.pieces or body.cut) else []
         told = [SumOfTerms(tuple(written)), " = "] if len(written) > 1 else []
-        line = self.sheet.write(turns, Name(letter), " = ", *how, *told, J,
+        x, y = map(about.shifted, body.frame.point(*body.centre))
+        if how and letters(x) + letters(y) <= LONG:
+            turns = Words(f"{body.name} turns about the fixed O, C at  "), "(", x, ", ", y, ")", Words(":  ")
+        line = self.sheet.write(*turns, Name(letter), " = ", *how, *told, J,
                                 *self._number(J), settles=letter, node=J, value=about.value(J), unit="kg·m²")
         return self._energy(body.name, [(J, omega)], line, [self.about.letter(letter) * rate ** 2 / 2])
 

@@ -7,7 +7,7 @@ from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.in_motion import short_form
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution
-from vibcli.symbolic.derivatives import substitute
+from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import is_zero, textbook
 from vibcli.symbolic.transfer_between_tables import copied
@@ -28,9 +28,19 @@ def tell_coordinates(problem: "Problem", scene: "Scene", sheet: WorkedSolution) 
 
     for name in scene.coordinates:
         at = scene.drawn[scene.symbol(name)]
-        told = [word for word in (words_of(problem, name), "zero as drawn" * at.is_zero) if word]
+        what = words_of(problem, name)
+        told = [word for word in (what, _sense(scene, name, what), "zero as drawn" * at.is_zero) if word]
         drawn = [] if at.is_zero else [Words(",  as drawn " if told else "as drawn "), Name(name), " = ", at]
         sheet.write(Name(name), Words(":  " + ",  ".join(told)), *drawn, settles=name)
+
+
+def _sense(scene, name, what):
+    """Which way a body turns where its angle grows; '' of other coordinates."""
+    body = scene.bodies.get(what.removeprefix("rotation of "))
+    if body is None or body.frame is None:
+        return ""
+    slope = textbook(gradient(body.frame.angle).get(scene.symbol(name), scene.table.zero))
+    return "counter-clockwise" if slope.op == "number" and slope.coefficient > 0 else ""
 
 
 def tell_constraints(scene: "Scene", sheet: WorkedSolution) -> None:

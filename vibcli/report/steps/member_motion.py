@@ -19,6 +19,7 @@ from vibcli.report.blocks import Name, Words
 from vibcli.report.own_letters import own_letters
 from vibcli.report.sections.orthogonality import orthogonality
 from vibcli.report.sections.shapes_in_numbers import shape_in_numbers
+from vibcli.report.steps.damped_members import tell_damped_members, tell_damped_roots
 from vibcli.report.steps.from_modes import ALIKE, waves
 from vibcli.report.steps.from_the_start import IN_TIME
 from vibcli.report.steps.member_steady import ASKED, tell_steady_members
@@ -38,6 +39,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 FIRST, LOOKED = 3, 12       # modes that are told, and among how many those that move are looked for
+DAMPED = {"decay", "omega_d", "period_d", "zeta", "eigenvalue"}     # of modes that dampers make
 HUNG_INDEX = re.compile(r"\b([A-Z])_[ij]")
 PLACED = 0.8                # of a piece: where a shape is compared
 
@@ -73,6 +75,10 @@ def tell_motion_of_members(problem: "Problem", sheet: WorkedSolution, equations:
         before = [sheet.last]
         MotionOfMembers(problem, sheet).write(equations, before)
         tell_waves(problem, sheet, before, sheet.last > before[0])
+        if sheet.last == before[0]:     # no modes that move by themselves, no waves
+            tell_damped_members(problem, sheet)
+    if heads & DAMPED:
+        tell_damped_roots(problem, sheet)
     tell_steady_members(problem, sheet)
 
 

@@ -12,6 +12,7 @@ from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.complex_numbers import cleared, complex_told
+from vibcli.report.steps.coupled_members import tell_coupled_steady
 from vibcli.report.steps.step import WorkedSolution, number, told
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -48,17 +49,18 @@ class SwingingLoads(NamedTuple):
 
 def tell_steady_members(problem: "Problem", sheet: WorkedSolution) -> None:
     """Write down D U = F and its solution where amplitudes are asked; nothing of several frequencies, of supports that
-    are driven, and where `damping` acts on modes."""
+    are driven, and where `damping` acts on modes and no damper beside it."""
     heads = {tree.head for answer in problem.spec.answers for tree in answer.asked.parts.quantities}
-    if not heads & ASKED or not problem.scene.timed or problem.numeric.has_free_symbols or (
-            problem.spec.get("damping") is not None):
+    if not heads & ASKED or not problem.scene.timed or problem.numeric.has_free_symbols:
         return
     from vibcli.results.modal_response import ModalResponse
 
     response = ModalResponse(problem)
     try:
         loads = _loads(problem, response)
-        if loads is not None and problem.scene.coordinates:
+        if loads is not None and problem.scene.coordinates and problem.spec.get("damping") is not None:
+            tell_coupled_steady(problem, sheet, loads.Omega, loads.forces)
+        elif loads is not None and problem.scene.coordinates:
             _SteadyMembers(problem, sheet, response, loads).write()
     except (PhysicsError, NotInLetters):
         return
@@ -163,17 +165,7 @@ class _SteadyMembers:
                                    *number(beta, "1/m"), Words(",  of length  "), f"l = {' m, '.join(lengths)}",
                                    Words(" m"), settles=f"beta {owners} {beta}", value=beta, unit="1/m", uses=[line])
         for order in sorted({order for order, _ in plain}):
-            yield self._needs(order, line)
-
-    def _needs(self, order, line):
-        if order == 2:
-            return self.sheet.write(Words("an end that moves by 1 while the other one is held needs  "), "S·β·cot βl",
-                                    Words(",  the other one  "), "−S·β/sin βl", Words(",  "), "S",
-                                    Words(" the factor of  "), "∂²u/∂x²", settles="stiffness 2", uses=[line])
-        parts = [part for head, text in ENTRIES for part in (Words(",  "), f"{head} = {text}")][1:]
-        return self.sheet.write(Words("ends that move by  "), "u₀, θ₀, u₁, θ₁", Words(",  "), "θ = ∂u/∂x", Words(
-            ",  need  "), "d", Words("  times these,  "), "N = 1 − cos βl·cosh βl", Words(",  "), "EI",
-            Words(" the factor of  "), "∂⁴u/∂x⁴", Words(":  "), *parts, settles="stiffness 4", uses=[line])
+            yield tell_end_forces(self.sheet, order, line)
 
     def _entries(self, uses):
         """The line of D and F in numbers."""
@@ -206,6 +198,18 @@ class _SteadyMembers:
 
     def _exact(self, value) -> "Node":
         return self.table.number(fraction_of(float(value)))
+
+
+def tell_end_forces(sheet: WorkedSolution, order: int, line: int) -> int:
+    """The line of what the ends of a uniform stretch need to move."""
+    if order == 2:
+        return sheet.write(Words("an end that moves by 1 while the other one is held needs  "), "S·β·cot βl",
+                           Words(",  the other one  "), "−S·β/sin βl", Words(",  "), "S", Words(" the factor of  "),
+                           "∂²u/∂x²", settles="stiffness 2", uses=[line])
+    parts = [part for head, text in ENTRIES for part in (Words(",  "), f"{head} = {text}")][1:]
+    return sheet.write(Words("ends that move by  "), "u₀, θ₀, u₁, θ₁", Words(",  "), "θ = ∂u/∂x", Words(
+        ",  need  "), "d", Words("  times these,  "), "N = 1 − cos βl·cosh βl", Words(",  "), "EI",
+        Words(" the factor of  "), "∂⁴u/∂x⁴", Words(":  "), *parts, settles="stiffness 4", uses=[line])
 
 
 def _beta(piece: "Piece", Omega: float) -> float | None:

@@ -16,6 +16,7 @@ from vibcli.report.steps.full_equations import FullEquations
 from vibcli.report.steps.held import HINT, UNTOLD, SmallEquations, Untold
 from vibcli.report.steps.linearised import linearised
 from vibcli.report.steps.members import MemberSteps
+from vibcli.report.steps.members_about_rest import tell_members_about_rest
 from vibcli.report.steps.motion_in_time import tell_motion
 from vibcli.report.steps.one_degree import OneDegree
 from vibcli.report.steps.place_of_rest import about_rest
@@ -52,7 +53,10 @@ def _sheet_of(problem):
         return sheet
     if problem.scene.pieces:
         sheet = _sheet(problem)
-        MemberSteps(problem, sheet).write()
+        if problem.symbolic.linearisable or problem.numeric.has_free_symbols:
+            MemberSteps(problem, sheet).write()
+        else:
+            tell_members_about_rest(problem, sheet)
         return sheet
     sheet = _told(with_letters(problem))
     tell_forces(problem, sheet)

@@ -601,3 +601,17 @@ def test_an_antiresonance_may_have_the_frequency_of_a_mode_that_takes_no_part():
     curve = string.frequency_response("p.u(L/2)", "f")
     assert abs(curve.dips[0][0] - 200 * math.pi) <= curve.dips[0][1] < 1e-9
     assert [Omega for Omega, _ in curve.peaks][:2] == pytest.approx([100 * math.pi, 300 * math.pi], rel=1e-13)
+
+
+@pytest.mark.parametrize("damper", ["", "dampers: {d: {c: 0.7, between: [a, b]}}"])
+def test_what_nothing_holds_under_a_steady_force(damper):
+    """1 N on 2 kg of 8 kg: all of it accelerates by 1/8, the springs carry what lies behind them."""
+    free = problem(f"""
+bodies: {{a: {{mass: 2, slide: x}}, b: {{mass: 1, slide: y}}, e: {{mass: 5, slide: z}}}}
+springs: {{s: {{k: 8, between: [a, b]}}, t: {{k: 3, between: [b, e]}}}}
+{damper}
+""")
+    for signal, exact in (("x''", 1 / 8), ("s.stretch", -6 / 64), ("t.force", -5 / 8)):
+        (value, error), = free.frequency_response(signal, "x").at_each(np.zeros(1))
+        assert abs(value - exact) <= error * abs(exact) < 1e-12
+    assert all(np.isnan(free.frequency_response(signal, "x").values(np.zeros(1))[0]) for signal in ("x", "x'"))

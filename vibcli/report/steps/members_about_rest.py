@@ -1,0 +1,63 @@
+"""The steps of members of a scene whose equilibrium a search finds: where it rests, M and K of what is lumped about it,
+and with the dynamic stiffness of each stretch det D(ω) = 0 (V. Koloušek, Dynamics in Engineering Structures, 1973)."""
+
+from typing import TYPE_CHECKING
+
+from vibcli.notation.names import lowered
+from vibcli.report.blocks import Name, Words
+from vibcli.report.steps.coordinates import tell_coordinates
+from vibcli.report.steps.member_steady import tell_end_forces
+from vibcli.report.steps.step import WorkedSolution, number, of_time, told
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+
+FIRST = 3           # roots that are told
+NOTHING = 1e-12     # relative: what rounding leaves of an entry
+
+
+def tell_members_about_rest(problem: "Problem", sheet: WorkedSolution) -> None:
+    """Write down all of them."""
+    tell_coordinates(problem, problem.scene, sheet)
+    rest, system = problem.configuration.equilibrium, problem.configuration.linear_system
+    places = [part for name in problem.scene.coordinates for part in (
+        Words(",  "), Name(name), *number(rest.values[name], "m" if problem.system.dimension(name) else "rad"))]
+    line = sheet.write(Words("the forces balance at  "), *places[1:], Words("   (by a search)"), settles="equilibrium")
+    letters = sheet.letter("D"), sheet.letter("U"), sheet.matrix("K"), sheet.matrix("M")
+    D, U, K, M = map(Name, letters)
+    line = sheet.write(Words("small oscillations about it:  "), D, "·", U, " = 0", Words(",  "), D, " = ", K,
+                       " − ω²·", M, Words(",  of what is lumped, and of the dynamic stiffness of each stretch"),
+                       settles="dynamic stiffness", uses=[line])
+    lumped = system.with_parts(pieces=()).arrays()
+    entries = [part for letter, matrix in ((letters[3], lumped[0]), (letters[2], lumped[3]))
+               for part in _entries(letter, matrix)]
+    names = [part for name in problem.scene.coordinates for part in (Words(", "), Name(name))][1:]
+    lines = [sheet.write(Words("of  "), *names, Words(":  "), *entries[1:], settles="what is lumped", uses=[line])]
+    for one in {(placed.owner, placed.piece.order): placed for placed in system.pieces}.values():
+        if not (one.piece.gradient or one.piece.foundation or (one.piece.bending and one.piece.tension)):
+            lines += _stretch(problem, sheet, one, line)
+    line = sheet.write("det ", D, " = 0", Words("  by a search, which misses none"), settles="frequencies", uses=lines)
+    for mode in problem.modal.modes.first(FIRST):
+        if mode.omega:
+            omega = float(mode.omega)
+            sheet.write(f"ω{lowered(mode.index)}", *number(omega, "rad/s"), *of_time(sheet, omega),
+                        settles=f"omega[{mode.index}]", value=omega, unit="rad/s", uses=[line])
+
+
+def _stretch(problem, sheet, placed, line):
+    """The lines of β of a uniform stretch, and of what its ends need."""
+    piece, turns = placed.piece, problem.scene.members[placed.owner].kind.letter == "phi"
+    stiff, power, unit = ("EI", "⁴", "N·m²") if piece.bending else ("S", "²", "N·m²" if turns else "N")
+    beta = sheet.write(Words(f"{placed.owner}:  "), f"β{power} = μ·ω²/{stiff}", Words(",  "), "μ", *number(
+        float(piece.inertia), "kg·m" if turns else "kg/m"), Words(",  "), stiff, *number(
+            float(piece.bending or piece.tension), unit), settles=f"beta {placed.owner}", uses=[line])
+    return beta, tell_end_forces(sheet, piece.order, beta)
+
+
+def _entries(name, matrix):
+    """Parts of the entries on the diagonal and above that are not zero, a comma before each."""
+    least = NOTHING * abs(matrix).max()
+    for i in range(len(matrix)):
+        for j in range(i, len(matrix)):
+            if abs(matrix[i, j]) > least:
+                yield from (Words(",  "), Name(f"{name}{i + 1}{j + 1}"), f" = {told(float(matrix[i, j]))}")
