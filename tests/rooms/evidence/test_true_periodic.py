@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 from support.scenes import problem
 
+from vibcli.api.values import checked_quantity
+from vibcli.cli.sampled import asked
 from vibcli.evidence.asked import NotCompared, subjects
 from vibcli.evidence.methods import integrators
 from vibcli.evidence.plain_equations import _extreme, _zero
@@ -53,6 +55,26 @@ def test_under_a_square_wave():
             assert subject.error(ours.values, subject.true) <= ours.bound < 1e-11
     plain = next(run for run in integrators.attempts(found[1]) if (run.method, run.setting) == ("DOP853", "1e-09"))
     assert found[1].error(plain.run(Deadline(60)).values, found[1].true) < 1e-6
+
+
+@pytest.mark.parametrize("head", ["rms(x'')", "mean(d.power)", "mean(x*F.force)", pytest.param(
+    "mean(x'^4)", marks=pytest.mark.sweep)])
+def test_means_over_all_times(head):
+    """Of 2, 5 and √7 rad/s: Σ|X|²/2; of a fourth power 3/8 Σ|V|⁴ + 3/2 Σ|V|²|W|² of pairs."""
+    one = problem(ONE % "(3 N)*sin((5 rad/s)*t) + (2 N)*cos(t*(2 rad/s)) + (1 N)*cos(sqrt(7)*t*(1 rad/s))")
+    with mpmath.workdps(60):
+        loads = [(mpmath.mpf(5), mpmath.mpc(0, -3)), (mpmath.mpf(2), mpmath.mpf(2)), (mpmath.sqrt(7), mpmath.mpf(1))]
+        X = [(Omega, F / mpmath.mpc(800 - 2 * Omega**2, 8 * Omega), F) for Omega, F in loads]
+        V = [(abs(Omega * x)) ** 2 for Omega, x, _ in X]
+        exact = {"rms(x'')": lambda: mpmath.sqrt(sum(abs(Omega**2 * x) ** 2 for Omega, x, _ in X) / 2),
+                 "mean(d.power)": lambda: 8 * sum(V) / 2,
+                 "mean(x*F.force)": lambda: sum(mpmath.re(x * mpmath.conj(F)) for _, x, F in X) / 2,
+                 "mean(x'^4)": lambda: 3 * sum(v * v for v in V) / 8 + 3 * (
+                     V[0] * V[1] + V[0] * V[2] + V[1] * V[2]) / 2}[head]()
+        subject, = subjects(one, [checked_quantity(one.spec, asked(head, "--of"))])
+        assert abs(subject.true.values[0] - exact) < mpmath.mpf(10) ** -45 * abs(exact)
+    ours = subject.ours()
+    assert subject.error(ours.values, subject.true) <= ours.bound < 1e-11
 
 
 @pytest.mark.parametrize(("force", "why"), [
