@@ -9,12 +9,15 @@ import pytest
 from support.scenes import problem
 
 from vibcli.api.values import checked_quantity
+from vibcli.base.errors import PhysicsError
 from vibcli.cli.sampled import asked
 from vibcli.evidence.asked import NotCompared, subjects
 from vibcli.evidence.methods import integrators
 from vibcli.evidence.plain_equations import _extreme, _zero
-from vibcli.evidence.reference import periodic
+from vibcli.evidence.reference import periodic, swings
+from vibcli.evidence.reference.motion import full
 from vibcli.evidence.subject import Deadline
+from vibcli.evidence.subjects.motions import period
 
 ONE = """
 bodies: {a: {mass: 2 kg, slide: x}}
@@ -89,7 +92,7 @@ def test_what_has_no_short_period_is_told(force, why):
 
 def test_the_rule_is_exact_of_polynomials():
     with mpmath.workdps(50):
-        rule = periodic._rule(30, 200)
+        rule = periodic.rule(30, 200)
         for power in (0, 7, 29):
             assert abs(sum(w * x**power for x, w in rule) - mpmath.mpf(1) / (power + 1)) < mpmath.mpf(10) ** -45
 
@@ -109,3 +112,34 @@ def test_a_jump_of_the_slope_beside_a_zero_is_not_smoothed():
     times = np.linspace(0, 10, 101)
     values = np.where(times < 3.2, times - 2.95, 0.25 + 7 * (times - 3.2))
     assert _zero(times, values, 1) == pytest.approx(2.95, abs=1e-13)
+
+
+BENT = """
+bodies: {a: {mass: 2 kg, slide: x}}
+springs: {s: {%s, between: [ground, a]}}
+motion: full
+initial: {x: %s, x': 40 mm/s}
+answers: {period(x): 1 s}
+"""
+
+
+@pytest.mark.parametrize(("law", "start", "exact"), [
+    pytest.param("k: 50 N/m, gap: 3 mm", "0 m", lambda: 2 * mpmath.pi / 5 + 3 / mpmath.mpf(10),
+                 marks=pytest.mark.sweep),
+    ("law: '(2 N)*sign(d)'", "5 mm", lambda: 4 * mpmath.sqrt(mpmath.mpf(116) / 10000))])
+def test_periods_where_forces_bend_or_jump(law, start, exact):
+    """2π/ω + 4·gap/v with play; 4√(2mA/F) of a constant force."""
+    one = problem(BENT % (law, start))
+    subject = period(one, one.spec.answers[0].asked.tree)
+    with mpmath.workdps(60):
+        assert abs(subject.true.values[0] - exact()) < mpmath.mpf(10) ** -30
+    ours = subject.ours()
+    assert subject.error(ours.values, subject.true) <= ours.bound <= 1e-11
+
+
+def test_a_motion_that_loses_energy_or_goes_away_has_no_period():
+    for law, why in (("k: 50 N/m, gap: 3 mm", "lose energy"), ("k: 50 N/m, acts: tension", "come back")):
+        text = BENT % (law, "0 m") + "dampers: {d: {c: 1 N*s/m, between: [ground, a]}}\n" * (why == "lose energy")
+        motion = full(problem(text.replace("x': 40", "x': -40")))
+        with pytest.raises(PhysicsError, match=why):
+            swings.period(motion, 1e-3)

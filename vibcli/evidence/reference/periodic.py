@@ -106,7 +106,7 @@ def over_a_period(known: PeriodicMotion, node: "Node", head: str, work: Any) -> 
         with mpmath.workprec(2 * steps.bits):
             total, size = mpmath.mpf(0), mpmath.mpf(0)
             for step in steps.steps:
-                for s, weight in _rule(steps.order + MORE, 2 * steps.bits):
+                for s, weight in rule(steps.order + MORE, 2 * steps.bits):
                     x, = signal.along(steps, [signal.node], step.start + int(s * (step.end - step.start)))
                     size = max(size, abs(x))
                     total += (x * x if head == RMS else x) * weight * mpmath.ldexp(step.end - step.start, -steps.bits)
@@ -118,7 +118,7 @@ def over_a_period(known: PeriodicMotion, node: "Node", head: str, work: Any) -> 
 
 
 @cache
-def _rule(count: int, bits: int) -> list[tuple[Any, Any]]:
+def rule(count: int, bits: int) -> list[tuple[Any, Any]]:
     """Places and weights of Fejér's first rule from 0 to 1, none of them at an end, where loads may jump."""
     count += count % 2
     with mpmath.workprec(bits):
