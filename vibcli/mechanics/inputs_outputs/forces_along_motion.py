@@ -93,7 +93,7 @@ class ForcesAlong:
         import numpy as np
 
         scene, found = self.released.scene, {}
-        multipliers, loose = solved(G[:, :n], E[:n])
+        multipliers, loose = solved(G[:, :n], E[:n], self.released.units)
         held, left_open = E[n:] + multipliers @ G[:, n:], np.abs(loose @ G[:, n:]).max(axis=0, initial=0.0) > OPEN
         for k, tie in enumerate(scene.constraints):
             sign = 1.0 if tie.form in LENGTHENING else -1.0

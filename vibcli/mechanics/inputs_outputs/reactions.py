@@ -55,6 +55,7 @@ class Released:
                                                    for node, value in zip(tensions, values, strict=True)})
         count = len(self.scene.q) - len(self.scene.released)
         self.held, self.real = self.scene.q[count:], self.scene.q[:count]
+        self.units = self.scene.units_of([q.name for q in self.real])
 
 
 def constraint_slopes(scene: "Scene"):
@@ -75,7 +76,7 @@ def reactions(configuration: "Configuration") -> list[Reaction]:
     flat = evaluate([*nodes, *constraint_slopes(scene)], Floats, values)
     E = np.array(flat[:len(nodes)])
     G = np.array(flat[len(nodes):]).reshape(len(scene.constraints), len(nodes))
-    multipliers, loose = solved(G[:, :n], E[:n])
+    multipliers, loose = solved(G[:, :n], E[:n], released.units)
     held = E[n:] + multipliers @ G[:, n:]
     left_open = np.abs(loose @ G[:, n:]).max(axis=0, initial=0.0) > OPEN
     found = []
@@ -101,20 +102,26 @@ def _at_rest(configuration, released):
             released.scene.time.name: 0.0}
 
 
-def solved(G: "np.ndarray", E: "np.ndarray") -> "tuple[np.ndarray, np.ndarray]":
-    """λ of Gᵀλ = −E by least squares, and a basis of what Gᵀλ = 0 leaves open, as rows."""
+def left_inverse(G: "np.ndarray", units: Sequence[float]) -> "tuple[np.ndarray, np.ndarray]":
+    """(Y of λ = −Y E, which solves Gᵀλ = −E, by least squares in the units of the coordinates; a basis of what Gᵀλ = 0
+    leaves open, as rows)."""
     import numpy as np
 
     if not len(G):
-        return np.zeros(0), np.zeros((0, 0))
-    scale = np.abs(G).max(axis=1)
+        return np.zeros((0, len(units))), np.zeros((0, 0))
+    found = G * units
+    scale = np.abs(found).max(axis=1, initial=0.0)
     scale[scale == 0.0] = 1.0       # of what ties supports alone
-    u, s, vt = np.linalg.svd((G / scale[:, None]).T, full_matrices=True)
+    u, s, vt = np.linalg.svd((found / scale[:, None]).T, full_matrices=True)
     rank = int(np.sum(s > OPEN * s[0]))
-    inverse = vt[:rank].T / s[:rank] @ u[:, :rank].T
+    return vt[:rank].T / s[:rank] @ u[:, :rank].T / scale[:, None] * units, vt[rank:] / scale
+
+
+def solved(G: "np.ndarray", E: "np.ndarray", units: Sequence[float]) -> "tuple[np.ndarray, np.ndarray]":
+    """λ of Gᵀλ = −E, and a basis of what Gᵀλ = 0 leaves open, as rows."""
+    inverse, loose = left_inverse(G, units)
     multipliers = inverse @ -E
-    multipliers -= inverse @ (E + (G / scale[:, None]).T @ multipliers)     # which left hundreds of roundings
-    return multipliers / scale, vt[rank:] / scale
+    return multipliers - inverse @ (E + G.T @ multipliers), loose       # what was left were hundreds of roundings
 
 
 def reaction_errors(configuration: "Configuration") -> dict[str, float]:
@@ -134,11 +141,12 @@ def reaction_errors(configuration: "Configuration") -> dict[str, float]:
     E, G = (np.array([number_in(x) for x in part], float) for part in (flat[:len(terms)], flat[len(terms):]))
     off, leaning = (np.array([error_in(x) for x in part], float) for part in (flat[:len(terms)], flat[len(terms):]))
     G, leaning = G.reshape(shape), leaning.reshape(shape)
-    multipliers = solved(G[:, :n], E[:n])[0]
+    inverse = left_inverse(G[:, :n], released.units)[0]
+    multipliers = solved(G[:, :n], E[:n], released.units)[0]
     size = np.array([sum(map(abs, row)) for row in sums]) + abs(multipliers) @ abs(G)
     off += abs(multipliers) @ leaning + ROUNDINGS * UNIT * (len(G) + 1) * size
     off[:n] += abs(E + multipliers @ G)[:n]
-    far = abs(np.linalg.pinv(G[:, :n].T, rcond=OPEN)) @ off[:n] if len(G) else np.zeros(0)
+    far = abs(inverse) @ off[:n]
     held = off[n:] + far @ abs(G[:, n:])
     return dict(zip([*(constraint.signal for constraint in scene.constraints), *(q.name for q in released.held)],
                     map(float, (*far, *held)), strict=True))
