@@ -32,7 +32,10 @@ def closed(scene: Scene) -> Scene:
     scenes = (scene, scene.still) if scene.still else (scene,)
     still, raw = scenes[-1], [q for q in scene.q if q not in scene.inputs]
     nodes, *others = [dict(enumerate(textbook(tie.node) for tie in one.constraints)) for one in scenes]
-    if _contradictory(scene, nodes.values()):
+    if scene.matrices:
+        scene.report(scene.constraints[0].where, "matrices given outright are of coordinates that move freely: no "
+                     "constraint ties these", "write the matrices of the coordinates that are left")
+    if scene.matrices or _contradictory(scene, nodes.values()):
         return scene
     allowed = raw
     if "coordinates" in scene.spec.sections:
