@@ -92,7 +92,7 @@ def _cut_open(configuration):
     flat = evaluate([*nodes, *slopes], Floats, _at_rest(scene, configuration, cuts))
     n = len(q) - len(cuts)
     F, G = np.array(flat[:len(q)]), np.array(flat[len(q):]).reshape(len(conditions), len(q))
-    multipliers, loose = solved(G[:, :n], -F[:n])
+    multipliers, loose = solved(G[:, :n], -F[:n], scene.units_of([x.name for x in q[:n]]))
     at_cuts = (F - multipliers @ G)[n:]
     forces = {name: [None if t is None else float(at_cuts[cuts[t]]) for t in member.stretches]
               for name, member in members.items()}

@@ -33,7 +33,7 @@ def settle_static_preloads(scene: "Scene") -> "tuple[Scene, dict[str, Node]]":
     sums = [scene.table.total(terms) for terms in residual_terms(form)]
     rest = substitute(sums, dict.fromkeys(unknowns, scene.table.zero))
     numbers = _floats(scene, [[column[i] for column in columns] + [rest[i]] for i in range(form.n)])
-    rows, picked = pivots([row[:-1] for row in numbers])
+    rows, picked = pivots(_balanced([row[:-1] for row in numbers], scene.units_of(scene.coordinates)))
     tensions = solve_linear([[columns[j][i] for j in picked] + [-rest[i]] for i in rows], scene.table.zero)
     values = dict.fromkeys(unknowns, scene.table.zero)
     values.update({unknowns[j]: textbook(tension) for j, tension in zip(picked, tensions, strict=True)})
@@ -73,6 +73,13 @@ def _floats(scene, rows):
     flat = evaluate([node for row in rows for node in row], Floats, scene.sample)
     width = len(rows[0]) if rows else 0
     return [flat[i * width:(i + 1) * width] for i in range(len(rows))]
+
+
+def _balanced(rows, units):
+    """Rows by the natural sizes of their coordinates, columns by their largest entry: the same in all units."""
+    rows = [[x * unit for x in row] for row, unit in zip(rows, units, strict=True)]
+    largest = [max(map(abs, column), default=0.0) or 1.0 for column in zip(*rows, strict=True)]
+    return [[x / size for x, size in zip(row, largest, strict=True)] for row in rows]
 
 
 def pivots(rows: Sequence[list[float]]) -> tuple[list[int], list[int]]:

@@ -21,7 +21,7 @@ LOOKED, HALVINGS = 6, 34                # halvings towards an edge of the domain
 FALLING, LEVELLED = 0.9, 1e-4           # a fall towards zero at an edge; a change that calls for no look at it
 NARROW, LATE, JUMP = 2.0**-50, 30, 0.3  # a bracket narrowed LATE times has a jump if |h| stays above JUMP of its ends
 DEEP, SHALLOW, EARLY = 0.5, 0.3, 24     # a dip of |h| that may hold a zero; what is left of it after EARLY steps
-FLAT = 3                                # neighbouring zeros that make a plateau
+FLAT, BESIDE = 3, 1e3                   # neighbouring zeros that make a plateau; how much more h would be on a slope
 GOLDEN = 0.3819660112501051
 
 
@@ -92,13 +92,18 @@ def holds_everywhere(scan: Scan) -> bool:
 
 
 def longest_plateau(scan: Scan):
-    """(from, to) where the function is zero at FLAT neighbouring points or more; None where it is nowhere flat."""
-    best, run = [], []
-    for x, h in scan.defined():
-        run = [*run, x] if abs(h) <= LEVEL else []
+    """(from, to) where the function is zero at FLAT neighbouring points or more; None where it is nowhere flat. Points
+    beside a zero are so near to it that it is small there anyway."""
+    points, best, run = scan.defined(), [], []
+    for k, (_, h) in enumerate(points):
+        run = [*run, k] if abs(h) <= LEVEL else []
         best = max(best, run, key=len)
-    wide = len(best) >= FLAT and best[-1] - best[0] > 1e-3 * abs(best[-1])
-    return (best[0], best[-1]) if wide else None
+    if len(best) < FLAT:
+        return None
+    left, right = points[best[0]][0], points[best[-1]][0]
+    beside = [points[k] for k in (best[0] - 1, best[-1] + 1) if 0 <= k < len(points)]
+    steep = all(abs(h) * (right - left) > BESIDE * LEVEL * max(abs(x - left), abs(x - right)) for x, h in beside)
+    return (left, right) if steep and right - left > 1e-3 * abs(right) else None
 
 
 def _neighbours(scan):

@@ -4,7 +4,8 @@ of their energies.
     ‖λ² M φ + λ (C + G) φ + K φ‖ / ((|λ|² ‖M‖ + |λ| ‖C + G‖ + ‖K‖) ‖φ‖ n ε),   ‖ΦᴴMΦ − I‖ / (n ε)
 
 in floats on assembled matrices, in coordinates scaled to m_ii = 1, so that units do not matter: Anderson et al., LAPACK
-Users' Guide (1999), section 4.7. They tell that values and shapes belong together, which the bounds of both do not.
+Users' Guide (1999), section 4.7. ‖K‖ is that of the terms which entries are added from: rounding is relative to these.
+They tell that values and shapes belong together, which the bounds of both do not.
 """
 
 from typing import TYPE_CHECKING, Any
@@ -59,30 +60,40 @@ def _of_modes(problem):
     import numpy as np
 
     found, configuration = {}, problem.configuration
-    scale, M, C, G, K = _scaled(configuration.element_data.arrays())
+    elements = configuration.element_data
+    scale, (M, C, G, K) = _scaled(elements.arrays())
+    terms = np.zeros_like(K)
+    for (i, j), size in (elements.K_size or {}).items():
+        terms[i, j] = size * scale[i] * scale[j]
+    of_terms = max(_norm(K), _norm(terms))
     if "modes" in problem.timings and len(problem.modal.modes):
         modes = [(complex(mode.growth_rate or 0.0, mode.omega or 0.0), mode.shape / scale)
                  for mode in problem.modal.modes]
-        found["modes"] = residual_ratio(M, G, K, modes)
+        found["modes"] = residual_ratio(M, G, K, modes, of_terms)
         if not G.any() and (K == K.T).all() and len(modes) == len(M):
             found["orthogonality"] = orthogonality(M, np.array([shape for _, shape in modes]).T)
     if "damped" in problem.timings and problem.modal.damped:
         found["damped modes"] = residual_ratio(M, C + G, K, [(complex(mode.eigenvalue), mode.shape / scale)
-                                                             for mode in problem.modal.damped])
+                                                             for mode in problem.modal.damped], of_terms)
     return found
 
 
-def residual_ratio(M: Any, C: Any, K: Any, modes: "Sequence[tuple[complex, Any]]") -> float:
-    """The largest one of modes (λ, φ)."""
+def residual_ratio(M: Any, C: Any, K: Any, modes: "Sequence[tuple[complex, Any]]", of_terms: float) -> float:
+    """The largest one of modes (λ, φ); of_terms: ‖K‖ of what its entries are added from."""
     import numpy as np
 
-    sizes = [np.abs(matrix).sum(axis=0).max() for matrix in (M, C, K)]
+    sizes = _norm(M), _norm(C), of_terms
     worst = 0.0
     for rate, shape in modes:
         left = np.abs(rate * rate * (M @ shape) + rate * (C @ shape) + K @ shape).sum()
         size = (abs(rate) ** 2 * sizes[0] + abs(rate) * sizes[1] + sizes[2]) * np.abs(shape).sum()
         worst = max(worst, float(left / size)) if size else worst
     return worst / (len(M) * EPSILON)
+
+
+def _norm(matrix):
+    """The largest sum of the sizes of a column."""
+    return float(abs(matrix).sum(axis=0).max())
 
 
 def orthogonality(M: Any, shapes: Any) -> float:
@@ -100,4 +111,4 @@ def _scaled(matrices):
     M, K = matrices[0], matrices[3]
     diagonal = np.where(M.diagonal() > 0, M.diagonal(), np.where(K.diagonal() != 0, abs(K.diagonal()), 1.0))
     unit = 1 / np.sqrt(diagonal)
-    return unit, *(unit[:, None] * matrix * unit for matrix in matrices)
+    return unit, [unit[:, None] * matrix * unit for matrix in matrices]

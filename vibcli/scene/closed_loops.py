@@ -85,7 +85,7 @@ class Loops:
             if not np.isfinite(flat).all():
                 return False
             try:
-                step = np.linalg.solve(Gz, gaps - G)
+                step = self._step(Gz[None], (gaps - G)[None])[0]
             except np.linalg.LinAlgError:
                 return False
             for name, change in zip(self.names, step, strict=True):
@@ -97,6 +97,15 @@ class Loops:
                 return size <= 1e-12
             before = size
         return False
+
+    def _step(self, Gz, right):
+        """z of Gz z = right, one or more: with pivots that are the same in all units."""
+        import numpy as np
+
+        columns = np.ldexp(1.0, np.frexp(np.array(self.sizes, float))[1])
+        scaled = Gz * columns
+        rows = np.ldexp(1.0, -np.frexp(np.abs(scaled).max(axis=2))[1])
+        return columns * np.linalg.solve(scaled * rows[:, :, None], (right * rows)[:, :, None])[:, :, 0]
 
     def through(self, start: Mapping[str, float], path: "Mapping[str, np.ndarray]") -> "np.ndarray":
         """The unknowns at positions {name: array} one after the other, (unknowns, positions), from a closed one on: at
@@ -136,7 +145,7 @@ class Loops:
             lost |= ~np.isfinite(flat).all(axis=0)
             Gz = np.where(lost, np.eye(n).reshape(-1, 1), flat[n:]).T.reshape(count, n, n)
             try:
-                step = np.linalg.solve(Gz, -np.where(lost, 0.0, flat[:n]).T[:, :, None])[:, :, 0].T
+                step = self._step(Gz, -np.where(lost, 0.0, flat[:n]).T).T
             except np.linalg.LinAlgError:
                 return z[:, :0]
             z, before, size = np.where(closed, z, z + step), size, np.abs(step / sizes).max(axis=0)
@@ -164,7 +173,7 @@ class Loops:
             at = {**values, **dict(zip(self.names, z, strict=True))}
             flat = [np.broadcast_to(x, shape) for x in evaluate([*self.conditions, *self.slopes], Arrays, at)]
             G, Gz = np.array(flat[:n]).T, np.array(flat[n:]).reshape(n, n, *shape).transpose(2, 0, 1)
-            step = np.linalg.solve(Gz, -G[:, :, None])[:, :, 0].T
+            step = self._step(Gz, -G).T
             z = z + step
             if not np.isfinite(z).all():
                 return None

@@ -32,7 +32,10 @@ def closed(scene: Scene) -> Scene:
     scenes = (scene, scene.still) if scene.still else (scene,)
     still, raw = scenes[-1], [q for q in scene.q if q not in scene.inputs]
     nodes, *others = [dict(enumerate(textbook(tie.node) for tie in one.constraints)) for one in scenes]
-    if _contradictory(scene, nodes.values()):
+    if scene.matrices:
+        scene.report(scene.constraints[0].where, "matrices given outright are of coordinates that move freely: no "
+                     "constraint ties these", "write the matrices of the coordinates that are left")
+    if scene.matrices or _contradictory(scene, nodes.values()):
         return scene
     allowed = raw
     if "coordinates" in scene.spec.sections:
@@ -81,7 +84,7 @@ def _pivots(scene, nodes, columns):
     conditions from the first. `nodes`: {number: condition}."""
     zero = scene.table.zero
     slopes = scene.at_drawn(*(gradient(node).get(q, zero) for node in nodes.values() for q in columns))
-    flat, n = evaluate(slopes, Floats, scene.sample), len(columns)
+    flat, n, units = evaluate(slopes, Floats, scene.sample), len(columns), scene.units_of([q.name for q in columns])
     work = {}
     for i, k in enumerate(nodes):
         row = flat[i * n:(i + 1) * n]
@@ -89,6 +92,7 @@ def _pivots(scene, nodes, columns):
             scene.report(scene.constraints[k].where, f"how '{scene.constraints[k].whole}' changes is not "
                          "defined as drawn", "look for roots of what is zero or negative, and for what divides by zero")
             return []
+        row = [x * unit for x, unit in zip(row, units, strict=True)]
         size = max(map(abs, row), default=0.0) or 1.0
         work[k] = [x / size for x in row]
     found = []
@@ -160,7 +164,8 @@ def _implicit(scene, nodes, waiting, values, left, at_rest):
     width = len(waiting) + len(depends)
     rows = [moved[i * width:(i + 1) * width] for i in range(len(nodes))]
     drawn = {**scene.drawn, **{symbols[z]: scene.drawn[z] for z in waiting}, scene.time: table.zero}
-    solution = solved(rows, len(waiting), lambda nodes: evaluate(substitute(nodes, drawn), Floats, scene.sample))
+    solution = solved(rows, scene.units_of([z.name for z in waiting]),
+                      lambda nodes: evaluate(substitute(nodes, drawn), Floats, scene.sample))
     for z, slopes in zip(waiting, solution, strict=True):
         symbols[z].keep_gradient({x: -slope for x, slope in zip(depends, slopes, strict=True) if not slope.is_zero})
     for other, node in values.items():
@@ -170,13 +175,16 @@ def _implicit(scene, nodes, waiting, values, left, at_rest):
                  [scene.unit_of(z.name) for z in waiting])
 
 
-def solved(rows: "Sequence[list[Node]]", n: int, numbers: Callable) -> "list[list[Node]]":
-    """A⁻¹B of rows [A | B] in letters, A being n × n: sparse elimination; pivots are not small as drawn."""
+def solved(rows: "Sequence[list[Node]]", units: Sequence[float], numbers: Callable) -> "list[list[Node]]":
+    """A⁻¹B of rows [A | B] in letters, A having a column for each of the units: sparse elimination; pivots are not
+    small as drawn, in these."""
+    n = len(units)
     work = [{j: node for j, node in enumerate(row) if not node.is_zero} for row in rows]
     order, free = [], set(range(n))
     while free:
         candidates = [(i, j) for i in free for j in work[i] if j < n and j not in {c for _, c in order}]
-        sizes = dict(zip(candidates, map(abs, numbers([work[i][j] for i, j in candidates])), strict=True))
+        found = numbers([work[i][j] for i, j in candidates])
+        sizes = {(i, j): abs(x) * units[j] for (i, j), x in zip(candidates, found, strict=True)}
         largest = {i: max((size for (k, _), size in sizes.items() if k == i), default=0.0) for i in free}
         count = {}
         for _, j in candidates:

@@ -1,6 +1,7 @@
 """Where the bodies and points of a scene are, as drawn and now."""
 
 from collections.abc import Callable, Mapping, Sequence
+from math import frexp
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
@@ -192,3 +193,8 @@ class Places:
         """A natural size of a coordinate: 1 of an angle, the extent of the figure of a length."""
         sample = self.expressions.sample
         return (self.extent(sample) or 1.0) if self.spec.dimensions.of(name) else 1.0
+
+    def units_of(self, names: Sequence[str]) -> list[float]:
+        """Powers of two next to the natural sizes of coordinates: by them slopes are alike in all units."""
+        size = 2.0 ** frexp(self.extent(self.expressions.sample) or 0.5)[1]
+        return [size if self.spec.dimensions.of(name) else 1.0 for name in names]

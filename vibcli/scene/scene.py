@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 READ = frozenset(("setting", "lower", "pair", "number", "terms_with", "unrooted", "distance", "height_of", "frame",
-                  "place", "place_of", "rim", "extent", "unit_of"))     # what is made of the values of parameters
+                  "place", "place_of", "rim", "extent", "unit_of", "units_of"))     # made of the values of parameters
 OF_VALUES = READ | {"like", "spec", "parameters", "sample", "still", "oscillating", "displaced_at_rest"}
 CONNECTIONS = ("springs", "dampers", "laws", "inertias")        # of the inertias those that exert a force
 
@@ -100,7 +100,7 @@ class Scene:
         self.distance, self.height_of = expressions.distance, expressions.height_of
         places = Places(self.spec, expressions, self.bodies, self.points, self.members)
         self.frame, self.place, self.place_of, self.rim = places.frame, places.place, places.place_of, places.rim
-        self.extent, self.unit_of = places.extent, places.unit_of
+        self.extent, self.unit_of, self.units_of = places.extent, places.unit_of, places.units_of
 
     @SharedPart
     def timed(self) -> bool:

@@ -65,6 +65,22 @@ MAST = {
     "bodies": {"tank": {"mass": "9 kg", "at": ["0.4 m", "L"], "move": ["x", "y", "p"]}},
     "forces": {"wind": {"body": "mast", "per_length": "-30 N/m"}}, "answers": {"equilibrium[x]": "1 cm"}}
 
+SLIDING = {
+    "parameters": {"g": "9.81 m/s^2"}, "gravity": "g",
+    "surfaces": {"bowl": {"curve": "w^2/(1 m) + w^3/(3 m^2)", "in": "w"},
+                 "slope": {"line": [["0 m", "-1 m"], ["2 m", "-0.4 m"]]},
+                 "ring": {"circle": ["3 m", "0 m"], "radius": "0.4 m", "side": "inside"}},
+    "bodies": {"bead": {"mass": "1 kg", "at": ["0 m", "0 m"], "slide": {"surface": "bowl", "by": "u"}},
+               "slider": {"mass": "2 kg", "at": ["0 m", "-1 m"], "slide": {"surface": "slope", "by": "v"}},
+               "ball": {"mass": "1 kg", "at": ["3 m", "-0.4 m"], "slide": {"surface": "ring", "by": "s"}},
+               "wheel": {"inertia": "0.3 kg*m^2", "at": ["5 m", "0 m"], "pin": "psi"}},
+    "springs": {"pull": {"k": "60 N/m", "between": [["0.7 m", "1 m"], "bead"], "free_length": "0.9 m"},
+                "hold": {"k": "90 N/m", "between": [["-1 m", "-1.3 m"], "slider"], "free_length": "1 m"},
+                "side": {"k": "40 N/m", "between": ["ball", ["4 m", "0 m"]], "free_length": "0.6 m"},
+                "coil": {"torsion": "true", "law": "(3 N*m)*d + (2 N*m)*d^2", "between": ["ground", "wheel"]}},
+    "forces": {"M": {"body": "wheel", "moment": "0.5 N*m"}},
+    "motion": "small", "answers": {"omega[1]": "1 rad/s", "equilibrium[s]": "1 cm"}}
+
 
 def seen(scene):
     return {change: one for change, one in shaken(scene).items() if change.startswith("mirrored")}
@@ -81,6 +97,7 @@ def test_it_rests_and_swings_as_before():
 @pytest.mark.parametrize(("scene", "forgotten"), [
     (SCENE, "load"), (SCENE, "start"), (SCENE, "body"), (SCENE, "connection"),
     (TIED, "expression"), (TIED, "_guide"), (TIED, "surface"),
+    (SLIDING, "surface"), (SLIDING, "connection"),
     (WELDED, "_unbalance"), (WELDED, "connection"), (WELDED, "body"), (MAST, "load"), (MAST, "member")])
 def test_a_sense_that_is_forgotten_is_seen(scene, forgotten, monkeypatch):
     monkeypatch.setattr(whole_scene, "LAWS", whole_scene.LAWS[-1:])

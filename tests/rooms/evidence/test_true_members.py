@@ -1,12 +1,19 @@
-"""Frequencies of members of the reference beside formulas; what it does not tell apart is refused."""
+"""Frequencies and responses of members of the reference beside formulas; what it does not tell apart is refused."""
+
+import re
 
 import mpmath
 import pytest
 
 from vibcli.api.source import problem_of, text_source
+from vibcli.api.values import checked_quantity
 from vibcli.base.errors import PhysicsError
+from vibcli.cli.sampled import asked as expression
+from vibcli.evidence.asked import NotCompared, subjects
 from vibcli.evidence.compared import evidence
+from vibcli.evidence.methods import finite_elements
 from vibcli.evidence.reference import members
+from vibcli.evidence.subject import Deadline
 
 BEAM = "beams: {{b: {{length: 2 m, EI: 3 N*m^2, mass_per_length: 5 kg/m{more}}}}}\n"
 BAR = "bars: {{b: {{length: 2 m, EA: 7 N, mass_per_length: 5 kg/m{more}}}}}\n"
@@ -67,3 +74,46 @@ def test_elements_come_nearer_and_the_bound_is_kept():
     assert ours.error <= ours.bound <= 1e-14 and one.subject.kind == "member modes"
     errors = {point.setting: point.error for point in elements}
     assert errors["4 a piece"] > 10 * errors["8 a piece"] > 100 * errors["16 a piece"]
+
+
+PUSHED = """
+bars: {b: {length: 2 m, EA: 7 N, mass_per_length: 5 kg/m, left: clamped%s}}
+points: {end: {body: b, at: 2 m}}
+forces: {F: %s}
+"""
+AT_END = "{at: end, force: (3 N)*sin((2 rad/s)*t)}"
+ALONG = "{body: b, per_length: (3 N/m)*cos((2 rad/s)*t)}"
+
+
+def asked(more, force, quantity):
+    one = problem_of(text_source(PUSHED % (more, force)))
+    return next(subjects(one, [checked_quantity(one.spec, expression(quantity, "--of"))]))
+
+
+@pytest.mark.parametrize(("more", "force", "quantity", "exact"), [
+    ("", AT_END, "amplitude(b.u(0.5 m))", lambda k: 3 * mpmath.sin(k / 2) / (7 * k * mpmath.cos(2 * k))),
+    ("", AT_END, "amplitude(b.force(0 m))", lambda k: 3 / mpmath.cos(2 * k)),
+    ("", AT_END, "frf[b.u(1 m), F](2 rad/s)", lambda k: mpmath.sin(k) / (7 * k * mpmath.cos(2 * k))),
+    (", right: {c: 4 N*s/m}", AT_END, "phase(b.u''(2 m))", lambda k: mpmath.pi - mpmath.atan(
+        8 * mpmath.sin(2 * k) / (7 * k * mpmath.cos(2 * k)))),
+    ("", ALONG, "amplitude(b.u'(2 m))", lambda k: mpmath.mpf(6) / 20 * (1 / mpmath.cos(2 * k) - 1)),
+    (", drag: 6 N*s/m^2", AT_END, "amplitude(b.u(2 m))", lambda k: abs(3 * mpmath.tan(2 * mpmath.sqrt(
+        k**2 - mpmath.mpc(0, 12) / 7)) / (7 * mpmath.sqrt(k**2 - mpmath.mpc(0, 12) / 7))))])
+def test_what_loads_keep_up_in_a_bar(more, force, quantity, exact):
+    subject = asked(more, force, quantity)
+    with mpmath.workdps(60):
+        value, found = exact(2 * mpmath.sqrt(mpmath.mpf(5) / 7)), subject.true.values[0]
+        assert min(abs(found - value), abs(found + value)) < mpmath.mpf(10) ** -45 * abs(value)
+    ours = subject.ours()
+    assert subject.error(ours.values, subject.true) <= ours.bound < 1e-10
+    errors = [subject.error(run.run(Deadline(60)).values, subject.true) for run in finite_elements.attempts(subject)]
+    assert not errors or errors[5] < errors[2] / 20
+
+
+@pytest.mark.parametrize(("more", "force", "said"), [
+    ("", "{at: end, force: (3 N)*sin((2 rad/s)*t) + (1 N)*sin((3 rad/s)*t)}", "one frequency"),
+    ("", "{at: end, force: (3 N)*sin((2 rad/s)*t)^2}", "sums of sines and cosines"),
+    ("", "{body: b, per_length: (3 N/m)*sin(x/(1 m))*cos((2 rad/s)*t)}", "no polynomials")])
+def test_what_keeps_up_a_bar_otherwise_has_no_reference(more, force, said):
+    subject = asked(more, force, "amplitude(b.u(2 m))")
+    assert re.search(said, subject.why if isinstance(subject, NotCompared) else "")

@@ -8,11 +8,16 @@ import numpy as np
 import pytest
 from support.scenes import problem
 
+from vibcli.api.values import checked_quantity
+from vibcli.base.errors import PhysicsError
+from vibcli.cli.sampled import asked
 from vibcli.evidence.asked import NotCompared, subjects
 from vibcli.evidence.methods import integrators
 from vibcli.evidence.plain_equations import _extreme, _zero
-from vibcli.evidence.reference import periodic
+from vibcli.evidence.reference import periodic, swings
+from vibcli.evidence.reference.motion import full
 from vibcli.evidence.subject import Deadline
+from vibcli.evidence.subjects.motions import period
 
 ONE = """
 bodies: {a: {mass: 2 kg, slide: x}}
@@ -55,6 +60,26 @@ def test_under_a_square_wave():
     assert found[1].error(plain.run(Deadline(60)).values, found[1].true) < 1e-6
 
 
+@pytest.mark.parametrize("head", ["rms(x'')", "mean(d.power)", "mean(x*F.force)", pytest.param(
+    "mean(x'^4)", marks=pytest.mark.sweep)])
+def test_means_over_all_times(head):
+    """Of 2, 5 and √7 rad/s: Σ|X|²/2; of a fourth power 3/8 Σ|V|⁴ + 3/2 Σ|V|²|W|² of pairs."""
+    one = problem(ONE % "(3 N)*sin((5 rad/s)*t) + (2 N)*cos(t*(2 rad/s)) + (1 N)*cos(sqrt(7)*t*(1 rad/s))")
+    with mpmath.workdps(60):
+        loads = [(mpmath.mpf(5), mpmath.mpc(0, -3)), (mpmath.mpf(2), mpmath.mpf(2)), (mpmath.sqrt(7), mpmath.mpf(1))]
+        X = [(Omega, F / mpmath.mpc(800 - 2 * Omega**2, 8 * Omega), F) for Omega, F in loads]
+        V = [(abs(Omega * x)) ** 2 for Omega, x, _ in X]
+        exact = {"rms(x'')": lambda: mpmath.sqrt(sum(abs(Omega**2 * x) ** 2 for Omega, x, _ in X) / 2),
+                 "mean(d.power)": lambda: 8 * sum(V) / 2,
+                 "mean(x*F.force)": lambda: sum(mpmath.re(x * mpmath.conj(F)) for _, x, F in X) / 2,
+                 "mean(x'^4)": lambda: 3 * sum(v * v for v in V) / 8 + 3 * (
+                     V[0] * V[1] + V[0] * V[2] + V[1] * V[2]) / 2}[head]()
+        subject, = subjects(one, [checked_quantity(one.spec, asked(head, "--of"))])
+        assert abs(subject.true.values[0] - exact) < mpmath.mpf(10) ** -45 * abs(exact)
+    ours = subject.ours()
+    assert subject.error(ours.values, subject.true) <= ours.bound < 1e-11
+
+
 @pytest.mark.parametrize(("force", "why"), [
     ("(3 N)*square((5 rad/s)*t) + (1 N)*sin(sqrt(2)*(5 rad/s)*t)", "no common period"),
     ("(3 N)*square((5 rad/s)*t) + (1 N)*sin((5.01 rad/s)*t)", "very many periods|no common period"),
@@ -67,7 +92,7 @@ def test_what_has_no_short_period_is_told(force, why):
 
 def test_the_rule_is_exact_of_polynomials():
     with mpmath.workdps(50):
-        rule = periodic._rule(30, 200)
+        rule = periodic.rule(30, 200)
         for power in (0, 7, 29):
             assert abs(sum(w * x**power for x, w in rule) - mpmath.mpf(1) / (power + 1)) < mpmath.mpf(10) ** -45
 
@@ -87,3 +112,34 @@ def test_a_jump_of_the_slope_beside_a_zero_is_not_smoothed():
     times = np.linspace(0, 10, 101)
     values = np.where(times < 3.2, times - 2.95, 0.25 + 7 * (times - 3.2))
     assert _zero(times, values, 1) == pytest.approx(2.95, abs=1e-13)
+
+
+BENT = """
+bodies: {a: {mass: 2 kg, slide: x}}
+springs: {s: {%s, between: [ground, a]}}
+motion: full
+initial: {x: %s, x': 40 mm/s}
+answers: {period(x): 1 s}
+"""
+
+
+@pytest.mark.parametrize(("law", "start", "exact"), [
+    pytest.param("k: 50 N/m, gap: 3 mm", "0 m", lambda: 2 * mpmath.pi / 5 + 3 / mpmath.mpf(10),
+                 marks=pytest.mark.sweep),
+    ("law: '(2 N)*sign(d)'", "5 mm", lambda: 4 * mpmath.sqrt(mpmath.mpf(116) / 10000))])
+def test_periods_where_forces_bend_or_jump(law, start, exact):
+    """2π/ω + 4·gap/v with play; 4√(2mA/F) of a constant force."""
+    one = problem(BENT % (law, start))
+    subject = period(one, one.spec.answers[0].asked.tree)
+    with mpmath.workdps(60):
+        assert abs(subject.true.values[0] - exact()) < mpmath.mpf(10) ** -30
+    ours = subject.ours()
+    assert subject.error(ours.values, subject.true) <= ours.bound <= 1e-11
+
+
+def test_a_motion_that_loses_energy_or_goes_away_has_no_period():
+    for law, why in (("k: 50 N/m, gap: 3 mm", "lose energy"), ("k: 50 N/m, acts: tension", "come back")):
+        text = BENT % (law, "0 m") + "dampers: {d: {c: 1 N*s/m, between: [ground, a]}}\n" * (why == "lose energy")
+        motion = full(problem(text.replace("x': 40", "x': -40")))
+        with pytest.raises(PhysicsError, match=why):
+            swings.period(motion, 1e-3)

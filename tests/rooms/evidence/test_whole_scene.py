@@ -165,3 +165,28 @@ def test_what_the_scene_written_otherwise_refuses_is_refused_with_its_reason_and
                                "between": [["0 m", "1 m"], "b"]}}}
     found = {change: one for change, one in shaken(scene).items() if "parallel" in change}
     assert {one.verdict for one in found.values()} == {REFUSED} and all(one.why for one in found.values())
+
+
+def test_forces_of_supports_have_the_same_bits_in_all_units():
+    """Slopes by lengths and by angles stand beside each other in the conditions of a step ladder."""
+    base, _, remade = scene_read_again({
+        "gravity": "9.81 m/s^2",
+        "points": {"A": ["-0.7 m", "0 m"], "B": {"body": "right", "at": ["0.7 m", "0 m"]},
+                   **{f"{name}{side}": {"body": body, "at": [x, y]} for name, y, places in (
+                       ("top", "2.4 m", ("0 m", "0 m")), ("R", "0.96 m", ("-0.42 m", "0.42 m")))
+                      for side, body, x in zip("12", ("left", "right"), places, strict=True)}},
+        "surfaces": {"floor": {"line": [["-0.7 m", "0 m"], ["0.7 m", "0 m"]]}},
+        "bodies": {"left": {"shape": "rod", "mass": "12 kg", "from": "A", "to": ["0 m", "2.4 m"],
+                            "pin": {"at": "A", "by": "phi"}},
+                   "right": {"shape": "rod", "mass": "8 kg", "from": ["0.7 m", "0 m"], "to": ["0 m", "2.4 m"],
+                             "move": ["x", "y", "psi"]},
+                   "man": {"mass": "75 kg", "at": ["-0.175 m", "1.8 m"], "weld": "left"}},
+        "constraints": {"hinge": {"join": ["top1", "top2"]}, "foot": {"point": "B", "surface": "floor"},
+                        "tie": {"rope": ["R1", "R2"]}}, "find": ["equilibrium", "reactions"],
+        "answers": {"equilibrium[foot.force]": "364 N", "equilibrium[tie.force]": "158 N",
+                    "equilibrium[left.reaction.y]": "568 N"}})
+    for power in (1, -3):
+        law = whole_scene.SceneLaw("lengths", partial(with_numbers, change=scaled(power, 0, 0)), (power, 0, 0))
+        numbers = whole_scene.GROUPS["answers"](base)
+        found = whole_scene._shake(base, remade(law.change), law, "answers", numbers)
+        assert (found.verdict, found.compared) == (EQUAL, 3)

@@ -278,3 +278,11 @@ def test_two_equations_keep_the_solution_they_were_made_of(letters, one, other):
     if one != other and found is not None:
         values = [evaluate(pair, Floats, letters.scene.sample) for pair in found.tuples]
         assert any(pair == pytest.approx([1.3, 0.7]) for pair in values)
+
+
+def test_places_beside_a_zero_are_no_plateau():
+    grid = [-1.0, -1e-13, 0.0, 1e-13, 1.0]
+    found, scan = zeros(lambda x: x / (1 + abs(x)), grid)
+    assert found == [0.0] and longest_plateau(scan) is None
+    flat = zeros(lambda x: 0.0 if abs(x) < 1e-12 else x / (1 + abs(x)) - 1e-3, grid)[1]
+    assert longest_plateau(flat) == (-1e-13, 1e-13)

@@ -25,9 +25,7 @@ if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
 
 MOST = 10_000       # steps of a million products
-CLOSE = 1e-2        # relative gap of frequencies, below which a shape in floats may lose digits:
-MIXED = 1e-11       # this part of its neighbour, the bound of its frequency over the gap, is not seen
-MORE = 20           # digits that tell them apart
+MORE = 20           # digits beyond those that are asked
 
 
 class ModalAnalysis:
@@ -160,9 +158,9 @@ class ModalAnalysis:
         """The shape of a mode in the normalisation asked for, as a list of numbers."""
         from vibcli.analyses.modal.normalisation import cleaned, normalised
 
-        if not self.scene.members or not hasattr(mode, "motion"):
-            return normalised(mode.shape, how, self._weights)
         told = self.told_apart(mode)
+        if not self.scene.members or not hasattr(mode, "motion"):
+            return normalised(told.shape, how, self._weights)
         factor = self.scale(told, how)
         found = [x * factor for x in told.shape]
         return [cleaned(x if told is mode else complex(x) if x.imag else float(x.real)) for x in found]
@@ -175,16 +173,10 @@ class ModalAnalysis:
         return weights(self._natural_data)
 
     def told_apart(self, mode: Any) -> "Mode":
-        """A Mode of members in more digits where another frequency is so close that its shape in floats is a mix of
-        both; those that floats do not tell apart have been found in more."""
-        motion = getattr(mode, "motion", None)
-        if motion is None or motion.system.digits is not None or not mode.omega:
-            return mode
-        beside = self.modes.numbered(max(mode.index - 1, 1), mode.index + 1)
-        gaps = [abs(float(other.omega or 0.0) / mode.omega - 1) for other in beside if other.index != mode.index]
-        if not any(gap < min(CLOSE, float(mode.error) / MIXED) for gap in gaps):
-            return mode
-        return self.modes_to(MORE).alone(mode.index)
+        """A Mode in more digits where another frequency is so close that its shape in floats is a mix of both."""
+        from vibcli.analyses.modal import close_shapes
+
+        return close_shapes.told_apart(self, mode)
 
     def scale(self, mode: Any, how: str = "first") -> "float | mpmath.mpf":
         """What the shape of a Mode of a scene with members, of unit modal mass, is multiplied by."""

@@ -6,6 +6,7 @@ start (two where B = 0). The unknowns are these and the coordinates q, the equat
 begun from finite elements, and kept where they are as many and as near.
 """
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import mpmath
@@ -98,7 +99,7 @@ def determinant(elements: "FactoredSystem", z: Any) -> Any:
 
 
 def equations(elements: "FactoredSystem", z: Any, s: Any = 0) -> Any:
-    """All equations at z = ω², as a matrix; s: iω where dampers count."""
+    """All equations at z = ω², as a matrix; s: iω where dampers and drag count."""
     size = elements.n + sum(placed.piece.order for placed in elements.pieces)
     M, C, G, K = elements.with_parts(pieces=()).matrices()
     A = mpmath.zeros(size, size)
@@ -107,7 +108,7 @@ def equations(elements: "FactoredSystem", z: Any, s: Any = 0) -> Any:
             A[i, j] += factor * x
     column = elements.n
     for placed in elements.pieces:
-        moves, forces = ends(placed.piece, z)
+        moves, forces = ends(placed.piece, z, s)
         for place, (row, move, force) in enumerate(zip(placed.rows, moves, forces, strict=True)):
             for i, x in row.items():
                 A[column + place, i] -= x
@@ -136,12 +137,16 @@ def _determinant(A):
     return found
 
 
-def ends(piece: Piece, z: Any) -> tuple[list, list]:
+def ends(piece: Piece, z: Any, s: Any = 0) -> tuple[list, list]:
     """(displacements and turns, forces and moments) of both ends, each as a row over the solutions of the piece."""
+    far = [derivatives(piece, z, s, k) for k in range(piece.order)]
+    begin = [[mpmath.mpf(int(k == i)) * (1, 1, 2, 6)[i] for k in range(piece.order)] for i in range(piece.order)]
+    return at_ends(piece, begin, [[one[i] for one in far] for i in range(piece.order)])
+
+
+def at_ends(piece: Piece, begin: list, end: list) -> tuple[list, list]:
+    """The same by the derivatives [u, u′, …] at both ends, each a row over solutions."""
     order, L, B = piece.order, piece.length, piece.bending
-    far = [_derivatives(piece, z, k) for k in range(order)]
-    begin = [[mpmath.mpf(int(k == i)) * (1, 1, 2, 6)[i] for k in range(order)] for i in range(order)]
-    end = [[one[i] for one in far] for i in range(order)]
     N, N_end = piece.tension, piece.tension + piece.gradient * L
     if order == 2:
         return [begin[0], end[0]], [[-N * x for x in begin[1]], [N_end * x for x in end[1]]]
@@ -150,21 +155,25 @@ def ends(piece: Piece, z: Any) -> tuple[list, list]:
         [N_end * first - B * third for third, first in zip(end[3], end[1], strict=True)], [B * x for x in end[2]]]
 
 
-def _derivatives(piece, z, number):
-    """[u, u′, u″, u‴] at the far end of the solution that begins with xⁿᵘᵐᵇᵉʳ: of the coefficients aₖ of (x/L)ᵏ."""
+def derivatives(piece: Piece, z: Any, s: Any, number: int | None, load: Sequence = ()) -> list:
+    """[u, u′, u″, u‴] at the far end of the solution that begins with xⁿᵘᵐᵇᵉʳ, or with nothing under a load per length
+    with coefficients of (x/L)ᵏ: of the coefficients aₖ of (x/L)ᵏ."""
     order, L = piece.order, piece.length
-    N, n, kappa = piece.tension, piece.gradient * L, (piece.foundation - piece.inertia * z) * L**2
+    N, n, kappa = piece.tension, piece.gradient * L, (piece.foundation + piece.drag * s - piece.inertia * z) * L**2
     a = [mpmath.mpf(0)] * order
-    a[number] = L**number
+    if number is not None:
+        a[number] = L**number
     k, small = 0, 0
-    while small <= 2 * order:
-        if order == 4:      # B/L² (k+4)(k+3)(k+2)(k+1) aₖ₊₄ = N (k+2)(k+1) aₖ₊₂ + n (k+1)² aₖ₊₁ − κ aₖ
-            right = N * (k + 2) * (k + 1) * a[k + 2] + n * (k + 1) ** 2 * a[k + 1] - kappa * a[k]
+    while small <= 2 * order or k < len(load):
+        right = L**2 * load[k] if k < len(load) else mpmath.mpf(0)
+        if order == 4:      # B/L² (k+4)(k+3)(k+2)(k+1) aₖ₊₄ = N (k+2)(k+1) aₖ₊₂ + n (k+1)² aₖ₊₁ − κ aₖ + L² pₖ
+            right += N * (k + 2) * (k + 1) * a[k + 2] + n * (k + 1) ** 2 * a[k + 1] - kappa * a[k]
             a.append(right / (piece.bending / L**2 * (k + 4) * (k + 3) * (k + 2) * (k + 1)))
-        else:               # N (k+2)(k+1) aₖ₊₂ = κ aₖ − n (k+1)² aₖ₊₁
-            a.append((kappa * a[k] - n * (k + 1) ** 2 * a[k + 1]) / (N * (k + 2) * (k + 1)))
+        else:               # N (k+2)(k+1) aₖ₊₂ = κ aₖ − n (k+1)² aₖ₊₁ − L² pₖ
+            a.append((kappa * a[k] - n * (k + 1) ** 2 * a[k + 1] - right) / (N * (k + 2) * (k + 1)))
         k += 1
-        small = small + 1 if abs(a[-1]) * k**3 <= mpmath.eps * max(map(abs, a[:order])) else 0
+        largest = max(map(abs, a))
+        small = small + 1 if abs(a[-1]) * k**3 <= mpmath.eps * largest else 0
     return [sum(_falling(j, i) * x for j, x in enumerate(a)) / L**i for i in range(4)]
 
 

@@ -1,6 +1,6 @@
 """Signals of motions as expressions. Of small ones forces, stretches, places are linear functions of the deviations,
 
-    y = y₀ + Σ qᵢ ∂y/∂qᵢ + Σ q̇ᵢ ∂y/∂q̇ᵢ + Σ q̈ᵢ ∂y/∂q̈ᵢ,
+    y = y₀ + Σ qᵢ ∂y/∂qᵢ + Σ q̇ᵢ ∂y/∂q̇ᵢ + Σ q̈ᵢ ∂y/∂q̈ᵢ + the same of driven displacements + f(t),
 
 whose coefficients have as many digits as the element data.
 """
@@ -9,39 +9,58 @@ from typing import TYPE_CHECKING, Any
 
 import mpmath
 
-from vibcli.analyses.excitation.signal_outputs import linear_output
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.reference.motion import Motion
+from vibcli.mechanics.inputs_outputs.outputs import linear_row
 from vibcli.mechanics.precise_configuration import PreciseConfiguration
 from vibcli.mechanics.signals import moving
 from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import QuantityRef
+from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
+    from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
 
 def with_output(problem: "Problem", motion: Motion, text: str) -> "tuple[Motion, Node]":
     """(the Motion with the coefficients of a signal among its parameters, the expression of the signal)."""
-    output, direct = linear_output(problem.configuration, text)
-    if direct or output.places:
-        raise PhysicsError("no reference is found of signals that loads or driven motions enter themselves")
+    near = linear_row(problem.configuration, text)
     scene, table = motion.scene, motion.scene.table
-    letters = {key: table.parameter(f"{text}[{';'.join(map(str, key))}]", positive=False) for key in _numbers(output)}
-    symbols = {"q": scene.q, "v": scene.v, "a": scene.a}
-    node = table.total([letter if kind == "0" else letter * symbols[kind][i] for (kind, i), letter in letters.items()])
+    letters = {key: table.parameter(f"{text}[{';'.join(map(str, key))}]", positive=False) for key in _numbers(near)}
+    carried = _carried(problem, scene, near, letters)
+    node = table.total([letter * carried[key] if key in carried else letter for key, letter in letters.items()])
     known: dict[int, dict[str, Any]] = {}
 
     def values(bits: int) -> dict[str, Any]:
         if bits not in known:
             with mpmath.workprec(2 * bits):
-                found = _numbers(linear_output(PreciseConfiguration(problem.configuration), text)[0])
+                found = _numbers(linear_row(PreciseConfiguration(problem.configuration), text))
                 known[bits] = {letter.name: mpmath.mpmathify(found.get(key, 0)) for key, letter in letters.items()}
         return {**motion.values(bits), **known[bits]}
 
-    floats = {letter.name: float(x) for (key, letter) in letters.items() for x in [_numbers(output)[key]]}
+    floats = {letter.name: float(_numbers(near)[key]) for key, letter in letters.items()}
     return motion._replace(values=values, floats={**motion.floats, **floats}), node
+
+
+def _carried(problem, scene, row, keys):
+    """{key: what a coefficient stands before}: coordinates, driven displacements and their rates, functions of time."""
+    opened, symbols = problem.configuration.with_inputs, {"q": scene.q, "v": scene.v, "a": scene.a}
+    driven, found = list(opened.scene.inputs.values()), {}
+    for kind, i in keys:
+        if kind == "t":
+            found[kind, i], = copied([row.time[i][1]], scene.table)
+        elif kind != "0" and i < opened.n:
+            found[kind, i] = symbols[kind][i]
+        elif kind != "0":
+            node = driven[i - opened.n].node
+            if node is None:
+                raise PhysicsError("no reference is found of signals that loads enter themselves")
+            for _ in range("qva".index(kind)):
+                node = opened.scene.rate(node)
+            found[kind, i], = copied([node], scene.table)
+    return found
 
 
 def signal(problem: "Problem", motion: Motion, tree: Any) -> "tuple[Motion, Node]":
@@ -83,7 +102,7 @@ def _of_small(problem, motion, name, primes):
         return motion, substitute([moving(problem.system, name, primes)], places)[0]
 
 
-def _numbers(output: Any) -> dict[tuple[str, int], Any]:
-    """{(kind, coordinate): coefficient}, the constant being that of kind 0."""
-    return {("0", 0): output.constant} | {(kind, i): x for kind, part in (("q", output.q), ("v", output.v), (
-        "a", output.a)) for i, x in part.items()}
+def _numbers(row: "LinearFunction") -> dict[tuple[str, int], Any]:
+    """{(kind, number): coefficient}, the constant being that of kind 0, functions of time of kind t."""
+    return ({("0", 0): row.constant} | {("t", i): factor for i, (factor, _) in enumerate(row.time)}
+            | {(kind, i): x for kind, part in (("q", row.q), ("v", row.v), ("a", row.a)) for i, x in part.items() if x})

@@ -30,6 +30,10 @@ RMS = "rms"
 MORE = 24               # samples of a step beyond the order of its series
 
 
+class NoCommonPeriod(PhysicsError):
+    """Loads have no common period, or a very long one."""
+
+
 class PeriodicMotion(NamedTuple):
     """A Motion that begins in the steady state; period(bits): T, a rational number that near."""
 
@@ -53,10 +57,10 @@ def steady(motion: Motion, work: Any) -> PeriodicMotion:
             ratios = [Fraction(round(float(x / slowest), 9)).limit_denominator(MOST) for x in found]
             if any(abs(x / slowest - mpmath.mpf(r.numerator) / r.denominator) > mpmath.ldexp(x / slowest, 16 - bits)
                    for x, r in zip(found, ratios, strict=True)):
-                raise PhysicsError("the loads have no common period: no reference is found of their steady state")
+                raise NoCommonPeriod("the loads have no common period: no reference is found of their steady state")
             periods = lcm(*(ratio.denominator for ratio in ratios))
             if periods > MOST:
-                raise PhysicsError("the loads repeat themselves after very many periods: no reference is found")
+                raise NoCommonPeriod("the loads repeat themselves after very many periods: no reference is found")
             return Fraction(fixed_point(2 * mpmath.pi * periods / slowest, 2 * bits), 1 << 2 * bits)
 
     at_rest = motion._replace(start=lambda bits: [0] * 2 * len(motion.scene.q))
@@ -66,7 +70,7 @@ def steady(motion: Motion, work: Any) -> PeriodicMotion:
         steps = at_rest.steps(period(bits), int((bits - SPARE) / 3.321), work)
         with mpmath.workprec(2 * bits):
             places, speeds, _ = steps.at(steps.fixed(period(bits)))
-            over = mpmath.eye(2 * len(places)) - mpmath.expm(_state_matrix(motion, bits) * _number(period(bits)))
+            over = mpmath.eye(2 * len(places)) - mpmath.expm(state_matrix(motion, bits) * _number(period(bits)))
             try:
                 found = mpmath.lu_solve(over, mpmath.matrix([*places, *speeds]))
             except ZeroDivisionError:
@@ -80,7 +84,7 @@ def _number(x):
     return mpmath.mpf(x.numerator) / x.denominator
 
 
-def _state_matrix(motion, bits):
+def state_matrix(motion: Motion, bits: int) -> Any:
     """A of ẏ = A y, y = (q, q̇)."""
     values, n = motion.values(bits), len(motion.scene.q)
     M, C, K = (mpmath.matrix([[values[f"{part}[{i};{j}]"] for j in range(n)] for i in range(n)]) for part in "MCK")
@@ -102,7 +106,7 @@ def over_a_period(known: PeriodicMotion, node: "Node", head: str, work: Any) -> 
         with mpmath.workprec(2 * steps.bits):
             total, size = mpmath.mpf(0), mpmath.mpf(0)
             for step in steps.steps:
-                for s, weight in _rule(steps.order + MORE, 2 * steps.bits):
+                for s, weight in rule(steps.order + MORE, 2 * steps.bits):
                     x, = signal.along(steps, [signal.node], step.start + int(s * (step.end - step.start)))
                     size = max(size, abs(x))
                     total += (x * x if head == RMS else x) * weight * mpmath.ldexp(step.end - step.start, -steps.bits)
@@ -114,7 +118,7 @@ def over_a_period(known: PeriodicMotion, node: "Node", head: str, work: Any) -> 
 
 
 @cache
-def _rule(count: int, bits: int) -> list[tuple[Any, Any]]:
+def rule(count: int, bits: int) -> list[tuple[Any, Any]]:
     """Places and weights of Fejér's first rule from 0 to 1, none of them at an end, where loads may jump."""
     count += count % 2
     with mpmath.workprec(bits):

@@ -12,6 +12,15 @@ from typing import Any
 from vibcli.base.enumeration import listed
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.stress.rewritten import TOLD, WORDS, opposite
+from vibcli.evidence.stress.turned_coordinates import (
+    ACROSS,
+    PLAIN,
+    TURNS,
+    drawn_members,
+    lines_of,
+    on_a_line,
+    turned_round,
+)
 from vibcli.language.document.nodes import Mapping, Scalar, Sequence
 
 AS_IT_IS = (*TOLD, "answers", "parameters", "records", "motion", "find", "damping", "variants", "choose")
@@ -19,14 +28,12 @@ BODY = ("shape", "mass", "density", "inertia", "gyration", "radius", "half_angle
         "looks", "cut")
 CONNECTION = ("k", "c", "friction", "law", "stretch", "free_length", "preload", "acts", "gap", "torsion",
               "series", "parallel")
-SENSES = ("law", "gap", "acts")     # of a torsion, what tells one sense from the other; so does its preload
+OTHER_WAY = {"tension": "compression", "compression": "tension"}
 LOPSIDED = ("sector", "arch")       # whose axis points along `angle`; others are the same after half a turn
-ACROSS = ("beams", "strings")
 MEMBERS = (*ACROSS, "bars", "shafts")
-TURNS = {"pin": ("by",), "turn": ("by",), "move": ("by",), "roll": ("turn", "swing")}
+PLACED = frozenset(("at", "from", "to", "clamp", "weld"))       # what gives a body a place, in which it slides
 TIES = ("equation", "join", "link", "rope", "point", "surface", "gear", "belt", "radii", "carrier", "inside", "crossed")
 OTHER_SIDE = {"left_of": "right_of", "right_of": "left_of"}
-PLAIN = re.compile(r"[^\W\d]\w*")
 
 
 class NotDrawn(PhysicsError):
@@ -35,35 +42,11 @@ class NotDrawn(PhysicsError):
 
 def mirrored(top: Mapping) -> Mapping:
     """The document of the scene in the mirror; PhysicsError where something of it is not mirrored."""
-    if "matrices" in top.entries or not any(map(_is_place, _sequences(top))):
+    drawn = [part for name, (_, part) in top.entries.items() if name not in AS_IT_IS]
+    if "matrices" in top.entries or not any(_is_place(one) for part in drawn for one in _sequences(part)):
         raise NotDrawn("nothing of it has a place in the plane")
     turned = turned_round(top)
-    return _each(top, _Sections(turned, _drawn_members(top)).sections)
-
-
-def turned_round(top: Mapping) -> frozenset[str]:
-    """The names of coordinates that have the other sign in the mirror."""
-    found: set[str] = set()
-    bodies = top.entries.get("bodies", (None, None))[1]
-    for _, record in bodies.entries.values() if isinstance(bodies, Mapping) else ():
-        for kind, keys in TURNS.items():
-            motion = record.entries.get(kind, (None, None))[1] if isinstance(record, Mapping) else None
-            for key in keys if isinstance(motion, Mapping) else keys[:1]:
-                found |= _names(motion.entries.get(key, (None, None))[1] if isinstance(motion, Mapping) else motion)
-    return frozenset(found)
-
-
-def _drawn_members(top):
-    sections = (top.entries[kind][1] for kind in ACROSS if kind in top.entries)
-    return frozenset(name for section in sections if isinstance(section, Mapping)
-                     for name, (_, record) in section.entries.items()
-                     if isinstance(record, Mapping) and "from" in record.entries)
-
-
-def _names(motion):
-    """Of a motion, or of [x, y, phi], those that are counted by the axes."""
-    parts = motion.items[::2] if isinstance(motion, Sequence) else [motion]
-    return {part.text.strip() for part in parts if isinstance(part, Scalar) and PLAIN.fullmatch(part.text.strip())}
+    return _each(top, _Sections(turned, drawn_members(top), lines_of(top)).sections)
 
 
 def _sequences(node: Any) -> Iterator[Sequence]:
@@ -88,10 +71,11 @@ def _each(node: Any, change: Callable[[str, Any], Any]) -> Mapping:
 
 class _Sections:
     """Each part of a scene in the mirror; `turned`: names of coordinates whose sign is another one there; `drawn`:
-    members in the plane, whose displacement across is to the left of their way from end to end."""
+    members in the plane, whose displacement across is to the left of their way from end to end; `lines`: surfaces."""
 
-    def __init__(self, turned: frozenset[str], drawn: frozenset[str] = frozenset()):
-        self.turned, self.drawn = turned, drawn
+    def __init__(self, turned: frozenset[str], drawn: frozenset[str] = frozenset(),
+                 lines: frozenset[str] = frozenset()):
+        self.turned, self.drawn, self.lines = turned, drawn, lines
         names = "|".join(map(re.escape, sorted(turned, key=len, reverse=True)))
         self._names = re.compile(rf"(?<![\w.'])({names})('*)(?![\w.(\[])") if turned else None
 
@@ -146,7 +130,9 @@ class _Sections:
 
     def body(self, record: Any) -> Any:
         """A body with what moves it, or one of its parts."""
-        found = _each(record, self._part_of_body)
+        placed = not isinstance(record, Mapping) or not PLACED.isdisjoint(record.entries)
+        found = _each(record, lambda name, node: node if name == "slide" and not placed else
+                      self._part_of_body(name, node))
         if "shape" in found.entries and found.entries["shape"][1].text in LOPSIDED:
             key, angle = record.entries.get("angle", (Scalar("angle", record.where), Scalar("0", record.where)))
             axis = Scalar(f"pi - ({self.expression(angle).text})", record.where, True)
@@ -177,13 +163,13 @@ class _Sections:
     def _motion(self, kind, node):
         if not isinstance(node, Mapping):
             node = Mapping(node.where, {"by": (Scalar("by", node.where), node)})
-        if kind == "slide" and "surface" in node.entries:
-            raise PhysicsError("on which side of a surface something slides in a mirror is not told")
         by, entries = node.entries["by"], dict(node.entries)
-        entries["by"] = by[0], self._displacement(by[1]) if kind == "slide" else self._turned_by(by[1])
+        on_surface = kind == "slide" and "surface" in entries
+        kept = on_a_line(node, self.lines) if on_surface else kind == "slide"
+        entries["by"] = by[0], self._displacement(by[1]) if kept else self._turned_by(by[1])
         if "at" in entries:
             entries["at"] = entries["at"][0], self.vector(entries["at"][1])
-        if kind == "slide":
+        if kind == "slide" and not on_surface:
             key, along = entries.get("along", (Scalar("along", node.where), _right(node.where)))
             entries["along"] = key, self.vector(along)
         return Mapping(node.where, entries)
@@ -198,11 +184,13 @@ class _Sections:
         return self._displacement(node) if name == "travel" else node
 
     def surface(self, record: Any) -> Any:
-        """A line or a circle."""
-        if not isinstance(record, Mapping) or "curve" in record.entries:
-            raise PhysicsError("a surface given by a curve is not mirrored")
-        return _each(record, lambda name, node: self._ends(node) if name == "line" else
-                     self.vector(node) if name == "circle" else node)
+        """A line, a circle or the curve y = f(x), in the mirror f(−x)."""
+        def part(name, node):
+            if name == "curve":
+                return _of_negative(node, record.entries["in"][1].text.strip())
+            return self._ends(node) if name == "line" else self.vector(node) if name == "circle" else node
+
+        return _each(record, part)
 
     def _displacement(self, node):
         return node if PLAIN.fullmatch(node.text.strip()) else self.expression(node)
@@ -218,8 +206,8 @@ class _Sections:
     def connection(self, record: Any) -> Any:
         """A spring or a damper."""
         found = _each(record, self._part_of_connection)
-        if "torsion" in found.entries and any(word in found.entries for word in SENSES):
-            raise PhysicsError("a torsion that tells one sense from the other is not mirrored")
+        if "torsion" in found.entries:
+            found = _each(found, _part_of_torsion)
         key, preload = found.entries.get("preload", (None, None))
         if "torsion" in found.entries and preload is not None and preload.text not in WORDS:
             found = Mapping(found.where, {**found.entries, "preload": (key, self.negative(preload))})
@@ -285,6 +273,23 @@ class _Sections:
         if isinstance(record, Sequence):
             return self.vector(record)
         return _each(record, lambda name, node: self.vector(node) if name in ("at", "moves") else node)
+
+
+def _of_negative(node, name):
+    """An expression of a variable at its negative."""
+    text = re.sub(rf"(?<![\w.'])({re.escape(name)})('*)(?![\w.(\[])", r"(-\1\2)", node.text)
+    return Scalar(text, node.where, node.quoted)
+
+
+def _part_of_torsion(name, node):
+    """−F(−d) of a law F(d), c(−ω) of a damper: it turns the other way round."""
+    if name in ("law", "acts") and not isinstance(node, Scalar):
+        raise PhysicsError("a torsion whose law is a table is not mirrored")
+    if name == "acts":
+        return Scalar(OTHER_WAY.get(node.text, node.text), node.where)
+    if name != "law":
+        return node
+    return Scalar(opposite(_of_negative(_of_negative(node, "d"), "v").text), node.where, True)
 
 
 def _right(where):

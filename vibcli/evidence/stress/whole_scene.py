@@ -13,9 +13,10 @@ from typing import Any
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.evidence.stress.mirrored import NotDrawn, mirrored, turned_round
+from vibcli.evidence.stress.mirrored import NotDrawn, mirrored
 from vibcli.evidence.stress.rewritten import OF_ELEMENTS, in_parallel, power_of_two, reordered, scaled, with_numbers
 from vibcli.evidence.stress.shaken import BROKEN, EQUAL, REFUSED, WITHIN, Shake
+from vibcli.evidence.stress.turned_coordinates import turned_round
 from vibcli.language.sections.record import dimension
 from vibcli.quantities.dimensions import asked_dimension, dimension_of
 from vibcli.quantities.expression import bounded

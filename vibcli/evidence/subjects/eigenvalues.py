@@ -62,6 +62,10 @@ def _rates(modes):
 def damped(problem: "Problem", _: Any) -> Subject:
     """The eigenvalues with dampers, of each conjugate pair one."""
     elements = _element_data(problem)
+    if problem.modal.member_damping is not None:
+        raise PhysicsError("`damping:` gives the modes of members their ratios: there is nothing to compare")
+    if elements.pieces:
+        raise PhysicsError("no reference is found of damped modes of members")
     if not problem.modal.damps:
         raise PhysicsError("nothing damps: the damped modes are the natural ones", "ask for omega[1]")
     configuration = problem.configuration

@@ -33,20 +33,22 @@ def at_frequency(problem: "Problem", tree: QuantityRef) -> Subject:
         found, = evaluate([node], multiprecision(), problem.numeric.values(multiprecision()))
         return 2 * mpmath.pi * found if cycles else found
 
-    members = bool(problem.configuration.linear_system.pieces)
+    (signal, driver), value = tree.indices, number_of(problem, tree.args[0])
     read: Callable = abs if tree.head == "transmissibility" else complex
-    with mpmath.workdps(30):
-        if members:
-            curve = member_responses.in_floats(member_responses.transfer(problem, *tree.indices))
-        else:
-            curve = reference.in_floats(reference.transfer(problem, *tree.indices))
-    signal, driver = tree.indices
-    true = (member_responses.value if members else reference.value)(problem, signal, driver, Omega)
+    data: tuple
+    if problem.configuration.linear_system.pieces:
+        kind, true = "member response", member_responses.value(problem, signal, driver, Omega)
+        with mpmath.workdps(30):
+            data = member_responses.in_floats(member_responses.driven_members(problem, signal)), {
+                i: complex(x) for i, x in member_responses.given_by(problem, driver)(value).items()}
+    else:
+        kind, true = "response", reference.value(problem, signal, driver, Omega)
+        with mpmath.workdps(30):
+            data = reference.in_floats(reference.transfer(problem, signal, driver)),
     if tree.head == "transmissibility":
         with mpmath.workdps(true.working):
             true = true._replace(values=[abs(true.values[0])])
-    return _subject(problem, tree, "member response" if members else "response", "frequency response at a frequency",
-                    true, (curve, number_of(problem, tree.args[0]), read))
+    return _subject(problem, tree, kind, "frequency response at a frequency", true, (*data, value, read))
 
 
 def of_curve(problem: "Problem", tree: QuantityRef) -> Subject:

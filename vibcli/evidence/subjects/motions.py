@@ -8,7 +8,7 @@ import numpy as np
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.plain_equations import plain_equations
 from vibcli.evidence.reference import motion as reference
-from vibcli.evidence.reference import periodic
+from vibcli.evidence.reference import periodic, swings
 from vibcli.evidence.reference.outputs import signal
 from vibcli.evidence.reference.taylor_steps import TakesMinutes
 from vibcli.evidence.subject import Subject, of_signal
@@ -55,9 +55,14 @@ def period(problem: "Problem", tree: QuantityRef) -> Subject:
         raise PhysicsError("of periods a reference is found where nothing drives the only coordinate, and of it alone")
     if motion.parts.gaps or motion.blows:
         raise PhysicsError("no reference is found of periods of what strikes or is struck")
-    until = Fraction(AHEAD * measure(problem, tree)[0])
-    true = reference.period(motion, until, problem.work)
-    plain = _plain(problem, motion, motion.scene.v[0], until, "period")
+    about = measure(problem, tree)[0]
+    until = Fraction(AHEAD * about)
+    try:
+        true = reference.period(motion, until, problem.work)
+        plain = _plain(problem, motion, motion.scene.v[0], until, "period")
+    except PhysicsError:            # of what bends or jumps with the motion
+        true = swings.period(motion, problem.numeric.size_along(motion.scene.coordinates[0]))
+        plain = plain_equations(motion, motion.scene.v[0], float(until), "period")
     return of_signal(KINDS[kind], problem, tree, f"of {problem.response.words}", true, plain)
 
 

@@ -9,36 +9,64 @@ import numpy as np
 
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.plain_equations import plain_equations
-from vibcli.evidence.reference import harmonics, periodic, steady_state
+from vibcli.evidence.reference import (
+    harmonics,
+    many_waves,
+    member_responses,
+    member_steady_states,
+    periodic,
+    steady_state,
+)
 from vibcli.evidence.reference.frequency_response import in_floats
 from vibcli.evidence.reference.motion import small
 from vibcli.evidence.reference.outputs import signal
 from vibcli.evidence.reference.settled import relative_error
 from vibcli.evidence.subject import MethodAnswer, Subject, of_signal
 from vibcli.quantities.expression import measure
-from vibcli.symbolic.syntax import QuantityRef
+from vibcli.symbolic.syntax import NameRef, QuantityRef
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 TITLE = "steady state under loads of one frequency"
+PERIODS = 40        # of the slowest wave, over which means without a common period are taken
 FEW = 64            # bits of a period to which sizes are looked at
 READ: dict[str, Callable] = {"amplitude": abs, "phase": lambda X: -cmath.phase(1j * X)}     # of X in Re X e^{iΩt}
 
 
 def of_wave(problem: "Problem", tree: QuantityRef) -> Subject:
     """amplitude(x) or phase(x) of a linear signal under loads of one frequency."""
+    if problem.configuration.linear_system.pieces:
+        return _of_members(problem, tree)
     known, node = _driven(problem, tree)
     true = steady_state.of_wave(known, node, tree.head)
     with mpmath.workdps(30):
         exact, Omega = steady_state.transfer(known, node)
     data = in_floats(exact), float(Omega), READ[tree.head]
+    return _wave(problem, tree, "response", true, data)
 
+
+def _of_members(problem, tree):
+    """The same of a scene with members."""
+    of = tree.args[0]
+    if not isinstance(of, NameRef):
+        raise PhysicsError("of scenes with members a reference is found of single signals")
+    text = of.name + "'" * of.primes
+    given = member_steady_states.given_inputs(problem)
+    true = member_steady_states.of_wave(given, text, tree.head)
+    with mpmath.workdps(30):
+        (Omega, inputs), = given.phasors()
+        exact = member_responses.in_floats(member_responses.driven_members(problem, text))
+    data = exact, {i: complex(x) for i, x in inputs.items()}, float(Omega), READ[tree.head]
+    return _wave(problem, tree, "member response", true, data)
+
+
+def _wave(problem, tree, kind, true, data):
     def ours() -> MethodAnswer:
         value, bound = measure(problem.afresh(), tree)
         return MethodAnswer([value], float(bound) * (abs(value) if tree.head == "phase" else 1))
 
-    return Subject("response", tree.text, TITLE, problem, true, ours, data,
+    return Subject(kind, tree.text, TITLE, problem, true, ours, data,
                    _turned if tree.head == "phase" else relative_error)
 
 
@@ -61,7 +89,10 @@ def over_a_period(problem: "Problem", tree: QuantityRef) -> Subject:
         known = steady_state.driven(motion)
         true = steady_state.over_a_period(known, node, tree.head)
     except PhysicsError:
-        return _over_a_common_period(problem, tree, motion, node)
+        try:
+            return _over_a_common_period(problem, tree, motion, node)
+        except periodic.NoCommonPeriod as error:
+            return _over_all_times(problem, tree, motion, node, error)
     with mpmath.workdps(30):
         period, start, sizes = steady_state.at_the_start(known)
     plain = plain_equations(known.motion, node, period, tree.head)._replace(
@@ -77,6 +108,21 @@ def _over_a_common_period(problem, tree, motion, node):
     plain = plain_equations(known.motion, node, period, tree.head)._replace(
         start=np.array(start), sizes=np.array(sizes))
     return of_signal("steady motion", problem, tree, "steady state under loads that repeat themselves", true, plain)
+
+
+def _over_all_times(problem, tree, motion, node, error):
+    """Others follow it over many periods of the slowest wave, from the steady state on; `error` where loads are no sums
+    of waves."""
+    try:
+        known = many_waves.steady_waves(motion, node)
+        true = many_waves.over_all_times(known, tree.head)
+    except PhysicsError:
+        raise error from None
+    with mpmath.workdps(30):
+        slowest, start, sizes = many_waves.at_the_start(known)
+    plain = plain_equations(motion, node, PERIODS * slowest, tree.head)._replace(
+        start=np.array(start), sizes=np.array(sizes))
+    return of_signal("steady motion", problem, tree, "steady state under loads without a common period", true, plain)
 
 
 def _driven(problem, tree):

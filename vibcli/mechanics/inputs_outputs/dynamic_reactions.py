@@ -17,7 +17,7 @@ from vibcli.language.signals import CONTACT
 from vibcli.mechanics.autonomous import excitation
 from vibcli.mechanics.inputs_outputs.base_excitation import SystemWithInputs
 from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction, combined, product
-from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING, OPEN, constraint_slopes, solved
+from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING, OPEN, constraint_slopes, left_inverse, solved
 from vibcli.mechanics.linearise import row_of, slopes_of
 from vibcli.mechanics.signals import normal_of, reaction_of, require_fixed
 from vibcli.mechanics.static_preload import pivots
@@ -49,7 +49,8 @@ class MovingReactions:
         residual = self._residual()
         slopes = evaluate(constraint_slopes(scene), self.opened.arithmetic, self.released.values)
         G = np.array(slopes, self.opened.kind).reshape(-1, len(scene.q))
-        static, loose, inverse = self._solved(G[:, real], [residual[i].constant for i in real])
+        static, loose, inverse = self._solved(G[:, real], [residual[i].constant for i in real], scene.units_of(
+            [scene.q[i].name for i in real]))
         self._bend(residual, static)
         multipliers = [combined((-x, residual[i]) for x, i in zip(line, real, strict=True) if x) for line in inverse]
         multipliers = [row._replace(constant=value) for row, value in zip(multipliers, static, strict=True)]
@@ -64,14 +65,14 @@ class MovingReactions:
             found[scene.q[i].name] = None if open_one else combined([(1.0, residual[i]), *ties])
         return found
 
-    def _solved(self, G, E):
+    def _solved(self, G, E, units):
         """(λ in equilibrium, what Gᵀλ = 0 leaves open, the left inverse of Gᵀ), the first and the last in the numbers
         of G."""
         import numpy as np
 
-        static, loose = solved(G.astype(float), np.array(E, float))
+        static, loose = solved(G.astype(float), np.array(E, float), units)
         if self.opened.kind is float:
-            return static.tolist(), loose, _left_inverse(G).tolist()
+            return static.tolist(), loose, left_inverse(G, units)[0].tolist()
         inverse = _picked_inverse(G)
         return [-sum(x * e for x, e in zip(line, E, strict=True)) for line in inverse], loose, inverse
 
@@ -127,17 +128,6 @@ class MovingReactions:
         x, y = (self.row(f"{name}.reaction.{axis}") for axis in "xy")
         parts = [(1.0, x, nx), (1.0, y, ny)] if part == "normal" else [(1.0, x, ny), (-1.0, y, nx)]
         return combined((sign, product(one, two)) for sign, one, two in parts)
-
-
-def _left_inverse(G):
-    """The array that gives λ of Gᵀλ = e, times e."""
-    import numpy as np
-
-    if not len(G):
-        return np.zeros((0, G.shape[1]))
-    scale = np.abs(G).max(axis=1)
-    scale[scale == 0.0] = 1.0       # of what ties supports alone
-    return np.linalg.pinv((G / scale[:, None]).T, rcond=OPEN) / scale[:, None]
 
 
 def _picked_inverse(G):

@@ -89,7 +89,7 @@ class ForcesAlong:
         import numpy as np
 
         scene, found = self.released.scene, {}
-        multipliers, loose = solved_each(G[:, :, :n], E[:, :n])
+        multipliers, loose = solved_each(G[:, :, :n], E[:, :n], self.released.units)
         held = E[:, n:] + (multipliers[:, None] @ G[:, :, n:])[:, 0]
         left_open = np.abs(loose @ G[:, :, n:]).max(axis=(0, 1), initial=0.0) > OPEN
         for k, tie in enumerate(scene.constraints):

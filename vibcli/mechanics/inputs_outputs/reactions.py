@@ -55,6 +55,7 @@ class Released:
                                                    for node, value in zip(tensions, values, strict=True)})
         count = len(self.scene.q) - len(self.scene.released)
         self.held, self.real = self.scene.q[count:], self.scene.q[:count]
+        self.units = self.scene.units_of([q.name for q in self.real])
 
 
 def constraint_slopes(scene: "Scene"):
@@ -75,7 +76,7 @@ def reactions(configuration: "Configuration") -> list[Reaction]:
     flat = evaluate([*nodes, *constraint_slopes(scene)], Floats, values)
     E = np.array(flat[:len(nodes)])
     G = np.array(flat[len(nodes):]).reshape(len(scene.constraints), len(nodes))
-    multipliers, loose = solved(G[:, :n], E[:n])
+    multipliers, loose = solved(G[:, :n], E[:n], released.units)
     held = E[n:] + multipliers @ G[:, n:]
     left_open = np.abs(loose @ G[:, n:]).max(axis=0, initial=0.0) > OPEN
     found = []
@@ -101,29 +102,42 @@ def _at_rest(configuration, released):
             released.scene.time.name: 0.0}
 
 
-def solved(G: "np.ndarray", E: "np.ndarray") -> "tuple[np.ndarray, np.ndarray]":
-    """λ of Gᵀλ = −E by least squares, and a basis of what Gᵀλ = 0 leaves open, as rows."""
-    multipliers, loose = solved_each(G[None], E[None])
-    return multipliers[0], loose[0][loose[0].any(axis=1)]
+def left_inverse(G: "np.ndarray", units: Sequence[float]) -> "tuple[np.ndarray, np.ndarray]":
+    """(Y of λ = −Y E, which solves Gᵀλ = −E, by least squares in the units of the coordinates; a basis of what Gᵀλ = 0
+    leaves open, as rows)."""
+    inverse, loose = _left_inverses(G[None], units)
+    return inverse[0], loose[0][loose[0].any(axis=1)]
 
 
-def solved_each(G: "np.ndarray", E: "np.ndarray") -> "tuple[np.ndarray, np.ndarray]":
-    """The same of stacks (N, k, n) and (N, n), among rows of zeros: (N, k), (N, k, k)."""
+def _left_inverses(G, units):
+    """The same of a stack (N, k, n): (N, k, n), and (N, k, k) with rows of zeros."""
     import numpy as np
 
     ties, kept = G.shape[1], min(G.shape[1:])
     if not kept:
-        return np.zeros((len(G), ties)), np.broadcast_to(np.eye(ties), (len(G), ties, ties))
-    scale = np.abs(G).max(axis=2)
+        return np.zeros(G.shape), np.broadcast_to(np.eye(ties), (len(G), ties, ties))
+    found = G * units
+    scale = np.abs(found).max(axis=2)
     scale[scale == 0.0] = 1.0       # of what ties supports alone
-    transposed = (G / scale[:, :, None]).swapaxes(1, 2)
-    u, s, vt = np.linalg.svd(transposed, full_matrices=True)
+    u, s, vt = np.linalg.svd((found / scale[:, :, None]).swapaxes(1, 2), full_matrices=True)
     fixed = s > OPEN * s[:, :1]
     inverse = vt[:, :kept].swapaxes(1, 2) / np.where(fixed, s, np.inf)[:, None] @ u[:, :, :kept].swapaxes(1, 2)
-    multipliers = inverse @ -E[:, :, None]
-    multipliers -= inverse @ (E[:, :, None] + transposed @ multipliers)     # which left hundreds of roundings
     rest = np.arange(ties) >= fixed.sum(axis=1)[:, None]
-    return multipliers[:, :, 0] / scale, vt * rest[:, :, None] / scale[:, None]
+    return inverse / scale[:, :, None] * units, vt * rest[:, :, None] / scale[:, None]
+
+
+def solved(G: "np.ndarray", E: "np.ndarray", units: Sequence[float]) -> "tuple[np.ndarray, np.ndarray]":
+    """λ of Gᵀλ = −E, and a basis of what Gᵀλ = 0 leaves open, as rows."""
+    multipliers, loose = solved_each(G[None], E[None], units)
+    return multipliers[0], loose[0][loose[0].any(axis=1)]
+
+
+def solved_each(G: "np.ndarray", E: "np.ndarray", units: Sequence[float]) -> "tuple[np.ndarray, np.ndarray]":
+    """The same of stacks (N, k, n) and (N, n), among rows of zeros: (N, k), (N, k, k)."""
+    inverse, loose = _left_inverses(G, units)
+    multipliers, E = inverse @ -E[:, :, None], E[:, :, None]
+    left = E + G.swapaxes(1, 2) @ multipliers       # hundreds of roundings
+    return (multipliers - inverse @ left)[:, :, 0], loose
 
 
 def reaction_errors(configuration: "Configuration") -> dict[str, float]:
@@ -143,11 +157,12 @@ def reaction_errors(configuration: "Configuration") -> dict[str, float]:
     E, G = (np.array([number_in(x) for x in part], float) for part in (flat[:len(terms)], flat[len(terms):]))
     off, leaning = (np.array([error_in(x) for x in part], float) for part in (flat[:len(terms)], flat[len(terms):]))
     G, leaning = G.reshape(shape), leaning.reshape(shape)
-    multipliers = solved(G[:, :n], E[:n])[0]
+    inverse = left_inverse(G[:, :n], released.units)[0]
+    multipliers = solved(G[:, :n], E[:n], released.units)[0]
     size = np.array([sum(map(abs, row)) for row in sums]) + abs(multipliers) @ abs(G)
     off += abs(multipliers) @ leaning + ROUNDINGS * UNIT * (len(G) + 1) * size
     off[:n] += abs(E + multipliers @ G)[:n]
-    far = abs(np.linalg.pinv(G[:, :n].T, rcond=OPEN)) @ off[:n] if len(G) else np.zeros(0)
+    far = abs(inverse) @ off[:n]
     held = off[n:] + far @ abs(G[:, n:])
     return dict(zip([*(constraint.signal for constraint in scene.constraints), *(q.name for q in released.held)],
                     map(float, (*far, *held)), strict=True))

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.parameter_samples import given_values
 from vibcli.mechanics.energies import dissipation, kinetic, potential
-from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING, OPEN, constraint_slopes, solved
+from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING, OPEN, constraint_slopes, left_inverse
 from vibcli.mechanics.lagrange import equation_of
 from vibcli.mechanics.static_preload import pivots, solve_linear, take_over
 from vibcli.symbolic.common_denominator import single
@@ -123,7 +123,7 @@ def _multipliers(scene, E, G):
     rows, picked = pivots(slopes[:, :n].T.tolist())
     found = solve_linear([[G[k][i] for k in picked] + [-E[i]] for i in rows], zero)
     solution = dict(zip(picked, found, strict=True))
-    _, loose = solved(slopes[:, :n], np.zeros(n))
+    _, loose = left_inverse(slopes[:, :n], scene.units_of([q.name for q in scene.q[:n]]))
     shared = np.abs(loose).max(axis=0, initial=0.0) > OPEN
     carried = np.abs(loose @ slopes).max(axis=0, initial=0.0) > OPEN
     return [solution.get(k, zero) for k in range(count)], _Open(
