@@ -31,8 +31,7 @@ EARLY = "; values at instants by travelling waves as long as their fronts stay f
 
 class ResponseOfMembers(SmallResponse):
     """Small oscillations of a scene whose members vibrate. `moved(direct)` gives its motion, read by LinearOutputs with
-    FieldPoints; `matrices` leave the pieces out, which stand apart. part: what of the scene it is the motion of, by
-    itself; None of all."""
+    FieldPoints; `matrices` leave the pieces out. part: what of the scene it is the motion of, by itself; None of all."""
 
     def __init__(self, problem: "Problem", waves: "WaveResponse | PartedResponse | None" = None,
                  part: "PartOfMembers | None" = None):
@@ -283,10 +282,10 @@ class ResponseOfMembers(SmallResponse):
         found = place_output(self.configuration, name + "'" * primes) if isinstance(name, str) else None
         if found is None:
             return super()._part(parts, name, primes, part)
-        constant = 0.0 if primes else self._at_rest(name)
         length = float(self.placed[found.piece].piece.length)
         point = FieldPoint(found.piece, float(found.share) * length, found.order, found.primes)
-        output = LinearOutput(constant, places={} if is_unloaded(self, found) else {point: float(found.factor)})
+        output = LinearOutput(0.0 if primes else self._at_rest(name),
+                              places={} if is_unloaded(self, found) else {point: float(found.factor)})
         return self._named(parts, f"signal {name}" + "'" * primes, (output, None))
 
     def _at_rest(self, name):
