@@ -31,7 +31,7 @@ EARLY = "; values at instants by travelling waves as long as their fronts stay f
 
 class ResponseOfMembers(SmallResponse):
     """Small oscillations of a scene whose members vibrate. `moved(direct)` gives its motion, read by LinearOutputs with
-    FieldPoints; `matrices` leave the pieces out. part: what of the scene it is the motion of, by itself; None of all."""
+    FieldPoints; `matrices` leave the pieces out. part: what of the scene it is the motion of, alone; None of all."""
 
     def __init__(self, problem: "Problem", waves: "WaveResponse | PartedResponse | None" = None,
                  part: "PartOfMembers | None" = None):
