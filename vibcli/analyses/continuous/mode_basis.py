@@ -34,7 +34,7 @@ SAME = 1e-12        # of a length
 INSIDE = 1e-3       # of a part of a piece: what no division of pieces is as near to their ends as
 INNER = np.array([0.0, 0.21, 0.5, 0.83, 1.0])    # parts of a piece that show how large a field is
 ROUNDED = 2.0**-48  # of a field, where that is largest
-PHASE = 2.0**-52    # of λ, by which it is rounded
+PHASE = 2.0**-50    # of λ, to which it is found
 PLACED = 2.0**-51   # of a place, which is rounded as the difference of two
 HELD = 1e-36, 1e36  # ω in rad/s, of whose eighth powers floats hold what sums over modes need
 
@@ -71,11 +71,11 @@ class ModesOnPart(NamedTuple):
         return far if self.bends is None else np.where(told(self.piece, self.kappa), 0.0, far)
 
     def turns(self) -> np.ndarray:
-        """By how many radians waves turn along it, (modes,): what λ is off by is felt so many times."""
+        """How many times what λ is off by is felt in how far waves turn along it, (modes,): β ~ λ, of beams √λ."""
         long, steep = abs(self.kappa) * self.piece.length**2, abs(self.piece.tension)
         if self.piece.order == 2:
             return np.sqrt(long / steep) if steep else np.zeros(len(long))
-        return (long / self.piece.bending) ** 0.25 * self.piece.length**0.5
+        return 0.5 * (long / self.piece.bending) ** 0.25 * self.piece.length**0.5
 
     def forces(self) -> np.ndarray:
         """Those that its ends need, (modes, order)."""
@@ -171,7 +171,7 @@ class ModeBasis:
             found = self._sizes[piece, along] = np.zeros(self.shapes.shape[1])
             for part in self.parts[piece]:
                 values = abs(part.along(part.start + part.piece.length * INNER)[..., along]).max(axis=0)
-                often = 1.0 + (self.errors[part.modes] + PHASE) / ROUNDED * part.turns()
+                often = 1.0 + PHASE / ROUNDED * part.turns()
                 found[part.modes] = np.maximum(found[part.modes], often * np.maximum(values, part.told_by(along)))
         return self._sizes[piece, along]
 
