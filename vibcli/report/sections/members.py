@@ -87,7 +87,6 @@ def _tension(placed):
 def station_conditions(member: Any, pieces: "Sequence[Any]", matrices: Any, scene: Any) -> Iterator[Line]:
     """What holds at each station: motions that are held, forces where they are free."""
     u, starts = _letter(member), {piece.start: piece for piece in pieces if piece.owner == member.name}
-    whose: list[Any] = [Words(f" of {member.name}")] if member.kind.letter in scene.coordinates else []
     left = None
     for station in member.stations:
         right, parts = starts.get(station.place), []
@@ -96,7 +95,7 @@ def station_conditions(member: Any, pieces: "Sequence[Any]", matrices: Any, scen
             if _is_own(node, member, scene):
                 parts += _balance(scene.q.index(node), part, (left, right), matrices, scene, member, pieces)
             else:
-                parts += [MOTIONS[part].format(u=u), *whose, " = ", node]
+                parts += [MOTIONS[part].format(u=u), " = ", node]
         yield Line(tuple(part for part in parts if part != ""), ("at x = ", station.place), inset=2)
         left = right
 
