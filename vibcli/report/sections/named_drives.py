@@ -76,8 +76,9 @@ class NamedDrives:
         terms = [factor * self._values[symbol] for factor, symbol in zip(factors, moving, strict=True)]
         if set(opened.a[len(at_rest):]) & set(slopes) or not same_in_motion(self._problem, terms, [whole]):
             return None
-        return [(factor, self._names[symbol]) for factor, symbol in zip(factors, moving, strict=True)
-                if not factor.is_zero]
+        driven = [(factor, self._names[symbol]) for factor, symbol in zip(factors, moving, strict=True)
+                  if not factor.is_zero]
+        return [tuple(copied(pair, self._problem.scene.table)) for pair in driven]
 
     def _named(self, mine, whole):
         """An expression with the symbols; the engine's where they do not have the same value at states of motion."""
