@@ -1,7 +1,7 @@
 """Where the bodies and points of a scene are, as drawn and now."""
 
 from collections.abc import Callable, Mapping, Sequence
-from math import frexp
+from math import inf
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
@@ -196,5 +196,18 @@ class Places:
 
     def units_of(self, names: Sequence[str]) -> list[float]:
         """Powers of two next to the natural sizes of coordinates: by them slopes are alike in all units."""
-        size = 2.0 ** frexp(self.extent(self.expressions.sample) or 0.5)[1]
-        return [size if self.spec.dimensions.of(name) else 1.0 for name in names]
+        lengths = [bool(self.spec.dimensions.of(name)) for name in names]
+        if all(lengths) or not any(lengths):
+            return [1.0] * len(lengths)
+        size = _power_above(self.extent(self.expressions.sample) or 0.5)
+        return [size if length else 1.0 for length in lengths]
+
+
+def _power_above(x):
+    """The least power of two above a positive number, found by comparing."""
+    size = 1.0
+    while size <= x < inf:
+        size *= 2.0
+    while x < 0.5 * size:
+        size *= 0.5
+    return size

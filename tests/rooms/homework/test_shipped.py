@@ -25,7 +25,8 @@ from vibcli.results.variants import with_given
 
 STUDENTS, MANY, WORKED = 500, 2000, 3
 PATHS = {"eccentric_cylinder": 2, "stepped_drum_dashpot": 2,      # where an R − r is written as r − R in some
-         "feeder_tray_driven_by_a_sawtooth": 2, "inerter_under_a_machine": 2}       # and where another sign turns
+         "feeder_tray_driven_by_a_sawtooth": 2, "inerter_under_a_machine": 3,       # and where another sign turns
+         "accelerometer_on_a_casing": 2}
 
 
 def test_how_many_there_are():
