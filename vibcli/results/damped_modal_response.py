@@ -10,6 +10,7 @@ from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.modal_motion import ModalMotion
+    from vibcli.analyses.modal.mode_sequence import Modes
 
 LOW = 12            # damped modes that are looked for one by one
 LONGEST = 1_000     # steps of a million products
@@ -34,10 +35,21 @@ class DampedModalResponse(ModalResponse):
         matrix = self._transfer.matrix
         if self.linear.circulatory:
             raise NotByModes("forces that no potential gives couple the modes of members", "ask for steady(…)")
-        self.problem.modal.modes.first(1)
-        if swallowed(matrix, max(float(np.abs(mode.omega or 0.0)) for mode in self.problem.modal.modes.shown())):
+        self.natural.first(1)
+        if swallowed(matrix, max(float(np.abs(mode.omega or 0.0)) for mode in self.natural.shown())):
             raise NotByModes("a damper is as √(Nμ) of what vibrates at it, so that no wave comes back from it: damped "
                              "modes are not all that moves", "give it a little more or less")
+
+    @cached_property
+    def damped(self) -> "Modes":
+        """Its damped modes."""
+        modal = self.problem.modal
+        if self.part is None:
+            return modal.damped
+        from vibcli.analyses.modal.mode_sequence import Modes
+        from vibcli.analyses.modal.modes import damped_modes
+
+        return Modes((), modal.solved(damped_modes, self.linear, lambda: self.natural), modal.solved)
 
     @property
     def drive(self):
@@ -79,14 +91,14 @@ class DampedModalResponse(ModalResponse):
         from vibcli.analyses.continuous.damped_series import damped_series
         from vibcli.analyses.continuous.modal_motion import ModalMotion
 
-        modal, matrix = self.problem.modal, self._transfer.matrix
+        matrix = self._transfer.matrix
         with self.problem.work.task("the search for damped modes", LONGEST):
             while self._reached < count:
                 reached = min(max(FURTHER * self._reached, BLOCK), count)
                 self._known.append(damped_series(self._known[-1], reached))
                 self._reached = reached
         series = self._known[-1]
-        rigid = [[float(x) for x in mode.shape] for mode in modal.modes.shown() if mode.rigid]
+        rigid = [[float(x) for x in mode.shape] for mode in self.natural.shown() if mode.rigid]
         basis = DampedBasis(series, matrix, np.array(rigid).reshape(len(rigid), matrix.n), self._transfer.pieces)
         if series.resting != basis.at_rest:
             raise PhysicsError("motions that nothing holds are not told from those that creep",
@@ -99,7 +111,7 @@ class DampedModalResponse(ModalResponse):
         """What is known of the λ, ever more."""
         from vibcli.analyses.continuous.damped_series import within_region
 
-        damped = self.problem.modal.damped
+        damped = self.damped
         try:
             damped.first(LOW)
         except PhysicsError as error:
@@ -116,4 +128,4 @@ class DampedModalResponse(ModalResponse):
 
     @property
     def _dying(self):
-        return self.problem.modal.damped.shown()
+        return self.damped.shown()

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
 from vibcli.results.modal_response import ModalResponse
+from vibcli.results.not_by_modes import CoupledModes
 from vibcli.results.part_of_members import PartOfMembers
 from vibcli.results.response_of_members import ResponseOfMembers
 from vibcli.results.wave_response import WaveResponse
@@ -80,8 +81,7 @@ def parted(whole: ModalResponse) -> ResponseOfMembers:
     problem, (inside, outside) = whole.problem, _divided(whole)
     if problem.spec.get("damping") is not None or not inside.pieces or not outside.pieces:
         return whole
-    own, waves = type(whole) is ModalResponse, WaveResponse(problem, inside)
-    rest = (ModalResponse(problem, part=outside), outside.read) if own else (whole, outside.read_among_all)
+    waves, rest = WaveResponse(problem, inside), (_by_own_modes(whole, outside), outside.read)
     found = PartedResponse(whole, (waves, inside.read), rest)
     try:
         march = waves.alone.march
@@ -91,6 +91,16 @@ def parted(whole: ModalResponse) -> ResponseOfMembers:
         march.require_few(found.until, FEW)
     except NotByWaves:
         return PartedResponse(whole, (whole, inside.read_among_all), rest, found)
+    return found
+
+
+def _by_own_modes(whole, part):
+    """The response of a part by its own modes, damped ones where dampers couple these."""
+    found = ModalResponse(whole.problem, part=part)
+    try:
+        found.alone  # noqa: B018 - is its motion one of modes by themselves?
+    except CoupledModes:
+        found = type(whole)(whole.problem, part=part)
     return found
 
 

@@ -100,21 +100,37 @@ class SteadyResponse(SmallResponse):
         import numpy as np
 
         from vibcli.analyses.continuous.kept_up_motion import Harmonic
+
+        found = [] if signal_name(text).primes else [Harmonic(channel, 0.0, self._at_rest(text), 0.0)]
+        drifting = {}       # inputs that alone drive at rest what nothing holds
+        for number, waves in self.waves.items():
+            parts = self._answered(text, {number: 1.0}, np.array([Omega for Omega, _ in waves]))
+            for (Omega, A), (H, error, lost) in zip(waves, parts, strict=True):
+                if lost and Omega:
+                    raise resonance(1j * Omega)
+                if lost:
+                    drifting[number] = A
+                else:
+                    size = abs(A) * (error + 1e-15 * abs(H)) + self._lost[number] * abs(H)
+                    found.append(Harmonic(channel, Omega, complex(H * A), size))
+        if drifting:
+            (H, error, lost), = self._answered(text, drifting, np.zeros(1))
+            if lost:
+                raise resonance(0j)
+            found.append(Harmonic(channel, 0.0, complex(H), error))
+        return found
+
+    def _answered(self, text, weights, Omega):
+        """[(H, how far it may be off, whether there is a pole)] of a signal to some inputs at once."""
         from vibcli.analyses.frequency_response.evaluate import sampled
         from vibcli.analyses.frequency_response.member_system import MemberInput
         from vibcli.analyses.frequency_response.member_transfer import transfer_to
-        found = [] if signal_name(text).primes else [Harmonic(channel, 0.0, self._at_rest(text), 0.0)]
-        for number, waves in self.waves.items():
-            curve = transfer_to(self.configuration, signal_name(text), MemberInput({number: 1.0}), 0,
-                                self.problem.modal)
-            with self.problem.work.task("steady states at the frequencies of loads", MOST):
-                values, resonant = sampled(curve, np.array([Omega for Omega, _ in waves]))
-                for (Omega, A), H, lost in zip(waves, values, resonant, strict=True):
-                    if lost:
-                        raise resonance(1j * Omega)
-                    size = abs(A) * (curve.error(Omega) + 1e-15 * abs(H)) + self._lost[number] * abs(H)
-                    found.append(Harmonic(channel, Omega, complex(H * A), size))
-        return found
+
+        curve = transfer_to(self.configuration, signal_name(text), MemberInput(weights), 0, self.problem.modal)
+        with self.problem.work.task("steady states at the frequencies of loads", MOST):
+            values, resonant = sampled(curve, Omega)
+            return [(H, 0.0 if lost else curve.error(one), lost)
+                    for one, H, lost in zip(Omega.tolist(), values, resonant, strict=True)]
 
     def amplitudes_along(self, text: str, between: tuple[float, float]) -> "Callable[[np.ndarray], np.ndarray] | None":
         """places → amplitudes of a signal there, from one solution for all; text: itself at a place between the two

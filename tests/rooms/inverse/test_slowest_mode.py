@@ -6,6 +6,7 @@ from fractions import Fraction
 import pytest
 from support.scenes import problem
 
+from vibcli.inverse import settled
 from vibcli.inverse.conditions import HOLDS, ConditionSystem
 from vibcli.inverse.slowest_mode import slowest
 
@@ -62,5 +63,18 @@ def test_a_member_without_coordinates_buckles_between_its_ends():
     system, limit = ConditionSystem(found), math.pi**2 * 1000
     below, above = (system.misfits([limit * factor])[0] for factor in (1 - 1e-12, 1 + 1e-12))
     assert -HOLDS < above < 0 < below < HOLDS
-    first = found.with_values({"P": Fraction(limit)}).modal.modes.first(1)[0]
-    assert (first.omega or first.growth_rate) < 1e-5
+    first, second = found.with_values({"P": Fraction(limit)}).modal.modes.first(2)
+    assert first.rigid and second.omega > 0
+    assert found.with_values({"P": Fraction(limit * (1 + 1e-9))}).modal.modes.first(1)[0].growth_rate > 0
+
+
+def test_a_pressed_beam_at_its_chosen_limit_neither_swings_nor_grows():
+    """Though the number of P is rounded; ω₂² = 4·(4 − 1)·π⁴·EI/(μL⁴)."""
+    found = settled(problem("""
+        parameters: {L: 1 m, EI: 300 N*m^2, mu: 1 kg/m}
+        beams: {b: {length: L, EI: EI, mass_per_length: mu, preload: -P, left: pinned, right: pinned}}
+        choose: {P: stability limit}
+        """))
+    first, second = found.modal.modes.first(2)
+    assert first.omega == 0.0 and first.growth_rate is None and found.modal.stability.stable
+    assert second.omega == pytest.approx(math.pi**2 * (12 * 300) ** 0.5, rel=1e-12)

@@ -172,6 +172,16 @@ def test_two_stretches_under_an_axial_force(text):
     assert fulfilled(found, 4) == 1
 
 
+def test_zeros_of_what_is_multiplied_that_are_no_frequencies_are_told():
+    """Where η = 0, and where θ = iη, of a pressed beam in a bed."""
+    found = scene(beam("pinned", "pinned", "preload: -N, foundation: kf, attached: [{at: L/2, mass: M}]"))
+    equation, floats = Printed(*blocks(found)), found.numeric.floats
+    for bed in (floats["kf"], floats["kf"] - floats["N"] ** 2 / (4 * floats["EI"])):
+        omega = (bed / floats["mu"]) ** 0.5
+        assert equation.vanishes(omega, floats) and omega < 0.99 * found.modal.modes[0].omega
+    assert "where one of θ, η, θ² + η² is 0 it may be 0 too" in equation.told
+
+
 def test_wave_numbers_of_another_length_have_letters():
     found = scene("beams: {b: {length: 2*L, EI: EI, mass_per_length: mu, left: clamped, preload: N}}")
     lines, = blocks(found)

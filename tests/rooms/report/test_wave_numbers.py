@@ -12,6 +12,8 @@ TOLD = {
     f"beams: {{b: {{{ONE}, left: clamped, preload: -2000}}}}": (["β [1/m]"], "(EI·β⁴ + N·β² = μ·ω²)"),
     f"beams: {{b: {{{ONE}, left: clamped, foundation: 9000, preload: 2000}}}}": (
         ["β [1/m]"], "(EI·β⁴ + N·β² + k = μ·ω²)"),
+    f"parameters: {{N: 900, k: 9000}}\nbeams: {{b: {{{ONE}, left: clamped, foundation: k, preload: N}}}}": (
+        ["β [1/m]"], "(EI·β⁴ + N·β² + k = μ·ω²)"),
     "strings: {c: {length: 2, preload: 900, mass_per_length: 0.1, left: pinned, right: pinned, foundation: 5}}": (
         ["β [1/m]"], "(N·β² + k = μ·ω²)"),
     f"""

@@ -61,6 +61,9 @@ def test_what_nothing_holds_carries_its_load_in_the_mean():
             asked(scene, text)
     pulse = problem(BAR.replace(", %s}", "}") % "F*(step(t) - step(t - 0.07 s))")
     compared(pulse, {"mean(rod.u(L) - rod.u(0 m))": 0.0})
+    balanced = problem(BAR.replace(", %s}", "}").replace("at: L}}", "at: L}, root: {body: rod, at: 0 m}}").replace(
+        "%s}}", "%s}, back: {at: root, force: -%s}}") % (STEP, STEP))
+    compared(balanced, {"mean(rod.u(L) - rod.u(0 m))": 0.05})
     other = "rod: {length: L, EA: EA, mass_per_length: mu, left: clamped}, other: {length: 0.6*L, EA: EA, " \
         "mass_per_length: mu}"
     beside = problem(BAR.replace("rod: {length: L, EA: EA, mass_per_length: mu, %s}", other) % STEP)

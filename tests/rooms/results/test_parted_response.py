@@ -3,6 +3,7 @@
 import pytest
 
 from vibcli import loads
+from vibcli.results.damped_modal_response import DampedModalResponse
 from vibcli.results.modal_response import ModalResponse
 
 BEAM = """
@@ -70,3 +71,24 @@ find: [{response: {of: [rod.force(0 m)], until: 20 ms}}]
     assert model["rod.u(L)(2.5 ms)"].value == pytest.approx(1.5e-5, rel=1e-13)
     assert model["rod.force(0 m)(1.1 ms)"].value == pytest.approx(20)
     assert model["wing.u(L)(5 ms)"].value == pytest.approx(1.195713196037678e-3, rel=1e-7)
+
+
+def test_a_beam_with_a_damper_has_the_bound_that_it_has_without_a_shaft_beside_it(monkeypatch):
+    """Each by its own modes, of which few are enough to see that."""
+    monkeypatch.setattr(DampedModalResponse, "most", 128)
+    monkeypatch.setattr(DampedModalResponse, "limit", 0)
+    beam, shaft = """
+parameters: {L: 1 m}
+beams: {wing: {length: L, EI: 300 N*m^2, mass_per_length: 1 kg/m, left: pinned, right: pinned}}
+bodies: {b: {mass: 1 kg, slide: y}WHEEL}
+points: {mid: {body: wing, at: L/2}}
+dampers: {d: {c: 3 N*s/m, between: [mid, b]}BRAKE}
+forces: {f: {body: wing, per_length: 3 N/m*sin(pi*x/L)*cos(5 rad/s*t), from: 0.2*L, to: L}}
+""", """
+shafts: {s: {length: L, GIo: 300 N*m^2, inertia_per_length: 1 kg*m, left: clamped, right: {clamped: e}}}
+"""
+    alone = loads(beam.replace("WHEEL", "").replace("BRAKE", ""))
+    both = loads(beam.replace("WHEEL", ", e: {inertia: 1 kg*m^2, turn: phi}").replace(
+        "BRAKE", ", t: {torsion: 1 N*m*s, between: [ground, e]}") + shaft)
+    one, two = (model["wing.u(L/2)(0.7 s)"] for model in (alone, both))
+    assert two.value == pytest.approx(one.value, rel=1e-8) and two.error <= 2 * one.error < 1e-6 * abs(one.value)

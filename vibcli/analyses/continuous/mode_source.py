@@ -33,13 +33,15 @@ SEARCHED = 64       # modes of a uniform member with places on it that are found
 class NaturalModes:
     """A ModeSource: `numbered(first, last)` and `count(Omega)` of the system without its dampers.
 
-    precise(dps): the same elements to so many digits, or None; digits: so many are asked for, as numbers of mpmath.
+    precise(dps): the same elements to so many digits, or None; digits: so many are asked for, as numbers of mpmath;
+    at_limit: is what floats do not tell from zero zero, as a limit of stability is chosen?
     ahead: modes beyond those asked for that are found with them, since shapes are told apart from the next one.
     """
 
     ahead = 1
 
-    def __init__(self, elements: "FactoredSystem", precise: Callable | None = None, digits: int | None = None):
+    def __init__(self, elements: "FactoredSystem", precise: Callable | None = None, digits: int | None = None,
+                 at_limit: bool = False):
         if elements.circulatory:
             raise PhysicsError("modes of members are not found where forces follow what they act on",
                                "take the force along a fixed direction, or make the member massless")
@@ -47,7 +49,7 @@ class NaturalModes:
         self.elements, self.precise, self.digits = elements, precise, digits
         self._known: dict[int | None, KnownCounts] = {}
         self._divided: dict[tuple[int, ...], ContinuousSystem] = {}
-        self.ground, self._resting = self._grounded()
+        self.ground, self._resting = self._grounded(at_limit)
         uniform = uniform_member(elements) if digits is None else None
         self.uniform = uniform if uniform is not None and uniform.resting == self.ground.resting else None
 
@@ -126,10 +128,13 @@ class NaturalModes:
                 return found
         raise _undecided()
 
-    def _grounded(self):
+    def _grounded(self, at_limit):
         """The Ground, and the shapes of what is rigid: from structure, or of what no number of digits tells from it."""
         if any(self.elements.G.values()):
             return self._held_and_turning(), None
+        near = flat(self._at(None)) if at_limit else None
+        if near is not None and near.below < near.above:
+            return self._flat(None, near)
         rigid, sure = rigid_count(self.elements), never_grows(self.elements)
         found = ground(self._at(None), rigid, sure)
         for digits in DEEPER if found is None else ():
@@ -141,9 +146,12 @@ class NaturalModes:
             near = flat(self._at(DEEPER[-1]))
             if near is None:
                 raise _undecided()
-            system, _, shapes, _ = local_modes(self._at(DEEPER[-1]).system, near)
-            shapes = shapes / _sizes(system, shapes)
-        return Ground(near.below, near.above - near.below), shapes
+            return self._flat(DEEPER[-1], near)
+
+    def _flat(self, digits, near):
+        """The Ground, and the shapes of what is taken for rigid."""
+        system, _, shapes, _ = local_modes(self._at(digits).system, near)
+        return Ground(near.below, near.above - near.below), shapes / _sizes(system, shapes)
 
     def _rigid(self, first, last):
         growing, resting = self.ground.growing, self.ground.resting

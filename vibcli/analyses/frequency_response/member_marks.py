@@ -1,6 +1,7 @@
 """Where the response of a scene with members has its poles and zeros, and which natural frequencies are shown."""
 
 import math
+from contextlib import suppress
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -9,6 +10,7 @@ import numpy as np
 from vibcli.analyses.continuous.mode_source import NaturalModes
 from vibcli.analyses.frequency_response.held_systems import held
 from vibcli.analyses.frequency_response.member_poles_and_zeros import distinct, followed, taking_part, zeros_on_axis
+from vibcli.base.errors import PhysicsError
 from vibcli.numerics.ascending import ascending
 
 if TYPE_CHECKING:
@@ -55,6 +57,15 @@ class Marks:
 
         return next_to_zero(self._modal)
 
+    @cached_property
+    def slow(self) -> list[complex]:
+        """The first damped λ of what nothing holds, which need not be near any frequency without dampers."""
+        modal = self._modal
+        with suppress(PhysicsError):
+            if self.next_to_zero is not None and modal.damped is not None:
+                return [complex(mode.eigenvalue) for mode in modal.damped.first(len(modal.modes.shown()))]
+        return []
+
     def held(self, low: float, high: float) -> np.ndarray:
         """The natural frequencies of the scene held where load and signal act."""
         if self._held is None:
@@ -78,7 +89,7 @@ def poles(response: "MemberTransfer", low: float, high: float) -> np.ndarray:
     if response.undamped or not math.isfinite(high):
         return start
     axis = _evenly(response, low, high)
-    starts = np.concatenate([start, *((1j - damping) * axis for damping in DAMPINGS)])
+    starts = np.concatenate([start, response.marks.slow, *((1j - damping) * axis for damping in DAMPINGS)])
     found = distinct(np.concatenate([followed(response.to_pole, starts), followed(response.to_pole_within, starts)]))
     alone = [s for s in start if not (np.abs(found - s) <= BESIDE * abs(s)).any()]
     found = np.concatenate([found[(found.imag >= low) & (found.imag <= high)], alone])

@@ -90,8 +90,8 @@ class MemberTransfer(FrequencyResponseFunction):
     def _require_digits(self, s):
         """LostDigits where D is nearly singular away from all natural frequencies."""
         for Omega in np.abs(s[s.real == 0].imag):
-            near = self.marks.natural((1 - BESIDE) * Omega, (1 + BESIDE) * Omega)
-            if not any(abs(float(mode.omega) - Omega) <= AT_POLE * Omega for mode in near):
+            near = self.poles((1 - BESIDE) * Omega, (1 + BESIDE) * Omega)
+            if not (abs(near - 1j * Omega) <= AT_POLE * Omega).any():
                 raise self._lost_digits
 
     @property

@@ -29,7 +29,10 @@ def told_apart(modal: "ModalAnalysis", mode: Any) -> Any:
     gaps = [abs(float(other.omega or 0.0) / mode.omega - 1) for other in beside if other.index != mode.index]
     if not any(gap < min(CLOSE, float(mode.error) / MIXED) for gap in gaps):
         return mode
-    return modal.modes_to(MORE).alone(mode.index)
+    try:
+        return modal.modes_to(MORE).alone(mode.index)
+    except PhysicsError:        # the data have no more digits than floats
+        return mode
 
 
 def _of_bodies(modal, mode):

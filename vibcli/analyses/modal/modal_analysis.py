@@ -1,7 +1,7 @@
 """The modes of a system about one of its equilibria, and what is derived from them."""
 
 from collections.abc import Callable, Sequence
-from functools import cached_property
+from functools import cached_property, partial
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
@@ -61,7 +61,12 @@ class ModalAnalysis:
 
             if only_damped(elements):
                 return Modes([])
-        return self._sequence(self.solved(natural_modes, elements, *self.configuration.sources))
+        return self._sequence(self.solved(natural_modes, elements, *self.configuration.sources, at_limit=self.at_limit))
+
+    @property
+    def at_limit(self) -> bool:
+        """Is a parameter chosen that is to bring it to its limit of stability?"""
+        return any(record["so"].is_limit for record in self.spec.choices.values())
 
     @cached_property
     def zero_modes(self) -> dict[int, str]:
@@ -221,7 +226,8 @@ class ModalAnalysis:
         """The modes of the system without its dampers, recomputed to so many correct digits; found once."""
         from vibcli.analyses.modal.modes import natural_modes
 
-        return self._sharpened("modes", digits, natural_modes) if self.modes else self.modes
+        return self._sharpened("modes", digits, partial(natural_modes, at_limit=self.at_limit)) if (
+            self.modes) else self.modes
 
     def damped_to(self, digits: int):
         """The damped modes, recomputed; None where nothing damps."""

@@ -21,8 +21,9 @@ if TYPE_CHECKING:
 
 
 def natural_modes(elements: Any, precise: Callable | None = None, exact: Callable | None = None,
-                  digits: int | None = None) -> list[Mode] | Any:
-    """The modes of the system without its dampers: those that grow, the rigid ones, the others by ascending ω.
+                  digits: int | None = None, at_limit: bool = False) -> list[Mode] | Any:
+    """The modes of the system without its dampers: those that grow, the rigid ones, the others by ascending ω;
+    at_limit: that of stability is chosen.
 
     What decays is left out where it only mirrors what grows: where there is no G, or K is symmetric. With members that
     have inertia, and of very many coordinates, it is what finds modes as they are asked for.
@@ -30,7 +31,7 @@ def natural_modes(elements: Any, precise: Callable | None = None, exact: Callabl
     if any(placed.piece.inertia for placed in elements.pieces):
         from vibcli.analyses.continuous.mode_source import NaturalModes
 
-        return NaturalModes(elements, precise, digits)
+        return NaturalModes(elements, precise, digits, at_limit)
     if elements.n > MOST_DENSE:
         from vibcli.analyses.modal.lowest_modes import LowestModes
 

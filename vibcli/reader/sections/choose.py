@@ -33,6 +33,11 @@ class Condition:
         return self.word == BALANCE
 
     @property
+    def is_limit(self) -> bool:
+        """Is it that the equilibrium is at its limit of stability?"""
+        return self.word == LIMIT
+
+    @property
     def sides(self) -> tuple[Expression, ...]:
         return () if self.word else (self.left, self.right)
 

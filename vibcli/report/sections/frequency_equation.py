@@ -131,15 +131,27 @@ def _met(problem, shapes, tied, label):
         Words(" and " if number + 1 == len(letters) else ", "), letter)][1:]
     if len(letters) < len(tied.clamped):
         yield line(Words("multiplied by the square of the denominator of "), *names,
-                   Words(" it has all roots, those at which the joint rests among them"), inset=2)
+                   Words(" it has all roots, those at which the joint rests among them"), *_anyhow(tied), inset=2)
     if len(letters) > 1:
         yield line(Words("multiplied by the denominators of "), *names,
-                   Words(" it has all roots, those at which a joint rests among them"), inset=2)
+                   Words(" it has all roots, those at which a joint rests among them"), *_anyhow(tied), inset=2)
     for letter in tied.repeated:
         yield line(Words("and where the denominator of "), letter,
                    Words(" is 0: its members move against each other, the joint rests"), inset=2)
     yield from shapes(tied.members)
     yield from orthogonality(problem, tied)
+
+
+def _anyhow(tied):
+    """Where waves of a member in a bed become one, or straight, at a frequency that need be none of its own: both
+    parts of dynamic stiffnesses are 0 there."""
+    if all(placed.piece.foundation.is_zero for placed in tied.pieces):
+        return []
+    letters = tied.arguments
+    pairs = [one ** 2 + other ** 2 for other, (_, power) in letters.items() for one in letters
+             if one in reachable([power])]
+    named = [part for one in (*letters, *pairs) for part in (Words(", "), one)][1:]
+    return [Words("; where one of "), *named, Words(" is 0 it may be 0 too, without a frequency there")]
 
 
 def whose(tied: "Tied", letter: "Node") -> list:

@@ -91,11 +91,12 @@ def _told(piece, mode):
 
 def _definition(groups, problem):
     """EI·β⁴ + N·β² + k = μ·ω² of those that a force along them or a foundation acts on."""
-    text = "; ".join(dict.fromkeys(filter(None, (_relation(group[0], problem) for group in groups))))
-    return note(own_letters(problem.scene).text(text)) if text else None
+    letters = list(map(own_letters(problem.scene).text, "βω"))
+    text = "; ".join(dict.fromkeys(filter(None, (_relation(group[0], problem, *letters) for group in groups))))
+    return note(text) if text else None
 
 
-def _relation(placed, problem):
+def _relation(placed, problem, beta, omega):
     """The relation of β and ω of a piece, in words what shares its letter with something else; "" of two terms."""
     piece, kind = placed.piece, problem.scene.members[placed.owner].kind.name
     if not ((piece.bending and piece.tension) or piece.foundation):
@@ -107,5 +108,5 @@ def _relation(placed, problem):
         for (name, letter, words), value in zip((STIFFNESS[kind], PULL, BED, TURNING if kind == "shaft" else MASS),
                                                 values, strict=True))
     power = "⁴" if piece.order == 4 else "²"
-    return f"{stiffness}·β{power}" + f" + {pull}·β²" * bool(piece.bending and piece.tension) + (
-        f" + {bed}" * bool(piece.foundation)) + f" = {inertia}·ω²"
+    return f"{stiffness}·{beta}{power}" + f" + {pull}·{beta}²" * bool(piece.bending and piece.tension) + (
+        f" + {bed}" * bool(piece.foundation)) + f" = {inertia}·{omega}²"

@@ -249,3 +249,21 @@ forces: {shaker: {at: end, force: 1 N*cos(300 rad/s*t)}}
     for n, Omega in enumerate(curve.antiresonances[:4], 1):
         exact = n * math.pi / 0.8 * math.sqrt(4000 / 0.6)
         assert abs(Omega - exact) <= curve.error_of_antiresonance(Omega) + 1e-15 * exact < 1e-12 * exact
+
+
+def test_a_pole_that_turning_forces_alone_make():
+    """Two free bars of one wave resistance, a mass at an end of each, pushed across what the other does: x and y turn
+    about a rest that neither has without these forces, m ω + √(EAμ) tan ωL/c = h."""
+    found = curve("""
+        parameters: {h: 4 N*s/m}
+        bodies: {b: {mass: 1 kg, slide: x}, c: {mass: 1 kg, slide: y}}
+        bars:
+          r: {length: 1 m, mass_per_length: 1 kg/m, EA: 3 kN, right: {pinned: b}}
+          q: {length: 1 m, mass_per_length: 1 kg/m, EA: 3 kN, right: {pinned: c}}
+        forces: {g1: {at: b, force: -h*y'}, g2: {at: c, force: h*x'}}
+    """, "x", "g1")
+    speed = 3000**0.5
+    exact = float(mpmath.findroot(lambda w: w + speed * mpmath.tan(w / speed) - 4, 2))
+    first, = found.transfer.poles(1.0, 3.0)
+    assert first == pytest.approx(1j * exact, rel=1e-11)
+    assert found.transfer.at(np.array([first.imag * 1j]))[2].all()

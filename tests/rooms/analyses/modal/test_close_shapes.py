@@ -5,6 +5,7 @@ import math
 import pytest
 from support.scenes import problem
 
+from vibcli.base.errors import PhysicsError
 from vibcli.cli.program import run
 
 PAIR = """
@@ -28,6 +29,21 @@ def test_of_two_oscillators_that_are_nearly_alike(d, e):
 def test_those_of_one_frequency_stay_as_they_are():
     modal = problem(PAIR % ("0", "0")).modal
     assert modal.told_apart(modal.modes[0]) is modal.modes[0]
+
+
+def test_those_of_members_whose_data_have_no_more_digits_stay_in_floats(monkeypatch):
+    """As where a search finds a tension."""
+    def refused(*_):
+        raise PhysicsError("the tension is known to the digits of floats", "leave --digits out")
+
+    modal = problem("beams: {" + ", ".join(
+        f"{name}: {{length: 1, EI: {EI}, mass_per_length: 1, left: clamped, right: {{pinned: {name.upper()}}}}}"
+        for name, EI in (("b", "1"), ("d", "1 + 1e-9"))) + "}\nbodies: {B: {mass: 1, slide: x}, D: {mass: 1, slide: y}}"
+        "\nsprings: {s: {k: 1e-9, between: [B, D]}}").modal
+    first, second = modal.modes.first(2)
+    assert 0 < second.omega / first.omega - 1 < 1e-8 and modal.told_apart(first) is not first
+    monkeypatch.setattr(modal, "modes_to", refused)
+    assert modal.told_apart(first) is first
 
 
 def test_matrices_whose_coordinates_are_tied_are_refused(tmp_path, capsys):
