@@ -82,6 +82,7 @@ def ten(problem: "Problem", tree: "QuantityRef") -> float:
 
 
 def _shape(problem, tree, args):
+    from vibcli.analyses.modal.close_shapes import lost
     from vibcli.language.member_signals import OF_COORDINATES
     from vibcli.language.signal_names import signal_name
 
@@ -90,7 +91,8 @@ def _shape(problem, tree, args):
     shape, placed = problem.modal.shape(mode), signal_name(signal)
     if placed.name in problem.spec.members and placed.kind not in OF_COORDINATES:
         return amplitude_as_asked(problem, *_along_member(problem, mode, placed))
-    return amplitude_as_asked(problem, along(problem, shape, signal), shape)
+    amplitude, error = amplitude_as_asked(problem, along(problem, shape, signal), shape)
+    return amplitude, min(1.0, error * (lost(problem.modal, mode) if problem.digits is None else 1.0))
 
 
 def _along_member(problem, mode, signal):

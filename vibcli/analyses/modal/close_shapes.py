@@ -5,13 +5,19 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from vibcli.analyses.modal.damped_modes import DampedMode
+from vibcli.analyses.modal.method import CERTIFIABLE, CERTIFIABLE_SQUARES
 from vibcli.analyses.modal.undamped import Mode
 from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from vibcli.analyses.modal.modal_analysis import ModalAnalysis
 
 NEAR, ONE, DIGITS = 1e-4, 1e-25, 40     # relative gap of frequencies below which shapes lose digits; of one frequency
+ALIKE = 1e-13       # of frequencies that floats do not tell apart
+KNOWN = 1e12        # gap over the error of an eigenvalue, from which on a shape is known
 CLOSE = 1e-2        # the same of members, whose shapes may lose digits:
 MIXED = 1e-11       # this part of its neighbour, the bound of its frequency over the gap, is not seen
 MORE = 20           # digits that tell them apart
@@ -33,20 +39,53 @@ def told_apart(modal: "ModalAnalysis", mode: Any) -> Any:
 
 
 def _of_bodies(modal, mode):
-    if not isinstance(mode, Mode) or not isinstance(mode.omega, float) or not mode.omega or modal.many or (
-            not _is_close(modal.modes, mode, NEAR)):
+    if isinstance(mode, DampedMode):
+        return _damped(modal, mode)
+    if not isinstance(mode, Mode) or not isinstance(mode.omega, float) or not mode.omega or (
+            len(modal.scene.q) > CERTIFIABLE_SQUARES or _gap(modal.modes, mode) >= NEAR):
         return mode
     try:
         precise = modal.modes_to(DIGITS)
     except PhysicsError:
         return mode
     found = precise.numbered(mode.index, mode.index)
-    if not found or _is_close(precise, found[0], ONE):
+    if not found or _gap(precise, found[0]) < ONE:
         return mode
     shape = np.array([complex(x) for x in found[0].shape])
     return mode._replace(shape=shape if shape.imag.any() else shape.real)
 
 
-def _is_close(modes, mode, gap):
+def _damped(modal, mode):
+    if modal.scene.pieces or not isinstance(mode.eigenvalue, complex) or len(modal.scene.q) > CERTIFIABLE or not (
+            mode.omega and gap(modal.damped, mode) < NEAR):
+        return mode
+    try:
+        precise = modal.damped_to(DIGITS)
+    except PhysicsError:
+        return mode
+    found = min(precise.numbered(mode.index, mode.index), key=lambda other: abs(other.eigenvalue - mode.eigenvalue))
+    if gap(precise, found) < max(ONE, KNOWN * found.error):
+        return mode
+    return mode.numbered(mode.index, np.array([complex(x) for x in found.shape]))
+
+
+def gap(modes: "Iterable[Any]", mode: "DampedMode") -> Any:
+    """How far the eigenvalue of a damped mode is from that of any other, conjugates included, in parts of it."""
+    size = abs(mode.eigenvalue)
+    return min((abs(mode.eigenvalue - value) / size for other in modes if other.index != mode.index
+                for value in (other.eigenvalue, other.eigenvalue.conjugate())), default=1.0)
+
+
+def lost(modal: "ModalAnalysis", mode: "Mode") -> float:
+    """By how much more the shape of a natural mode is off where there are so many coordinates that floats alone tell
+    it; where they do not tell frequencies apart, it may be mixed."""
+    if len(modal.scene.q) <= CERTIFIABLE_SQUARES or modal.scene.pieces or not mode.omega:
+        return 1.0
+    away = float(_gap(modal.modes, mode))
+    return NEAR / away if ALIKE < away < NEAR else 1.0
+
+
+def _gap(modes, mode):
+    """How far the next frequency is, in parts of it."""
     beside = modes.numbered(max(mode.index - 1, 1), mode.index + 1)
-    return any(other.index != mode.index and abs((other.omega or 0) / mode.omega - 1) < gap for other in beside)
+    return min((abs((other.omega or 0) / mode.omega - 1) for other in beside if other.index != mode.index), default=1.0)

@@ -6,6 +6,8 @@ import pytest
 from support.scenes import problem
 
 from vibcli.cli.program import run
+from vibcli.quantities.expression import measure
+from vibcli.symbolic.parser import parse
 
 PAIR = """
 parameters: {d: %s N/m, e: %s N/m}
@@ -28,6 +30,34 @@ def test_of_two_oscillators_that_are_nearly_alike(d, e):
 def test_those_of_one_frequency_stay_as_they_are():
     modal = problem(PAIR % ("0", "0")).modal
     assert modal.told_apart(modal.modes[0]) is modal.modes[0]
+
+
+@pytest.mark.parametrize("e", ["1e-3", "1e-7", "1e-14", "1e-19"])
+def test_of_two_damped_oscillators_that_are_nearly_alike(e):
+    """M = 1, C = 1 + e [[0, 1], [1, 3]], K = 100: shapes (1, r) of C alone, r² − 3r − 1 = 0."""
+    found = problem(f"""
+        parameters: {{e: {e}}}
+        coordinates: [x, y]
+        matrices: {{M: [[1, 0], [0, 1]], C: [[1, e], [e, 1 + 3*e]], K: [[100, 0], [0, 100]]}}""")
+    for number, sense in ((1, -1), (2, 1)):
+        value, bound = measure(found, parse(f"mode_d[{number},y]"))
+        assert abs(value / ((3 + sense * math.sqrt(13)) / 2) - 1) <= bound < 1e-10
+        _, y = found.modal.shape(found.modal.damped.numbered(number, number)[0])
+        assert y == pytest.approx((3 + sense * math.sqrt(13)) / 2, rel=1e-12)
+
+
+@pytest.mark.parametrize("k", ["100 N/m", "sqrt(2)*100 N/m"])
+def test_very_weak_damping_is_known_to_the_digits_of_floats(k):
+    """ζ = c/(2√(k m)), δ = c/2m; the bound of |λ| says nothing of either."""
+    found = problem(f"""
+        bodies: {{b: {{mass: 1 kg, slide: x}}}}
+        springs: {{s: {{k: {k}, between: [ground, b]}}}}
+        dampers: {{d: {{c: 1e-11 N*s/m, between: [ground, b]}}}}""")
+    omega = 10.0 * (2**0.25 if "sqrt" in k else 1)
+    for asked, exact in (("zeta[1]", 1e-11 / (2 * omega)), ("decay[1]", 5e-12), ("re(eigenvalue[1])", -5e-12)):
+        value, bound = measure(found, parse(asked))
+        assert abs(value / exact - 1) <= 4e-16
+        assert bound < 1e-14
 
 
 def test_matrices_whose_coordinates_are_tied_are_refused(tmp_path, capsys):
