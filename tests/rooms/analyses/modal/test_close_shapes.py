@@ -60,12 +60,24 @@ def test_very_weak_damping_is_known_to_the_digits_of_floats(k):
         assert bound < 1e-14
 
 
-def test_matrices_whose_coordinates_are_tied_are_refused(tmp_path, capsys):
+def test_matrices_whose_coordinates_are_tied(tmp_path, capsys):
+    """K = 2 − 2·1·2 + 2·4 = 6, M = 1 + 4."""
     path = tmp_path / "two.yaml"
     text = "matrices: {K: [[2, -1], [-1, 2]], M: [[1, 0], [0, 1]]}\ncoordinates: [x, y]\nanswers: {'omega[1]': 5}\n"
     path.write_text(text, encoding="utf-8")
     assert run(["check", "--no-cache", str(path)]) == 1
     assert "found 1" in capsys.readouterr().out
-    path.write_text(text + "constraints: {c: {equation: y = 2*x}}\n", encoding="utf-8")
-    assert run(["check", "--no-cache", str(path)]) == 3
-    assert "no constraint ties these" in capsys.readouterr().err
+    path.write_text(text.replace("5}", "sqrt(6/5)}") + "constraints: {c: {equation: y = 2*x}}\n", encoding="utf-8")
+    assert run(["check", "--no-cache", str(path)]) == 0
+
+
+def test_what_is_skew_of_tied_coordinates():
+    """SᵀGS of (x, y, x + 2y) with G = [[0, 1, 0], [−1, 0, 2], [0, −2, 0]]: G₁₂ = 1 − 2·1 = −1."""
+    found = problem("""
+        coordinates: [x, y, z]
+        matrices: {M: [[1, 0, 0], [0, 1, 0], [0, 0, 1]], K: [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
+                   C: [[0, 1, 0], [-1, 0, 2], [0, -2, 0]]}
+        constraints: {c: {equation: z = x + 2*y}}""")
+    M, C, G, K = found.configuration.linear_system.arrays()
+    assert (M == [[2, 2], [2, 5]]).all() and (K == M).all() and not C.any()
+    assert (G == [[0, -1], [1, 0]]).all()
