@@ -1,6 +1,5 @@
 """Quantities of damped modes: eigenvalues and what is read off them, and complex shapes."""
 
-from contextlib import suppress
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -13,8 +12,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.syntax import QuantityRef
 
-CLOSE, COINCIDING = 1e-4, 4e-16     # eigenvalues, relative
-BESIDE = 3                          # modes after one that may be close to it
+CLOSE = 1e-4                        # eigenvalues, relative
 TINY = 1e-5                         # of the largest amplitude
 
 
@@ -95,7 +93,7 @@ def _shape(problem, tree, args):
     that is tiny beside the largest has a larger part of that one's error."""
     signal = problem.spec.coordinate_name(tree.indices[1]) or tree.indices[1]
     mode, lost, known = _pair(problem, tree)[0], 1.0, 0.0
-    apart = _apart(problem, int(tree.indices[0]))
+    apart = problem.modal.apart(int(tree.indices[0]))
     if apart < CLOSE:
         told = mode if problem.digits is not None else problem.modal.told_apart(mode)
         mode, lost, known = told, CLOSE / apart if told is mode else 1.0, 4 * mode.error / apart * (told is mode)
@@ -103,35 +101,6 @@ def _shape(problem, tree, args):
     amplitude, error = amplitude_as_asked(problem, along(problem, shape, signal), shape)
     most = max(float(abs(x)) for x in shape)
     return amplitude, min(1.0, known + error * max(lost, TINY * most / (float(abs(amplitude)) or most)))
-
-
-def _beside(modes, number):
-    """The modes among which one may be close to that of a number."""
-    return modes.shown() if modes.finite else modes.first(number + BESIDE)
-
-
-def _apart(problem, number):
-    """The gap of an eigenvalue; PhysicsError where two coincide, in more digits too."""
-    from vibcli.analyses.modal.close_shapes import DIGITS, ONE, gap
-
-    mode, least = _pair_of(problem.modal.damped, number), 0.0
-    if not mode.omega:
-        return 1.0
-    away = gap(_beside(problem.modal.damped, number), mode)
-    if away > 2 * mode.error + COINCIDING:
-        return away
-    with suppress(PhysicsError):
-        sharp = problem.modal.damped_to(DIGITS)
-        away, least = gap(sharp, _pair_of(sharp, number)), max(ONE, 2 * _pair_of(sharp, number).error)
-    if away <= least or not least:
-        raise PhysicsError(f"damped mode {number} coincides with another one: any mix of their shapes is one",
-                           "see `vibcli frequencies` for the eigenvalues")
-    return float(away)
-
-
-def _pair_of(modes, number):
-    """The first mode of a number."""
-    return modes.numbered(number, number)[0]
 
 
 def _omega_d(m, c, k, omega, table):

@@ -82,7 +82,6 @@ def ten(problem: "Problem", tree: "QuantityRef") -> float:
 
 
 def _shape(problem, tree, args):
-    from vibcli.analyses.modal.close_shapes import lost
     from vibcli.language.member_signals import OF_COORDINATES
     from vibcli.language.signal_names import signal_name
 
@@ -92,7 +91,7 @@ def _shape(problem, tree, args):
     if placed.name in problem.spec.members and placed.kind not in OF_COORDINATES:
         return amplitude_as_asked(problem, *_along_member(problem, mode, placed))
     amplitude, error = amplitude_as_asked(problem, along(problem, shape, signal), shape)
-    return amplitude, min(1.0, error * (lost(problem.modal, mode) if problem.digits is None else 1.0))
+    return amplitude, min(1.0, error * (problem.modal.lost(mode) if problem.digits is None else 1.0))
 
 
 def _along_member(problem, mode, signal):

@@ -1,6 +1,7 @@
 """Shapes of modes whose frequencies are close: in floats each is a mix of both, by the rounding of the data over the
 gap (Davis & Kahan 1970), so they are found in more digits; those of one frequency may be mixed as one likes."""
 
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,11 +12,10 @@ from vibcli.analyses.modal.undamped import Mode
 from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
-
     from vibcli.analyses.modal.modal_analysis import ModalAnalysis
 
 NEAR, ONE, DIGITS = 1e-4, 1e-25, 40     # relative gap of frequencies below which shapes lose digits; of one frequency
+COINCIDING, BESIDE = 4e-16, 3       # gap of eigenvalues in floats; modes of members after one that may be close to it
 ALIKE = 1e-13       # of frequencies that floats do not tell apart
 KNOWN = 1e12        # gap over the error of an eigenvalue, from which on a shape is known
 CLOSE = 1e-2        # the same of members, whose shapes may lose digits:
@@ -57,20 +57,38 @@ def _of_bodies(modal, mode):
 
 def _damped(modal, mode):
     if modal.scene.pieces or not isinstance(mode.eigenvalue, complex) or len(modal.scene.q) > CERTIFIABLE or not (
-            mode.omega and gap(modal.damped, mode) < NEAR):
+            mode.omega and _eigenvalue_gap(modal.damped, mode) < NEAR):
         return mode
     try:
         precise = modal.damped_to(DIGITS)
     except PhysicsError:
         return mode
     found = min(precise.numbered(mode.index, mode.index), key=lambda other: abs(other.eigenvalue - mode.eigenvalue))
-    if gap(precise, found) < max(ONE, KNOWN * found.error):
+    if _eigenvalue_gap(precise, found) < max(ONE, KNOWN * found.error):
         return mode
     return mode.numbered(mode.index, np.array([complex(x) for x in found.shape]))
 
 
-def gap(modes: "Iterable[Any]", mode: "DampedMode") -> Any:
-    """How far the eigenvalue of a damped mode is from that of any other, conjugates included, in parts of it."""
+def apart(modal: "ModalAnalysis", number: int) -> float:
+    """The gap of the eigenvalue of a damped mode; PhysicsError where two coincide, in more digits too."""
+    modes, (mode, *_), least = modal.damped, modal.damped.numbered(number, number), 0.0
+    if not mode.omega:
+        return 1.0
+    away = _eigenvalue_gap(modes.shown() if modes.finite else modes.first(number + BESIDE), mode)
+    if away > 2 * mode.error + COINCIDING:
+        return away
+    with suppress(PhysicsError):
+        precise = modal.damped_to(DIGITS)
+        found, *_ = precise.numbered(number, number)
+        away, least = _eigenvalue_gap(precise, found), max(ONE, 2 * found.error)
+    if away <= least or not least:
+        raise PhysicsError(f"damped mode {number} coincides with another one: any mix of their shapes is one",
+                           "see `vibcli frequencies` for the eigenvalues")
+    return float(away)
+
+
+def _eigenvalue_gap(modes, mode):
+    """How far an eigenvalue is from that of any other mode, conjugates included, in parts of it."""
     size = abs(mode.eigenvalue)
     return min((abs(mode.eigenvalue - value) / size for other in modes if other.index != mode.index
                 for value in (other.eigenvalue, other.eigenvalue.conjugate())), default=1.0)
