@@ -4,7 +4,17 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters, PhysicsError
-from vibcli.quantities.modal import along, amplitude_as_asked, counted, in_letters, largest, of_shape, one_degree, ten
+from vibcli.quantities.modal import (
+    CLOSE,
+    along,
+    amplitude_as_asked,
+    counted,
+    in_letters,
+    largest,
+    of_shape,
+    one_degree,
+    ten,
+)
 from vibcli.quantities.quantity import COMPLEX, PERIOD, Declaration, as_asked, full_turn, in_floats, rounded
 
 if TYPE_CHECKING:
@@ -12,7 +22,6 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.syntax import QuantityRef
 
-CLOSE = 1e-4                        # eigenvalues, relative
 TINY = 1e-5                         # of the largest amplitude
 
 
@@ -93,7 +102,7 @@ def _shape(problem, tree, args):
     that is tiny beside the largest has a larger part of that one's error."""
     signal = problem.spec.coordinate_name(tree.indices[1]) or tree.indices[1]
     mode, lost, known = _pair(problem, tree)[0], 1.0, 0.0
-    apart = problem.modal.apart(int(tree.indices[0]))
+    apart = problem.modal.apart(mode)
     if apart < CLOSE:
         told = mode if problem.digits is not None else problem.modal.told_apart(mode)
         mode, lost, known = told, CLOSE / apart if told is mode else 1.0, 4 * mode.error / apart * (told is mode)

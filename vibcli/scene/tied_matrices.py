@@ -33,7 +33,8 @@ def of_independent(scene: "Scene", values: "Mapping[Node, Node]", left: "Sequenc
     slopes = [gradient(values.get(q, q)) for q in scene.q[:len(C)]]
     if any(slope.mask or x not in left for row in slopes for x, slope in row.items()):
         scene.report(scene.constraints[0].where, "the skew part of a C that is given outright needs constraints that "
-                     "are linear in the coordinates, and hold no time", "write C of the coordinates that are left, or leave it out")
+                     "are linear in the coordinates, and hold no time",
+                     "write C of the coordinates that are left, or leave it out")
         return {}
     S = [[row.get(x, zero) for x in left] for row in slopes]
     return {"C": [[scene.table.total([S[i][a] * C[i][j] * S[j][b] for i in range(len(C)) for j in range(len(C))])

@@ -69,8 +69,13 @@ def _damped(modal, mode):
     return mode.numbered(mode.index, np.array([complex(x) for x in found.shape]))
 
 
-def apart(modal: "ModalAnalysis", number: int) -> float:
-    """The gap of the eigenvalue of a damped mode; PhysicsError where two coincide, in more digits too."""
+def apart(modal: "ModalAnalysis", mode: "DampedMode | Mode") -> float:
+    """The gap of the eigenvalue of a mode, 1 of a natural one that is told in more digits or may be mixed;
+    PhysicsError where two damped ones coincide, in more digits too."""
+    return _natural_gap(modal, mode) if isinstance(mode, Mode) else _damped_gap(modal, mode.index)
+
+
+def _damped_gap(modal, number):
     modes, (mode, *_), least = modal.damped, modal.damped.numbered(number, number), 0.0
     if not mode.omega:
         return 1.0
@@ -94,13 +99,13 @@ def _eigenvalue_gap(modes, mode):
                 for value in (other.eigenvalue, other.eigenvalue.conjugate())), default=1.0)
 
 
-def lost(modal: "ModalAnalysis", mode: "Mode") -> float:
-    """By how much more the shape of a natural mode is off where there are so many coordinates that floats alone tell
-    it; where they do not tell frequencies apart, it may be mixed."""
-    if len(modal.scene.q) <= CERTIFIABLE_SQUARES or modal.scene.pieces or not mode.omega:
+def _natural_gap(modal, mode):
+    """Of so many coordinates that floats alone tell shapes."""
+    if len(modal.scene.q) <= CERTIFIABLE_SQUARES or modal.scene.pieces or not (
+            isinstance(mode.omega, float) and mode.omega):
         return 1.0
     away = float(_gap(modal.modes, mode))
-    return NEAR / away if ALIKE < away < NEAR else 1.0
+    return away if away > ALIKE else 1.0
 
 
 def _gap(modes, mode):

@@ -26,7 +26,6 @@ if TYPE_CHECKING:
 
 MOST = 10_000       # steps of a million products
 MORE = 20           # digits beyond those that are asked
-CLOSE_SHAPES = "vibcli.analyses.modal.close_shapes"
 
 
 class ModalAnalysis:
@@ -175,15 +174,15 @@ class ModalAnalysis:
 
     def told_apart(self, mode: Any) -> "Mode":
         """A Mode in more digits where another frequency is so close that its shape in floats is a mix of both."""
-        return import_module(CLOSE_SHAPES).told_apart(self, mode)
+        from vibcli.analyses.modal import close_shapes
 
-    def lost(self, mode: "Mode") -> float:
-        """By how much more the shape of a natural mode in floats is off beside a close one."""
-        return import_module(CLOSE_SHAPES).lost(self, mode)
+        return close_shapes.told_apart(self, mode)
 
-    def apart(self, number: int) -> float:
-        """How far the eigenvalue of a damped mode is from the next, in parts of it; PhysicsError where two coincide."""
-        return import_module(CLOSE_SHAPES).apart(self, number)
+    def apart(self, mode: "DampedMode | Mode") -> float:
+        """How far the eigenvalue of a mode is from the next, in parts of it, where its shape loses digits by that."""
+        from vibcli.analyses.modal import close_shapes
+
+        return close_shapes.apart(self, mode)
 
     def scale(self, mode: Any, how: str = "first") -> "float | mpmath.mpf":
         """What the shape of a Mode of a scene with members, of unit modal mass, is multiplied by."""
