@@ -24,7 +24,8 @@ ELEMENT = Element(
 
 def build(record: "Record", scene: Any) -> None:
     """Add the entries of the matrices to the scene, after checking shape and symmetry."""
-    n = len(scene.spec.coordinates)         # a scene that is opened has further ones, after these
+    names = list(scene.spec.coordinates)
+    n = len(names)          # a scene that is opened has further ones, after these
     for key, rows in record.items():
         wrong = next((i for i, row in enumerate(rows) if len(row) != n), None)
         if len(rows) != n or wrong is not None:
@@ -37,11 +38,18 @@ def build(record: "Record", scene: Any) -> None:
             for j in range(i):
                 if key != "C" and not scene.agree(nodes[i][j], nodes[j][i]):
                     scene.report(rows[i][j].where, f"{key} is not symmetric: entries ({i + 1}, {j + 1}) and "
-                                 f"({j + 1}, {i + 1}) differ", "write the same in both places")
+                                 f"({j + 1}, {i + 1}) differ", _hint(key, *(names[k] for k in (i, j))))
         if key == "M" and not scene.parameters.free and _is_negative([list(map(scene.number, row)) for row in nodes]):
             scene.report(record.place(key), "M is not positive: some motion has negative kinetic energy",
                          "mind the signs; x'*M*x'/2 is the kinetic energy")
         scene.add_matrix(key, nodes)
+
+
+def _hint(key, q, other):
+    """What to write where a matrix is not symmetric."""
+    same = "write the same in both places"
+    return same if key == "M" else (f"{same}; what is skew in K has no energy: write it as a load, forces: "
+                                    f"{{f: {{coordinate: {q}, value: …*{other}}}}}")
 
 
 def _is_negative(rows):

@@ -4,7 +4,17 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters, PhysicsError
-from vibcli.quantities.modal import along, amplitude_as_asked, counted, in_letters, largest, of_shape, one_degree, ten
+from vibcli.quantities.modal import (
+    CLOSE,
+    along,
+    amplitude_as_asked,
+    counted,
+    in_letters,
+    largest,
+    of_shape,
+    one_degree,
+    ten,
+)
 from vibcli.quantities.quantity import COMPLEX, PERIOD, Declaration, as_asked, full_turn, in_floats, rounded
 
 if TYPE_CHECKING:
@@ -12,9 +22,6 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.syntax import QuantityRef
 
-CLOSE, COINCIDING = 1e-4, 4e-16     # eigenvalues, relative
-MORE = 30                           # digits where they are close
-BESIDE = 3                          # modes after one that may be close to it
 TINY = 1e-5                         # of the largest amplitude
 
 
@@ -67,15 +74,24 @@ def _period(problem, tree, args):
     return full_turn(problem) / omega_d, rounded(problem, error)
 
 
-def _eigenvalue(problem, tree, args):
-    """λ, of two real ones the first or that which is asked for."""
+def _root(problem, tree):
+    """The DampedMode of an eigenvalue, of two real ones the first or that which is asked for."""
     modes = _pair(problem, tree)
     i, which = tree.indices[0], int(tree.indices[1]) if tree.indices[1:] else 1
     if which > len(modes):
         what, hint = (("oscillates: its eigenvalues are a conjugate pair", f"ask for re and im of eigenvalue[{i}]")
                       if modes[0].omega_d else ("has one real eigenvalue", f"ask for eigenvalue[{i}]"))
         raise PhysicsError(f"damped mode {i} {what}", hint)
-    mode = modes[which - 1]
+    return modes[which - 1]
+
+
+def bound_of_part(problem: "Problem", tree: "QuantityRef", place: int) -> float:
+    """The relative bound of Re λ (0) or Im λ (1)."""
+    return in_floats(problem, _root(problem, tree).bounds[place])
+
+
+def _eigenvalue(problem, tree, args):
+    mode = _root(problem, tree)
     if problem.digits is not None:
         return mode.eigenvalue if mode.omega_d else mode.eigenvalue.real, mode.error
     return complex(mode.eigenvalue) if mode.omega_d else float(mode.eigenvalue.real), mode.error
@@ -85,36 +101,15 @@ def _shape(problem, tree, args):
     """In more digits, if there are any, where another eigenvalue is close: the error grows with 1/gap. An amplitude
     that is tiny beside the largest has a larger part of that one's error."""
     signal = problem.spec.coordinate_name(tree.indices[1]) or tree.indices[1]
-    mode, lost = _pair(problem, tree)[0], 1.0
-    number = int(tree.indices[0])
-    gap = _gap(_beside(problem.modal.damped, number), number)
-    if gap < CLOSE:
-        lost = CLOSE / gap
-        if problem.digits is None and problem.configuration.sources[0] is not None:
-            sharp, lost = _beside(problem.modal.damped_to(MORE), number), 1.0
-            mode = min(sharp, key=lambda other: abs(complex(other.eigenvalue) - complex(mode.eigenvalue)))
+    mode, lost, known = _pair(problem, tree)[0], 1.0, 0.0
+    apart = problem.modal.apart(mode)
+    if apart < CLOSE:
+        told = mode if problem.digits is not None else problem.modal.told_apart(mode)
+        mode, lost, known = told, CLOSE / apart if told is mode else 1.0, 4 * mode.error / apart * (told is mode)
     shape = problem.modal.shape(mode)
     amplitude, error = amplitude_as_asked(problem, along(problem, shape, signal), shape)
     most = max(float(abs(x)) for x in shape)
-    return amplitude, min(1.0, error * max(lost, TINY * most / (float(abs(amplitude)) or most)))
-
-
-def _beside(modes, number):
-    """The modes among which one may be close to that of a number."""
-    return modes.shown() if modes.finite else modes.first(number + BESIDE)
-
-
-def _gap(modes, number):
-    """How far the eigenvalue of a mode is from that of any other, conjugates included, in parts of it; PhysicsError
-    where two coincide."""
-    mode = next(mode for mode in modes if mode.index == number)
-    found, size = complex(mode.eigenvalue), abs(complex(mode.eigenvalue))
-    others = [complex(other.eigenvalue) for other in modes if other.index != number]
-    away = min((abs(found - value) for other in others for value in (other, other.conjugate())), default=size)
-    if size and away <= (2 * mode.error + COINCIDING) * size:
-        raise PhysicsError(f"damped mode {number} coincides with another one: any mix of their shapes is one",
-                           "see `vibcli frequencies` for the eigenvalues")
-    return away / size if size else 1.0
+    return amplitude, min(1.0, known + error * max(lost, TINY * most / (float(abs(amplitude)) or most)))
 
 
 def _omega_d(m, c, k, omega, table):

@@ -38,11 +38,15 @@ def _truncation(problem, tree, args):
     return off, min(1.0, (error + MODAL) / (off or 1.0))
 
 
-def _complex_part(part):
-    """A part of a complex number, which its error may fall on whole however small it is."""
+def _complex_part(part, place):
+    """A part of a complex number, which its error may fall on whole however small it is; not of an eigenvalue."""
     def value(problem, tree, args):
         found, error = args[0]
         number = part(found)
+        if tree.args[0].head == "eigenvalue" and number:
+            from vibcli.quantities.damped import bound_of_part
+
+            return number, bound_of_part(problem, tree.args[0], place)
         return number, error * abs(found) / (abs(number) or abs(found) or 1.0)
     return value
 
@@ -174,8 +178,8 @@ QUANTITIES = {
         "quality of the i-th peak, Ω/(Ω₂ − Ω₁) by its half-power points", "1",
         _of_curve(lambda curve, i, _: (curve.quality(i), lambda: curve.error_of_quality(i)))),
     "arg": _of_value("angle of a complex frequency response, eigenvalue or shape", _angle(1), "rad", size=one),
-    "re": _of_value("real part of the same", _complex_part(lambda value: value.real)),
-    "im": _of_value("imaginary part of the same", _complex_part(lambda value: value.imag)),
+    "re": _of_value("real part of the same", _complex_part(lambda value: value.real, 0)),
+    "im": _of_value("imaginary part of the same", _complex_part(lambda value: value.imag, 1)),
     "phase(frf)": _of_value("lag −arg of a frequency response", _angle(-1), "rad",
                             size=one),
 }

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.syntax import QuantityRef
 
 
+CLOSE = 1e-4            # relative gap of eigenvalues, below which shapes lose digits
 SHAPE, LOST = 1e-11, 6      # the relative error of a shape; digits that one loses where eigenvalues are close
 
 
@@ -90,7 +91,8 @@ def _shape(problem, tree, args):
     shape, placed = problem.modal.shape(mode), signal_name(signal)
     if placed.name in problem.spec.members and placed.kind not in OF_COORDINATES:
         return amplitude_as_asked(problem, *_along_member(problem, mode, placed))
-    return amplitude_as_asked(problem, along(problem, shape, signal), shape)
+    amplitude, error = amplitude_as_asked(problem, along(problem, shape, signal), shape)
+    return amplitude, min(1.0, error * max(1.0, CLOSE / problem.modal.apart(mode)))
 
 
 def _along_member(problem, mode, signal):

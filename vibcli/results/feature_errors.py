@@ -164,9 +164,7 @@ def relative_of_decay(signal: "LinearSignal", fraction: float) -> float:
 
 def relative_of_beats(signal: "LinearSignal") -> float:
     """Relative, of the period of beats."""
-    from vibcli.analyses.transient.free_vibration import vibrations
-
-    one, two = sorted(vibrations(signal.motion, signal.output), key=lambda part: -part.amplitude)[:2]
+    one, two = signal_features.beating(signal)
     return sum(of_part(signal, part).omega + ROUNDING * part.omega for part in (one, two)) / abs(
         one.omega - two.omega)
 

@@ -131,6 +131,13 @@ def _decaying(signal):
     return part
 
 
+def beating(signal: "LinearSignal") -> "list[Part]":
+    """The two largest vibrations."""
+    from vibcli.analyses.transient.free_vibration import vibrations
+
+    return sorted(vibrations(signal.motion, signal.output), key=lambda part: -part.amplitude)[:2]
+
+
 def beat_period(signal: "LinearSignal") -> float:
     """Of two vibrations that last, one of which a load may keep up."""
     from vibcli.analyses.transient.free_vibration import beat_period

@@ -29,13 +29,14 @@ def closed(scene: Scene) -> Scene:
     Where the file lists its coordinates, the first of them stay independent as far as can be; else those that no
     condition gives explicitly.
     """
+    if scene.matrices:
+        from vibcli.scene.tied_matrices import with_energies
+
+        scene = with_energies(scene)
     scenes = (scene, scene.still) if scene.still else (scene,)
     still, raw = scenes[-1], [q for q in scene.q if q not in scene.inputs]
     nodes, *others = [dict(enumerate(textbook(tie.node) for tie in one.constraints)) for one in scenes]
-    if scene.matrices:
-        scene.report(scene.constraints[0].where, "matrices given outright are of coordinates that move freely: no "
-                     "constraint ties these", "write the matrices of the coordinates that are left")
-    if scene.matrices or _contradictory(scene, nodes.values()):
+    if _contradictory(scene, nodes.values()):
         return scene
     allowed = raw
     if "coordinates" in scene.spec.sections:
@@ -64,6 +65,10 @@ def _settled(scene, nodes, values, pivots, left, at_rest):
     rates = {v: kept.rate(node) for v, node in rates.items() if v.mask & used}
     redundant = tuple(scene.constraints[k].name for k in nodes)
     closure = Closure(loops, {z.name: node for z, node in values.items()}, Freedom(count, len(values), redundant))
+    if scene.matrices:
+        from vibcli.scene.tied_matrices import of_independent
+
+        scene = scene.with_parts(contents=scene.contents._replace(matrices=of_independent(scene, values, left)))
     found = scene.replaced({**values, **rates}, coordinates=kept.defining(values), closure=closure)
     _check_redundant(found, nodes, substitute(list(nodes.values()), values))
     return found

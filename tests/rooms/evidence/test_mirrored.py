@@ -66,7 +66,7 @@ MAST = {
     "forces": {"wind": {"body": "mast", "per_length": "-30 N/m"}}, "answers": {"equilibrium[x]": "1 cm"}}
 
 SLIDING = {
-    "parameters": {"g": "9.81 m/s^2"}, "gravity": "g",
+    "parameters": {"g": "9.81 m/s^2", "d": "0.3 s"}, "gravity": "g",
     "surfaces": {"bowl": {"curve": "w^2/(1 m) + w^3/(3 m^2)", "in": "w"},
                  "slope": {"line": [["0 m", "-1 m"], ["2 m", "-0.4 m"]]},
                  "ring": {"circle": ["3 m", "0 m"], "radius": "0.4 m", "side": "inside"}},
@@ -78,6 +78,7 @@ SLIDING = {
                 "hold": {"k": "90 N/m", "between": [["-1 m", "-1.3 m"], "slider"], "free_length": "1 m"},
                 "side": {"k": "40 N/m", "between": ["ball", ["4 m", "0 m"]], "free_length": "0.6 m"},
                 "coil": {"torsion": "true", "law": "(3 N*m)*d + (2 N*m)*d^2", "between": ["ground", "wheel"]}},
+    "dampers": {"brake": {"torsion": "true", "law": "(2 N*m)*d*v", "between": ["ground", "wheel"]}},
     "forces": {"M": {"body": "wheel", "moment": "0.5 N*m"}},
     "motion": "small", "answers": {"omega[1]": "1 rad/s", "equilibrium[s]": "1 cm"}}
 

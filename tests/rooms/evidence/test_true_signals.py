@@ -9,10 +9,11 @@ from support.scenes import problem
 
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.asked import subjects
-from vibcli.evidence.methods import held_inputs, integrators
+from vibcli.evidence.methods import assembled_modes, held_inputs, integrators
 from vibcli.evidence.reference import member_responses
 from vibcli.evidence.subject import Deadline
 from vibcli.evidence.subjects import steady_states
+from vibcli.evidence.subjects.beats import between_modes
 from vibcli.evidence.subjects.motions import of_motion
 from vibcli.quantities.expression import measure
 
@@ -63,6 +64,23 @@ def test_an_acceleration_and_a_sum_of_forces():
     for tree in trees:
         true = of_motion(one, tree).true
         assert true.digits == 40 and measure(one, tree)[0] == pytest.approx(float(true.values[0]), rel=1e-12)
+
+
+def test_beats_by_the_frequencies_that_others_find():
+    """2π/(√102 − 10) of two pendulums with a soft spring between them."""
+    one, (tree,) = asked("""
+        bodies: {a: {mass: 1 kg, slide: x}, b: {mass: 1 kg, slide: y}}
+        springs: {s: {k: 100 N/m, between: [ground, a]}, t: {k: 100 N/m, between: [ground, b]},
+          u: {k: 1 N/m, between: [a, b]}}
+        initial: {x: 1 cm}
+        answers: {beat_period(x): 1 s}""")
+    found = between_modes(one, tree)
+    with mpmath.workdps(found.true.working):
+        assert abs(found.true.values[0] * (mpmath.sqrt(102) - 10) / (2 * mpmath.pi) - 1) < mpmath.mpf(10) ** -44
+    methods = list(assembled_modes.attempts(found))
+    assert "scipy eigh" in {run.method for run in methods}
+    for answer in (found.ours(), *(run.run(Deadline(1)) for run in methods)):
+        assert found.error(answer.values, found.true) <= (answer.bound or 1e-13)
 
 
 def test_what_a_load_enters_itself_is_compared_where_all_is_linear():

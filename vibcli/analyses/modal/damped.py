@@ -36,6 +36,7 @@ from vibcli.numerics.precision import working_bits
 
 GOAL = 160
 WANTED = 60
+FAINT = 1e-9        # relative bound of Re λ and Im λ, above which weak damping is found of more digits of the data
 TRIES = 4
 FARTHEST = 2000
 
@@ -72,7 +73,7 @@ def _damped(elements, precise, exact, digits):
     data = _exactly(exact, elements)
     unit = EVALUATED if data is None and precise is not None else EXACT
     answer = CertifiedEigenvalues(elements, data or elements, GOAL, WANTED, unit)
-    if unit > EXACT and not answer.settled(math.log2(ESCALATE)):
+    if unit > EXACT and not (answer.settled(math.log2(ESCALATE)) and answer.tells_parts()):
         answer = CertifiedEigenvalues(elements, precise(DIGITS), GOAL, WANTED, decimal(DIGITS))
     return collected(answer, NearestFloats, answer.shapes())
 
@@ -183,6 +184,11 @@ class CertifiedEigenvalues:
     def settled(self, goal: float) -> bool:
         """Whether every eigenvalue is known to 2^goal and every zero follows from the structure."""
         return self.decided and self.worst() <= goal
+
+    def tells_parts(self) -> bool:
+        """Are both parts of every eigenvalue known to FAINT, where something damps?"""
+        return self.undamped or all(d.radius <= fx.magnitude(abs(part), self.system.bits) + math.log2(FAINT)
+                                    for d in self.found if d.im for part in (d.re, d.im) if part)
 
     def shapes(self) -> np.ndarray:
         """The vectors in all coordinates, a column for each eigenvalue, their largest component real."""

@@ -28,30 +28,30 @@ class DampedMode:
     positive, else None. The two real eigenvalues of one over-damped mode share index, omega = √(λ₁λ₂),
     zeta = −(λ₁ + λ₂)/(2 omega) and decay = zeta·omega; a real one that belongs to no such pair has zeta None. shape:
     complex, with shapeᴴ M shape = 1. error: bound of |error of λ|/|λ|, without dampers of that relative to each of the
-    two parts of λ that is not zero. note: what has to be said, or None.
+    two parts of λ that is not zero. bounds: of the relative errors of decay and ζ, and of ω_d; where they are not
+    known, that of |λ| falls on the parts of λ, the small too. note: what has to be said, or None.
     """
 
-    __slots__ = ("decay", "eigenvalue", "error", "growth_rate", "index", "note", "omega", "omega_d", "shape",
+    __slots__ = ("bounds", "decay", "eigenvalue", "error", "growth_rate", "index", "note", "omega", "omega_d", "shape",
                  "zeta")
 
     def __init__(self, index: int, eigenvalue: "complex | mpmath.mpc", omega: "float | mpmath.mpf",
                  zeta: "float | mpmath.mpf | None", shape: np.ndarray, error: "float | mpmath.mpf", note: Any = None,
-                 decay: float | None = None):
+                 decay: float | None = None, bounds: tuple[Any, Any] | None = None):
         self.index, self.eigenvalue, self.omega, self.zeta = index, eigenvalue, omega, zeta
         self.shape, self.error, self.note = shape, error, note
         re, im = eigenvalue.real, eigenvalue.imag
         self.omega_d = im if im else None
         self.decay = decay if decay is not None else -re if re else abs(re)
         self.growth_rate = re if re > 0 else None
+        self.bounds = bounds or self._shared()
 
     def numbered(self, index: int, shape: np.ndarray) -> "DampedMode":
         """The same with another index and shape."""
-        return DampedMode(index, self.eigenvalue, self.omega, self.zeta, shape, self.error, self.note, self.decay)
+        return DampedMode(index, self.eigenvalue, self.omega, self.zeta, shape, self.error, self.note, self.decay,
+                          self.bounds)
 
-    @property
-    def bounds(self) -> tuple[float, float]:
-        """Bounds of the relative errors of decay and ζ, and of ω_d: that of |λ| falls on the parts of λ, the small
-        too."""
+    def _shared(self):
         if not self.omega_d:
             return self.error, self.error
         real, imaginary = abs(float(self.decay)), abs(float(self.omega_d))
@@ -87,8 +87,10 @@ def collected(answer: "CertifiedEigenvalues", numbers: type[Any], shapes: np.nda
         place = index.setdefault(key, len(index) + 1)
         least = fx.magnitude(min(abs(re), d.im), bits) if answer.undamped and re and d.im else size
         error = numbers.error(d.radius - least) if square else 0.0
-        omega = numbers.number(square, bits - scale.time)
-        out.append(DampedMode(place, value, omega, zeta, shapes[:, i], error, note, decay))
+        omega, bounds = numbers.number(square, bits - scale.time), None
+        if re and d.im:
+            bounds = tuple(numbers.error(d.radius + 1 - fx.magnitude(part, bits)) for part in (abs(re), d.im))
+        out.append(DampedMode(place, value, omega, zeta, shapes[:, i], error, note, decay, bounds))
     return out
 
 

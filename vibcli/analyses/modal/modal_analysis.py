@@ -183,6 +183,12 @@ class ModalAnalysis:
 
         return close_shapes.told_apart(self, mode)
 
+    def apart(self, mode: "DampedMode | Mode") -> float:
+        """How far the eigenvalue of a mode is from the next, in parts of it, where its shape loses digits by that."""
+        from vibcli.analyses.modal import close_shapes
+
+        return close_shapes.apart(self, mode)
+
     def scale(self, mode: Any, how: str = "first") -> "float | mpmath.mpf":
         """What the shape of a Mode of a scene with members, of unit modal mass, is multiplied by."""
         if (id(mode), how) not in self._scales:

@@ -7,6 +7,7 @@ has a sense that nobody mirrors here is refused by its name.
 
 import re
 from collections.abc import Callable, Iterator
+from functools import partial
 from typing import Any
 
 from vibcli.base.enumeration import listed
@@ -85,9 +86,10 @@ class _Sections:
             return self.vector(node)
         if name in AS_IT_IS:
             return node
-        change = {"bodies": self.body, "springs": self.connection, "dampers": self.connection, "forces": self.load,
-                  "points": self.point, "constraints": self.constraint, "surfaces": self.surface,
-                  "energies": self.expression, **dict.fromkeys(MEMBERS, self.member)}.get(name)
+        change: Any = {
+            "bodies": self.body, "springs": partial(self.connection, "d"), "dampers": partial(self.connection, "v"),
+            "forces": self.load, "points": self.point, "constraints": self.constraint, "surfaces": self.surface,
+            "energies": self.expression, **dict.fromkeys(MEMBERS, self.member)}.get(name)
         if name in ("initial", "equilibrium") and isinstance(node, Mapping):
             return _each(node, self.start)
         if name == "coordinates":
@@ -203,22 +205,23 @@ class _Sections:
             return found
         return node if node.text.strip() in self.turned or node.text.strip() == "0" else self.negative(node)
 
-    def connection(self, record: Any) -> Any:
-        """A spring or a damper."""
-        found = _each(record, self._part_of_connection)
+    def connection(self, letter: str, record: Any) -> Any:
+        """A spring or a damper, whose law is a function of the letter."""
+        found = _each(record, partial(self._part_of_connection, letter))
         if "torsion" in found.entries:
-            found = _each(found, _part_of_torsion)
+            found = _each(found, partial(_part_of_torsion, letter))
         key, preload = found.entries.get("preload", (None, None))
         if "torsion" in found.entries and preload is not None and preload.text not in WORDS:
             found = Mapping(found.where, {**found.entries, "preload": (key, self.negative(preload))})
         return found
 
-    def _part_of_connection(self, name, node):
+    def _part_of_connection(self, letter, name, node):
         if name == "between":
             return self._list(node, self.vector)
         if name not in CONNECTION:
             raise PhysicsError(f"what '{name}' of a spring or damper is in a mirror is not told")
-        return self._list(node, self.connection) if isinstance(node, Sequence) else self.expression(node)
+        each = partial(self.connection, letter)
+        return self._list(node, each) if isinstance(node, Sequence) else self.expression(node)
 
     def load(self, record: Any) -> Any:
         """A force or a moment."""
@@ -281,15 +284,13 @@ def _of_negative(node, name):
     return Scalar(text, node.where, node.quoted)
 
 
-def _part_of_torsion(name, node):
-    """−F(−d) of a law F(d), c(−ω) of a damper: it turns the other way round."""
+def _part_of_torsion(letter, name, node):
+    """−F(−d) of a law F(d), −F(−v) of a damper: it turns the other way round."""
     if name in ("law", "acts") and not isinstance(node, Scalar):
         raise PhysicsError("a torsion whose law is a table is not mirrored")
-    if name == "acts":
-        return Scalar(OTHER_WAY.get(node.text, node.text), node.where)
-    if name != "law":
-        return node
-    return Scalar(opposite(_of_negative(_of_negative(node, "d"), "v").text), node.where, True)
+    if name == "law":
+        return Scalar(opposite(_of_negative(node, letter).text), node.where, True)
+    return Scalar(OTHER_WAY.get(node.text, node.text), node.where) if name == "acts" else node
 
 
 def _right(where):

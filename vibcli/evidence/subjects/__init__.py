@@ -9,6 +9,7 @@ SUBJECTS = {
     "value": ("motions", "of_motion"), "max": ("motions", "of_motion"), "min": ("motions", "of_motion"),
     "argmax": ("motions", "of_motion"), "argmin": ("motions", "of_motion"), "zero": ("motions", "of_motion"),
     "period()": ("motions", "period"), "phase(frf)": ("frequency_responses", "of_part"),
+    "beat_period": ("beats", "between_modes"),
     "equilibrium": ("static_positions", "at_rest"),
     "frf": ("frequency_responses", "at_frequency"), "transmissibility": ("frequency_responses", "at_frequency"),
     "re": ("frequency_responses", "of_part"), "im": ("frequency_responses", "of_part"),

@@ -150,7 +150,7 @@ def _require_small(problem):
     scene = problem.scene
     if scene.loops is not None and scene.timed and scene.vibrating is not scene:
         raise Untold("the steps of closed loops that are driven are not told one by one", HINT)
-    if problem.system.sticking is not None or scene.matrices:
+    if problem.system.sticking is not None or problem.spec.get("matrices"):
         raise Untold(UNTOLD, HINT)
     _require_slope(problem)
 
