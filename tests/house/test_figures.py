@@ -15,6 +15,7 @@ MOST = {        # methods of House that list or count something
     "with_several_bases": 1,
 }
 LONGEST, MIDDLE = 45, 6     # lines of a function
+LONGEST_FILE = 300
 
 
 @pytest.mark.parametrize(("figure", "most"), MOST.items())
@@ -38,6 +39,11 @@ def test_functions_are_short(house):
     lengths = house.lengths()
     assert {name: lines for name, lines in lengths.items() if lines > LONGEST} == {}
     assert median(lengths.values()) <= MIDDLE
+
+
+def test_files_are_short(house):
+    lines = {path.name: path.read_bytes().count(b"\n") for path in house.package.rglob("*.py")}
+    assert {name: count for name, count in lines.items() if count > LONGEST_FILE} == {}
 
 
 def test_the_length_of_a_function_is_seen(planted):

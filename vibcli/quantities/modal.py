@@ -9,8 +9,6 @@ from vibcli.quantities.matrices import entry_dimension
 from vibcli.quantities.quantity import COMPLEX, PERIOD, ROUNDING, Declaration, as_asked, full_turn, rounded
 
 if TYPE_CHECKING:
-    from fractions import Fraction
-
     import mpmath
 
     from vibcli.language.spec import Spec
@@ -166,7 +164,7 @@ def _measured(spec, slopes=False):
     return found[0] if found and all(one == found[0] for one in found) else None
 
 
-def of_shape(spec: "Spec", tree: "QuantityRef", slopes: bool = False) -> "dict[str, Fraction | int] | None":
+def of_shape(spec: "Spec", tree: "QuantityRef", slopes: bool = False) -> dict[str, Any] | None:
     """The dimension of an amplitude where all that may be 1 measures the same, `slopes` of beams too; else None."""
     from vibcli.quantities.signal_dimensions import name_dimension
 
