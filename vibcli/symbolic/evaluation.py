@@ -173,7 +173,8 @@ def multiprecision() -> Any:
 
         @staticmethod
         def number(value):
-            return mpmath.mpf(value.numerator) / value.denominator
+            above, below = mpmath.mpf(value.numerator), value.denominator
+            return above if below == 1 else above / below       # a division by 1 costs as much as any other
 
         @staticmethod
         def power(base, exponent):
