@@ -10,7 +10,7 @@ from contextlib import suppress
 YOUNG = 1_000_000   # objects, some 100 MB beside arrays, between searches for garbage: imports are none
 
 
-def main():
+def main() -> None:
     """Run the command line and leave with its exit code; 130 where it is interrupted, while importing too. An interrupt
     after that ends the process at once, in silence."""
     gc.set_threshold(YOUNG)

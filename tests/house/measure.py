@@ -6,6 +6,7 @@ from collections import defaultdict
 from fnmatch import fnmatchcase
 from functools import cache
 from pathlib import Path
+from statistics import median
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))       # run as a script it finds the tree that it is in
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
@@ -173,6 +174,11 @@ class House:
         return [(module, node) for module, nodes in self.nodes.items() if not rooms or room_of(module) in rooms
                 for node in nodes if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef))]
 
+    def lengths(self):
+        """{function: its lines, with signature and docstring}."""
+        return {f"{module}.{node.name}:{node.lineno}": node.end_lineno - node.lineno + 1
+                for module, node in self.functions()}
+
     def taking_problem(self):
         """Functions of mechanics and analyses that take the whole problem."""
         return [f"{module}.{node.name}" for module, node in self.functions("mechanics", "analyses")
@@ -290,7 +296,7 @@ def walks():
 
 def main(house):
     (rooms, moves, up), (_, in_check, up_in_check) = walks()
-    outside = house.set_from_outside()
+    outside, lengths = house.set_from_outside(), house.lengths().values()
     flat = [entry for entry in PACKAGE.iterdir() if entry.suffix == ".py"]
     rooms_of = {room_of(module) for module in house.trees if "." in module}
     rows = [
@@ -308,6 +314,7 @@ def main(house):
          f"{len({place.split(':')[0] for place in outside})} files"),
         ("classes with more than one base", len(house.with_several_bases())),
         ("annotated parameters", f"{house.annotated():.0%}"),
+        ("lines of a function, median and most", f"{median(lengths):g} {max(lengths)}"),
         ("class names that mean several things", len(house.class_names())),
         ("names that nothing in vibcli uses", len(house.unused())),
         ("lines", house.lines()), ("files", len(house.trees))]

@@ -1,5 +1,7 @@
 """The figures of the house: each at most as it stands here, to be lowered whenever it falls."""
 
+from statistics import median
+
 import pytest
 
 from house.measure import main, walks
@@ -12,6 +14,8 @@ MOST = {        # methods of House that list or count something
     "set_from_outside": 1,
     "with_several_bases": 1,
 }
+LONGEST, MIDDLE = 45, 6     # lines of a function
+LONGEST_FILE = 300
 
 
 @pytest.mark.parametrize(("figure", "most"), MOST.items())
@@ -29,6 +33,22 @@ def test_what_is_counted_is_seen(planted):
     assert house.with_several_bases() == ["vibcli.mechanics.a.A"]
     assert house.arrows() == {("results", "mechanics")}
     assert house.floors() == 2
+
+
+def test_functions_are_short(house):
+    lengths = house.lengths()
+    assert {name: lines for name, lines in lengths.items() if lines > LONGEST} == {}
+    assert median(lengths.values()) <= MIDDLE
+
+
+def test_files_are_short(house):
+    lines = {path.name: path.read_bytes().count(b"\n") for path in house.package.rglob("*.py")}
+    assert {name: count for name, count in lines.items() if count > LONGEST_FILE} == {}
+
+
+def test_the_length_of_a_function_is_seen(planted):
+    assert planted({"scene/a.py": "@cache\ndef f(x,\n      y):\n    \"\"\"x.\"\"\"\n\n    return x\n"}).lengths() == {
+        "vibcli.scene.a.f:2": 5}
 
 
 @pytest.mark.sweep

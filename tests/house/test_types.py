@@ -1,9 +1,12 @@
-"""Types: public functions say what they take, and the checker passes over no room."""
+"""Types: public functions say what they take, and in finished rooms what they give; the checker passes over none."""
 
 import ast
 import tomllib
+from collections import defaultdict
 
-from house.measure import PACKAGE
+from house.measure import PACKAGE, room_of
+
+OPEN = ("analyses", "mechanics", "results")     # to be fewer
 
 
 def exceptions():
@@ -12,25 +15,48 @@ def exceptions():
     return [part["module"] for part in settings["overrides"] if part.get("ignore_errors")]
 
 
+def public(body, prefix=""):
+    """(name, node) of the public functions and methods of a file, within classes too."""
+    for node in body:
+        if isinstance(node, ast.ClassDef):
+            yield from public(node.body, f"{prefix}{node.name}.")
+        elif isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)) and not node.name.startswith("_"):
+            yield prefix + node.name, node
+
+
 def untyped(tree):
     """["name(parameter)"] of the public functions and methods of a file."""
     found = []
-
-    def visit(body, prefix):
-        for node in body:
-            if isinstance(node, ast.ClassDef):
-                visit(node.body, f"{prefix}{node.name}.")
-            elif isinstance(node, ast.FunctionDef) and not node.name.startswith("_"):
-                args = node.args
-                every = [*args.posonlyargs, *args.args, *args.kwonlyargs, *filter(None, (args.vararg, args.kwarg))]
-                found.extend(f"{prefix}{node.name}({arg.arg})" for arg in every
-                             if arg.annotation is None and arg.arg not in ("self", "cls"))
-    visit(tree.body, "")
+    for name, node in public(tree.body):
+        args = node.args
+        every = [*args.posonlyargs, *args.args, *args.kwonlyargs, *filter(None, (args.vararg, args.kwarg))]
+        found.extend(f"{name}({arg.arg})" for arg in every
+                     if arg.annotation is None and arg.arg not in ("self", "cls"))
     return found
+
+
+def silent(tree):
+    """The public functions and methods of a file that do not say what they give."""
+    return [name for name, node in public(tree.body) if node.returns is None]
 
 
 def test_public_functions_say_what_they_take(house):
     assert [f"{module}.{name}" for module, tree in house.trees.items() for name in untyped(tree)] == []
+
+
+def test_public_functions_say_what_they_give(house):
+    """In each room but the OPEN ones, of which none is finished."""
+    found = defaultdict(list)
+    for module, tree in house.trees.items():
+        found[room_of(module)] += [f"{module}.{name}" for name in silent(tree)]
+    assert {room: names for room, names in found.items() if names and room not in OPEN} == {}
+    assert [room for room in OPEN if not found[room]] == []
+
+
+def test_what_a_function_does_not_say_it_gives_is_seen():
+    tree = ast.parse("def f(): pass\ndef g() -> int: pass\nclass A:\n    @property\n    def h(self): pass\n"
+                     "    def _i(self):\n        def j(): pass")
+    assert silent(tree) == ["f", "A.h"]
 
 
 def test_an_untyped_parameter_is_seen():

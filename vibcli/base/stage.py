@@ -11,7 +11,7 @@ class Costs(dict):
 
     inner = 0.0         # seconds of the stages within the one under way
 
-    def measured(self, stage: str, compute: Callable):
+    def measured(self, stage: str, compute: Callable) -> Any:
         """The result of a stage; its cost is kept."""
         before, outer = perf_counter(), self.inner
         self.inner = 0.0

@@ -186,7 +186,7 @@ class Dimensions:
     def unknown(self, name: str) -> dict[str, int]:
         return {"?" + name: 1}
 
-    def resolve(self, dimension: Mapping[str, Fraction | int]):
+    def resolve(self, dimension: Mapping[str, Fraction | int]) -> Mapping[str, Fraction | int]:
         """`dimension` with every unknown that has been solved replaced."""
         while not self._solved.keys().isdisjoint(dimension):
             found = {}
@@ -195,7 +195,7 @@ class Dimensions:
             dimension = found
         return dimension
 
-    def of(self, name: str) -> dict[str, Fraction | int]:
+    def of(self, name: str) -> Mapping[str, Fraction | int]:
         return self.resolve(self.unknown(name))
 
     def equate(self, a: Mapping[str, Fraction | int], b: Mapping[str, Fraction | int]) -> bool:

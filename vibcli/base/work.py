@@ -110,7 +110,7 @@ class Task:
                 break
         self.tell(part)
 
-    def count(self, steps: float):
+    def count(self, steps: float) -> None:
         """So many steps more, of this task alone."""
         self.steps += steps
         if self.steps > self.limit:
@@ -135,7 +135,7 @@ class Task:
             known = outer.part is not None
             tell(outer.what, outer.part if known else outer.steps / outer.limit, known)
 
-    def refusal(self):
+    def refusal(self) -> PhysicsError:
         """The refusal where the limit is reached."""
         return PhysicsError(f"{self.what} is given up after {self.limit:.0f} steps", self.hint())
 
@@ -143,6 +143,6 @@ class Task:
         return f"--patience {10 * self.work.patience:.0f} allows ten times as many"
 
 
-def longer(work: Work):
+def longer(work: Work) -> str:
     """The hint by which a search for a closed form that was given up goes on."""
     return f"--patience {10 * work.patience} lets computer algebra go on for ten times as long"

@@ -20,7 +20,7 @@ RUNS, FEW = 7, 3
 @click.option("--json", "as_json", is_flag=True, help="The table as JSON.")
 @click.option("--only", type=click.Choice(list(PARTS)), multiple=True, help="Only these measurements.")
 @click.option("--sympy", "slow", is_flag=True, help="Also SymPy's LagrangesMethod on the pendulum; takes seconds.")
-def main(quick: bool, as_json: bool, only: tuple[str, ...], slow: bool):
+def main(quick: bool, as_json: bool, only: tuple[str, ...], slow: bool) -> None:
     """Processor time, memory, growth and accuracy of vibcli against baselines measured in the same run."""
     rows: list[Any] = []
     for part in [*(only or PARTS), *["lagranges_method"] * slow]:

@@ -20,7 +20,7 @@ DIGITS = 60
 CHAIN_GATE, PENDULUM_GATE = 1e-14, 1e-13
 
 
-def rows(runs: Any):
+def rows(runs: Any) -> list[Any]:
     """Errors as rows: ours, with that of the best of the assembled methods as the baseline."""
     found = json.loads(answer("from vibcli.bench.accuracy import main; main()", runs))
     result = []
@@ -36,7 +36,7 @@ def rows(runs: Any):
     return result
 
 
-def main():
+def main() -> None:
     """Child process: print {family: [[label, [error, ms] of each method]]}."""
     import sys
 

@@ -20,7 +20,7 @@ CUBIC = 3.0     # of dense linear algebra
 LONGEST = 6.0   # seconds of runs for one size
 
 
-def rows(runs: Any):
+def rows(runs: Any) -> list[Any]:
     """The rows of all families."""
     found = []
     for family, (words, budgets) in FAMILIES.items():
@@ -36,7 +36,7 @@ def rows(runs: Any):
     return found
 
 
-def main():
+def main() -> None:
     """Child process: print {n: (medians, minima)}, each [ms whole, ms to the element data, ms of eigh]."""
     import sys
 
@@ -47,7 +47,7 @@ def main():
     print(json.dumps(times))
 
 
-def solve(text: str):
+def solve(text: str) -> tuple[Any, float, float]:
     """The solved Problem of a scene's text, and the seconds to its element data and to its modes."""
     from vibcli.api.source import problem_of, text_source
 

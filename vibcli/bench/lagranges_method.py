@@ -9,7 +9,7 @@ from vibcli.bench.rows import Timing
 LINKS = (2, 5)
 
 
-def rows(runs: Any):
+def rows(runs: Any) -> list[Any]:
     """Ours, from the text to the frequencies, against SymPy's forming and linearising alone."""
     found = []
     ours = json.loads(answer("from vibcli.bench.lagranges_method import ours; ours()"))
@@ -20,7 +20,7 @@ def rows(runs: Any):
     return found
 
 
-def ours():
+def ours() -> None:
     """Child process: print the milliseconds of ours for each number of links."""
     from vibcli.bench.growth import solve
     from vibcli.bench.scenes import pendulum
@@ -29,7 +29,7 @@ def ours():
     print(json.dumps([1e3 * min(solve(pendulum(n))[2] for _ in range(9)) for n in LINKS]))
 
 
-def main():
+def main() -> None:
     """Child process: print the milliseconds that SymPy takes, its import excluded."""
     import sys
     from time import process_time

@@ -15,7 +15,7 @@ from vibcli.bench.rows import Timing, exponent
 BARS, EXPONENT = (4, 10, 20, 40), 2.5
 
 
-def rows(runs: Any):
+def rows(runs: Any) -> list[Any]:
     """Milliseconds for each number of bars, and the exponent of their growth."""
     times = json.loads(answer("from vibcli.bench.linkage import main; main()", runs))
     found = [Timing(f"deriving a linkage of {bars} bars", median(times[str(bars)]), "ms", None) for bars in BARS]
@@ -23,7 +23,7 @@ def rows(runs: Any):
     return [*found, Timing("  exponent", grown, "", EXPONENT, absolute=True)]
 
 
-def main():
+def main() -> None:
     """Child process: print {number of bars: [ms of each run]}."""
     import sys
 
@@ -41,7 +41,7 @@ def _derivation(bars):
     return process_time() - start
 
 
-def tongs(cells: Any):
+def tongs(cells: Any) -> str:
     """Lazy tongs: crossed bars a and b pinned at their middles c, their ends joined to those of the next cell; the
     first bar turns about its lower end, and the upper end of the other one runs along a wall."""
     bodies, points, constraints = [], [], ["guide: {point: high0, surface: wall}"]

@@ -20,7 +20,7 @@ ENVIRONMENT = {name: value for name, value in os.environ.items() if name != "PYT
     "OPENBLAS_NUM_THREADS": "1", "VIBCLI_NO_CACHE": "1"}
 
 
-def vibcli(*args: Any):
+def vibcli(*args: Any) -> list[str]:
     """The argument list of a vibcli command."""
     return [VIBCLI, *args] if os.path.exists(VIBCLI) else [sys.executable, "-m", "vibcli", *args]
 
@@ -30,7 +30,7 @@ def installed(package: str) -> bool:
     return find_spec(package) is not None
 
 
-def python(code: Any, *args: Any):
+def python(code: Any, *args: Any) -> list[str]:
     return [sys.executable, "-c", code, *args]
 
 
@@ -44,7 +44,7 @@ class Cost:
         self.memory = median(run[1] for run in runs) / 1024
 
 
-def run(command: Any, expected: Any = (0,)):
+def run(command: Any, expected: Any = (0,)) -> tuple[float, int, float]:
     """(processor seconds, peak KiB, seconds) of one run; RuntimeError where its exit code is none of those expected.
 
     The peak counts that of the process which starts it, so this one must stay small.
@@ -58,7 +58,7 @@ def run(command: Any, expected: Any = (0,)):
     return usage.ru_utime + usage.ru_stime, usage.ru_maxrss, perf_counter() - start
 
 
-def costs(commands: Any, runs: Any, warm: bool = False):
+def costs(commands: Any, runs: Any, warm: bool = False) -> dict[str, Cost]:
     """{name: Cost} of {name: (command, expected exit codes)}, all run once a round; the first round does not count,
     unless all is `warm` already."""
     measured = {name: [] for name in commands}
@@ -70,7 +70,7 @@ def costs(commands: Any, runs: Any, warm: bool = False):
     return {name: Cost(found) for name, found in measured.items()}
 
 
-def answer(code: Any, *args: Any):
+def answer(code: Any, *args: Any) -> str:
     """What a fresh process prints; RuntimeError with the last that it says where it fails."""
     done = subprocess.run(python(code, *map(str, args)), capture_output=True, text=True, env=ENVIRONMENT)
     if done.returncode:

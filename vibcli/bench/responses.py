@@ -21,7 +21,7 @@ BOUNDED, DEARER = 10, 1.3       # values with bounds, and how much longer the re
 PIECES = 4000
 
 
-def rows(runs: Any):
+def rows(runs: Any) -> list[Any]:
     """Run times as rows, the integrator's as the baseline, and errors."""
     found = json.loads(answer("from vibcli.bench.responses import main; main()", runs))
     result = []
@@ -35,7 +35,7 @@ def rows(runs: Any):
     return result
 
 
-def main():
+def main() -> None:
     """Child process: print the medians of milliseconds of processor time, and the errors."""
     import sys
 

@@ -25,17 +25,17 @@ class Timing:
         self.baseline, self.against, self.absolute = baseline, against, absolute
 
     @property
-    def ratio(self):
+    def ratio(self) -> Any:
         """None also of bare numbers (errors, exponents), whose quotient says nothing."""
         return None if self.against is None or not self.unit else self.ours / self.against
 
     @property
-    def kept(self):
+    def kept(self) -> bool:
         """Is the budget kept? A row without budget only informs."""
         bounded = self.ours if self.absolute else self.ratio
         return self.budget is None or bounded is None or bounded <= self.budget
 
-    def cells(self):
+    def cells(self) -> tuple[str, ...]:
         """The columns of the printed table."""
         against = "" if self.against is None else f"{_short(self.against)} {self.unit}".rstrip()
         allowed = "" if self.budget is None else (
@@ -45,7 +45,7 @@ class Timing:
         return (self.case, f"{_short(self.ours)} {self.unit}".rstrip(), against, self.baseline,
                 "" if self.ratio is None else f"{self.ratio:.3g} ×", allowed, verdict)
 
-    def data(self):
+    def data(self) -> dict[str, Any]:
         return {"case": self.case, "ours": self.ours, "unit": self.unit, "baseline": self.baseline or None,
                 "against": self.against, "ratio": self.ratio, "budget": self.budget,
                 "bounds": "ours" if self.absolute else "ratio", "kept": self.kept}
@@ -59,11 +59,11 @@ class Failure:
     def __init__(self, part: str, why: str):
         self.part, self.why = part, why
 
-    def cells(self):
+    def cells(self) -> tuple[str, ...]:
         """The columns of the printed table."""
         return (f"{self.part}: {self.why}"[:LONGEST], "", "", "", "", "", "failed")
 
-    def data(self):
+    def data(self) -> dict[str, Any]:
         return {"case": self.part, "failure": self.why, "kept": False}
 
 
@@ -80,7 +80,7 @@ def _short(value):
     return f"{value:.1e}" if 0 < abs(value) < 0.005 else f"{value:.3g}" if abs(value) < 100 else f"{value:.0f}"
 
 
-def aligned(lines: Iterable):
+def aligned(lines: Iterable) -> str:
     """Lines of cells as text with columns of equal width."""
     widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
     return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)).rstrip()

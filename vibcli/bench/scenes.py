@@ -52,7 +52,7 @@ bodies:
 """
 
 
-def pendulum(n: int):
+def pendulum(n: int) -> str:
     """n equal links, each hung on the one before; ω² = (g/L)·(the roots of the Laguerre polynomial of degree n)."""
     lines = ["parameters: {L: 1 m, m: 1 kg, g: 9.81 m/s^2}", "gravity: g", "bodies:"]
     for i in range(1, n + 1):
@@ -61,7 +61,7 @@ def pendulum(n: int):
     return "\n".join(lines) + "\n"
 
 
-def chain(n: int, stiffnesses: Any = None, mass: "str | Node" = "1 kg"):
+def chain(n: int, stiffnesses: Any = None, mass: "str | Node" = "1 kg") -> str:
     """n masses in a row, the first tied to the ground; equal springs unless `stiffnesses` (in N/m) says otherwise."""
     stiffnesses = stiffnesses or ["1000"] * n
     lines = ["bodies:"] + [f"  b{i}: {{mass: {mass}, slide: x{i}}}" for i in range(1, n + 1)] + ["springs:"]

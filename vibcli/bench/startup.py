@@ -14,7 +14,7 @@ READ, NUMBERS, LETTERS = "import click, yaml", "import click, yaml, numpy", "imp
 IMPORT = "from time import process_time\nstart = process_time()\nimport %s\nprint(process_time() - start)"
 
 
-def rows(runs: Any):
+def rows(runs: Any) -> list[Any]:
     """The rows of the start-up budgets."""
     with tempfile.TemporaryDirectory() as folder:
         return _rows(runs, folder)

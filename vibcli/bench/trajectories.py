@@ -34,7 +34,7 @@ ACCURACIES, TOLERANCES = (1e-11, 1e-12), (1e-12, 1e-13)
 ERROR_GATE, PHASE_GATE, DRIFT_GATE = 1e-9, 1e-8, 1e-12
 
 
-def rows(runs: Any):
+def rows(runs: Any) -> list[Any]:
     """Errors and times as rows; LSODA at a similar time as the baseline."""
     found = json.loads(answer("from vibcli.bench.trajectories import main; main()", runs))
     result = []
@@ -50,7 +50,7 @@ def rows(runs: Any):
             Timing("  drift of its energy", drift, "", DRIFT_GATE, absolute=True), Timing("  time", spent, "ms", None)]
 
 
-def main():
+def main() -> None:
     """Child process: print {method: [[tolerance, [error, ms]]], "pendulum": [phase, drift, ms]}."""
     import sys
 

@@ -171,7 +171,8 @@ def chosen(problem: "Problem", case: str | None) -> "list[tuple[str | None, Prob
         raise click.UsageError(str(error)) from None
 
 
-def show_diagnostics(diagnostics: Sequence[Diagnostic], lines_of: "Callable[[Where], Sequence[str]] | None" = None):
+def show_diagnostics(diagnostics: Sequence[Diagnostic],
+                     lines_of: "Callable[[Where], Sequence[str]] | None" = None) -> None:
     """Diagnostics on stderr, each with its line and a caret. lines_of: the lines of the file of a place; unless given
     those that were read."""
     from vibcli.base.diagnostics import render
@@ -244,7 +245,7 @@ def colored(stream: Any) -> bool:
     return bool(os.environ.get("FORCE_COLOR")) or stream.isatty()
 
 
-def show_timings(problems: "Sequence[tuple[str | None, Problem]]"):
+def show_timings(problems: "Sequence[tuple[str | None, Problem]]") -> None:
     """What each stage cost, and what certifies what was found, on stderr."""
     from vibcli.api.source import certified, stage_costs
 

@@ -35,9 +35,7 @@ def print_scenes(problems: "Sequence[tuple[str | None, Problem]]", sections: Cal
     solved, refused = [], False
     for case, problem in problems:
         try:
-            if problem.spec.choices:
-                problem = _settled(problem, question, digits)
-            problem = _in_series(problem, digits, wanted, sections(problem))
+            problem = _ready(problem, question, digits, wanted, sections)
             solved.append((case, problem))
             if output.strict:
                 reports.require_certified(problem, sections(problem), normalise, digits, wanted)
@@ -45,8 +43,7 @@ def print_scenes(problems: "Sequence[tuple[str | None, Problem]]", sections: Cal
                 found[case] = reports.data(problem, data, normalise, digits, sections(problem), wanted)
                 refused |= _told_unknown(problem, case, found[case], wanted)
             else:
-                shown = reports.illustrated(sections(problem)) if output.pictures else sections(problem)
-                report = reports.report(problem, shown, normalise, digits, output.pictures, wanted)
+                report = _report(problem, sections(problem), normalise, digits, output, wanted)
                 found[case] = report.document(case, question)
                 _print_at_once(found, case, output)
                 if report.refusal and not isinstance(report.refusal, Unknown):
@@ -67,6 +64,23 @@ def print_scenes(problems: "Sequence[tuple[str | None, Problem]]", sections: Cal
     _print_all(found, output)
     if timings:
         show_timings(solved)
+    return _code(problems, refused)
+
+
+def _ready(problem, thorough, digits, wanted, sections):
+    """The problem with what it chooses, and its motion followed to the digits that are asked for."""
+    if problem.spec.choices:
+        problem = _settled(problem, thorough, digits)
+    return _in_series(problem, digits, wanted, sections(problem))
+
+
+def _report(problem, sections, normalise, digits, output, wanted):
+    shown = reports.illustrated(sections) if output.pictures else sections
+    return reports.report(problem, shown, normalise, digits, output.pictures, wanted)
+
+
+def _code(problems, refused):
+    """The exit code."""
     if any(problem.work.interrupted for _, problem in problems):
         click.echo("interrupted", err=True)
         return 130

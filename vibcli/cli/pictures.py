@@ -20,7 +20,7 @@ LONGEST = 80
 class File(click.Path):
     """The name of a file to write."""
 
-    def convert(self, value: Any, parameter: Any, context: Any):
+    def convert(self, value: Any, parameter: Any, context: Any) -> Any:
         if not str(value).strip():
             self.fail("a file has a name, and this is empty", parameter, context)
         return super().convert(value, parameter, context)

@@ -19,7 +19,7 @@ from vibcli.cli import COMMANDS
 class Commands(click.Group):
     """Commands by name, imported when they are called."""
 
-    def list_commands(self, context: click.Context):
+    def list_commands(self, context: click.Context) -> list[str]:
         return list(COMMANDS)
 
     def get_command(self, context: click.Context, name: str) -> click.Command:
@@ -38,7 +38,7 @@ class Commands(click.Group):
         name, command, rest = super().resolve_command(context, args)
         return name, command, _by_long_names(command, rest) if command is not None else rest
 
-    def format_commands(self, context: click.Context, formatter: Any):
+    def format_commands(self, context: click.Context, formatter: Any) -> None:
         with formatter.section("Commands"):
             formatter.write_dl(list(COMMANDS.items()))
 
@@ -57,7 +57,7 @@ def group() -> None:
     """Mechanical vibration problems: from a scene in YAML to its equations, frequencies and motions."""
 
 
-def main(args: list[str] | None = None):
+def main(args: list[str] | None = None) -> None:
     """Run the command line and leave with its exit code."""
     sys.exit(run(args))
 

@@ -9,7 +9,7 @@ FIRST, OFTEN = 1.0, 0.2     # seconds: until anything is told, and between two t
 LEAST = 1e-3                # of the whole, before a pace is known
 
 
-def teller():
+def teller() -> "Progress | None":
     """What tells of long work (vibcli/base/work.py) on stderr; None where that is no terminal."""
     return Progress() if sys.stderr.isatty() else None
 

@@ -39,7 +39,7 @@ def asked(text: str, option: str) -> "Expression":
         raise click.UsageError(f"{option} {text}: {error}") from None
 
 
-def size(text: str, option: str, unit: str, wants: str, exact: bool = False):
+def size(text: str, option: str, unit: str, wants: str, exact: bool = False) -> Any:
     """A positive quantity given on the command line, in SI units: see vibcli/api/given.py."""
     from vibcli.api import given
 
@@ -65,7 +65,8 @@ def require_curves(plot: bool, saves: Sequence[str], as_json: bool, options: Map
         raise click.UsageError("--plot does not go with --json: save the numbers with --save FILE")
 
 
-def cases_to_show(problems: "Sequence[tuple[str | None, Problem]]", saves: Sequence[str]):
+def cases_to_show(problems: "Sequence[tuple[str | None, Problem]]",
+                  saves: Sequence[str]) -> "Sequence[tuple[str | None, Problem]]":
     """The scene and its cases; the scene alone where its curves are saved, for they are saved to one file."""
     return problems[:1] if saves else problems
 

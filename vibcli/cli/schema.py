@@ -5,7 +5,7 @@ import click
 
 @click.command("schema")
 @click.option("--set", "of_set", is_flag=True, help="That of set.yaml, which names problems of homework.")
-def command(of_set: bool):
+def command(of_set: bool) -> None:
     """The JSON Schema (draft 7) of scene files, by which editors complete and check them.
 
     Write `# yaml-language-server: $schema=scene.schema.json` in the first line of a scene, and

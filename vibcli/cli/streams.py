@@ -19,18 +19,18 @@ class Stream(io.RawIOBase):
     def __init__(self, descriptor: Any, refuses: Any):
         self.descriptor, self.refuses, self.lost = descriptor, refuses, False
 
-    def writable(self):
+    def writable(self) -> bool:
         return True
 
-    def isatty(self):
+    def isatty(self) -> bool:
         return self.descriptor is not None and os.isatty(self.descriptor)
 
-    def fileno(self):
+    def fileno(self) -> int:
         if self.descriptor is None:
             raise io.UnsupportedOperation("stdout is closed")
         return self.descriptor
 
-    def write(self, data: Any):
+    def write(self, data: Any) -> int:
         while not self.lost:
             try:
                 return os.write(self.fileno(), data)
@@ -45,7 +45,7 @@ class Stream(io.RawIOBase):
         return len(data)
 
 
-def provide():
+def provide() -> None:
     """Let stdout and stderr be such streams."""
     sys.stdout, sys.stderr = _stream(sys.stdout, True), _stream(sys.stderr, False)
 

@@ -140,13 +140,13 @@ def _shaken(stage):
         fields = [field for field in record["moves"] if captions.raw(field, stage.scene).mask]
         direction = (1.0, 0.0) if fields and fields[0] is record["moves"][0] else (0.0, 1.0)
         start = plane.plus(at, plane.left(direction), -20.0)
-        ends = [plane.plus(start, direction, side * 13.0) for side in (-1, 1)]
-        parts = arrow.straight(*ends, "driven", both=True)  # type: ignore[misc]
+        one, other = (plane.plus(start, direction, side * 13.0) for side in (-1, 1))
+        parts = arrow.straight(one, other, "driven", both=True)
         words = captions.expression(fields[0], stage.sketch, 18) if len(fields) == 1 else None
         text = fields[0].text if fields else name
         runs = (words or lettering.named(name)) if text not in named else None
         named.add(text)
-        found.append((parts, runs, [ends[1], start]))
+        found.append((parts, runs, [other, start]))
     return found
 
 

@@ -23,7 +23,7 @@ READABLE, LUMPED, VISIBLE, SWING, SMALL, FARTHEST = 30.0, 22.0, 12.0, 0.7, 1e-4,
 SQUEEZED, ROUNDS = 0.4, 24
 
 
-def mode(problem: Any, index: int):
+def mode(problem: Any, index: int) -> Any:
     """The Mode of a number; PhysicsError where there is none."""
     modes = problem.modal.modes
     found = modes.numbered(index, index)

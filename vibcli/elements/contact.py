@@ -13,6 +13,7 @@ from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Expression
+    from vibcli.symbolic.node import Node
 
 
 class LineContact(NamedTuple):
@@ -25,28 +26,28 @@ class LineContact(NamedTuple):
     side: int
 
     @property
-    def reach(self):
+    def reach(self) -> "Node":
         """From the place of contact to the centre of the body, along n."""
         return self.radius
 
-    def rolled(self, turn: "Expression"):
+    def rolled(self, turn: "Expression") -> "Node":
         """The travel of the centre, from the rotation in the fixed frame."""
         return -(turn - self.carrier.angle) * self.side * self.radius
 
-    def turn(self, travel: Any):
+    def turn(self, travel: Any) -> "Node":
         """The rotation in the fixed frame."""
         return self.carrier.angle - travel * self.side / self.radius
 
-    def frame(self, travel: Any, turn: "Expression"):
+    def frame(self, travel: Any, turn: "Expression") -> Any:
         """That of the body."""
         place = self.carrier.point(*(x + travel * e for x, e in zip(self.drawn, self.e, strict=True)))
         return self.carrier._replace(drawn=self.drawn, place=place, angle=turn)
 
-    def normal(self, _: Any):
+    def normal(self, _: Any) -> "tuple[Node, Node]":
         """n, the travel given."""
         return self.carrier.turned(-self.side * self.e[1], self.side * self.e[0])
 
-    def parted(self, frame: Any, _: Any):
+    def parted(self, frame: Any, _: Any) -> "tuple[Node, Node]":
         """(gap, slip) of a body with this frame."""
         (x0, y0), (ex, ey), (x, y) = self.drawn, self.e, self.carrier.seen(*frame.place)
         slip = (x - x0) * ex + (y - y0) * ey + self.side * self.radius * (frame.angle - self.carrier.angle)
@@ -67,20 +68,20 @@ class CircleContact(NamedTuple):
     distance: Any
 
     @property
-    def reach(self):
+    def reach(self) -> "Node":
         """From the place of contact to the centre of the body, along n."""
         return self.radius * self.sense * self.outward
 
     @property
-    def middle(self):
+    def middle(self) -> "tuple[Node, Node]":
         """Where the centre of the circle is now."""
         return self.carrier.point(*self.centre)
 
-    def rolled(self, turn: "Expression"):
+    def rolled(self, turn: "Expression") -> "Node":
         """The swing of the line of centres, from the rotation in the fixed frame."""
         return (turn - self.carrier.angle) * self.radius * self.sense / self.arm
 
-    def turn(self, swing: Any):
+    def turn(self, swing: Any) -> "Node":
         """The rotation in the fixed frame."""
         return self.carrier.angle + swing * self.arm * self.sense / self.radius
 
@@ -92,15 +93,15 @@ class CircleContact(NamedTuple):
         """The direction from the centre to the body as drawn."""
         return tuple((x - c) / self.distance for x, c in zip(self.drawn, self.centre, strict=True))
 
-    def frame(self, swing: Any, turn: "Expression"):
+    def frame(self, swing: Any, turn: "Expression") -> Any:
         """That of the body."""
         return self.carrier._replace(drawn=self.drawn, place=self._line(swing).point(*self.drawn), angle=turn)
 
-    def normal(self, swing: Any):
+    def normal(self, swing: Any) -> "tuple[Node, Node]":
         """n, the swing given."""
         return self._line(swing).turned(*(self.outward * d for d in self._away()))
 
-    def parted(self, frame: Any, swing: Any):
+    def parted(self, frame: Any, swing: Any) -> "tuple[Node, Node]":
         """(gap, slip) of a body with this frame whose centre moves about that of the circle by `swing`; None of one
         that may leave its circle, where both are right to first order in themselves, and so wherever they are zero."""
         if swing is not None:

@@ -17,13 +17,13 @@ class OneOrMore(Kind):
 
     wants = "a damping ratio such as 1 %, or a list of them"
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         if isinstance(node, Sequence):
             return Many(RATIO, 1, 2000, self.wants).read(node, reader)
         one = reader.expected(node, self.wants) if isinstance(node, Mapping) else RATIO.read(node, reader)
         return None if one is None else [one]
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         return {"anyOf": [RATIO.schema(), Many(RATIO, 1, 2000).schema()]}
 
 
@@ -32,7 +32,7 @@ class ByMode(Kind):
 
     wants = "a mapping from numbers of modes to damping ratios, such as {1: 1 %, 4: 2 %}"
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         if not isinstance(node, Mapping) or not node.entries:
             return reader.expected(node, self.wants)
         found = {}
@@ -45,7 +45,7 @@ class ByMode(Kind):
                 found[int(key)] = ratio
         return found
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         return {"type": "object", "additionalProperties": RATIO.schema()}
 
 
@@ -54,13 +54,13 @@ class Factors(Kind):
 
     wants = "two factors [alpha, beta], in s^-1 and s"
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         if not isinstance(node, Sequence) or len(node.items) != 2:
             return reader.expected(node, self.wants)
         found = [Quantity(unit).read(item, reader) for unit, item in zip(("s^-1", "s"), node.items, strict=True)]
         return None if None in found else found
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         return Many(RATIO, 2, 2).schema()
 
 

@@ -29,7 +29,7 @@ def axis_of(name: str, scene: Any) -> "tuple[str, Node] | None":
     return "turn" if found[0].kind.torsional else "slide", found[1].u
 
 
-def stretch(record: "Record", scene: Any, torsion: Any):
+def stretch(record: "Record", scene: Any, torsion: Any) -> "Node | None":
     """The stretch of a spring or damper since the drawn position; None where it was reported as wrong."""
     if "stretch" in record:
         return moving(record, scene, scene.lower(record["stretch"]))
@@ -44,7 +44,7 @@ def stretch(record: "Record", scene: Any, torsion: Any):
     return None if found is None else moving(record, scene, found - scene.at_drawn(found)[0])
 
 
-def length(record: "Record", scene: Any, dx: Any, dy: Any):
+def length(record: "Record", scene: Any, dx: Any, dy: Any) -> "Node | None":
     """The distance of two ends; None where they coincide as drawn, which is reported."""
     found = scene.distance(dx, dy)
     if scene.number(found) > 0:
@@ -54,7 +54,7 @@ def length(record: "Record", scene: Any, dx: Any, dy: Any):
     return None
 
 
-def moving(record: "Record", scene: Any, found: Any):
+def moving(record: "Record", scene: Any, found: Any) -> "Node | None":
     """The stretch; None where it never changes, which is reported."""
     if found is not None and not found.mask:
         hint = "check its ends, or take it out"
@@ -65,7 +65,7 @@ def moving(record: "Record", scene: Any, found: Any):
     return found
 
 
-def span(record: "Record", scene: Any):
+def span(record: "Record", scene: Any) -> "tuple[Node | None, Node | None]":
     """(dx, dy) from the first end to the second; (None, None) where an end has no place."""
     places = [_place_of(end, record, scene) for end in record["between"]]
     if None in places:
@@ -128,7 +128,7 @@ def _angle(end, scene):
     return angle_of(end, scene, "write `k` or `c` instead of `torsion`")
 
 
-def slope_of(end: Any, member: "Member", station: "Station", scene: Any, hint: str = TURNING):
+def slope_of(end: Any, member: "Member", station: "Station", scene: Any, hint: str = TURNING) -> "Node | None":
     """The turn of a shaft or beam at a point; None of a bar or string, which is reported."""
     if member.kind.torsional:
         return station.u
@@ -137,7 +137,7 @@ def slope_of(end: Any, member: "Member", station: "Station", scene: Any, hint: s
     return station.slope
 
 
-def angle_of(end: Any, scene: Any, hint: Any = "give it a `turn`, or a place and a `pin`"):
+def angle_of(end: Any, scene: Any, hint: Any = "give it a `turn`, or a place and a `pin`") -> "Node | None":
     """The rotation of a body; None where it has none, which is reported."""
     body = scene.bodies[end.text]
     if body.frame is not None:

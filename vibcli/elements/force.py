@@ -28,7 +28,7 @@ class _BodyOrMember(NameOf):
         super().__init__(BODY.wants, "bodies")
         self.other = NameOf("the name of a body or member", "bodies", "members")
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         return self.other.read(node, reader) if reader.members else super().read(node, reader)
 
 

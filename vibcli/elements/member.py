@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
     from vibcli.elements.member_segments import MemberSegment
+    from vibcli.elements.place_signals import PlaceSignal
     from vibcli.language.signal_names import SignalName
     from vibcli.symbolic.node import Node
 
@@ -117,14 +118,14 @@ class Member(NamedTuple):
             found.append((stretch + preload_of(self, scene), tension + gradient * length / 2))
         return found
 
-    def signal(self, scene: Any, signal: "SignalName", place: "Node", before: bool = False):
+    def signal(self, scene: Any, signal: "SignalName", place: "Node", before: bool = False) -> "PlaceSignal | None":
         """The PlaceSignal of a name: a motion, force or stress at a place, on its right or `before` it; None beyond the
         ends."""
         from vibcli.elements.place_signals import place_signal
 
         return place_signal(scene, self._moving(scene, signal.part), signal, place, before)
 
-    def signals_along(self, scene: Any, part: str, at: "Node"):
+    def signals_along(self, scene: Any, part: str, at: "Node") -> "list[PlaceSignal]":
         """The PlaceSignals of a part on each of its pieces from left to right, all as far from its left end."""
         from vibcli.elements.place_signals import signals_along
 

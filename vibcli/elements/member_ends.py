@@ -51,7 +51,7 @@ def end_kind(torsional: bool, bends: bool) -> OneOf:
 class _Attachment(Element):
     """One thing at a place of a member."""
 
-    def read(self, node: Any, reader: Any, *named: Any):
+    def read(self, node: Any, reader: Any, *named: Any) -> Any:
         record = super().read(node, reader, *named)
         if record is not None and set(record) <= {"at"} and isinstance(node, Mapping):
             reader.report(record.where, "nothing is attached here", "give a mass, a spring `k`, a support or an "

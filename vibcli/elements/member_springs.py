@@ -148,14 +148,16 @@ def _end_stiffness(pair, bending, tension):
             bending * (w2 * u - u2 * w) / determinant)
 
 
-def even_solutions(scene: Any, x: "Node", bending: "Node", tension: "Node", foundation: "Node"):
+def even_solutions(scene: Any, x: "Node", bending: "Node", tension: "Node",
+                   foundation: "Node") -> "list[tuple[Node, ...]]":
     """Two even solutions of B u⁗ − N u″ + k u = 0, k or N not zero, as (u, u′, u″, u‴) at x."""
     if foundation.is_zero:
         return [_one(scene, x, tension / bending, ("cosh", "sinh"), ("cos", "sin")), _powers(scene, scene.table.one)]
     return _solutions(scene, x, bending, tension, foundation, ("cosh", "sinh"), ("cos", "sin"))
 
 
-def odd_solutions(scene: Any, x: "Node", bending: "Node", tension: "Node", foundation: "Node"):
+def odd_solutions(scene: Any, x: "Node", bending: "Node", tension: "Node",
+                  foundation: "Node") -> "list[tuple[Node, ...]]":
     """Two odd ones."""
     if foundation.is_zero:
         return [_one(scene, x, tension / bending, ("sinh", "cosh"), ("sin", "cos")),

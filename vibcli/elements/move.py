@@ -16,14 +16,14 @@ _LENGTH, _ANGLE = MotionField("m"), MotionField("rad")
 class _Displacements(Kind):
     wants = "displacements [x, y, phi], or [x, y] of what does not turn"
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         if not isinstance(node, Sequence) or len(node.items) not in (2, 3):
             return reader.expected(node, self.wants)
         items = [*node.items, Scalar("0", node.where)][:3]
         values = [kind.read(item, reader) for kind, item in zip((_LENGTH, _LENGTH, _ANGLE), items, strict=True)]
         return None if any(value is None for value in values) else values
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         return {"type": "array", "items": _LENGTH.schema(), "minItems": 2, "maxItems": 3}
 
 

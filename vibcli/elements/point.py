@@ -21,7 +21,7 @@ MEMBER_POINT = Element("point", "A named place on a member, counted from its lef
 class _Point(Element):
     """A Record; on a member, whose place is one number, that of a MEMBER_POINT."""
 
-    def read(self, node: Any, reader: Any, *named: Any):
+    def read(self, node: Any, reader: Any, *named: Any) -> Any:
         entries = node.entries if isinstance(node, Mapping) else {}
         carrier = entries["body"][1] if "body" in entries else None
         if plain_name(getattr(carrier, "text", "").strip()) in reader.members:

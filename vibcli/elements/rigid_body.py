@@ -7,7 +7,7 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.elements import ELEMENTS
 
 if TYPE_CHECKING:
-    from vibcli.language.reader import Record
+    from vibcli.language.reader import Record, Reference
     from vibcli.language.spec import Spec
     from vibcli.symbolic.node import Node
 
@@ -44,7 +44,7 @@ class Body(NamedTuple):
         return any(key in self.record for key in MOTIONS)
 
     @property
-    def touched(self):
+    def touched(self) -> list[str]:
         """Names of the surfaces that it rolls or slides on."""
         return [reference.text for reference in touched(self.record)]
 
@@ -61,7 +61,7 @@ class Body(NamedTuple):
                              normal=self.normal and tuple(new[node] for node in self.normal))
 
 
-def touched(record: "Record"):
+def touched(record: "Record") -> "list[Reference]":
     """References to the surfaces that a body of this record rolls or slides on."""
     motion = next((record[key] for key in ("roll", "slide") if key in record), {})
     return [motion["surface"]] if "surface" in motion else list(motion.get("between", ()))

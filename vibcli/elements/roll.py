@@ -72,7 +72,7 @@ def build(roll: "Record", body: Body, scene: Any) -> Body:
     return body._replace(normal=contacts[0].normal(rolled), reach=contacts[0].reach if "between" in roll else None)
 
 
-def tie(roll: "Record", body: Body, scene: Any):
+def tie(roll: "Record", body: Body, scene: Any) -> None:
     """Add the conditions of the second contact to the scene: no slip where the body has a coordinate of its own, and no
     gap where both could part."""
     contacts = _contacts(roll, body, scene)

@@ -1,7 +1,7 @@
 """The keys of what consists of parts, in series and in parallel, nested."""
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.elements.torsion import Torsion, settle_torsion
 from vibcli.language.fields import Element, Field
@@ -21,7 +21,7 @@ class InnerParts(Many):
 
     __slots__ = ()
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         return {"type": "array", "items": {"$ref": f"#/definitions/{self.kind.name}"}, "minItems": self.least}
 
 

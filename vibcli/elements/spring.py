@@ -26,12 +26,12 @@ class _Preload(Kind):
 
     wants = "a force, or the word static"
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         if getattr(node, "text", None) == "static":
             return "static"
         return Quantity().read(node, reader)
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         return {"anyOf": [{"const": "static"}, {"type": ["string", "number"]}]}
 
 

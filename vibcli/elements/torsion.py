@@ -14,13 +14,13 @@ class Torsion(Kind):
         self.kind = Quantity(unit)
 
     @property
-    def wants(self):
+    def wants(self) -> str:
         return self.kind.wants + ", or the word true"
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         return True if getattr(node, "text", None) == "true" else self.kind.read(node, reader)
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         return {"anyOf": [{"const": True}, {"enum": ["true"]}, {"type": ["string", "number"]}]}
 
 

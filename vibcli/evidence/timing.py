@@ -79,13 +79,16 @@ def _tried(attempt, allowed):
     found, why, start = None, "", process_time()
     try:
         found = attempt.run(Deadline(allowed))
-    except TimeIsOver:
-        why = STOPPED
-    except PhysicsError as error:
-        why = error.message
     except Exception as error:      # whatever a library has to say of an input that it does not bear
-        why = f"{type(error).__name__}: {error}"
+        why = reason(error)
     return attempt, process_time() - start, found, why
+
+
+def reason(error: Exception) -> str:
+    """Why a method has no answer."""
+    if isinstance(error, TimeIsOver):
+        return STOPPED
+    return error.message if isinstance(error, PhysicsError) else f"{type(error).__name__}: {error}"
 
 
 def _by_turns(tried, runs, patience):

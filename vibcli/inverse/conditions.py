@@ -23,6 +23,7 @@ from vibcli.symbolic.rationals import ONE
 from vibcli.symbolic.syntax import Number
 
 if TYPE_CHECKING:
+    from vibcli.inverse.folds import Limit
     from vibcli.results.problem import Problem
     from vibcli.results.shared_friction import SharedFriction
     from vibcli.symbolic.node import Node
@@ -63,7 +64,7 @@ class ConditionSystem:
                 self.rest[key] = instance.configuration
         return self._measured[key]
 
-    def instance(self, values: Any, shared: "bool | SharedFriction | None" = False):
+    def instance(self, values: Any, shared: "bool | SharedFriction | None" = False) -> "Problem":
         given = self._given(values)
         if not shared:
             found = self.problem.with_values(given)
@@ -79,12 +80,12 @@ class ConditionSystem:
     def _given(self, values):
         return {name: Fraction(value) for name, value in zip(self.names, values, strict=True)}
 
-    def know(self, limits: Any, ends: Any):
+    def know(self, limits: Any, ends: Any) -> None:
         """Keep the Limits to which equilibria were followed, and the ends of those ways."""
         self.ends = ends
         self.limits.update({Fraction(limit.value): limit for limit in limits})
 
-    def limit(self, values: Sequence[float | Fraction]):
+    def limit(self, values: Sequence[float | Fraction]) -> "Limit | None":
         """The Limit that was followed to at these values; None elsewhere."""
         return self.limits.get(Fraction(values[0])) if len(values) == 1 else None
 
@@ -268,5 +269,5 @@ def in_geometry(problem: "Problem", names: Sequence[str]) -> bool:
     return bool(symbols & set(reachable([*places, *scene.drawn.values(), *scene.dependent.values()])))
 
 
-def summed(table: Any, terms: "Sequence[Node]"):
+def summed(table: Any, terms: "Sequence[Node]") -> "Node":
     return table.sum(*((term, ONE) for term in terms))

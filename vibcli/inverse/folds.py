@@ -38,7 +38,7 @@ class End(NamedTuple):
     runs: str
 
 
-def followed(system: "ConditionSystem", places: Sequence[list[float]]):
+def followed(system: "ConditionSystem", places: Sequence[list[float]]) -> tuple[list[Limit], list[End]]:
     """([Limit], [End]) of the stable equilibria of a ConditionSystem with one parameter,
     from each of the ascending places to its neighbours."""
     limits, ends = [], []
@@ -84,7 +84,7 @@ def _limit(branch, place, fold):
     return Limit(place.value, place.position, fold, abs(lowest(place.K)) / branch.size, felt)
 
 
-def lowest(K: "np.ndarray"):
+def lowest(K: "np.ndarray") -> float:
     import numpy as np
 
     return float(np.linalg.eigvals(K).real.min())

@@ -213,7 +213,7 @@ def no_closed_form(problem: "Problem") -> PhysicsError:
                         f"{hint}; {longer(problem.work)}" if problem.work.cut else hint, _where(problem))
 
 
-def never_in_letters(problem: "Problem"):
+def never_in_letters(problem: "Problem") -> PhysicsError:
     return PhysicsError(f"no admissible value of {listed(problem.spec.choices)} was found that gives {texts(problem)}, "
                         "at any of the values of the letters that were tried",
                         "give the other parameters values with --set, to see what is possible", _where(problem))

@@ -80,7 +80,7 @@ class Chosen:
                     yield error, moves
 
     @property
-    def exact(self):
+    def exact(self) -> bool:
         """Is the first solution known in closed form?"""
         return all(form is not None for form in self.solutions[0].forms.values())
 
@@ -119,7 +119,7 @@ def choosing(problem: Any, choices: Any) -> "Problem":
     return problem.with_spec(problem.spec._replace(choices=choices))
 
 
-def in_numbers(problem: "Problem", nodes: "Sequence[Node]"):
+def in_numbers(problem: "Problem", nodes: "Sequence[Node]") -> list[Fraction] | None:
     """The values of closed forms to DIGITS digits, as Fractions; None where one is no finite number."""
     import mpmath
 

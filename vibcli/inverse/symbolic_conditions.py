@@ -177,7 +177,7 @@ def _limit(problem):
     return still * textbook(mixed * mixed - 4 * (a[0] * d[0] - b[0] * c[0]) * still)
 
 
-def require_no_modes(condition: "Condition"):
+def require_no_modes(condition: "Condition") -> None:
     """Without the matrices in letters only what is read off the drawing is known."""
     if condition.word or any(tree.head not in ("J", "centre") for side in condition.sides
                              for tree in side.parts.quantities):

@@ -28,7 +28,7 @@ class Columns:
         self.file, self.separator, self.header, self.lines, self.texts = file, separator, header, lines, texts
         self.count = len(header or texts[0].split(separator))
 
-    def numbers(self, i: int, report: Callable):
+    def numbers(self, i: int, report: Callable) -> Sequence[float] | None:
         """The numbers of column i, from 0; None where one of them is none, after `report(where, message, hint)`."""
         found = self._plain(i)
         return self._checked(i, report) if found is None else found

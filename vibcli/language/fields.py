@@ -40,13 +40,13 @@ class Element(NamedTuple):
     signals: dict[str, tuple[str, str]] = {}
 
     @property
-    def wants(self):
+    def wants(self) -> str:
         keys = ", ".join(list(self.fields)[:5]) + (", …" if len(self.fields) > 5 else "")
         if self.short is not None:
             return f"{self.fields[self.short].kind.wants}, or a mapping {{{keys}}}"
         return f"{article(self.name)} as a mapping {{{keys}}}"
 
-    def read(self, node: Any, reader: Any, name: str | None = None, where: "Where | None" = None):
+    def read(self, node: Any, reader: Any, name: str | None = None, where: "Where | None" = None) -> "Record | None":
         where = where or node.where
         if not isinstance(node, Mapping):
             if self.short is None or (isinstance(node, Scalar) and not node.text.strip()):
@@ -88,7 +88,7 @@ class Element(NamedTuple):
                 reader.report(where, f"this {self.name} needs " + " or ".join(f"'{key}'" for key in group),
                               f"{group[0]}: {self.fields[group[0]].about}")
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         mapping = {"type": "object", "additionalProperties": False, "properties": {
             key: {**field.kind.schema(), "description": field.about} for key, field in self.fields.items()}}
         required = [key for key, field in self.fields.items() if field.required]

@@ -27,12 +27,12 @@ class Kind:
 class Text(Kind):
     wants = "text"
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         if not isinstance(node, Scalar):
             return reader.expected(node, self.wants)
         return node.text
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         return {"type": ["string", "number"]}
 
 
@@ -45,18 +45,18 @@ class Quantity(NamedTuple):
     kept = None
 
     @property
-    def dimension(self):
+    def dimension(self) -> Any:
         return None if self.unit is None else units.parse_unit(self.unit).dimension
 
     @property
-    def wants(self):
+    def wants(self) -> str:
         if self.equation:
             return "an equation"
         if self.unit is None:
             return "an expression"
         return units.wanted(self.unit, self.dimension)
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         if not isinstance(node, Scalar) or not node.text.strip():
             return reader.expected(node, self.wants, f"write for example {self.sample}" if self.sample else None)
         try:
@@ -75,7 +75,7 @@ class Quantity(NamedTuple):
     def sample(self) -> str:
         return f"3 {self.unit}" if self.unit and self.dimension else None
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         return {"type": ["string", "number"]}
 
 
@@ -104,7 +104,7 @@ class NewName(Text):
 
     wants = "a name"
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         return check_name(node, reader, ("t", "pi")) if isinstance(node, Scalar) else reader.expected(node, self.wants)
 
 
@@ -114,14 +114,14 @@ class NameOf(Kind):
     def __init__(self, wants: str, *namespaces: str):
         self.wants, self.namespaces = wants, namespaces
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         if not isinstance(node, Scalar) or not node.text.strip():
             return reader.expected(node, self.wants)
         name = Reference(plain_name(node.text.strip()), node.where)
         reader.references.append((name, self.namespaces, self.wants))
         return name
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         return {"type": "string"}
 
 
@@ -130,17 +130,17 @@ class Choice(Kind):
         self.words = words
 
     @property
-    def wants(self):
+    def wants(self) -> str:
         *words, last = self.words
         return ("one of " if len(words) > 1 else "") + (", ".join(words) + " or " if words else "the word ") + last
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         if not isinstance(node, Scalar) or node.text not in self.words:
             meant = near(node.text, self.words) if isinstance(node, Scalar) else None
             return reader.expected(node, self.wants, meant and f"did you mean '{meant}'?")
         return node.text
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         return {"enum": [*self.words, *(int(word) for word in self.words if word.isdecimal())]}
 
 
@@ -150,7 +150,7 @@ class WholeNumber(Kind):
     def __init__(self, most: int, least: int = 1):
         self.wants, self.least, self.most = f"a whole number from {least} to {most}", least, most
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         text = node.text.strip() if isinstance(node, Scalar) else ""
         if not (text.isascii() and text.isdigit()) or int(text) < self.least:
             return reader.expected(node, self.wants)
@@ -159,7 +159,7 @@ class WholeNumber(Kind):
                                  f"ask for {self.most} at most")
         return int(text)
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         return {"type": "integer", "minimum": self.least, "maximum": self.most}
 
 
@@ -167,11 +167,11 @@ class Flag(Choice):
     def __init__(self):
         super().__init__("true", "false")
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         word = super().read(node, reader)
         return None if word is None else word == "true"
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         return {"type": "boolean"}
 
 
@@ -184,10 +184,10 @@ class Many(NamedTuple):
     named: str | None = None
 
     @property
-    def wants(self):
+    def wants(self) -> str:
         return self.named or (f"a list of {self.least}" if self.least == self.most else "a list")
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         if not isinstance(node, Sequence) or not self.least <= len(node.items) <= self.most:
             if isinstance(node, Sequence):
                 count = {0: "an empty list", 1: "one item"}.get(len(node.items), f"{len(node.items)} items")
@@ -209,7 +209,7 @@ class Many(NamedTuple):
         return f"put a comma between them: [{', '.join(parts)}]" if (
             1 < len(parts) == self.least and all(part.isidentifier() for part in parts)) else None
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         return {"type": "array", "items": self.kind.schema(), "minItems": self.least, "maxItems": self.most}
 
 
@@ -232,13 +232,13 @@ class OneOf(NamedTuple):
         pairs = ((Scalar, self.scalar), (Sequence, self.sequence), (Mapping, self.mapping))
         return {form: kind for form, kind in pairs if kind is not None}
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         kind = self.kinds.get(type(node))
         if kind is None:
             return reader.expected(node, self.wants, self.advice if isinstance(node, Mapping) else None)
         return kind.read(node, reader)
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         return {"anyOf": [kind.schema() for kind in self.kinds.values()]}
 
 

@@ -35,7 +35,7 @@ class Lazy(NamedTuple):
     def __getattr__(self, attribute: str) -> Callable | str:
         return getattr(self.module.ELEMENT, attribute)
 
-    def read(self, node: Any, reader: Any, *named: "str | Where"):
+    def read(self, node: Any, reader: Any, *named: "str | Where") -> Any:
         return self.module.ELEMENT.read(node, reader, *named)
 
 
@@ -54,7 +54,7 @@ class LazyKind(NamedTuple):
     def __getattr__(self, attribute: str) -> Callable | str:
         return getattr(self.opened, attribute)
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         return self.opened.read(node, reader)
 
 
@@ -65,7 +65,7 @@ class Named(NamedTuple):
     wants: str
     forbidden: tuple[str, ...] = ()
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         if not isinstance(node, Mapping):
             return reader.expected(node, self.wants)
         records, places = {}, {}
@@ -83,5 +83,5 @@ class Named(NamedTuple):
                 records[name], places[name] = record, key_node.where
         return ByName(records, places)
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         return {"type": "object", "additionalProperties": self.kind.schema()}

@@ -26,7 +26,7 @@ class _PointAsDrawn(NameOf):
     def __init__(self):
         super().__init__("a place [x, y] or the name of a point", "points")
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         if not isinstance(node, Scalar) or not plain_name(node.text.strip()).isidentifier():
             return reader.expected(node, self.wants)
         name = super().read(node, reader)

@@ -78,7 +78,7 @@ class OtherLiterals(Parameters):
         self.untold, self.in_letters = like.untold, like.in_letters
 
     @cached_property
-    def definitions(self):
+    def definitions(self) -> dict[str, Any]:
         return {**self._like.definitions, **self._lowered(self._literals)}
 
     def floats(self, before: Mapping[str, float]) -> dict[str, float] | None:

@@ -204,7 +204,7 @@ def definition_order(records: Mapping[str, Record]) -> list[str]:
     return list(done)
 
 
-def unusable(value: "float | mpmath.mpf", arithmetic: Any):
+def unusable(value: "float | mpmath.mpf", arithmetic: Any) -> tuple[str, str] | None:
     """(what is wrong, hint) of a value that is no finite number of usual size, else None."""
     if not arithmetic.isfinite(value):
         return "not a finite real number", "look for a division by zero, or a root or logarithm of a negative number"
@@ -213,7 +213,7 @@ def unusable(value: "float | mpmath.mpf", arithmetic: Any):
     return None
 
 
-def require_values(parameters: Parameters, what: str):
+def require_values(parameters: Parameters, what: str) -> None:
     """Refuse a numeric question about a scene that has symbols without value."""
     if parameters.free:
         names = ", ".join(parameters.free)

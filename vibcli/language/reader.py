@@ -43,7 +43,7 @@ class Reader:
         self.along = {}
         self.sound = True
 
-    def report(self, where: Where, message: str, hint: str | None = None):
+    def report(self, where: Where, message: str, hint: str | None = None) -> None:
         self.diagnostics.append(Diagnostic(where, message, hint))
         if len(self.diagnostics) == MOST_PROBLEMS:
             self.diagnostics.append(Diagnostic(where, "too many problems: reading stops here", "mend these first"))
@@ -73,7 +73,7 @@ class Reader:
             self.files[scene, name] = read(scene, name)
         return self.files[scene, name]
 
-    def at_places(self, tree: Any):
+    def at_places(self, tree: Any) -> Any:
         """A tree with the signals of places on members, where there are any."""
         if not self.members:
             return tree
@@ -81,7 +81,7 @@ class Reader:
 
         return with_places(tree, self.members)
 
-    def expected(self, node: Any, what: str, hint: str | None = None):
+    def expected(self, node: Any, what: str, hint: str | None = None) -> None:
         self.report(node.where, f"expected {what}, found {_found(node)}", hint)
 
 
@@ -166,8 +166,10 @@ def check_name(node: "Scalar", reader: Reader, forbidden: Any = ()) -> str:
     """A name chosen by the writer, Greek letters spelt out; None and a diagnostic where it is not one."""
     name = plain_name(node.text)
     if not name.isidentifier() or not name.isascii() or len(name) > 32:
-        return reader.report(node.where, f"{quoted(node.text)} is not a name", _meant(node.text))
+        reader.report(node.where, f"{quoted(node.text)} is not a name", _meant(node.text))
+        return None
     if name in forbidden:
-        return reader.report(node.where, f"'{node.text}' is a word of the language and cannot be a name here",
-                             "choose another name")
+        reader.report(node.where, f"'{node.text}' is a word of the language and cannot be a name here",
+                      "choose another name")
+        return None
     return name

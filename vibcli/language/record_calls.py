@@ -14,7 +14,7 @@ def own(name: str) -> str:
     return name + "()"
 
 
-def with_record_calls(tree: Any, names: Sequence[str]):
+def with_record_calls(tree: Any, names: Sequence[str]) -> Any:
     """The tree in which `ag(…)` is a call, where ag is the name of a record."""
     def change(part):
         if isinstance(part, QuantityRef) and part.head == VALUE and isinstance(part.args[0], NameRef) and (

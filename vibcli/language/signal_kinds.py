@@ -14,7 +14,7 @@ class SignalField(Kind):
 
     wants = "a signal such as x, x' or s.force"
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         if not isinstance(node, Scalar) or not node.text.strip():
             return reader.expected(node, self.wants)
         try:
@@ -22,7 +22,7 @@ class SignalField(Kind):
         except ExpressionError as error:
             return reader.report(node.place(error.offset, error.width), error.message, error.hint)
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         return {"type": "string"}
 
 

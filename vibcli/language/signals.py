@@ -7,6 +7,9 @@ from vibcli.language.reader import Record
 from vibcli.language.signal_names import signal_name
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from fractions import Fraction
+
     from vibcli.language.spec import Spec
 
 POINT = {"x": "m", "y": "m", "reaction.x": "N", "reaction.y": "N", "reaction.moment": "N*m"}
@@ -52,7 +55,7 @@ ABOUT = (
 )
 
 
-def signal_dimension(spec: "Spec", text: str):
+def signal_dimension(spec: "Spec", text: str) -> "Mapping[str, Fraction | int] | None":
     """The dimension of a signal; None where the scene has none of that name."""
     unit = _unit(spec, text)
     return None if unit is None else units.parse_unit(unit).dimension

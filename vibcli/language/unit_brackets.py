@@ -12,7 +12,7 @@ _BRACKET = re.compile(r"([*/·])?\s*\(([^()]*)\)(?:\s*(?:\^|\*\*)\s*(?:(-?\d+(?:
 _UNIT = re.compile(r"\s*([*/·]?)\s*([A-Za-zµμ°%]+|1(?=\s*/))(?:\s*(?:\^|\*\*)\s*(-?\d+(?:\.\d+)?))?\s*")
 
 
-def opened(text: str, start: int):
+def opened(text: str, start: int) -> str | None:
     """The text of a number with its unit without the brackets about the unit at `start`; None of anything else."""
     for bracket in _BRACKET.finditer(text):
         if not bracket.start(2) <= start < bracket.end(2):

@@ -9,7 +9,7 @@ WIDTH = 88
 JOINT = "\x1f"
 
 
-def paragraph(text: Any, indent: Any = 0):
+def paragraph(text: Any, indent: Any = 0) -> list[str]:
     """Wrapped lines of a text; what stands between backquotes stays on one line."""
     space = " " * indent
     lines = textwrap.wrap(_joined(text), WIDTH, initial_indent=space, subsequent_indent=space, break_on_hyphens=False,
@@ -22,7 +22,7 @@ def _joined(text):
     return re.sub(r"`[^`]{1,60}`", lambda code: code.group().replace(" ", JOINT), text)
 
 
-def table(rows: Iterable, indent: int = 2, least: int = 0):
+def table(rows: Iterable, indent: int = 2, least: int = 0) -> list[str]:
     """Rows (term, text, …): the terms in one column, their texts wrapped one below the other in the next."""
     rows = list(rows)
     column = indent + max([least, *(len(row[0]) for row in rows)]) + 2

@@ -10,6 +10,7 @@ import vibcli
 from vibcli.language.document.document import read_file
 
 if TYPE_CHECKING:
+    from vibcli.language.document.nodes import Mapping
     from vibcli.manual.catalogue import Catalogue
 
 FOLDERS = ("templates", "examples")
@@ -52,7 +53,7 @@ def title(name: str) -> str:
 
 
 @cache
-def document(name: str):
+def document(name: str) -> "Mapping":
     """The document of a template or example, which nobody changes."""
     return read_file(path(name))[0]
 

@@ -88,7 +88,7 @@ def _text(node):
     return keys.plain(textbook(node))
 
 
-def shape_page(catalogue: "Catalogue", word: str):
+def shape_page(catalogue: "Catalogue", word: str) -> str:
     needs = ", ".join(f"`{key}`" for key in NEEDS[word]) or "no size"
     return blocks([f"{word} — a shape of a body"], table([("needs", needs), ("has", *shape_facts(word))]),
                   ["All shapes: vibcli explain shapes"])

@@ -29,7 +29,7 @@ class Latex(Stacked):
     def marked(self, text: str, marks: int) -> str:
         return text + "'" * marks
 
-    def lettered(self, letter: Any, below: Any, primes: Any):
+    def lettered(self, letter: Any, below: Any, primes: Any) -> str:
         letter = NAMES.get(letter, letter)
         if letter == "ℓ":
             letter = r"\ell"

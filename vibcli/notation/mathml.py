@@ -39,7 +39,7 @@ class MathML(Stacked):
     def marked(self, text: str, marks: int) -> str:
         return f"<msup>{row(text)}<mo>{'′' * marks}</mo></msup>"
 
-    def lettered(self, letter: Any, below: Any, primes: Any):
+    def lettered(self, letter: Any, below: Any, primes: Any) -> str:
         found = f"<mi>{escape(GREEK.get(letter, letter))}</mi>"
         if primes:
             found = f"<mover>{found}<mtext>{'.' * len(primes)}</mtext></mover>"      # accents fall into the letter

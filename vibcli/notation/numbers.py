@@ -79,7 +79,7 @@ def quantity(value: float, dimension: "Mapping[str, Fraction | int]", error: flo
     return figure(value, error), f" {unit}".rstrip() + degrees
 
 
-def table(rows: Sequence[list[str]], head: Sequence[str]):
+def table(rows: Sequence[list[str]], head: Sequence[str]) -> list[str]:
     """Lines of an aligned table; columns two spaces apart."""
     cells = [head, *rows]
     widths = [max(width(row[i]) for row in cells) for i in range(len(head))]

@@ -44,7 +44,7 @@ class Notation:
     def __call__(self, node: "Node") -> str:
         return self.write(node, 0)
 
-    def write(self, node: "Node", tightness: int):
+    def write(self, node: "Node", tightness: int) -> str:
         """`tightness`: 0 within a sum, 1 within a product, 2 as the base of a power or argument."""
         return getattr(self, "_" + node.op)(node, tightness)
 
@@ -53,7 +53,7 @@ class Notation:
         loose = node.coefficient < 0 or (tightness > 1 and not decimal(node.coefficient).isdigit())
         return self.brackets(text) if loose and tightness else text
 
-    def numeral(self, text: str):
+    def numeral(self, text: str) -> str:
         """A number as floats are printed, 1.2e+06."""
         return text
 
@@ -163,7 +163,7 @@ class Notation:
         """(value, above, below, under the root above, below it): a rational and lists of (node, exponent)."""
         return split(value, sorted(args, key=factor_rank))
 
-    def powered(self, base: Any, exponent: Any, alone: Any):
+    def powered(self, base: Any, exponent: Any, alone: Any) -> str:
         if base.op == "call" and exponent != 1:
             angled = base.name in ("sin", "cos", "tan", "sinh", "cosh", "tanh")
             if angled and exponent.denominator == 1:
@@ -246,7 +246,7 @@ class Plain(Notation):
         """Does a product begin with a decimal, rather than have its denominator below the line?"""
         return shown_as_decimal(value)
 
-    def product(self, value: Any, args: Any):
+    def product(self, value: Any, args: Any) -> str:
         value, above, below, root_above, root_below = self.factors(value, args)
         single = len(above) == 1 and value.numerator == 1 and not (below or root_above or root_below)
         tops = [self.powered(base, e, single and value == 1) for base, e in above]

@@ -111,7 +111,7 @@ def enclosed(text: str) -> bool:
     return closing(text, 0) == len(text) - 1
 
 
-def closing(text: str, at: int):
+def closing(text: str, at: int) -> int | None:
     """The place of the bracket that closes the one at a place; None where there is none."""
     depth = 0
     for i in range(at, len(text)):

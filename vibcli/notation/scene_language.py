@@ -47,7 +47,7 @@ class Language(Plain):
         text = f"{name}({self.write(arg, 0)})"
         return text if exponent == 1 else self.power(text, self.number(exponent))
 
-    def powered(self, base: Any, exponent: Any, alone: Any):
+    def powered(self, base: Any, exponent: Any, alone: Any) -> str:
         """A lone base as well: a number too long to be multiplied out may be negative."""
         return super().powered(base, exponent, False)
 

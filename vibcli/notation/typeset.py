@@ -112,7 +112,7 @@ class Stacked(Notation):
     def over(self, text: str, below: int) -> str:
         return self.fraction(text, self.numeral(str(below)))
 
-    def product(self, value: Any, args: Any):
+    def product(self, value: Any, args: Any) -> str:
         value, above, below, root_above, root_below = self.factors(value, args)
         alone = len(above) == 1 and value.numerator == 1 and not (root_above or root_below)
         lone_root = root_below and not root_above

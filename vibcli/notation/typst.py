@@ -31,7 +31,7 @@ class Typst(Stacked):
     def marked(self, text: str, marks: int) -> str:
         return f"{text}^({' '.join(['prime'] * marks)})" if marks else text
 
-    def lettered(self, letter: Any, below: Any, primes: Any):
+    def lettered(self, letter: Any, below: Any, primes: Any) -> str:
         letter = ACCENTS[primes].format(self.word(letter))
         if not below:
             return letter

@@ -58,7 +58,7 @@ def _share(a, b, c, fa, fb, fc, step):
     return np.clip(share, edge, 1 - edge), np.minimum(share, 1 - share) < SHORT * edge
 
 
-def maxima_between(function: Callable, low: Any, high: "float | mpmath.mpf", sections: int = SECTIONS):
+def maxima_between(function: Callable, low: Any, high: "float | mpmath.mpf", sections: int = SECTIONS) -> np.ndarray:
     """Where a function is largest in each of the intervals in which it has one maximum, by golden section."""
     for _ in range(sections if len(low) else 0):
         left, right = low + GOLDEN * (high - low), high - GOLDEN * (high - low)

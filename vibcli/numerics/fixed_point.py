@@ -38,7 +38,7 @@ def shifted(m: int, by: int) -> int:
     return (m + (1 << (-by - 1))) >> -by
 
 
-def fixed(x: np.ndarray, bits: int):
+def fixed(x: np.ndarray, bits: int) -> Any:
     """The float array or number x in fixed point."""
     if np.ndim(x) == 0:
         m, e = mantissa(x)
@@ -58,7 +58,7 @@ def to_float(a: int, bits: int) -> float:
     return math.ldexp(float(a), -bits)
 
 
-def times_power(x: np.ndarray, power: int):
+def times_power(x: np.ndarray, power: int) -> float:
     """x 2^power as a float, of whatever mantissa() takes."""
     m, e = mantissa(x)
     return to_float(m, -(e + power))

@@ -91,7 +91,7 @@ def holds_everywhere(scan: Scan) -> bool:
     return bool(values) and max(map(abs, values)) <= TOUCHING
 
 
-def longest_plateau(scan: Scan):
+def longest_plateau(scan: Scan) -> tuple[float, float] | None:
     """(from, to) where the function is zero at FLAT neighbouring points or more; None where it is nowhere flat. Points
     beside a zero are so near to it that it is small there anyway."""
     points, best, run = scan.defined(), [], []

@@ -22,7 +22,7 @@ class Canvas:
         wide, high = 2 * self.columns - 1, 4 * self.rows - 1
         return min(max(across, -1.0), 2.0) * wide, min(max(1 - up, -1.0), 2.0) * high
 
-    def column(self, across: float):
+    def column(self, across: float) -> int:
         return rounded(self.dots(across, 0.0)[0]) // 2
 
     def row(self, up: float) -> int:
@@ -63,13 +63,13 @@ class Canvas:
                  if (rows := [row for row, dots in enumerate(layer[column::self.columns]) if dots])}
                 for column in range(self.columns)]
 
-    def free(self, row: int, column: int, length: int):
+    def free(self, row: int, column: int, length: int) -> bool:
         """Is there room for a text here?"""
         if not (0 <= row < self.rows and column >= 0 and column + length <= self.columns):
             return False
         return not any((row, c) in self.letters or self.used(row, c) for c in range(column, column + length))
 
-    def write(self, row: int, column: int, cells: Sequence[str] | str):
+    def write(self, row: int, column: int, cells: Sequence[str] | str) -> None:
         """Put cells of text, over dots where they are; what lies outside is left out."""
         for i, cell in enumerate(cells):
             if 0 <= row < self.rows and 0 <= column + i < self.columns:

@@ -79,7 +79,8 @@ def _turns(lags):
     return (float(low), float(high)) if high > low else (low - 90.0, high + 90.0)
 
 
-def nyquist(Omega: Any, H: "Mapping[str, list[float] | np.ndarray]", unit: str, at: Any = (), title: str = ""):
+def nyquist(Omega: Any, H: "Mapping[str, list[float] | np.ndarray]", unit: str, at: Any = (),
+            title: str = "") -> Figure:
     """The frequency response in the complex plane, {label: complex values}; `at`: angular frequencies whose points
     are marked with their values."""
     factor, unit = readable(largest([h for values in H.values() for h in values]), unit_text(unit))

@@ -1,7 +1,7 @@
 """Panels on the page; Matplotlib's constrained layout gives every label its room."""
 
 from textwrap import wrap
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.plots import style
 from vibcli.plots.axes import draw
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 _LINE, _WORD, _LINES = 66, 40, 3      # columns of a line and of a word of the title; its lines
 
 
-def drawn(figure: "Figure"):
+def drawn(figure: "Figure") -> Any:
     """The Matplotlib figure, complete."""
     from matplotlib.figure import Figure
 

@@ -143,7 +143,7 @@ def _without_poles(values, low, high):
     return max(low, ordered[tenth] - 3), min(high, ordered[-1 - tenth] + 3)
 
 
-def thinned(run: Sequence[tuple[float, float]], axis: Axis, columns: int):
+def thinned(run: Sequence[tuple[float, float]], axis: Axis, columns: int) -> Sequence[tuple[float, float]]:
     """Of the points that follow each other within one column the first, lowest, highest and last: the same drawing."""
     if len(run) <= 2 * columns:
         return run
@@ -177,7 +177,7 @@ def _extremes(group):
     return [group[i] for i in kept]
 
 
-def scaled(sheet: Sheet, ratio: float):
+def scaled(sheet: Sheet, ratio: float) -> Sheet:
     """The sheet, with one scale where its panel wants it, for paper `ratio` times as wide as high: the axis with room
     to spare is widened."""
     width, height = sheet.x.high - sheet.x.low, sheet.y.high - sheet.y.low

@@ -13,7 +13,7 @@ _OPTIONS: dict[str, dict] = {      # neither date nor version; less time for the
     "pdf": {"metadata": {"Creator": None, "Producer": None, "CreationDate": None}}}
 
 
-def library():
+def library() -> Any:
     """Matplotlib, which says nothing of the folder that it would keep its cache in; imported where it draws."""
     import logging
 

@@ -53,7 +53,7 @@ def _panels(t, t_label, unit, group):
     return [_panel(t, t_label, unit, factor, [one])._replace(tall=0.6, y_range=scale) for one in group]
 
 
-def turns(values: Sequence[float]):
+def turns(values: Sequence[float]) -> int:
     """How often a signal turns between up and down."""
     steps = [b - a for a, b in pairwise(values)]
     return sum(a * b < 0 for a, b in pairwise(steps))

@@ -13,6 +13,7 @@ from vibcli.symbolic.semantics import DimensionCheck, constant, literal_unit
 from vibcli.symbolic.syntax import Equation, ExpressionError, NameRef, Product
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from fractions import Fraction
 
     from vibcli.language.reader import Record
@@ -93,7 +94,7 @@ def _unit_of(tree):
     return None if asked is None or asked.own_unit is None else units.parse_unit(asked.unit)
 
 
-def known_dimension(spec: "Spec", tree: Any) -> "dict[str, Fraction | int] | None":
+def known_dimension(spec: "Spec", tree: Any) -> "Mapping[str, Fraction | int] | None":
     """The dimension of a tree, as far as it is known."""
     def of(name, primes):
         return units.times(spec.dimensions.of(name), units.TIME, -primes)

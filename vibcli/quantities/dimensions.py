@@ -8,13 +8,14 @@ from vibcli.symbolic.semantics import DimensionCheck
 from vibcli.symbolic.syntax import ExpressionError, QuantityRef
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from fractions import Fraction
 
     from vibcli.language.reader import Expression
     from vibcli.language.spec import Spec
 
 
-def asked_dimension(spec: "Spec", tree: QuantityRef):
+def asked_dimension(spec: "Spec", tree: QuantityRef) -> "Mapping[str, Fraction | int] | None":
     """The dimension of a quantity; None where any fits, or something in it is unknown."""
     if is_choice(spec, tree):
         return spec.dimensions.of(tree.head)

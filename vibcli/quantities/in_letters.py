@@ -56,7 +56,7 @@ def _frequency(problem, tree):
     return node * 2 * scene.table.pi if counts_cycles(problem.spec, tree) else node
 
 
-def size_of(problem: "Problem", response: "Formula"):
+def size_of(problem: "Problem", response: "Formula") -> "Node":
     """|H| as an expression."""
     table = problem.scene.table
     size, = copied([response.amplitude], table)

@@ -8,6 +8,8 @@ from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.quantities.quantity import ROUNDING, Declaration
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
     from vibcli.language.spec import Spec
     from vibcli.results.problem import Problem
     from vibcli.symbolic.syntax import QuantityRef
@@ -59,12 +61,12 @@ def _symbolic(problem, tree):
     return matrix.get(tuple(map(coordinates.index, names)), problem.scene.table.zero)
 
 
-def entry_dimension(which: str, q: Any, r: Mapping[str, Any]):
+def entry_dimension(which: str, q: Any, r: Mapping[str, Any]) -> "dict[str, Fraction | int]":
     """Of the entry of a matrix, given the dimensions of two coordinates: energy·timeᵖ/(q·r)."""
     return units.times(units.times(units.times(units.ENERGY, units.TIME, POWERS[which]), q, -1), r, -1)
 
 
-def dimension(spec: "Spec", tree: "QuantityRef") -> dict[str, int]:
+def dimension(spec: "Spec", tree: "QuantityRef") -> "dict[str, Fraction | int]":
     """Of an entry."""
     return entry_dimension(tree.head, *(spec.dimensions.of(spec.coordinate_name(index)) for index in tree.indices))
 

@@ -166,7 +166,7 @@ def _measured(spec, slopes=False):
     return found[0] if found and all(one == found[0] for one in found) else None
 
 
-def of_shape(spec: "Spec", tree: "QuantityRef", slopes: bool = False):
+def of_shape(spec: "Spec", tree: "QuantityRef", slopes: bool = False) -> dict[str, Any] | None:
     """The dimension of an amplitude where all that may be 1 measures the same, `slopes` of beams too; else None."""
     from vibcli.quantities.signal_dimensions import name_dimension
 

@@ -111,7 +111,7 @@ class Declaration(NamedTuple):
         return "response" if self.args[0] == "signal" else "frequency_response"
 
 
-def one(problem: "Problem", tree: QuantityRef):
+def one(problem: "Problem", tree: QuantityRef) -> float:
     """The size of an angle or a ratio."""
     return 1.0
 

@@ -7,18 +7,19 @@ from vibcli.language.signal_names import signal_name
 from vibcli.language.signals import ENERGIES, prescribed, signal_dimension
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from fractions import Fraction
 
     from vibcli.language.spec import Spec
 
 
-def name_dimension(spec: "Spec", name: str):
+def name_dimension(spec: "Spec", name: str) -> "Mapping[str, Fraction | int] | None":
     """The dimension of a coordinate, parameter or signal."""
     known = name in spec.coordinates or name in spec.parameters
     return spec.dimensions.of(name) if known else signal_dimension(spec, name)
 
 
-def output_dimension(spec: "Spec", text: str):
+def output_dimension(spec: "Spec", text: str) -> "Mapping[str, Fraction | int] | None":
     """The dimension of a coordinate or signal, with its primes; None where there is none of that name."""
     primes, name = (signal := signal_name(text)).primes, signal.still.text
     found = spec.dimensions.of(name) if name in spec.coordinates else signal_dimension(spec, name)
@@ -54,7 +55,7 @@ def _within_functions(tree):
     return all(_within_functions(child) for child in tree.children)
 
 
-def input_dimension(spec: "Spec", name: str):
+def input_dimension(spec: "Spec", name: str) -> "Mapping[str, Fraction | int] | None":
     """The dimension of a unit of an input: of a force, moment, unbalance, displacement or generalised force, of a load
     along a member that of its largest value."""
     record = (spec.get("forces") or {}).get(name)

@@ -73,7 +73,7 @@ def _is_signal(spec, name):
     return output_dimension(spec, name) is not None
 
 
-def checked(spec: "Spec", reader: Reader, answer: Answer):
+def checked(spec: "Spec", reader: Reader, answer: Answer) -> Answer:
     """The finished Answer, a name alone being the quantity that it means; reports what cannot be asked, and an expected
     value that has not its dimension."""
     asked, expected = as_quantity(spec, answer.asked), answer.expected

@@ -46,27 +46,34 @@ def settle(spec: "Spec", reader: Reader) -> "Spec":
 
         due |= {value.scalar: spec.dimensions.unknown(name) for value, name in varied(spec)}
     _bounded(spec, reader)
-    known = dict.fromkeys((*spec.parameters, *spec.coordinates, "t"))
     if "t" not in spec.parameters and "t" not in spec.coordinates:
         spec.dimensions.equate(spec.dimensions.unknown("t"), units.TIME)
     values = {value.scalar: value for value in (p.get("value") for p in spec.parameters.values()) if value is not None}
+    apart |= set(values)
     moving = _moving(spec, reader)
     reader.at_speed.update(expected)
     if "t" in spec.parameters:
         _time_is_taken(reader)
-    for scalar, expression in reader.expressions.items():
-        if scalar not in apart and scalar not in values:
-            names = known if scalar in moving else spec.parameters
-            local = reader.local_names.get(scalar)
-            check(spec, reader, expression, names if local is None else {**names, local[0]: None},
-                  due.get(scalar, expression.dimension), local)
+    _dimensions(spec, reader, apart, moving, due)
     for expression in (reader.expressions | values).values():
         if expression.parts.whole and len(expression.parts.whole.units) > 1:
             check_whole_literal(spec, reader, expression)
     if not circular:
-        _cycles(spec, reader, apart | set(values))
+        _cycles(spec, reader, apart)
     spec = spec._replace(asked_dimension=asked_dimension)
     return _asked(spec, reader, before)
+
+
+def _dimensions(spec, reader, apart, moving, due):
+    """Expressions fit together, and measure what is due where they stand; those in `apart` are no such, or come later;
+    in `moving` ones stand coordinates and the time."""
+    known = dict.fromkeys((*spec.parameters, *spec.coordinates, "t"))
+    for scalar, expression in reader.expressions.items():
+        if scalar not in apart:
+            names = known if scalar in moving else spec.parameters
+            local = reader.local_names.get(scalar)
+            check(spec, reader, expression, names if local is None else {**names, local[0]: None},
+                  due.get(scalar, expression.dimension), local)
 
 
 def _asked(spec, reader, before):

@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from vibcli.language.reader import Expression, Reader
     from vibcli.language.spec import Spec
 
+OF_ELEMENTS = ("law", "mass", "centre", "J")       # quantities of what not every element has
+
 
 def can_be_asked(spec: "Spec", reader: "Reader", expression: "Expression", tree: QuantityRef,
                  bare: bool = False) -> bool:
@@ -35,13 +37,7 @@ def can_be_asked(spec: "Spec", reader: "Reader", expression: "Expression", tree:
         reader.report(place, f"unknown quantity '{head}'", nearest(head, FAMILIES) or ALL)
         return False
     own, number = about_which(tree)
-    most = len(quantity.indices)
-    if not most - quantity.spare <= len(own.indices) <= most:
-        words = "no index", "one index", "two indices", "three indices"
-        takes = " or ".join(words[most - quantity.spare:most + 1])
-        beyond = quantity.several and len(indices) == most + 1
-        reader.report(place, f"'{head}' takes {takes}, found {len(indices) or 'none'}", "write "
-                      + usage_of(head, quantity, spec) + "[2] for the second equilibrium" * beyond)
+    if not _as_many_indices(spec, reader, place, tree, len(own.indices)):
         return False
     kinds = quantity.indices[:len(own.indices)] + ("equilibrium",) * (number is not None)
     if not arguments_fit(spec, reader, expression, tree, bare):
@@ -57,26 +53,24 @@ def can_be_asked(spec: "Spec", reader: "Reader", expression: "Expression", tree:
         return False
     if not all(_index(spec, reader, place, kind, index) for kind, index in zip(kinds, indices, strict=True)):
         return False
-    bodies = spec.get("bodies") or {}
-    if head == "law" and len(indices) == 2 and indices[1][0] != (letter := _law_letter(spec, indices[0])):
-        reader.report(place, f"the law of '{indices[0]}' is a function of {letter}",
-                      f"write law[{indices[0]}, {letter}{indices[1][1:]}]")
-        return False
-    lumped = [name for name in indices if name in bodies and not {"at", "from", "parts"} & set(bodies[name].places)]
-    if lumped and (head == "centre" or (head == "J" and len(indices) == 2)):
-        reader.report(place, f"'{lumped[0]}' has no place", "say where it is drawn with `at: [x, y]`")
-        return False
-    if head == "mass" and not {"mass", "density", "parts"} & set(bodies[indices[0]].places):
-        turns = "inertia" in bodies[indices[0]].places
-        reader.report(place, f"'{indices[0]}' has no mass", "give it `mass: m`"
-                      + f", or ask for J[{indices[0]}], its moment of inertia" * turns)
-        return False
+    if head in OF_ELEMENTS:
+        from vibcli.reader.element_check import has_what_is_asked
+
+        return has_what_is_asked(spec, reader, place, tree)
     return True
 
 
-def _law_letter(spec, name):
-    """What a law is a function of: the deflection d of a spring, the rate v of a damper."""
-    return "v" if name in (spec.get("dampers") or {}) else "d"
+def _as_many_indices(spec, reader, place, tree, count):
+    quantity = declared(tree)
+    most = len(quantity.indices)
+    if most - quantity.spare <= count <= most:
+        return True
+    words = "no index", "one index", "two indices", "three indices"
+    takes = " or ".join(words[most - quantity.spare:most + 1])
+    beyond = quantity.several and len(tree.indices) == most + 1
+    reader.report(place, f"'{tree.head}' takes {takes}, found {len(tree.indices) or 'none'}", "write "
+                  + usage_of(tree.head, quantity, spec) + "[2] for the second equilibrium" * beyond)
+    return False
 
 
 def _index(spec, reader, place, kind, index):
@@ -277,8 +271,9 @@ def _wanted(spec, reader, expression, kind, tree):
         return units.RATE, "a frequency (rad/s or Hz)", "20 rad/s or 5 Hz"
     if kind == "deflection":
         from vibcli.quantities.signal_dimensions import deflection_dimension
+        from vibcli.reader.element_check import law_letter
 
-        rate, found = _law_letter(spec, tree.indices[0]) == "v", deflection_dimension(spec, tree.indices[0])
+        rate, found = law_letter(spec, tree.indices[0]) == "v", deflection_dimension(spec, tree.indices[0])
         unit = ("m" if found in (units.LENGTH, units.SPEED) else "rad") + "/s" * rate
         return found, f"a {'rate of ' * rate}deflection ({unit})", f"0.1 {unit}"
     found = _dimension(spec, reader, expression, tree.args[0])

@@ -33,7 +33,7 @@ class _Cases(Kind):
 
     wants = "a mapping from names to parts of the scene"
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> dict[str, Mapping] | None:
         if not isinstance(node, Mapping):
             return reader.expected(node, self.wants)
         if len(node.entries) > MOST_CASES:
@@ -45,7 +45,7 @@ class _Cases(Kind):
                 reader.report(key_node.where, f"the case '{key}' cannot hold cases itself")
         return {key: value for key, (_, value) in node.entries.items() if isinstance(value, Mapping)}
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         return {"type": "object", "additionalProperties": {"type": "object"}}
 
 

@@ -178,7 +178,7 @@ class Document(NamedTuple):
     refusal: Refusal | None = None
 
 
-def maths(*parts: "str | Name | Words | Typed | Node"):
+def maths(*parts: "str | Name | Words | Typed | Node") -> Maths:
     return Maths(parts)
 
 
@@ -220,7 +220,7 @@ def note(*parts: Any) -> Paragraph:
     return paragraph("(", *parts, ")", hang=1, aside=True)
 
 
-def paragraph(*parts: Any, hang: int | None = 2, aside: bool = False):
+def paragraph(*parts: Any, hang: int | None = 2, aside: bool = False) -> Paragraph:
     return Paragraph(parts, hang, aside)
 
 

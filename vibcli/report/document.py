@@ -52,7 +52,7 @@ class Report:
         """Is there a section of this title?"""
         return any(section.title == title for section in self.sections)
 
-    def append(self, sections: Sequence[Section]):
+    def append(self, sections: Sequence[Section]) -> None:
         """Add sections that are written."""
         self.sections.extend(sections)
 

@@ -5,7 +5,7 @@
     Key("modes", "a list …", each=(Key(…), …))           a list of objects with these keys; `of`: one such object
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
@@ -30,7 +30,7 @@ class Key(NamedTuple):
         return dict(zip([key.name for key in self.each or self.of], values, strict=True))
 
 
-def documented(keys: Sequence[Key], path: str = ""):
+def documented(keys: Sequence[Key], path: str = "") -> Iterator[tuple[str, str]]:
     """(path, what it means) of all keys: dots lead into objects, [] into lists."""
     for key in keys:
         yield path + key.name, key.about
@@ -54,7 +54,7 @@ def _value(key, found, digits):
     return data(key.of, value, digits) if key.of else [data(key.each, one, digits) for one in value]
 
 
-def plain(value: Any, digits: Any = None):
+def plain(value: Any, digits: Any = None) -> Any:
     """A value as JSON has it: an expression as a text of the language, a complex number as [re, im]."""
     if value is None or isinstance(value, (str, bool, int, float)):
         return value

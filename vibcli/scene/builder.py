@@ -2,7 +2,7 @@
 they contribute."""
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import Diagnostic, SpecError, Where
 from vibcli.elements import ELEMENTS
@@ -167,7 +167,7 @@ class Builder:
         drives = self.displacements.driven
         return any(x in drives and not stays_bounded(drives[x], self.time, self.sample) for x in gradient(motion))
 
-    def owned(self, name: str, build: Callable):
+    def owned(self, name: str, build: Callable) -> Any:
         """What `build` gives, its terms being those of the element of that name."""
         before, self.owner = self.owner, name
         found = build()
@@ -255,7 +255,7 @@ class Reports:
     def __init__(self):
         self.diagnostics, self.finished = [], False
 
-    def report(self, where: Where, message: str, hint: str | None = None):
+    def report(self, where: Where, message: str, hint: str | None = None) -> None:
         """Something is wrong at a place of the file, which is said once."""
         if self.finished or not any((found.where, found.message) == (where, message) for found in self.diagnostics):
             self.diagnostics.append(Diagnostic(where, message, hint))

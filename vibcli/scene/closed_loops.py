@@ -160,7 +160,7 @@ class Loops:
             good = closed & (np.linalg.slogdet(flat.T.reshape(count, n, n))[0] == sense)
         return z[:, :count if good.all() else int(np.argmin(good))]
 
-    def along(self, start: Mapping[str, float], values: Mapping[str, float]):
+    def along(self, start: Mapping[str, float], values: Mapping[str, float]) -> "dict[str, np.ndarray] | None":
         """{name: array} of the unknowns for arrays of coordinates and instants near the closed position `start`; None
         where Newton's method does not find them."""
         import numpy as np

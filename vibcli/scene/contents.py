@@ -37,7 +37,7 @@ class Constraint(NamedTuple):
         return self.name.partition(".")[0]
 
     @property
-    def signal(self):
+    def signal(self) -> str:
         """What its force is called: hoist.force, knee.force.x of a join, hoist.force.1 of a rope in several pieces; of
         a contact its name."""
         name, dot, part = self.name.partition(".")

@@ -35,11 +35,13 @@ class Term(NamedTuple):
         weight, s, offset = (node if node is None else new[node] for node in self[:3])
         return self.__class__(weight, s, offset, self.owner)
 
-    def energy(self, _scene: "Scene"):
+    def energy(self, _scene: "Scene") -> "Node | None":
         """None: it stores nothing."""
+        return None
 
-    def power(self, _scene: "Scene"):
+    def power(self, _scene: "Scene") -> "Node | None":
         """None: it dissipates nothing."""
+        return None
 
 
 class Inertia(Term):

@@ -1,7 +1,7 @@
 """Parsed fields as expressions of a scene, what can be said of their values as drawn, directions and distances, whose
 signs are those as drawn."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
@@ -77,7 +77,7 @@ class Expressions:
                         "mind the signs" if value < 0 else None)
         return node
 
-    def load(self, expression: Expression, local: "tuple[str, Node] | None" = None):
+    def load(self, expression: Expression, local: "tuple[str, Node] | None" = None) -> "tuple[Node, Node]":
         """(steady part, part in time) of a load: what holds the time are its summands as they are written, so that
         F0*(1 - cos(W*t)) is in time as a whole."""
         tree, parts = expression.tree, ([], [])
@@ -86,8 +86,9 @@ class Expressions:
         if not all(parts):
             whole = self.lower(expression, local)
             return (self.table.zero, whole) if parts[1] else (whole, self.table.zero)
-        return tuple(self.lower(Expression(expression.scalar, tree._replace(parts=tuple(part))), local)
-                     for part in parts)
+        steady, timed = (self.lower(Expression(expression.scalar, tree._replace(parts=tuple(part))), local)
+                         for part in parts)
+        return steady, timed
 
     def pair(self, expressions: Sequence[Expression]) -> "tuple[Node, Node]":
         """The nodes of two fields, such as a place [x, y]."""
@@ -147,7 +148,7 @@ class Expressions:
         """Two values in the drawn position, with as many digits as tell them apart."""
         return distinct_figures(self.number(a), self.number(b))
 
-    def unit(self, dx: Any, dy: Any, where: "Where | None" = None):
+    def unit(self, dx: Any, dy: Any, where: "Where | None" = None) -> "tuple[Node, Node]":
         """The unit vector along (dx, dy), constants."""
         length = self.distance(dx, dy)
         if self.number(length) == 0:
@@ -156,7 +157,7 @@ class Expressions:
             return self.table.one, self.table.zero
         return dx / length, dy / length
 
-    def absolute(self, node: "Node"):
+    def absolute(self, node: "Node") -> "Node":
         """A node or its opposite, so that it is positive as drawn, whatever sign a letter has that may have any."""
         either = [name for name in self.parameters.free if not self.table.is_positive(self.parameters.nodes[name])]
         if either:
@@ -172,7 +173,7 @@ class Expressions:
         return any(evaluate([drawn], Floats, {**self.sample, name: -self.sample[name]})[0] * value < 0
                    for name in here.intersection(letters))
 
-    def distance(self, dx: Any, dy: Any):
+    def distance(self, dx: Any, dy: Any) -> "Node":
         """√(dx² + dy²), rational where the direction never changes: there it is ±dx, ±dy or their projection."""
         dx0, dy0 = self.coordinates.at_drawn(dx, dy)
         for along, across in ((dx, dy), (dy, dx)):
@@ -188,7 +189,7 @@ class Expressions:
             return self.absolute(root)
         return self.table.sqrt(textbook(square) if square.mask & self.coordinates.time.mask else square)
 
-    def unrooted(self, nodes: "Iterable[Node]"):
+    def unrooted(self, nodes: "list[Node]") -> "list[Node]":
         """The nodes with √(L² cos² θ) as L cos θ, with its sign as drawn; what stands beside it in factors."""
         simpler = {}
         for part in reachable(nodes):
@@ -202,7 +203,7 @@ class Expressions:
                 simpler[part] = self.table.product(*factors)
         return self.unrooted(substitute(nodes, simpler)) if simpler else nodes      # roots within others are left
 
-    def height_of(self, surface: Record, x: "Node"):
+    def height_of(self, surface: Record, x: "Node") -> "Node":
         """f(x) of a curve y = f(x)."""
         return self.lower(surface["curve"], (surface["in"], x))
 

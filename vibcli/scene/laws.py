@@ -40,7 +40,7 @@ class Law(NamedTuple):
         """F = dV/ds, or dΦ/dṡ."""
         return self._at(scene, self.derivative)
 
-    def energy(self, scene: "Scene"):
+    def energy(self, scene: "Scene") -> "Node | None":
         """V of a spring; None of a damper, which stores nothing."""
         return None if self.damper else self.potential(scene)
 

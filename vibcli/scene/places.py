@@ -98,7 +98,7 @@ class Places:
         """The frame of the body that a record names, or the ground."""
         return self.frame(record[key]) if key in record else self.ground
 
-    def along_axis(self, motion: Any, kind: str):
+    def along_axis(self, motion: Any, kind: str) -> "Node":
         """How far the carrier of a body without a place slides or turns along the axis of both; zero of the ground."""
         if "carrier" not in motion:
             return self.table.zero

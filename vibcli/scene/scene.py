@@ -3,7 +3,7 @@
     T = ½ Σ w ṡ²       V = Σ (N s + ½ k s²) − Σ m (gₓ x + g_y y)       Φ = ½ Σ c ṡ²
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any
 
@@ -283,7 +283,7 @@ class Scene:
         return [term.over(dict(zip(term.nodes, substitute(term.nodes, held), strict=True)))
                 for term in self.shaken[kind]]
 
-    def loads_at_still(self):
+    def loads_at_still(self) -> Sequence[Any]:
         """The loads, the steady ones with the driven displacements that oscillate left out; beside each of them what of
         it is a load in time, as it is."""
         if not self.oscillating:

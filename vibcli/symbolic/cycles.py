@@ -30,12 +30,12 @@ def count_of(unit: "Unit") -> dict[str, int]:
     return {key: power for key, power in ((CYCLE, unit.cycles), (RADIAN, unit.radians)) if power}
 
 
-def left_over(count: "Mapping[str, Fraction | int]"):
+def left_over(count: "Mapping[str, Fraction | int]") -> Any:
     """The number of cycles that no factor π clears."""
     return count.get(CYCLE, 0) - count.get(PERIOD, 0)
 
 
-def cleared(count: "Mapping[str, Fraction | int]"):
+def cleared(count: "Mapping[str, Fraction | int]") -> "Mapping[str, Fraction | int]":
     """The count with as many cycles turned into radians as it has factors π."""
     over, factors = left_over(count), count.get(PI, 0)
     if over > 0 and factors > 0:
@@ -65,7 +65,7 @@ def fits_both(count: Any, dimension: "Mapping[str, Fraction | int] | None") -> b
     return left_over(count) == 0 and not angular and dimension in (units.NONE, units.RATE, ANY)
 
 
-def agree(counts: "Sequence[dict[str, Fraction | int]]", dimensions: "Sequence[dict[str, Fraction | int]]") -> bool:
+def agree(counts: "Sequence[dict[str, Fraction | int]]", dimensions: "Sequence[Mapping[str, Fraction | int]]") -> bool:
     """Can these be added or compared? All count as many cycles, or fit both."""
     over = set(map(left_over, counts))
     if over == {0, -1}:
@@ -83,7 +83,7 @@ class Cycles(NamedTuple):
     dimension: Callable
     text: str = ""
 
-    def count(self, tree: Any):
+    def count(self, tree: Any) -> Any:
         return getattr(self, "_" + tree.kind)(tree)
 
     def require_radians(self, tree: Any, message: str = "this counts cycles (Hz) where radians are due",

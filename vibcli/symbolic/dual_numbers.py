@@ -83,7 +83,7 @@ class Duals:
         steep = self.number(exponent) * self.inner.power(base.value, exponent - ONE)
         return dual(self.inner.power(base.value, exponent), steep * base.slope)
 
-    def record(self, name: str, samples: Sequence[dict[str, float]]):
+    def record(self, name: str, samples: Sequence[dict[str, float]]) -> Callable:
         plain = self.inner.record(name, samples)
 
         def at(u, order):

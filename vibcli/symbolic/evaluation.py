@@ -128,17 +128,17 @@ class Rationals:
     functions, ordered = {"abs": abs, "sign": sign, "min": min, "max": max}, True
 
     @property
-    def pi(self):
+    def pi(self) -> Fraction:
         raise self.Irrational
 
     number = Fraction
 
     @classmethod
-    def record(cls, name: str, samples: Sequence[dict[str, float]]):
+    def record(cls, name: str, samples: Sequence[dict[str, float]]) -> Callable:
         raise cls.Irrational
 
     @classmethod
-    def called(cls, function: "DefinedFunction"):
+    def called(cls, function: "DefinedFunction") -> Callable:
         raise cls.Irrational
 
     @classmethod
@@ -161,7 +161,7 @@ def evaluate_rational(nodes: "Sequence[Node]", values: Mapping[str, Fraction]) -
         return None
 
 
-def multiprecision():
+def multiprecision() -> Any:
     """mpmath numbers at the working precision of mpmath.mp."""
     import mpmath
 
@@ -173,7 +173,8 @@ def multiprecision():
 
         @staticmethod
         def number(value):
-            return mpmath.mpf(value.numerator) / value.denominator
+            above, below = mpmath.mpf(value.numerator), value.denominator
+            return above if below == 1 else above / below       # a division by 1 costs as much as any other
 
         @staticmethod
         def power(base, exponent):
@@ -189,7 +190,7 @@ def multiprecision():
     return Multiprecision()
 
 
-def sympy_arithmetic():
+def sympy_arithmetic() -> Any:
     """SymPy expressions; used for closed forms and simplification only."""
     import sympy
 

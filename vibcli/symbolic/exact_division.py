@@ -24,7 +24,7 @@ def without(total: "Node", terms: Any, cleared: Callable, expanded: Callable) ->
     return terms if found is None else found
 
 
-def divided(terms: "Mapping[tuple[tuple[Node, int], ...], Fraction | int]", divisor: Any):
+def divided(terms: "Mapping[tuple[tuple[Node, int], ...], Fraction | int]", divisor: Any) -> dict[Any, Any] | None:
     """The polynomial terms/divisor where the division leaves no rest, else None."""
     lead = max(divisor, key=_rank)
     rest: dict[Any, Any] = dict(terms)

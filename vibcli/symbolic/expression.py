@@ -58,7 +58,7 @@ class Table:
     def number(self, value: Fraction | int) -> Node:
         return self._make("number", (), value if value.__class__ is int else exact(value), 0)
 
-    def node(self, value: Fraction | int | Node):
+    def node(self, value: Fraction | int | Node) -> Node:
         return value if isinstance(value, Node) else self.number(value)
 
     def parameter(self, name: str, positive: bool = True) -> Node:
@@ -100,7 +100,7 @@ class Table:
             return node
         return self.sum((node, factor))
 
-    def sum(self, *terms: Any):
+    def sum(self, *terms: Any) -> Node:
         """Σ cᵢ·nodeᵢ of (node, rational c) pairs; sums within sums are flattened, equal terms collected."""
         if len(terms) == 1 and terms[0][1] == 1 and (terms[0][0].op != "product" or terms[0][0].coefficient == 1):
             return terms[0][0]
@@ -151,11 +151,11 @@ class Table:
         args.sort(key=_index_of_first)
         return self._make("sum", tuple(args), exact(constant))
 
-    def total(self, nodes: Sequence[Node]):
+    def total(self, nodes: Sequence[Node]) -> Node:
         """Σ nodeᵢ."""
         return self.sum(*((node, 1) for node in nodes))
 
-    def product(self, *factors: tuple[Node, Fraction | int]):
+    def product(self, *factors: tuple[Node, Fraction | int]) -> Node:
         """Π nodeᵢ^eᵢ of (node, rational e) pairs; products are flattened and equal bases collected."""
         coefficient, collected = ONE, {}
         for node, exponent in factors:

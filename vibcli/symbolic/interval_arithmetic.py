@@ -4,7 +4,7 @@ Bounds are rounded outwards by more than the error of NumPy's functions. What is
 may be any number there: such bounds prove nothing, but nothing false.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -61,7 +61,7 @@ def padded(low: float | np.ndarray, high: float | np.ndarray, least: float = -np
                     np.minimum(np.nextafter(high + PAD * np.abs(high), np.inf), most))
 
 
-def exact(value: float | np.ndarray):
+def exact(value: float | np.ndarray) -> Interval:
     value = np.asarray(value, dtype=float)
     return Interval(value, value)
 
@@ -166,11 +166,11 @@ class Intervals:
     power = staticmethod(_power)
 
     @staticmethod
-    def record(name: str, samples: Sequence[dict[str, float]]):
+    def record(name: str, samples: Sequence[dict[str, float]]) -> Callable:
         raise KeyError(name)
 
     @staticmethod
-    def called(function: "DefinedFunction"):
+    def called(function: "DefinedFunction") -> Callable:
         raise KeyError(function.name)
 
     functions = {

@@ -44,7 +44,7 @@ class Node:
     def __add__(self, other: "int | Node") -> "Node":
         return self.table.sum((self, ONE), (self.table.node(other), ONE))
 
-    def __sub__(self, other: "Node") -> "Node":
+    def __sub__(self, other: "int | Node") -> "Node":
         return self.table.sum((self, ONE), (self.table.node(other), -ONE))
 
     def __mul__(self, other: "Fraction | int | Node") -> "Node":

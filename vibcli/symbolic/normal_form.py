@@ -27,7 +27,7 @@ class TooLong(ArithmeticError):
     """More than MOST terms."""
 
 
-def expanded(node: "Node", kept: "Collection[Node] | None" = None):
+def expanded(node: "Node", kept: "Collection[Node] | None" = None) -> dict[Any, Any]:
     """{monomial: coefficient}, a monomial being a tuple of (atom, exponent) in the order of the atoms' indices. Sums
     that stand in a denominator are atoms, above as well as below the line, so that they cancel."""
     kept = _denominators(node) if kept is None else kept
@@ -182,7 +182,7 @@ def _numerator(terms):
     return cleared(terms, tuple((atom, -e) for atom, e in lowest.items()))
 
 
-def cleared(terms: "Mapping[tuple[tuple[Node, Fraction | int], ...], Fraction | int]", below: Any):
+def cleared(terms: "Mapping[tuple[tuple[Node, Fraction | int], ...], Fraction | int]", below: Any) -> dict[Any, Any]:
     """The polynomial times a denominator ((atom, exponent), …); sums of it expanded where their exponent is whole, as
     far as they stand above by whole powers."""
     found = {}
@@ -199,7 +199,7 @@ def cleared(terms: "Mapping[tuple[tuple[Node, Fraction | int], ...], Fraction | 
 
 
 @remembered
-def textbook(node: "Node"):
+def textbook(node: "Node") -> "Node":
     """The expression expanded, collected by its variable parts, each coefficient with common factors taken out."""
     try:
         return collected(node.table, reduced(expanded(_unnested(node))))

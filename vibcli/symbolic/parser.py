@@ -44,7 +44,7 @@ _SIGNS, _FACTORS = {"+": 1, "-": -1}, {"*": 1, "·": 1, "/": -1}
 
 
 @lru_cache(REMEMBERED)
-def parse(text: str, equation: str | None = None):
+def parse(text: str, equation: str | None = None) -> Any:
     """The syntax tree of `text`, one tree for texts that are alike; of `left = right` where `equation` gives an example
     of one."""
     if len(text) > LONGEST:
@@ -93,7 +93,7 @@ class _Parser:
             return True
         return False
 
-    def fail_after(self):
+    def fail_after(self) -> None:
         """Something stands where an operator or the end was expected."""
         found = self.text[self.at]
         word = _name(self.text, self.at)
@@ -119,7 +119,7 @@ class _Parser:
             return "numbers are written in decimal digits alone: 1000"
         return "there is no implicit multiplication: write a * between factors"
 
-    def expression(self, depth: int):
+    def expression(self, depth: int) -> Any:
         """A sum of products."""
         if depth > DEEPEST:
             raise ExpressionError(self.at, 1, f"more than {DEEPEST} levels of parentheses", "name the inner parts")
@@ -141,7 +141,7 @@ class _Parser:
             return terms[0][1]
         return Sum(start, self.at, tuple(terms))
 
-    def product(self, depth: int):
+    def product(self, depth: int) -> Any:
         self.skip()
         start, factors, power = self.at, [], 1
         while True:
@@ -155,7 +155,7 @@ class _Parser:
             self.at += 1
         return factors[0][1] if len(factors) == 1 else Product(start, self.at, tuple(factors))
 
-    def power(self, depth: int):
+    def power(self, depth: int) -> Any:
         self.skip()
         start = self.at
         base = self.atom(depth)
@@ -173,7 +173,7 @@ class _Parser:
             return Power(start, self.at, base, exponent)
         return base
 
-    def atom(self, depth: int):
+    def atom(self, depth: int) -> Any:
         self.skip()
         start = self.at
         number = _NUMBER.match(self.text, start)
@@ -196,7 +196,7 @@ class _Parser:
         raise ExpressionError(start, 1, f"expected a number, a name or '(', found {quoted(self.text[start])}",
                               "expressions are made of numbers, units, names, + - * / ^ ( ) and functions")
 
-    def applied(self, tree: Any, start: int, depth: int):
+    def applied(self, tree: Any, start: int, depth: int) -> Any:
         """x(2 s) of a tree x that is no function; `start` is where its text starts."""
         while self.text.startswith("(", self.at):
             if depth > DEEPEST:

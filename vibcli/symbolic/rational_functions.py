@@ -37,7 +37,7 @@ class Quotients:
         self._gens = dict(zip(self.atoms, gens, strict=True)) | {(self.symbol, ONE): self.unknown}
         self._factored: dict = {}
 
-    def number(self, value: Fraction | int):
+    def number(self, value: Fraction | int) -> Any:
         return self.field(self.ring.domain(value.numerator, value.denominator))
 
     def __call__(self, node: Any):
@@ -52,7 +52,7 @@ class Quotients:
                 done[part] = self.number(part.coefficient) if part.op == "number" else self._gens.get((part, ONE))
         return self.settled(done[node])
 
-    def settled(self, element: Any):
+    def settled(self, element: Any) -> Any:
         """The element with what stands under a root in place of the root's square, and 1 − cos² in place of sin²."""
         for (base, e), gen in self._gens.items():
             if (e == HALF or base.name == "sin") and max(
@@ -89,7 +89,7 @@ class Quotients:
         """A number of the ring's domain as a Fraction."""
         return Fraction(int(value.numerator), int(value.denominator))
 
-    def factors(self, polynomial: Any):
+    def factors(self, polynomial: Any) -> Any:
         """(rational, [(irreducible factor, multiplicity)]) of a polynomial of the ring; each is factored once."""
         if polynomial not in self._factored:
             found = within(CALLS, lambda: irreducible_factors(polynomial), None)
@@ -106,7 +106,7 @@ class Quotients:
         whole = [element * self.field(below) for element in elements]
         return [element.numer.quo_ground(element.denom.LC) for element in whole], below
 
-    def generator(self, atom: "Node", exponent: Any = ONE):
+    def generator(self, atom: "Node", exponent: Any = ONE) -> Any:
         """The polynomial that stands for an atom."""
         return self._gens[atom, exponent].numer
 
@@ -117,7 +117,7 @@ class Quotients:
             found.setdefault(powers[i], {})[(*powers[:i], 0, *powers[i + 1:])] = value
         return [self.field(self.ring.from_dict(found.get(i, {}))) for i in range(max(found, default=0) + 1)]
 
-    def node(self, element: Any):
+    def node(self, element: Any) -> "Node":
         """An element of the field as a node: one fraction, above and below the line factored."""
         parts = []
         for polynomial, sign in ((element.numer, ONE), (element.denom, -ONE)):
@@ -147,7 +147,7 @@ def _atoms(nodes):
     return found
 
 
-def factored(node: "Node"):
+def factored(node: "Node") -> "Node":
     """A quotient of polynomials cancelled and factored; the node itself where that takes too long."""
     return within(2 * CALLS, lambda: _factored(textbook(node)), node)
 

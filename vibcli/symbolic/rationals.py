@@ -8,7 +8,7 @@ BITS = 256
 ZERO, ONE, HALF = 0, 1, Fraction(1, 2)
 
 
-def exact(value: Fraction | int):
+def exact(value: Fraction | int) -> Any:
     """A rational as an int where it is whole (an order of magnitude faster than a Fraction), else as a Fraction."""
     if value.__class__ is int:
         return value
@@ -50,7 +50,7 @@ def rational_power(base: Fraction | int, exponent: Fraction | int) -> Fraction |
     return None
 
 
-def exact_root(value: Fraction | int):
+def exact_root(value: Fraction | int) -> Fraction | None:
     """√value of a rational that is not negative as a Fraction; None where it is irrational."""
     up, down = isqrt(value.numerator), isqrt(value.denominator)
     return Fraction(up, down) if up * up == value.numerator and down * down == value.denominator else None

@@ -90,7 +90,7 @@ class RunningErrors:
             return abs(self.inner.number(p)) * power(size - error, p - 1) * error
         return power(size + error, p) if p.numerator > 0 else inf
 
-    def record(self, name: str, samples: Any):
+    def record(self, name: str, samples: Any) -> "Callable":
         at = self.inner.record(name, samples)
 
         def call(u, order):

@@ -147,7 +147,7 @@ class DimensionCheck(NamedTuple):
         return self.dimensions.of(name + "()")
 
 
-def constant(tree: Any):
+def constant(tree: Any) -> Any:
     """The rational value of a tree made of plain numbers, else None."""
     if isinstance(tree, Number):
         return None if tree.units else tree.value

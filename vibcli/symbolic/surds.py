@@ -39,12 +39,12 @@ class Pair:
         whole = table.sum((table.product((quotients.node(b), ONE + ONE)), ONE), (quotients.node(a * c), -4 * ONE))
         return min((node, whole), key=letters)
 
-    def equation(self):
+    def equation(self) -> "list[Node]":
         """The coefficients as nodes, from the highest, which is positive."""
         found = [self.quotients.node(part) for part in self.parts]
         return [-node for node in found] if self._negative(found[0]) else found
 
-    def both(self, surd: Any):
+    def both(self, surd: Any) -> "Node":
         """The root with `surd` in place of √D."""
         front, rest = self.written(self.rational, self.factor, surd)
         return front * rest

@@ -19,7 +19,7 @@ class CallsSpent(BaseException):
     """The calls are used up. No Exception, so that nothing on the way catches it by mistake."""
 
 
-def within(calls: int, work: Callable, otherwise: Any):
+def within(calls: int, work: Callable, otherwise: Any) -> Any:
     """The result of `work()`, or `otherwise` where it takes more calls, times the patience of the task under way.
     Within another call the nearer of the two ends counts. What the work imports is imported before: an import that is
     broken off leaves modules half made."""

@@ -19,7 +19,7 @@ class _Nodes:
         self.table, self.number, self.pi, self.power = table, table.number, table.pi, table.power
         self.functions, self.defined = self, table.defined
 
-    def record(self, name: Any, samples: Sequence[dict[str, float]]):
+    def record(self, name: Any, samples: Sequence[dict[str, float]]) -> Callable:
         self.table.records[name] = samples
         return lambda u, order: self.table.call(name, u, *([self.number(order)] if order else []))
 

@@ -2,6 +2,7 @@
 
 from functools import cache
 from importlib import import_module
+from math import inf
 
 import pytest
 
@@ -76,6 +77,17 @@ def test_a_refusal_is_told_with_its_reason(monkeypatch):
     monkeypatch.setattr(point, "claims", refuse)
     found = measured(family("mass_ratio"), "1e0")
     assert (found.verdict, found.why, found.error) == (REFUSED, "no answer", None)
+
+
+def test_why_the_plain_method_has_no_answer_is_told():
+    def refuse(_):
+        raise ValueError("no such matrix")
+
+    one = family("mass_ratio")._replace(plain=refuse)
+    found = measured(one, "1e0")
+    assert (found.verdict, found.plain, found.plain_why) == (HELD, inf, "ValueError: no such matrix")
+    said = told.section(sweep.FamilyPoints("mass_ratio", one, [found, found._replace(knob="1e1")]))
+    assert "plain at 1e0, 1e1: ValueError: no such matrix" in str(said)
 
 
 def test_more_digits_are_seen_to_be_taken():

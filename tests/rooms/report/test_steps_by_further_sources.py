@@ -22,7 +22,7 @@ answers: {decrement(x): 0.607418, exp(decrement(x)): 1.83569}
     "Filo, solved question: a cannon of 52 kg returns to 5 mm of 50 cm in 0.5 s, critically damped": (
         "parameters: {m: 52 kg, x0: 50 cm, x1: 5 mm, t1: 0.5 s}\n" + DAMPED + """
 initial: {x: x0}
-choose: {c: {so: "zeta[1] = 1", from: 1 N*s/m, to: 10 kN*s/m}, k: {so: "x(t1) = x1", from: 1 N/m, to: 100 kN/m}}
+choose: {c: {so: "zeta[1] = 1", from: 1 kN*s/m, to: 2 kN*s/m}, k: {so: "x(t1) = x1", from: 5 kN/m, to: 20 kN/m}}
 """, ("= 1: critically damped", "x = (B·t + A)·exp(−δ·t)", "B = x₀·δ",
       "so that x(t₁) = x₁:  (t₁·B + A)·exp(−t₁·δ) = x₁,  k = 9166.09 N/m")),
     "Thomson, a trailer whose springs sag by 100 mm on waves of 16 m and 75 mm at 64 km/h": ("""

@@ -35,7 +35,7 @@ class Server(http_server.ThreadingHTTPServer):
         names = [f"{name}:{self.server_port}" for name in (HOST, "localhost")]
         self.hosts = {*names, *((HOST, "localhost") if self.server_port == 80 else ())}
 
-    def handle_error(self, request: Any, client_address: Any):
+    def handle_error(self, request: Any, client_address: Any) -> None:
         """A browser that closes a connection is no fault."""
 
 
@@ -45,7 +45,7 @@ class Handler(http_server.BaseHTTPRequestHandler):
     protocol_version, server_version, sys_version, timeout = "HTTP/1.1", "vibcli", "", IDLE
     server: Server
 
-    def do_GET(self):
+    def do_GET(self) -> None:
         origin = self.headers.get("Origin")
         hosts = self.headers.get_all("Host") or []
         if len(hosts) != 1 or hosts[0] not in self.server.hosts or (

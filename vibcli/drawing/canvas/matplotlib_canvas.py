@@ -14,7 +14,7 @@ SILENT = {"png": {"Software": None},
           "pdf": {"CreationDate": None, "ModDate": None, "Creator": None, "Producer": None}}
 
 
-def figure(primitives: Sequence[Any], dpi: float):
+def figure(primitives: Sequence[Any], dpi: float) -> Any:
     """A Matplotlib Figure of a drawing."""
     from matplotlib.figure import Figure
     from matplotlib.transforms import Affine2D

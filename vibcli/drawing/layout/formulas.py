@@ -19,7 +19,7 @@ class _Marked(Plain):
     def symbol(self, name: str) -> str:
         return lettering.marked(name)
 
-    def product(self, value: Any, args: Any):
+    def product(self, value: Any, args: Any) -> str:
         return _NUMBER_BEFORE.sub(r"\1", super().product(value, args)).replace("·", " ")
 
 

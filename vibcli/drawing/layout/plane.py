@@ -8,7 +8,7 @@ from typing import Any
 FLAT, FINEST = 0.06, 0.01       # points by which a polyline may leave its arc; radians
 
 
-def plus(a: tuple[float, float], b: tuple[float, float], factor: float = 1.0):
+def plus(a: tuple[float, float], b: tuple[float, float], factor: float = 1.0) -> tuple[float, float]:
     """a + factor·b."""
     return a[0] + factor * b[0], a[1] + factor * b[1]
 
@@ -139,13 +139,13 @@ def area(polygon: Sequence[tuple[float, float]]) -> float:
     return abs(sum(across(a, b) for a, b in zip(polygon, [*polygon[1:], polygon[0]], strict=True))) / 2
 
 
-def bounds(points: Sequence[tuple[float, float]]):
+def bounds(points: Sequence[tuple[float, float]]) -> tuple[float, float, float, float]:
     """(left, bottom, right, top) of points."""
     xs, ys = [x for x, _ in points], [y for _, y in points]
     return min(xs), min(ys), max(xs), max(ys)
 
 
-def corners(points: Sequence[tuple[float, float]]):
+def corners(points: Sequence[tuple[float, float]]) -> tuple[tuple[float, float], tuple[float, float]]:
     """The lower left and the upper right corner of the box about points."""
     left, bottom, right, top = bounds(points)
     return (left, bottom), (right, top)

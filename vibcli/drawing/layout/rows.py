@@ -62,7 +62,7 @@ def motion(body: "Body") -> "Expression":
     return body.record[body.lumped[0]]["by"]
 
 
-def carrier(body: "Body"):
+def carrier(body: "Body") -> str | None:
     """The name of the lumped body from which its motion is measured; None of the ground."""
     return getattr(body.record[body.lumped[0]].get("carrier"), "text", None)
 

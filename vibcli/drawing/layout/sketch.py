@@ -141,7 +141,7 @@ class Sketch:
         x, y = self.numbers[key]
         return x * self.scale, y * self.scale
 
-    def rolling_radius(self, name: str):
+    def rolling_radius(self, name: str) -> float:
         """The radius of a body's circle on paper; 0 of what has none."""
         body = self.scene.bodies.get(name)
         return self.scene.number(body.rolling_radius) * self.scale if body and body.rolling_radius else 0.0
@@ -178,7 +178,7 @@ class Sketch:
         found = self.attachment(pin["at"])
         return Attachment(carrier or found.carrier, found.drawn)
 
-    def pivots(self):
+    def pivots(self) -> dict[str, Attachment]:
         """{name: the Attachment of its pin} of bodies that have a place."""
         found = {name: self.pivot(name) for name in self.scene.bodies if name in self.frames}
         return {name: pivot for name, pivot in found.items() if pivot is not None}

@@ -9,13 +9,13 @@ from vibcli.drawing.layout import plane
 HEAD, WING = 6.5, 2.3
 
 
-def head(tip: tuple[float, float], direction: tuple[float, float], role: str, size: float = HEAD):
+def head(tip: tuple[float, float], direction: tuple[float, float], role: str, size: float = HEAD) -> Polygon:
     back, side = plane.plus(tip, direction, -size), plane.left(direction)
     wing = WING * size / HEAD
     return Polygon((tip, plane.plus(back, side, wing), plane.plus(back, side, -wing)), role, role, 0.3, layer=ARROW)
 
 
-def straight(start: Any, tip: tuple[float, float], role: Any, width: float = 1.2, both: Any = False):
+def straight(start: Any, tip: tuple[float, float], role: Any, width: float = 1.2, both: Any = False) -> list[Any]:
     """An arrow from one place to another."""
     e = plane.unit(plane.minus(tip, start))
     size = min(HEAD, 0.6 * plane.distance(start, tip))

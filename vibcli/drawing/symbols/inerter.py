@@ -21,7 +21,7 @@ def between(_record: "Mapping[Any, Any] | Record", start: tuple[float, float], e
     return _inerter(plane.along(start, end), plane.distance(start, end))
 
 
-def about(_record: "Mapping[Any, Any] | Record", turn: "Turn"):
+def about(_record: "Mapping[Any, Any] | Record", turn: "Turn") -> Any:
     """The same along an arc about a joint; also where it is: (middle, normal)."""
     return along_an_arc(turn, _inerter)
 

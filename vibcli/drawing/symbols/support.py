@@ -35,7 +35,7 @@ def shaken_wall(place: tuple[float, float], outward: Any) -> list[Polygon]:
     return [Polygon((*ends, plane.plus(ends[1], outward, 4), plane.plus(ends[0], outward, 4)), "driven", layer=BEHIND)]
 
 
-def floor(place: tuple[float, float], along: tuple[float, float], half: float):
+def floor(place: tuple[float, float], along: tuple[float, float], half: float) -> list[Hatch]:
     """A flat piece of ground under what slides; it lies to the right of `along`."""
     return [Hatch((plane.plus(place, along, -half), plane.plus(place, along, half)), -1, layer=SURFACE)]
 
@@ -58,6 +58,6 @@ def rocker(place: tuple[float, float], along: tuple[float, float]) -> list[Any]:
             *floor(plane.plus(place, down, 14.0), along, 12.0)]
 
 
-def peg(place: tuple[float, float]):
+def peg(place: tuple[float, float]) -> list[Circle]:
     """A small smooth peg."""
     return [Circle(place, HINGE, "ink", layer=ARROW - 1)]

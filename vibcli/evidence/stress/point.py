@@ -17,6 +17,7 @@ from vibcli.evidence.stress.condition import condition
 from vibcli.evidence.stress.family import StressFamily
 from vibcli.evidence.stress.watched import scene_problem
 from vibcli.evidence.subject import Deadline, Subject
+from vibcli.evidence.timing import reason
 from vibcli.results.problem import Problem
 
 HELD, ESCALATED, REFUSED, BROKEN, UNKNOWN = "held", "escalated", "refused", "broken", "no reference"
@@ -26,7 +27,8 @@ PATIENCE = 5.0                      # s of the plain method
 
 class StressPoint(NamedTuple):
     """`error`, `bound`: relative, of the number of which the bound is tightest beside its error, None where there is
-    none; `plain`: the error of the plain method, infinite where it has no answer; why: of what was refused."""
+    none; `plain`: the error of the plain method, infinite where it has no answer, and `plain_why` it has none; `why`:
+    of what was refused."""
 
     knob: str
     condition: float | None
@@ -36,6 +38,7 @@ class StressPoint(NamedTuple):
     verdict: str
     idle: bool = False
     why: str = ""
+    plain_why: str = ""
 
 
 def measured(family: StressFamily, knob: str) -> StressPoint:
@@ -46,15 +49,15 @@ def measured(family: StressFamily, knob: str) -> StressPoint:
         return StressPoint(knob, None, None, None, None, UNKNOWN, why=why)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        plain, known = _plain(family, knob, subject), condition(subject)
+        (plain, none), known = _plain(family, knob, subject), condition(subject)
     found = _answered(scene, subject)
     if isinstance(found, PhysicsError):
-        return StressPoint(knob, known, None, None, plain, REFUSED, why=found.message)
+        return StressPoint(knob, known, None, None, plain, REFUSED, why=found.message, plain_why=none)
     worst, escalated = max(found[0], key=Claim.ratio), found[1]
     verdict = BROKEN if not worst.error <= worst.bound else ESCALATED if escalated else HELD
     limit = IDLE_ESTIMATE if subject.kind == "full motion" else IDLE
     idle = worst.bound > limit * (worst.error + worst.rounding)
-    return StressPoint(knob, known, worst.error, worst.bound, plain, verdict, idle)
+    return StressPoint(knob, known, worst.error, worst.bound, plain, verdict, idle, plain_why=none)
 
 
 def _subject(family: StressFamily, knob: str, scene: Mapping[str, Any]):
@@ -97,14 +100,14 @@ def _answered(scene: Mapping[str, Any], subject: Subject):
         return error
 
 
-def _plain(family: StressFamily, knob: str, subject: Subject) -> float:
-    """The error of the plain method."""
+def _plain(family: StressFamily, knob: str, subject: Subject) -> tuple[float, str]:
+    """(the error of the plain method, "") or (infinite, why it has no answer)."""
     try:
         if callable(family.plain):
-            return subject.error(family.plain(knob), subject.true)
+            return subject.error(family.plain(knob), subject.true), ""
         file, *which = family.plain
         attempts = import_module(f"vibcli.evidence.methods.{file}").attempts(subject)
         attempt = next(one for one in attempts if [one.method, one.setting] == which)
-        return subject.error(attempt.run(Deadline(PATIENCE)).values, subject.true)
-    except Exception:       # whatever a library has to say of an input that it does not bear, or that it takes too long
-        return math.inf
+        return subject.error(attempt.run(Deadline(PATIENCE)).values, subject.true), ""
+    except Exception as error:      # whatever a library has to say of an input that it does not bear
+        return math.inf, reason(error)

@@ -19,6 +19,11 @@ def section(one: FamilyPoints) -> Section:
     """A family's table; errors and bounds are relative, of the number whose error comes nearest to its bound."""
     head = (one.family.knob, "condition", "true error", "bound stated", "plain error", "verdict")
     refused = [f"{point.knob}: {point.why}" for point in one.points if point.why]
+    reasons: dict[str, list[str]] = {}
+    for point in one.points:
+        if point.plain_why:
+            reasons.setdefault(point.plain_why, []).append(point.knob)
+    refused += [f"plain at {', '.join(knobs)}: {why}" for why, knobs in reasons.items()]
     rows = tuple((point.knob, *map(_shown, (point.condition, point.error, point.bound, point.plain)), _verdict(point))
                  for point in one.points)
     return Section(f"{one.name}: {about(one.name)}", (

@@ -33,7 +33,7 @@ class SlowParser(yaml.reader.Reader, yaml.scanner.Scanner, yaml.parser.Parser):
 _Parser = yaml.cyaml.CParser if yaml.__with_libyaml__ else SlowParser
 
 
-def read(data: bytes, file: str):
+def read(data: bytes, file: str) -> tuple[Mapping | None, list[Diagnostic]]:
     """The top mapping of the bytes, None where reading had to stop, and all diagnostics in file order."""
     text, problems = decoding.decode(data, file)
     if text is None:
@@ -42,7 +42,7 @@ def read(data: bytes, file: str):
     return node, sorted(problems + found, key=lambda problem: problem.where[1:3])
 
 
-def read_file(path: Any):
+def read_file(path: Any) -> tuple[Any, list[Diagnostic], list[str]]:
     """(node, diagnostics, source lines) of a file. Only a missing path raises: FileNotFoundError."""
     file = os.fsdecode(path)
     try:

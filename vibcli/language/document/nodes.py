@@ -30,7 +30,7 @@ class Sequence:
     def __init__(self, where: "Where"):
         self.items, self.where = [], where
 
-    def widen(self, width: int):
+    def widen(self, width: int) -> None:
         """It ends so many characters further on its line."""
         self.where = self.where._replace(width=width)
 
@@ -43,6 +43,6 @@ class Mapping:
     def __init__(self, where: "Where", entries: Any = None):
         self.entries, self.where = {} if entries is None else entries, where
 
-    def widen(self, width: int):
+    def widen(self, width: int) -> None:
         """It ends so many characters further on its line."""
         self.where = self.where._replace(width=width)

@@ -59,7 +59,7 @@ class Halt:
         return decoding.split(self.source)[(where or self.where).line - 1]
 
 
-def slip(error: Exception, tree: "Tree"):
+def slip(error: Exception, tree: "Tree") -> Any:
     """A bracket inside a flow collection that belongs to a name (see misread_expressions.py), or None."""
     mark, last = getattr(error, "problem_mark", None), tree.last
     if mark is None or last is None or last.style or "',' or " not in str(error):

@@ -74,7 +74,7 @@ class Tree:
             elif kind is events.StreamEndEvent:
                 return
 
-    def report(self, where: Where, message: str, hint: str | None = None):
+    def report(self, where: Where, message: str, hint: str | None = None) -> None:
         self.problems.append(Diagnostic(where, message, hint))
         if len(self.problems) >= MAX_PROBLEMS:
             message = "too many problems: reading stops here"

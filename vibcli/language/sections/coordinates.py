@@ -24,7 +24,7 @@ ABOUT = ELEMENT.about
 class Coordinates(Kind):
     wants = "a list of names, or a mapping from names to what they measure"
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         if isinstance(node, Sequence):
             entries = [(item, None) for item in node.items]
         elif isinstance(node, Mapping):
@@ -47,7 +47,7 @@ class Coordinates(Kind):
                     records[name] = record
         return records
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         return {"anyOf": [{"type": "array", "items": {"type": "string"}},
                           {"type": "object", "additionalProperties": {"anyOf": [{"type": "null"}, ELEMENT.schema()]}}]}
 

@@ -17,7 +17,7 @@ class ByCoordinate(Kind):
     def __init__(self, kind: Many | Quantity, wants: str, scaled: bool = False):
         self.wants, self.named, self.scaled = wants, Named(kind, wants), scaled
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         fields = self._fields(node, reader)
         others = Mapping(node.where, {key: pair for key, pair in node.entries.items() if key not in fields}
                          ) if fields else node
@@ -52,7 +52,7 @@ class ByCoordinate(Kind):
                 found[key] = signal, expression
         return found
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         return self.named.schema()
 
 

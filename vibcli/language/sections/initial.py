@@ -27,7 +27,7 @@ class Initial(Kind):
 
     wants = "a mapping from coordinates and velocities to values, such as {x: 2 cm, x': 0.5 m/s}"
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         if not isinstance(node, Mapping):
             return reader.expected(node, self.wants)
         values, keys = {}, {}
@@ -57,7 +57,7 @@ class Initial(Kind):
                 values[plain_name(name) + primes] = expression
         return Record(None, "initial", node.where, values, keys)
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         return {"type": "object", "properties": {RELEASED: {"type": "string"}},
                 "additionalProperties": {"type": ["string", "number"]}}
 

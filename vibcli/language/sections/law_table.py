@@ -77,7 +77,7 @@ class _Points(Kind):
 
     wants = POINTS
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         pairs = node.items if isinstance(node, Sequence) else ()
         odd = next((pair for pair in pairs if not isinstance(pair, Sequence) or len(pair.items) != 2), None)
         if not isinstance(node, Sequence) or odd is not None:
@@ -94,7 +94,7 @@ class _Points(Kind):
         points = [[_entry(item, reader) for item in pair.items] for pair in pairs]
         return None if any(None in point for point in points) else points
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         pair = {"type": "array", "items": {"type": ["string", "number"]}, "minItems": 2, "maxItems": 2}
         return {"type": "array", "items": pair, "minItems": 2, "maxItems": MOST}
 
@@ -148,7 +148,7 @@ class LawKind(Kind):
 
     wants = "an expression, " + POINTS + ", or {table: stiffness.csv}"
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         if isinstance(node, Scalar):
             return Quantity().read(node, reader)
         if isinstance(node, Sequence):
@@ -157,7 +157,7 @@ class LawKind(Kind):
         record = TABLE.read(node, reader)
         return None if record is None else _tabulated(record, reader)
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         return {"anyOf": [Quantity().schema(), TABLE.schema()]}
 
 

@@ -14,7 +14,7 @@ _WANTS = "{accuracy: 1e-6} or {order: 3}"
 class _Mapping(Kind):
     wants = _WANTS
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         found = {key: value for key, (_, value) in node.entries.items()}
         if not found or set(found) - {"order", "accuracy"}:
             return reader.expected(node, _WANTS)
@@ -32,7 +32,7 @@ class _Mapping(Kind):
                 return reader.expected(text, message.removeprefix("expected "), hint or None)
         return Integrated(kind, asked)
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         return {"type": "object", "properties": {"order": {"const": 3}, "accuracy": {"type": ["string", "number"]}},
                 "minProperties": 1, "additionalProperties": False}
 

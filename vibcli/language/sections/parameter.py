@@ -20,7 +20,7 @@ class _Unit(Text):
 
     wants = "a unit such as N/m"
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         text = super().read(node, reader)
         if text is None:
             return None
@@ -40,7 +40,7 @@ UNIT = _Unit()
 class _Parameter(Element):
     """`m: 3 kg`, `J: m*L^2/3`, `k:` (a symbol), or a mapping."""
 
-    def read(self, node: Any, reader: Any, name: str | None = None, where: "Where | None" = None):
+    def read(self, node: Any, reader: Any, name: str | None = None, where: "Where | None" = None) -> Any:
         where = where or node.where
         if isinstance(node, Scalar) and not node.text.strip() and not node.quoted:
             return Record(self, name, where, {}, {})

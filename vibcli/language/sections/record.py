@@ -26,7 +26,7 @@ class _Column(Text):
 
     wants = "a column: its name in the first line, or its number from 1"
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         if not isinstance(node, Scalar) or not node.text.strip():
             return reader.expected(node, self.wants)
         return node
@@ -35,7 +35,7 @@ class _Column(Text):
 class _Record(Element):
     """A Record whose values hold `samples` beside what is written."""
 
-    def read(self, node: Any, reader: Any, name: str | None = None, where: Where | None = None):
+    def read(self, node: Any, reader: Any, name: str | None = None, where: Where | None = None) -> Any:
         record = super().read(node, reader, name, where)
         if record is None:
             return None

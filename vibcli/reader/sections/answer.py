@@ -43,7 +43,7 @@ class Answer(NamedTuple):
 class Answers(Kind):
     wants = "a mapping from quantities to expected values"
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> list[Answer] | None:
         if not isinstance(node, Mapping):
             return reader.expected(node, self.wants)
         answers = []
@@ -64,7 +64,7 @@ class Answers(Kind):
                 answers.append(Answer(Expression(key, tree), record["value"], record.get("rtol")))
         return answers
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         return {"type": "object", "additionalProperties": ELEMENT.schema()}
 
 

@@ -46,7 +46,7 @@ class _Condition(Kind):
     wants = "an equation, or one of equilibrium, stability limit"
     hint = "write for example zeta[1] = 1"
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         if isinstance(node, Sequence):
             return reader.expected(node, self.wants, "one condition to a parameter: choose as many as there are")
         if not isinstance(node, Scalar) or not node.text.strip():
@@ -64,7 +64,7 @@ class _Condition(Kind):
         sides = [side(node, tree.start, tree.end, reader) for tree in equation.children]
         return Condition(words, node.where, None, *sides)
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         return {"type": "string"}
 
 

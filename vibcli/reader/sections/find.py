@@ -65,7 +65,7 @@ class Questions(list):
         return self.records.get(SEARCH)
 
     @property
-    def within(self):
+    def within(self) -> "dict[str, list[Expression]]":
         """{coordinate: [least, most]} as written."""
         return self.search.get("within", {}) if self.search else {}
 
@@ -96,7 +96,7 @@ class Questions(list):
 class _Question(OneOf):
     """A word, or a question with particulars."""
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         if isinstance(node, Scalar) and node.text in WRITTEN:
             return reader.expected(node, self.wants, f"write {WRITTEN[node.text]}")
         return super().read(node, reader)
@@ -105,7 +105,7 @@ class _Question(OneOf):
 class _Find(OneOf):
     """A list of questions; a mapping stands for the list of it alone."""
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         if isinstance(node, Scalar):
             return reader.expected(node, self.wants, f"write [{node.text}]" if node.text in FIND else None)
         items = super().read(node, reader)

@@ -45,7 +45,7 @@ class _Requirement(Kind):
 
     wants = "a comparison such as zeta[1] < 0.7"
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         text = node.text if isinstance(node, Scalar) else ""
         signs = list(SIGNS.finditer(text))
         if not 1 <= len(signs) <= 2:
@@ -62,7 +62,7 @@ class _Requirement(Kind):
         return [Requirement(left, sign.group(), right, text, node.where)
                 for (left, right), sign in zip(pairwise(sides), signs, strict=True)]
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         return {"type": "string"}
 
 
@@ -90,7 +90,7 @@ class AskedQuantity(NamedTuple):
 class _Asked(Kind):
     wants = "a mapping from quantities to {unit, points}"
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         if not isinstance(node, Mapping):
             return reader.expected(node, self.wants)
         if not node.entries:
@@ -115,7 +115,7 @@ class _Asked(Kind):
             return None
         return AskedQuantity(Expression(key, tree), record.get("unit", ""), record.get("points", 1), record.get("rtol"))
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         return {"type": "object", "additionalProperties": {"anyOf": [{"type": "null"}, ASKED.schema()]}}
 
 
@@ -124,7 +124,7 @@ class _Mistakes(Kind):
 
     wants = "a mapping from mistakes, in words, to what they change in the scene"
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> Any:
         if not isinstance(node, Mapping):
             return reader.expected(node, self.wants)
         if len(node.entries) > MOST_MISTAKES:
@@ -139,7 +139,7 @@ class _Mistakes(Kind):
         return ByName({key: value for key, (_, value) in node.entries.items()},
                       {key: key_node.where for key, (key_node, _) in node.entries.items()})
 
-    def schema(self):
+    def schema(self) -> dict[str, Any]:
         return {"type": "object", "additionalProperties": {"anyOf": [{"type": "object"}, {"enum": [OFF, False]}]}}
 
 

@@ -34,7 +34,7 @@ def render(documents: Sequence[Document], _: Callable | None = None, listed: boo
     return page(documents[0].title, contents + "\n".join(articles))
 
 
-def fragment(document: Document):
+def fragment(document: Document) -> str:
     """One document as a piece of a page."""
     return article(0, document)
 

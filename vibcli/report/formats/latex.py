@@ -50,7 +50,7 @@ def render(documents: Sequence[Document], place: Callable | None) -> str:
     return HEAD + "\n\\clearpage\n".join(_document(document, place) for document in documents) + "\n\\end{document}"
 
 
-def fragment(document: Document):
+def fragment(document: Document) -> str:
     """One document without pictures as a piece of a LaTeX document."""
     return _document(document, None)
 

@@ -41,7 +41,7 @@ class Protected(Latex):
     def indexed(self, letter: str, below: str) -> str:
         return f"{letter} _ {{{below}}}"
 
-    def words(self, text: Any):
+    def words(self, text: Any) -> str:
         return rf"\text{{{on_one_line(text).translate(str.maketrans(_WIDE))}}}" if text else ""
 
 

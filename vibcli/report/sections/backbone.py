@@ -1,12 +1,13 @@
 """How the frequency of free motions hangs on their amplitude."""
 
+from collections.abc import Iterator
 from math import tau
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
 from vibcli.notation.numbers import figure, rounded_up
 from vibcli.quantities.expression import number_of
-from vibcli.report.blocks import TableBlock, equations, line, paragraph, section
+from vibcli.report.blocks import Section, TableBlock, equations, line, paragraph, section
 from vibcli.report.keys import Key
 from vibcli.report.sections.insight import require_numbers
 from vibcli.report.sections.parameters import unit
@@ -40,7 +41,7 @@ def _asked(problem):
     return text, tree, unit(dimension_of(problem, tree)), most, record.get("mode", 1)
 
 
-def backbone(problem: "Problem", _: "Report"):
+def backbone(problem: "Problem", _: "Report") -> Iterator[Section]:
     if problem.numeric.has_free_symbols and len(problem.scene.resting.q) == 1:
         yield from _in_letters(problem)
         return

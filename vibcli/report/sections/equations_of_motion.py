@@ -104,7 +104,7 @@ def _drives(problem, found):
             for node, pairs in zip(drives, told, strict=True)]
 
 
-def left_out(problem: "Problem"):
+def left_out(problem: "Problem") -> Paragraph | None:
     """What of loads in time and of driven displacements the equations of small oscillations do not hold."""
     left_out, names = problem.symbolic.left_out, problem.scene.coordinates
     if not left_out:

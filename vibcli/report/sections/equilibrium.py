@@ -1,13 +1,13 @@
 """The equilibrium that is reached from the drawn position."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from math import inf, isfinite
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.enumeration import listed
 from vibcli.base.errors import Kinked, PhysicsError
 from vibcli.notation.numbers import figure, quantity
-from vibcli.report.blocks import Name, Paragraph, Words, equations, line, maths, paragraph, section, separated
+from vibcli.report.blocks import Name, Paragraph, Section, Words, equations, line, maths, paragraph, section, separated
 from vibcli.report.keys import Key
 from vibcli.symbolic.rationals import ONE
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 MANY = 12       # values told of very many
 
 
-def equilibrium(problem: "Problem", _: "Report"):
+def equilibrium(problem: "Problem", _: "Report") -> Iterator[Section]:
     try:
         blocks = _in_letters(problem) if problem.numeric.has_free_symbols else _in_numbers(problem)
     except PhysicsError:
@@ -26,7 +26,7 @@ def equilibrium(problem: "Problem", _: "Report"):
             raise
         blocks = []
     if problem.system.sticking is not None:
-        blocks += held(problem)
+        blocks = [*blocks, *held(problem)]
     preloads = equations(line(Words(f"static preload of {name}: "), *_preload(problem, node, name), hang=None)
                          for name, node in problem.system.preloads.items())
     slack = [] if problem.numeric.has_free_symbols else slack_ropes(problem)
@@ -83,7 +83,7 @@ def _balanced(residual):
     return f"what is left of the forces is {figure(residual, digits=2)} of their terms"
 
 
-def held(problem: "Problem"):
+def held(problem: "Problem") -> Iterator[Any]:
     """Where dry friction holds the scene."""
     from vibcli.mechanics.equilibrium.dry_friction import span
 

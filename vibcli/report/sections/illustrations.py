@@ -69,7 +69,7 @@ def _moving(problem, index, normalise):
     return moving(frames, words, milliseconds=PACE, closed=True)
 
 
-def plot(name: str, caption: str, figure: Any):
+def plot(name: str, caption: str, figure: Any) -> Picture:
     """A Picture of a Figure."""
     from vibcli.plots.picture import picture
 

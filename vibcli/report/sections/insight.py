@@ -43,7 +43,7 @@ def numbered(indices: Mapping[int, Any] | Sequence[int]) -> str:
     return ", ".join(map(str, indices))
 
 
-def off(value: Any, exact: Any):
+def off(value: Any, exact: Any) -> str:
     """How far an estimate is off, in per cent."""
     found = 100 * (value / exact - 1)
     if abs(found) < NOTHING:

@@ -1,20 +1,31 @@
-"""A motion that is integrated: the balance of its energies, its events, and how well it is known."""
+"""A motion that is integrated: the balance of its energies, its events, how well it is known, and its period."""
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.numbers import figure, supported
 from vibcli.report.blocks import Section, TableBlock, paragraph, section
+from vibcli.report.sections.expanded_motion import periods
 
 if TYPE_CHECKING:
-    from vibcli.analyses.time_integration.trajectory import Trajectory
+    from vibcli.results.problem import Problem
 
 MOST_EVENTS = 40
 LEAST = 2.0**-52
 
 
-def integration(trajectory: "Trajectory") -> Iterator[Section]:
-    """What happened on the way, and how well the energies balance."""
+def integration(problem: "Problem", motion: Any) -> Iterator[Section]:
+    """What happened on the way, how well the energies balance, and the period of what has one."""
+    yield from _followed(motion.trajectory())
+    if problem.spec.expanded:
+        yield from periods(problem, motion)
+    else:
+        from vibcli.report.sections.free_motion import swinging
+
+        yield from swinging(problem, motion)
+
+
+def _followed(trajectory):
     balance = trajectory.balance
     largest = max(abs(float(x)) for x in (*balance.energy, *balance.work, *balance.dissipated, *balance.driving))
     off = float(balance.error) * largest

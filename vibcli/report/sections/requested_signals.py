@@ -1,6 +1,6 @@
 """Motions in time as data: what is asked, sampled series with their units, extremes, steady amplitudes."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NoBound, NotFixed, PhysicsError, SpecError
@@ -14,6 +14,8 @@ from vibcli.report.sections.parameters import unit
 from vibcli.symbolic.syntax import NameRef, Sum
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
     from vibcli.language.reader import Expression
     from vibcli.language.spec import Spec
     from vibcli.report.wanted import Wanted
@@ -25,7 +27,7 @@ class RequestedSignal(NamedTuple):
 
     text: str
     tree: tuple
-    dimension: dict
+    dimension: "Mapping[str, Fraction | int]"
     signal: Any
 
     @property
@@ -93,7 +95,7 @@ def signals_asked(problem: "Problem", given: "Sequence[Expression]" = ()) -> lis
             for text, tree in trees_asked(problem, RESPONSE, given)]
 
 
-def dimension_of(problem: "Problem", tree: "NameRef | Sum") -> dict:
+def dimension_of(problem: "Problem", tree: "NameRef | Sum") -> "Mapping[str, Fraction | int]":
     """The dimension of a signal, {} of a pure number."""
     return problem.spec.dimensions.resolve(checker(problem.spec).dimension(tree) or {})
 

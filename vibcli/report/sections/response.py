@@ -14,7 +14,7 @@ from vibcli.reader.sections.find import RESPONSE
 from vibcli.report import blocks
 from vibcli.report.blocks import Name, Section, TableBlock, line, maths, paragraph, section
 from vibcli.report.keys import Key, data
-from vibcli.report.sections.expanded_motion import PERIODS, compared_periods, periods
+from vibcli.report.sections.expanded_motion import PERIODS, compared_periods
 from vibcli.report.sections.requested_signals import RequestedSignal, extremes, if_known, signals_asked, trees_asked
 from vibcli.report.sections.steady_state import harmonics_of, phase_in, steady_state
 
@@ -35,12 +35,7 @@ MOST_LINES = 16         # of what drives a motion
 def response(problem: "Problem", report: "Report") -> Iterator[Section]:
     """The sections of a motion in time."""
     if problem.numeric.has_free_symbols:
-        from vibcli.report.sections.symbolic_response import response_in_letters
-
-        if report.wanted.at:
-            names = ", ".join(name for name in problem.scene.parameters.free if name not in problem.numeric.given)
-            raise NotInLetters("values at instants are found in numbers", f"give values with --set to {names}")
-        yield from response_in_letters(problem, trees_asked(problem, RESPONSE, report.wanted.signals))
+        yield from _in_letters(problem, report.wanted)
         return
     motion, asked = problem.response, signals_asked(problem, report.wanted.signals)
     _require_quick(problem, asked, report.wanted)
@@ -51,13 +46,7 @@ def response(problem: "Problem", report: "Report") -> Iterator[Section]:
     if motion.KIND == "full":
         from vibcli.report.sections.integration import integration
 
-        yield from integration(motion.trajectory())
-        if problem.spec.expanded:
-            yield from periods(problem, motion)
-        else:
-            from vibcli.report.sections.free_motion import swinging
-
-            yield from swinging(problem, motion)
+        yield from integration(problem, motion)
     elif motion.KIND in ("small", "steady"):
         from vibcli.report.sections.formulas import formulas
         from vibcli.report.sections.vibrations import beats, free_vibration
@@ -84,6 +73,15 @@ def response(problem: "Problem", report: "Report") -> Iterator[Section]:
         raise missing
 
 
+def _in_letters(problem, wanted):
+    from vibcli.report.sections.symbolic_response import response_in_letters
+
+    if wanted.at:
+        names = ", ".join(name for name in problem.scene.parameters.free if name not in problem.numeric.given)
+        raise NotInLetters("values at instants are found in numbers", f"give values with --set to {names}")
+    yield from response_in_letters(problem, trees_asked(problem, RESPONSE, wanted.signals))
+
+
 def _by_waves(motion, asked):
     from vibcli.report.sections.fronts import fronts
 
@@ -103,9 +101,9 @@ def _require_quick(problem, asked, wanted):
                           for _, t in wanted.at), wanted.digits, problem.work)
 
 
-def at_instants_alone(motion: Any, wanted: "Wanted"):
+def at_instants_alone(motion: Any, wanted: "Wanted") -> bool:
     """Is it a motion without an end, that is prescribed, of which instants are asked for?"""
-    return motion.KIND == "prescribed" and wanted.at and not motion.ends
+    return motion.KIND == "prescribed" and bool(wanted.at) and not motion.ends
 
 
 def known_until(motion: Any, wanted: "Wanted") -> float:
@@ -182,8 +180,8 @@ def _drive(problem, motion):
     """What stands on the right of M q̈ + C q̇ + K q = Q(t), and what of it the left side lacks."""
     if len(motion.drive) > MOST_LINES:
         return [paragraph(f"driven at {len(motion.drive)} coordinates")]
-    told = [blocks.equations(line("Q = ", node, label=Name(problem.scene.coordinates[i]))
-                             for i, node in motion.drive.items())]
+    told: list[Any] = [blocks.equations(line("Q = ", node, label=Name(problem.scene.coordinates[i]))
+                                        for i, node in motion.drive.items())]
     if problem.symbolic.left_out:
         from vibcli.report.sections.equations_of_motion import left_out
 

@@ -1,11 +1,12 @@
 """Estimates of the lowest natural frequencies by assumed shapes."""
 
+from collections.abc import Iterator
 from math import tau
 from typing import TYPE_CHECKING
 
 from vibcli.analyses.modal.normalisation import WORDS, normalised, weights
 from vibcli.notation.numbers import figure
-from vibcli.report.blocks import TableBlock, note, paragraph, section
+from vibcli.report.blocks import Section, TableBlock, note, paragraph, section
 from vibcli.report.keys import Key
 from vibcli.report.sections.insight import grid, off, require_numbers
 from vibcli.report.sections.mode_tables import shapes
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
 HEAD = ("", "estimate [rad/s]", "f [Hz]", "T [s]", "exact ω [rad/s]", "error")
 
 
-def ritz(problem: "Problem", report: "Report"):
+def ritz(problem: "Problem", report: "Report") -> Iterator[Section]:
     require_numbers(problem, "ritz")
     found = problem.modal.result("ritz")
     one = len(found.modes) == 1

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 from vibcli.base.enumeration import listed
@@ -70,7 +70,7 @@ def _label(expression):
 
 def _table(found):
     axis, changed = found.axes[0], _changed(found)
-    head = [maths(Name(axis.name), *[Words(f" [{_unit_told(axis)}]")] * bool(axis.unit))]
+    head: list[Any] = [maths(Name(axis.name), *[Words(f" [{_unit_told(axis)}]")] * bool(axis.unit))]
     columns = [[figure(value) for value in axis.shown]]
     for expression, text, unit, values in zip(found.asked, _labels(found), found.units, found.columns, strict=True):
         head.append(text + _in(unit))

@@ -11,7 +11,7 @@ LONGEST = 2400
 TALL, TOLD = 200, 40        # coordinates, a row each; else so many of them
 
 
-def brief(node: "Node", whole: str = "; see --json"):
+def brief(node: "Node", whole: str = "; see --json") -> "Node | Words":
     """An expression, or words about its size where it is too long to read; `whole`: where all of it stands."""
     from vibcli.notation.plain import plain
 

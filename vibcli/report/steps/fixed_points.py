@@ -100,7 +100,7 @@ class _FixedPoints:
             found.setdefault(power, []).append((rest, c))
         return {power: self.about.tidy(self.about.table.sum(*parts)) for power, parts in found.items()}
 
-    def hold(self):
+    def hold(self) -> bool:
         """Is the frequency of the load one of them, whatever the values of the letters?"""
         sums = substitute([self.n0 * self.d1, self.n1 * self.d0], {self.omega: self.Omega})
         return all(isclose(one, -other, rel_tol=CLOSE) for one, other in (

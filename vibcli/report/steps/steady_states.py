@@ -94,7 +94,7 @@ class SteadyState:
     def force(self, i: int) -> "tuple[Node, Node]":
         """(real part, imaginary part) of Fᵢ."""
         A, B = (self.loads.get(i, {}).get(wave, self.table.zero) for wave in ("sin", "cos"))
-        return tuple(map(textbook, (A, B) if self.wave == "sin" else (B, -A)))
+        return (textbook(A), textbook(B)) if self.wave == "sin" else (textbook(B), textbook(-A))
 
     def _equations(self):
         """The line of Z X = F."""

@@ -36,7 +36,7 @@ class SymbolicSolution(NamedTuple):
     one_sided: bool = False
 
 
-def solutions(node: "Node", unknown: "Node", samples: Sequence[dict[str, float]]):
+def solutions(node: "Node", unknown: "Node", samples: Sequence[dict[str, float]]) -> list[Any]:
     """The Solutions of node = 0; none where its form is not known. `samples`: admissible values of the letters."""
     node, = opened([node], unknown)
     sides = [textbook(one) for one in _sides(node, unknown)]
@@ -64,7 +64,7 @@ class _Condition:
         self.quotients = Quotients(table, [node, self.sine, self.cosine, *under_roots])
         self.node = node
 
-    def solutions(self):
+    def solutions(self) -> list[Any]:
         moving = [atom for atom in self.quotients.atoms if atom[0].mask & self.x.mask]
         if any(base not in (self.x, self.sine, self.cosine) and e != HALF for base, e in moving):
             return []

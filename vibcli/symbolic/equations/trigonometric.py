@@ -24,14 +24,14 @@ def angles(terms: Any, x: "Node", sample_zero: Callable) -> "list[Node] | None":
         if any(x in reachable([part]) for part in powers):
             return None
         parts.setdefault(key, []).append((table.product(*powers.items()), value))
-    parts = {key: textbook(table.sum(*pieces)) for key, pieces in parts.items()}
-    parts = {key: node for key, node in parts.items() if not sample_zero(node)}
-    if not parts:
+    sums = {key: textbook(table.sum(*pieces)) for key, pieces in parts.items()}
+    sums = {key: node for key, node in sums.items() if not sample_zero(node)}
+    if not sums:
         return None
-    sines, cosines = (min(key[i] for key in parts) for i in (0, 1))
+    sines, cosines = (min(key[i] for key in sums) for i in (0, 1))
     found = [table.zero, table.pi, -table.pi] if sines else []
     found += [table.pi / 2, -table.pi / 2, 3 * table.pi / 2] if cosines else []
-    rest = {(i - sines, j - cosines): node for (i, j), node in parts.items()}
+    rest = {(i - sines, j - cosines): node for (i, j), node in sums.items()}
     if set(rest) == {(0, 0)}:
         return found
     if set(rest) - {(0, 0), (1, 0), (0, 1)}:

@@ -42,7 +42,7 @@ def depends(node: "Node", symbols: "Sequence[Node]") -> bool:
     return any(part in symbols for part in reachable([node]))
 
 
-def solve_equation(node: "Node", x: "Node", scene: Any, thorough: bool = False):
+def solve_equation(node: "Node", x: "Node", scene: Any, thorough: bool = False) -> "Candidates | None":
     """The Candidates for the symbol x from node = 0; None where none were found in letters. `thorough`: SymPy may try
     what is not of degree one or two."""
     terms = polynomial(node, x)
