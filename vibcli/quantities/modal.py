@@ -17,8 +17,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.syntax import QuantityRef
 
 
-CLOSE = 1e-4            # relative gap of eigenvalues, below which shapes lose digits
-SHAPE, LOST = 1e-11, 6      # the relative error of a shape; digits that one loses where eigenvalues are close
+CLOSE, SHAPE, LOST = 1e-4, 1e-11, 6     # relative gap of eigenvalues below which shapes lose digits; their error; these
 
 
 def _mode(problem, tree):
@@ -26,8 +25,7 @@ def _mode(problem, tree):
     number = int(tree.indices[0])
     if not modes:
         raise PhysicsError(f"there is no mode {number}: without its dampers nothing would hold what has no "
-                           "inertia in this scene",
-                           "ask for decay[1] or eigenvalue[1]")
+                           "inertia in this scene", "ask for decay[1] or eigenvalue[1]")
     found = modes.numbered(number, number)
     if not found:
         raise PhysicsError(f"there is no mode {number}: this scene has {counted(len(modes), 'mode')}",

@@ -61,12 +61,8 @@ class ModalAnalysis:
 
             if only_damped(elements):
                 return Modes([])
-        return self._sequence(self.solved(natural_modes, elements, *self.configuration.sources, at_limit=self.at_limit))
-
-    @property
-    def at_limit(self) -> bool:
-        """Is a parameter chosen that is to bring it to its limit of stability?"""
-        return any(record["so"].is_limit for record in self.spec.choices.values())
+        return self._sequence(self.solved(natural_modes, elements, *self.configuration.sources,
+                                          at_limit=self.spec.at_limit))
 
     @cached_property
     def zero_modes(self) -> dict[int, str]:
