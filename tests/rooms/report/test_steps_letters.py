@@ -2,6 +2,7 @@
 
 from support.scenes import problem
 
+from vibcli.inverse.letters import expression_in_letters
 from vibcli.notation.plain import plain
 from vibcli.report.formats.formula import formula
 from vibcli.report.steps.worked import worked
@@ -68,3 +69,19 @@ def test_coefficients_and_entries_have_units():
         assert any(unit in line for line in told), unit
     assert any("Z₂₂ = " in line and line.endswith("·i N·m") for line in told)
     assert any(line.startswith("F₂ = L·F = 0.9 N·m") for line in told)
+
+
+def test_shapes_of_coordinates_that_follow_others_are_in_letters():
+    """Of gears, at rest as drawn, and turned by a moment."""
+    scene = """
+        parameters: {{J: , r: , R: , kt: , M: {{unit: N*m}}}}
+        bodies: {{one: {{inertia: J, at: [0, 0], pin: {{by: phi}}}},
+                  two: {{inertia: J, at: [r + R, 0], pin: {{by: psi}}}}}}
+        springs: {{s: {{torsion: kt, between: [ground, one]}}}}
+        constraints: {{teeth: {{gear: [one, two], radii: [r, R]}}}}
+        forces: {{f: {{body: one, moment: {moment}}}}}
+        answers: {{"mode[1][psi]": -r/R}}
+        """
+    for moment in ("0*M", "M"):
+        found = problem(scene.format(moment=moment))
+        assert formula([expression_in_letters(found, found.spec.answers[0].asked)], plain) == "−r/R"

@@ -1,4 +1,4 @@
-"""SI units of the stiffness Kᵢⱼ, an energy over qᵢqⱼ, of what loads Qᵢ, an energy over qᵢ, and of determinants."""
+"""SI units of the stiffness Kᵢⱼ, an energy over qᵢqⱼ, of Mᵢⱼ, of loads Qᵢ, an energy over qᵢ, and of determinants."""
 
 from typing import TYPE_CHECKING
 
@@ -9,9 +9,10 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 
-def unit_of_entry(problem: "Problem", i: int, j: int) -> str:
-    """Of Kᵢⱼ."""
-    return units.text(entry_dimension("K", *(problem.system.dimension(problem.scene.coordinates[k]) for k in (i, j))))
+def unit_of_entry(problem: "Problem", i: int, j: int, letter: str = "K") -> str:
+    """Of Kᵢⱼ, or an entry of another matrix."""
+    names, dimension = problem.scene.coordinates, problem.system.dimension
+    return units.text(entry_dimension(letter, dimension(names[i]), dimension(names[j])))
 
 
 def unit_of_load(problem: "Problem", i: int) -> str:
