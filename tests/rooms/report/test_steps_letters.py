@@ -85,3 +85,15 @@ def test_shapes_of_coordinates_that_follow_others_are_in_letters():
     for moment in ("0*M", "M"):
         found = problem(scene.format(moment=moment))
         assert formula([expression_in_letters(found, found.spec.answers[0].asked)], plain) == "−r/R"
+
+
+def test_expressions_that_answers_of_a_scene_in_letters_ask_are_told():
+    """With a number where the letters that are left have some: Thomson's trailer, whose mass cancels."""
+    told = lines("""
+        parameters: {m: , d: 100 mm, w: 16 m, g: 9.81 m/s^2}
+        bodies: {b: {mass: m, slide: x}}
+        springs: {s: {k: m*g/d, between: [ground, b]}}
+        answers: {"omega[1]*w/(2*pi)": 25.22 m/s, "omega[1]^2*m": m^2*g/(d*m)}
+        """)
+    assert told[-2].startswith("ω₁·w/(2·π):  ") and told[-2].endswith(" = 25.2217 m/s")
+    assert told[-1] == "ω₁²·m:  m·g/d"

@@ -37,6 +37,7 @@ def tell_asked(problem: "Problem", sheet: WorkedSolution) -> None:
     expression of quantities, and no line settles; those of answers side by side."""
     rules = problem.spec.get("variants")
     if problem.numeric.has_free_symbols:
+        _tell_in_letters(problem, sheet)
         return
     settled, before = {line.settles for line in sheet.steps}, sheet.last
     of_answers = [one for one in problem.spec.answers if _untold(problem.spec, one.asked)]
@@ -44,6 +45,26 @@ def tell_asked(problem: "Problem", sheet: WorkedSolution) -> None:
         if one.asked.text not in settled and _is_number(problem.spec, one.asked.tree):
             settled.add(one.asked.text)
             _tell(problem, sheet, one.asked, joined=one in of_answers and sheet.last > before)
+
+
+def _tell_in_letters(problem, sheet):
+    """The expressions of quantities that answers of a scene in letters ask, with a number where all that is left has
+    one."""
+    from vibcli.inverse.letters import expression_in_letters
+
+    samples, known = samples_of(problem, {}), problem.scene.parameters.values(Floats)
+    for asked in [one.asked for one in problem.spec.answers if _untold(problem.spec, one.asked)]:
+        if isinstance(asked.tree, QuantityRef):
+            continue
+        with suppress(PhysicsError, SpecError):
+            node = tidy(expression_in_letters(problem, asked), samples)
+            value, unit = None, unit_told(problem.spec, asked)
+            with suppress(KeyError):
+                value, = evaluate([node], Floats, known)
+            if letters(node) <= LONG and node.op != "number":
+                text = as_printed(asked.text, {*problem.spec.parameters, *problem.spec.coordinates})
+                sheet.write(Words(f"{text}:  "), node, *(() if value is None else number(value, unit)), node=node,
+                            settles=asked.text, value=value, unit=unit * (value is not None), uses=[sheet.last])
 
 
 def _untold(spec, asked):
