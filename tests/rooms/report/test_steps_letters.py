@@ -1,6 +1,8 @@
 """Letters and units of worked solutions: no letter stands for two things, and numbers of matrices have units."""
 
-from support.scenes import problem
+from pathlib import Path
+
+from support.scenes import kept_problem_of, problem
 
 from vibcli.inverse.letters import expression_in_letters
 from vibcli.notation.plain import plain
@@ -97,3 +99,9 @@ def test_expressions_that_answers_of_a_scene_in_letters_ask_are_told():
         """)
     assert told[-2].startswith("ω₁·w/(2·π):  ") and told[-2].endswith(" = 25.2217 m/s")
     assert told[-1] == "ω₁²·m:  m·g/d"
+
+
+def test_a_number_beside_a_letter_keeps_its_unit_in_a_quotient():
+    found = kept_problem_of(Path("problems/5_forced/shelter_under_a_blast.yaml"))
+    square, = [line for line in worked(found) if line.settles == "omega[1]"]
+    assert "(L² + 3.24\u00a0m²)" in formula(square.parts, plain).partition(",  ω")[0]

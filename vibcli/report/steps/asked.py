@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.notation.as_printed import as_printed
-from vibcli.quantities.expression import value_of
+from vibcli.quantities.expression import lowered, value_of
 from vibcli.quantities.in_letters import quantity_in_letters
 from vibcli.quantities.quantity import OF_STATE, is_choice, quantity_of
 from vibcli.report.blocks import Words
@@ -50,14 +50,12 @@ def tell_asked(problem: "Problem", sheet: WorkedSolution) -> None:
 def _tell_in_letters(problem, sheet):
     """The expressions of quantities that answers of a scene in letters ask, with a number where all that is left has
     one."""
-    from vibcli.inverse.letters import expression_in_letters
-
     samples, known = samples_of(problem, {}), problem.scene.parameters.values(Floats)
     for asked in [one.asked for one in problem.spec.answers if _untold(problem.spec, one.asked)]:
         if isinstance(asked.tree, QuantityRef):
             continue
         with suppress(PhysicsError, SpecError):
-            node = tidy(expression_in_letters(problem, asked), samples)
+            node = tidy(_of_quantities(problem, asked), samples)
             value, unit = None, unit_told(problem.spec, asked)
             with suppress(KeyError):
                 value, = evaluate([node], Floats, known)
@@ -65,6 +63,12 @@ def _tell_in_letters(problem, sheet):
                 text = as_printed(asked.text, {*problem.spec.parameters, *problem.spec.coordinates})
                 sheet.write(Words(f"{text}:  "), node, *(() if value is None else number(value, unit)), node=node,
                             settles=asked.text, value=value, unit=unit * (value is not None), uses=[sheet.last])
+
+
+def _of_quantities(problem, asked):
+    found = {part.text: quantity_in_letters(problem, part) for part in asked.parts.quantities}
+    return lowered(asked, problem.scene.table, lambda name, primes, part: found[part.text] if isinstance(
+        part, QuantityRef) else problem.scene.parameters.nodes[name])
 
 
 def _untold(spec, asked):
