@@ -7,6 +7,8 @@ from vibcli.quantities.energies import equation_number, require_sum
 from vibcli.quantities.expression import lowered
 from vibcli.quantities.in_letters import quantity_in_letters, response_of, size_of
 from vibcli.quantities.quantity import declared
+from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.syntax import QuantityRef, parts_of
 
 if TYPE_CHECKING:
@@ -72,12 +74,30 @@ def _quantity(problem, tree):
     return _of_mode(problem, tree, modes[number - 1])
 
 
+def _amplitude(problem, shape, name):
+    """Of a coordinate, or Σ (∂s/∂qᵢ) φᵢ at rest of one that follows others; None of other signals, and of closed loops
+    whose rest is not as drawn."""
+    scene = problem.scene
+    if name in scene.coordinates:
+        return shape[scene.coordinates.index(name)]
+    if name not in scene.dependent or scene.pieces:
+        return None
+    slopes, place = gradient(scene.dependent[name]), scene.drawn_position
+    if not problem.symbolic.balanced_as_drawn:
+        rest = problem.symbolic.equilibrium_position
+        place = {scene.time: scene.table.zero} | {q: rest[q.name] for q in scene.q}
+    found = scene.table.total([substitute([slopes[q]], place)[0] * x for q, x in zip(scene.q, shape, strict=True)
+                               if q in slopes])
+    return None if found.mask else textbook(found)
+
+
 def _of_mode(problem, tree, mode):
     table, head = problem.scene.table, tree.head
     if head == "mode":
-        if mode.shape is None or tree.indices[1] not in problem.scene.coordinates:
+        found = None if mode.shape is None else _amplitude(problem, mode.shape, tree.indices[1])
+        if found is None:
             raise NotInLetters(f"'{tree.text}' is found in numbers", GIVE_VALUES)
-        return mode.shape[problem.scene.coordinates.index(tree.indices[1])]
+        return found
     if head == "growth_rate" or mode.unstable:
         if head != "growth_rate" or not mode.unstable:
             raise PhysicsError(f"mode {mode.index} is {'un' * mode.unstable}stable: it has no such number",

@@ -100,8 +100,19 @@ def test_members_about_a_rest_that_a_search_finds():
         d33, d34, d44 = EI * beta**3 * (c * S + s * C) / N, -EI * beta**2 * s * S / N, EI * beta * (s * C - c * S) / N
         assert (d33 - m * omega**2) * d44 == pytest.approx(d34**2, rel=1e-9)
     text = told(lines)
-    assert any("H₁₁ = 6,  H₃₃ = 0.09,  K₃₃ = 2.943" in one for one in text), text
+    assert any("H₁₁ = 6 kg,  H₃₃ = 0.09 kg·m²,  K₃₃ = 2.943 N·m" in one for one in text), text
     assert any(one.startswith("the forces balance at  y = −0.0173048 m") for one in text)
+
+
+def test_each_stretch_about_a_rest_that_a_search_finds_has_its_stiffness():
+    text = told(worked(problem("""
+        gravity: 9.81
+        parameters: {EI: 300}
+        beams: {b: {segments: [{length: 1, EI: EI}, {length: 1, EI: 3*EI}], mass_per_length: 2, left: clamped}}
+        bodies: {bob: {mass: 1, at: [3, 0], slide: {along: [0, 1], by: q}}}
+        springs: {s: {k: 500, between: [[3.3, -0.4], bob]}}
+        """)))
+    assert [one.rpartition(" = ")[2] for one in text if one.startswith("b, ")] == ["300 N·m²", "900 N·m²"]
 
 
 def test_a_load_that_swings_beside_a_dashpot_and_ratios_by_hand():

@@ -24,7 +24,7 @@ springs: {p: {k: k, between: [ground, a]}, q: {k: 2*k, between: [a, b]}, r: {k: 
 TWO = re.sub(r", d: .*?}}", "}", ROW).replace(", r: {k: k, between: [b, d]}", "")
 DAMPED = "dampers: {e: {c: c, between: [ground, a]}}\n"
 GROWING = TWO.replace("F: 5 N, w: 9 rad/s, u: 14 rad/s", "F: 5 N/s")
-UNIT = re.compile(r" (m|rad)(?:,|$).*")
+UNIT = re.compile(r" (m|rad|N|N/m|kg\S*)(?:,|$).*")
 SIGNS = {"−": "-", "·": "*", "²": "**2", "₁": "1", "₂": "2", "₃": "3", "\u00a0": " "}
 
 

@@ -228,7 +228,7 @@ class ModalAnalysis:
         """The modes of the system without its dampers, recomputed to so many correct digits; found once."""
         from vibcli.analyses.modal.modes import natural_modes
 
-        return self._sharpened("modes", digits, partial(natural_modes, at_limit=self.at_limit)) if (
+        return self._sharpened("modes", digits, partial(natural_modes, at_limit=self.spec.at_limit)) if (
             self.modes) else self.modes
 
     def damped_to(self, digits: int):

@@ -78,7 +78,8 @@ class NamedDrives:
             return None
         driven = [(factor, self._names[symbol]) for factor, symbol in zip(factors, moving, strict=True)
                   if not factor.is_zero]
-        return [tuple(copied(pair, self._problem.scene.table)) for pair in driven]
+        table = self._problem.scene.table
+        return [(*copied([factor], table), *copied([name], table)) for factor, name in driven]
 
     def _named(self, mine, whole):
         """An expression with the symbols; the engine's where they do not have the same value at states of motion."""

@@ -28,7 +28,8 @@ def frequencies(problem: "Problem", report: "Report") -> Iterator[Section]:
     modal = problem.modal
     found = shown(problem, report.wanted)
     same = repeated(found)
-    zero = dict.fromkeys(modal.zero_modes, "held") if problem.scene.pieces and problem.spec.at_limit else modal.zero_modes
+    held = problem.scene.pieces and problem.spec.at_limit
+    zero = dict.fromkeys(modal.zero_modes, "held") if held else modal.zero_modes
     rows = [mode_row(mode, zero.get(mode.index), same.get(mode.index, "")) for mode in found]
     head = ("mode", "ω [rad/s]", "f [Hz]", "T [s]", "relative error ≤", "")
     doubts = [] if report.tells("Equilibrium") else list(map(paragraph, _doubts(problem)))

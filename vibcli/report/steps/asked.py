@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.notation.as_printed import as_printed
-from vibcli.quantities.expression import value_of
+from vibcli.quantities.expression import lowered, value_of
 from vibcli.quantities.in_letters import quantity_in_letters
 from vibcli.quantities.quantity import OF_STATE, is_choice, quantity_of
 from vibcli.report.blocks import Words
@@ -37,6 +37,7 @@ def tell_asked(problem: "Problem", sheet: WorkedSolution) -> None:
     expression of quantities, and no line settles; those of answers side by side."""
     rules = problem.spec.get("variants")
     if problem.numeric.has_free_symbols:
+        _tell_in_letters(problem, sheet)
         return
     settled, before = {line.settles for line in sheet.steps}, sheet.last
     of_answers = [one for one in problem.spec.answers if _untold(problem.spec, one.asked)]
@@ -44,6 +45,30 @@ def tell_asked(problem: "Problem", sheet: WorkedSolution) -> None:
         if one.asked.text not in settled and _is_number(problem.spec, one.asked.tree):
             settled.add(one.asked.text)
             _tell(problem, sheet, one.asked, joined=one in of_answers and sheet.last > before)
+
+
+def _tell_in_letters(problem, sheet):
+    """The expressions of quantities that answers of a scene in letters ask, with a number where all that is left has
+    one."""
+    samples, known = samples_of(problem, {}), problem.scene.parameters.values(Floats)
+    for asked in [one.asked for one in problem.spec.answers if _untold(problem.spec, one.asked)]:
+        if isinstance(asked.tree, QuantityRef):
+            continue
+        with suppress(PhysicsError, SpecError):
+            node = tidy(_of_quantities(problem, asked), samples)
+            value, unit = None, unit_told(problem.spec, asked)
+            with suppress(KeyError):
+                value, = evaluate([node], Floats, known)
+            if letters(node) <= LONG and node.op != "number":
+                text = as_printed(asked.text, {*problem.spec.parameters, *problem.spec.coordinates})
+                sheet.write(Words(f"{text}:  "), node, *(() if value is None else number(value, unit)), node=node,
+                            settles=asked.text, value=value, unit=unit * (value is not None), uses=[sheet.last])
+
+
+def _of_quantities(problem, asked):
+    found = {part.text: quantity_in_letters(problem, part) for part in asked.parts.quantities}
+    return lowered(asked, problem.scene.table, lambda name, primes, part: found[part.text] if isinstance(
+        part, QuantityRef) else problem.scene.parameters.nodes[name])
 
 
 def _untold(spec, asked):

@@ -10,7 +10,7 @@ from vibcli.report.blocks import Factor, Name, SumOfTerms, Words
 from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.nested_form import letters
-from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.normal_form import is_zero, textbook
 
 if TYPE_CHECKING:
     from vibcli.elements.rigid_body import Body
@@ -99,21 +99,36 @@ class Bodies:
         """½ J_O ω², J_O by the parallel axis theorem of each part."""
         about, parts = self.about, _about_the_axis(body)
         written, ((J, omega),) = list(map(textbook, parts)), self._moved(body, terms)
-        rate, turns = about.rate(omega), [Words(f"{body.name} turns about the fixed O:  ")]
+        rate, (axis, centre) = about.rate(omega), self._axis_and_centre(body)
+        turns = [Words(f"{body.name} turns about the fixed {axis}:  ")]
         if len(parts) == 1:
             turn = about.letter(self.sheet.letter("omega", body.name))
             shown = [] if rate.op == "symbol" else [turn, " = ", rate, Words(",  ")]
             return self._energy(body.name, [(J, omega)], None, [J * turn ** 2 / 2] if shown else [],
                                 before=[*turns, *shown])
-        letter = self.sheet.letter("J_O", body.name if self._several else "")
-        how = ["J_C + ", Factor(body.mass), "·OC² = "] if len(parts) == 2 and not (body.pieces or body.cut) else []
+        letter = self.sheet.letter(f"J_{axis}", body.name if self._several else "")
+        simple = len(parts) == 2 and not (body.pieces or body.cut)
+        how = [f"J_{centre} + ", Factor(body.mass), f"·{axis}{centre}² = "] if simple else []
         told = [SumOfTerms(tuple(written)), " = "] if len(written) > 1 else []
         x, y = map(about.shifted, body.frame.point(*body.centre))
         if how and letters(x) + letters(y) <= LONG:
-            turns = Words(f"{body.name} turns about the fixed O, C at  "), "(", x, ", ", y, ")", Words(":  ")
+            where = Words(f"{body.name} turns about the fixed {axis}, {centre} at  ")
+            turns = [where, "(", x, ", ", y, ")", Words(":  ")]
         line = self.sheet.write(*turns, Name(letter), " = ", *how, *told, J,
                                 *self._number(J), settles=letter, node=J, value=about.value(J), unit="kg·m²")
         return self._energy(body.name, [(J, omega)], line, [self.about.letter(letter) * rate ** 2 / 2])
+
+    def _axis_and_centre(self, body):
+        """The letters O and C, others where the scene has these of something else than the places meant."""
+        names = {*self.scene.parameters.nodes, *self.scene.coordinates, *self.scene.points}
+        places = ("OASP", body.frame.place), ("CGWR", body.frame.point(*body.centre))
+        return [next((one for one in several if one not in names or self._is_at(one, place)), f"{several[0]}′")
+                for several, place in places]
+
+    def _is_at(self, point, place):
+        """Is the point of the scene of this name always at the place?"""
+        return point in self.scene.points and all(is_zero(one - other) for one, other in zip(
+            self.scene.points[point][1], place, strict=True))
 
     def _in_the_plane(self, body, terms):
         about = self.about

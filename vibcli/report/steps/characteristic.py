@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.held import SmallEquations
+from vibcli.report.steps.matrix_units import unit_of_determinant
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.expression_graph import reachable
@@ -72,12 +73,19 @@ def tell_polynomial(about: AboutRest, sheet: WorkedSolution, found: SmallEquatio
                        polynomial(names, omega), " = 0", settles="det(K - omega^2*M)", uses=uses)
     known = coefficients(about, found)
     lines = [head]
-    for letter, node in zip(names, known, strict=True):
-        value = about.value(node)
-        shown = [] if value is not None and letters(node) > LONG else [" = ", node]
-        more = () if value is None or node.op == "number" else number(value)
-        lines.append(sheet.write(letter, *shown, *more, settles=letter.name, node=node, value=value, uses=uses))
+    for power, (letter, node) in enumerate(zip(names, known, strict=True)):
+        lines.append(tell_coefficient(about, sheet, (letter, node), 2 * (n - power), uses))
     return names, known, lines
+
+
+def tell_coefficient(about: AboutRest, sheet: WorkedSolution, found: "tuple[Node, Node]", power: int,
+                     uses: list[int]) -> int:
+    """Write down a letter and what it is, a sum of determinants that are multiplied by the time to a power."""
+    letter, node = found
+    value, unit = about.value(node), unit_of_determinant(about.problem, power)
+    shown = [] if value is not None and (letters(node) > LONG or node.op == "number") else [" = ", node]
+    return sheet.write(letter, *shown, *(() if value is None else number(value, unit)), settles=letter.name, node=node,
+                       value=value, unit="" if value is None else unit, uses=uses)
 
 
 def tell_roots(about: AboutRest, sheet: WorkedSolution, found: SmallEquations, uses: list[int]) -> None:

@@ -46,7 +46,8 @@ def _write(problem, sheet, parts, Omega):
     h, u, f, c = (Name(sheet.letter(letter)) for letter in ("H", "U", "F", "C"))
     rule = sheet.write(Words("without the dampers each mode is damped by itself, so that loads  "), f, "·exp(i·Ω·t)",
                        Words("  keep up  "), h, "·", f, Words("  with  "), h,
-                       " = Σ X_k·X_kᵀ/(m_k·(ω_k² − Ω² + 2·i·δ_k·Ω))", settles="receptance", uses=[sheet.last])
+                       " = Σ X_k·X_k/(m_k·(ω_k² − Ω² + 2·i·δ_k·Ω))", Words(",  the second  "), "X_k",
+                       Words("  transposed"), settles="receptance", uses=[sheet.last])
     more = [part for i in range(len(H)) for j in range(i, len(H)) for part in (
         Words(",  "), Name(sheet.letter(f"H{i + 1}{j + 1}")), f" = {complex_told(cleared(complex(H[i, j])))}")]
     of = [part for name in names for part in (Words(", "), Name(name))][1:]

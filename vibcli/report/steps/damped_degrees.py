@@ -5,11 +5,10 @@ from typing import TYPE_CHECKING
 
 from vibcli.mechanics.given_damping_in_letters import proportional
 from vibcli.report.blocks import Name, Words
-from vibcli.report.steps.characteristic import LONG, damped_coefficients
+from vibcli.report.steps.characteristic import damped_coefficients, tell_coefficient
 from vibcli.report.steps.held import SmallEquations
 from vibcli.report.steps.small import AboutRest
-from vibcli.report.steps.step import WorkedSolution, number, told
-from vibcli.symbolic.nested_form import letters
+from vibcli.report.steps.step import WorkedSolution, told
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
@@ -66,11 +65,8 @@ def _polynomial(about, sheet, found, head, uses):
     powers = about.table.total([name * about.letter(sheet.letter("lambda")) ** power for power, name in zip(
         range(len(known) - 1, -1, -1), names, strict=True) if name in dict(here)])
     lines = [sheet.write(*head, " = ", powers, " = 0", settles=DETERMINANT, uses=uses)]
-    for name, node in here:
-        value = about.value(node)
-        shown = [] if letters(node) > LONG else [" = ", node]
-        lines.append(sheet.write(name, *shown, *([] if node.op == "number" else number(value)), settles=name.name,
-                                 node=node, value=value, uses=uses))
+    lines += [tell_coefficient(about, sheet, (name, node), len(known) - 1 - i, uses)
+              for i, (name, node) in enumerate(zip(names, known, strict=True)) if not node.is_zero]
     return lines, [name if name in dict(here) else about.table.zero for name in names]
 
 

@@ -84,8 +84,8 @@ def _singular(problem, roots):
 def _write(problem, sheet, modes):
     started = problem.spec.get("initial") is not None or bool(problem.spec.let_go)
     M, C = (Name(sheet.letter(letter)) for letter in "MC")
-    of_start = [Words("of the start each has  "), "a_k(0) = X_k·(", M, "·u̇ + (λ_k·", M, " + ", C, ")·u)/n_k",
-                Words(",  ")] * started
+    of_start = [Words("of the start each has  "), "a_k(0) = X_k·(", M, "·", Name("u'"), " + (λ_k·", M, " + ", C,
+                ")·u)/n_k", Words(",  ")] * started
     of_loads = [Words("under the loads  "), Name("a_k'"), " = λ_k·a_k + X_k·F(t)/n_k", Words(
         ",  ")] * problem.scene.timed
     line = sheet.write("u(x, t) = Σ a_k(t)·X_k(x)", Words(":  "), *of_start, *of_loads,

@@ -187,16 +187,17 @@ def _product(wave, first, second, t):
     return [f"{wave}((", second, " − ", first, ")·", t, f"/2)·{wave}((", first, " + ", second, ")·", t, "/2)"]
 
 
-def tell_in_letters(about: AboutRest, sheet: WorkedSolution, found: SmallEquations, shapes: "Sequence[Node]",
-                    uses: "Sequence[int]") -> None:
-    """The same of two undamped coordinates with letters; `shapes`: the ratio of amplitudes of each mode."""
+def tell_in_letters(about: AboutRest, sheet: WorkedSolution, found: SmallEquations,
+                    modes: "Sequence[tuple[Node, Node]]", uses: "Sequence[int]") -> None:
+    """The same of two undamped coordinates with letters; `modes`: the ω² and the ratio of amplitudes of each."""
     start = _start_in_letters(about)
     if start is None or found.C or found.G or found.drive or about.problem.spec.in_full:
         return
     table, t, zero = about.table, about.scene.time, about.table.zero
-    omegas = [about.letter(sheet.letter(f"omega{k}")) for k in (1, 2)]
+    omegas = [zero if square.is_zero else about.letter(sheet.letter(f"omega{k}")) for k, (square, _) in enumerate(
+        modes, 1)]
     weights, lines = [], []
-    for k, ratio in enumerate(shapes, 1):
+    for k, (_, ratio) in enumerate(modes, 1):
         u = (table.one, ratio)
         mass = table.total([node * u[i] * u[j] for (i, j), node in found.M.items()])
         p, v = (about.tidy(table.total([node * u[i] * x[j] for (i, j), node in found.M.items()]) / mass) for x in start)
@@ -206,12 +207,12 @@ def tell_in_letters(about: AboutRest, sheet: WorkedSolution, found: SmallEquatio
         weights.append([(p * r, v * r) for r in u])
     for i, name in enumerate(about.scene.coordinates):
         cosines = [about.tidy(weight[i][0]) for weight in weights]
-        sines = [about.tidy(weight[i][1] / omega) for weight, omega in zip(weights, omegas, strict=True)]
-        node = table.total([a * table.call("cos", omega * t) + b * table.call("sin", omega * t)
-                            for a, b, omega in zip(cosines, sines, omegas, strict=True)])
+        speeds = [about.tidy(weight[i][1]) for weight in weights]
+        node = table.total([a + b * t if omega.is_zero else a * table.call("cos", omega * t) + b / omega * table.call(
+            "sin", omega * t) for a, b, omega in zip(cosines, speeds, omegas, strict=True)])
         line = sheet.write(Words("so  "), Name(name), " = ", node, settles=f"motion of {name}", node=node, uses=lines)
         alike = [sign for sign in (1, -1) if is_zero(cosines[0] - sign * cosines[1])]
-        if alike and not cosines[0].is_zero and all(sine is zero for sine in sines):
+        if alike and not (cosines[0].is_zero or omegas[0].is_zero) and all(one.is_zero for one in speeds):
             sheet.write(Words("which beats where the frequencies are near each other:  "), Name(name), " = ", Factor(
                 2 * cosines[0]), "·", *_product("cos" if alike == [1] else "sin", *omegas, t),
                 settles=f"beats of {name}", uses=[line])

@@ -200,15 +200,16 @@ class _SteadyMembers:
         return self.table.number(fraction_of(float(value)))
 
 
-def tell_end_forces(sheet: WorkedSolution, order: int, line: int) -> int:
-    """The line of what the ends of a uniform stretch need to move."""
+def tell_end_forces(sheet: WorkedSolution, order: int, line: int, stiff: str = "EI") -> int:
+    """The line of what the ends of a uniform stretch need to move; `stiff`: its letter where it bends."""
     if order == 2:
         return sheet.write(Words("an end that moves by 1 while the other one is held needs  "), "S·β·cot βl",
                            Words(",  the other one  "), "−S·β/sin βl", Words(",  "), "S", Words(" the factor of  "),
                            "∂²u/∂x²", settles="stiffness 2", uses=[line])
-    parts = [part for head, text in ENTRIES for part in (Words(",  "), f"{head} = {text}")][1:]
+    parts = [part for head, text in ENTRIES for part in (
+        Words(",  "), f"{head} = {text.replace('EI', stiff)}")][1:]
     return sheet.write(Words("ends that move by  "), "u₀, θ₀, u₁, θ₁", Words(",  "), "θ = ∂u/∂x", Words(
-        ",  need  "), "d", Words("  times these,  "), "N = 1 − cos βl·cosh βl", Words(",  "), "EI",
+        ",  need  "), "d", Words("  times these,  "), "N = 1 − cos βl·cosh βl", Words(",  "), stiff,
         Words(" the factor of  "), "∂⁴u/∂x⁴", Words(":  "), *parts, settles="stiffness 4", uses=[line])
 
 

@@ -5,12 +5,14 @@ from math import tau
 
 from vibcli.analyses.closed_form.free_response import CRITICAL, OVER, UNDAMPED, UNDER, regime_at
 from vibcli.base.errors import PhysicsError
+from vibcli.notation.units_in_sums import unit_beside
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.degree import Degree
 from vibcli.report.steps.forced import tell_forced
 from vibcli.report.steps.step import number
 from vibcli.symbolic.common_denominator import single
-from vibcli.symbolic.normal_form import is_zero
+from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.normal_form import is_zero, textbook
 
 FACTORS = {"M": ("acceleration", "kg", "kg·m²"), "C": ("speed", "N·s/m", "N·m·s/rad"),
            "K": ("coordinate", "N/m", "N·m/rad")}       # {matrix: what it stands before, its unit, that of a turn}
@@ -30,7 +32,7 @@ class OneDegree:
         if self.M.is_zero or self.K.is_zero:
             return
         self._factors()
-        square = single(self.K / self.M)
+        square = _with_units(self.K / self.M)
         value = self.about.value(square)
         if value is not None and value < 0:
             self.sheet.write(self.omega ** 2, " = ", square, *number(value, "1/s²"),
@@ -209,6 +211,17 @@ class OneDegree:
             if letter is not node:
                 self.sheet.write(settles=letter.name, node=node, value=self.about.value(node), unit=unit, joined=True,
                                  letter=letter.name)
+
+
+def _with_units(node):
+    """As one fraction, but where that leaves a number in a sum without its unit, as in 25·L² + 81 for L² + 3.24 m²."""
+    plainly = textbook(node)
+    return plainly if _is_bare(single(node)) and not _is_bare(plainly) else single(node)
+
+
+def _is_bare(node):
+    return node.table.dimension is not None and any(part.op == "sum" and part.coefficient and not unit_beside(part)
+                                                    for part in reachable([node]))
 
 
 def _damped(zeta):

@@ -71,18 +71,19 @@ class SeveralDegrees:
             if j < i and twins:
                 continue
             twin = "" if i == j or not twins else f" = {'−' * skew}{name}{lowered(j + 1)}{lowered(i + 1)}"
-            parts += [Words(",  ")] * bool(parts) + [f"{name}{lowered(i + 1)}{lowered(j + 1)}{twin} = ", node]
+            parts += [Words(",  ")] * bool(parts) + [f"{name}{lowered(i + 1)}{lowered(j + 1)}{twin}"]
             parts += self._put_in(letter, i, j, node)
         return self.sheet.write(Words(f"{words}:  "), *parts, settles=letter, uses=self.found.lines)
 
     def _put_in(self, letter, i, j, node):
-        """Parts of ` = number unit` of an entry that is more than a letter, of up to three degrees."""
-        names = self.about.scene.coordinates
-        value = None if letters(node) <= 1 or len(names) > NUMBERED else self.about.value(node)
+        """Parts of ` = entry`, and ` = number unit` of one that is more than a letter, of up to three degrees."""
+        names, told = self.about.scene.coordinates, [" = ", node] * (node.op != "number")
+        alone = letters(node) <= 1 and node.op != "number"
+        value = None if alone or len(names) > NUMBERED else self.about.value(node)
         exact = None if value is None else evaluate_rational([node], self.problem.scene.parameters.exact)
         value = 0.0 if exact == [0] else value
         turns = sum(not self.problem.system.dimension(names[k]) for k in (i, j))
-        return [] if value is None else number(value, UNITS[letter][turns])
+        return [*told, *number(value, UNITS[letter][turns])] if value is not None else told or [" = ", node]
 
     def _modes(self, uses):
         """Each frequency, and the ratio of its amplitudes."""

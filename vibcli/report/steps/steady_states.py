@@ -15,6 +15,7 @@ from vibcli.report.steps.characteristic import determinant
 from vibcli.report.steps.complex_numbers import cleared, complex_parts, complex_told
 from vibcli.report.steps.fixed_points import tell_fixed_points
 from vibcli.report.steps.held import HINT, UNTOLD, SmallEquations, Untold
+from vibcli.report.steps.matrix_units import unit_of_determinant, unit_of_entry, unit_of_load
 from vibcli.report.steps.phasors import Phasors
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number
@@ -140,7 +141,7 @@ class SteadyState:
     def _entries(self):
         """Rows of letters of Z, one for what stands twice in it; zero where it has nothing beside its diagonal."""
         rows = [[self.table.zero] * self.n for _ in range(self.n)]
-        self.defined: list[tuple[Node, str, tuple]] = []
+        self.defined: list[tuple[Node, str, tuple, str]] = []
         for i in range(self.n):
             for j in range(self.n):
                 parts = self.entry(i, j)
@@ -151,31 +152,36 @@ class SteadyState:
                 if not twin:
                     mirrored = j > i and all(map(self.about.same, parts, self.entry(j, i)))
                     more = f" = {self.sheet.matrix('Z')}{lowered(j + 1)}{lowered(i + 1)}" if mirrored else ""
-                    self.defined.append((rows[i][j], more, parts))
+                    self.defined.append((rows[i][j], more, parts, unit_of_entry(self.about.problem, i, j)))
         return rows
 
     def _determinant(self, uses):
         """Lines of the entries of Z and F, and of its determinant."""
+        from numpy.linalg import det
+
         sheet, self.Z = self.sheet, self._entries()
         self.F = [self.table.zero] * self.n
         for i in self.loads:
             self.F[i] = self._letter("F", i)
-            self.defined.append((self.F[i], "", self.force(i)))
+            self.defined.append((self.F[i], "", self.force(i), unit_of_load(self.about.problem, i)))
         head, first = [Words("for short  "), Name(sheet.matrix("Z")), "·", Name(sheet.letter("X")), " = ", Name(
             sheet.letter("F")), Words(":  ")], len(sheet.steps)
-        for letter, more, parts in self.defined:
+        for letter, more, parts, unit in self.defined:
             value = self._complex(*parts)
             plain = value is None or all(part.op == "number" for part in parts)
-            shown = [*complex_parts(*parts), *(() if plain else (" = " + complex_told(value),))]
+            shown = [*complex_parts(*parts), *(() if plain else (" = " + complex_told(value),)),
+                     *([] if value is None else [Words(f" {unit}")])]
             joined = len(sheet.steps) > first
             sheet.write(*([] if joined else head), letter, more, " = ", *shown, settles=letter.name, uses=uses,
-                        joined=joined, **self._real(parts))
+                        joined=joined, unit=unit * (value is not None), **(
+                            {"node": parts[0], "value": self.about.value(parts[0])} if parts[1].is_zero else {}))
             self.parts[letter] = tuple(self._part(letter, part, name, parts[1].is_zero)
                                        for part, name in zip(parts, ("re", "im"), strict=True))
-        node, value = determinant(self.Z), self._value_of_determinant()
+        node, value = determinant(self.Z), complex(det(self._rows(self.about.numbers())[0])) if self.numeric else None
         self.D = self.about.letter(sheet.letter("D"))
         return [sheet.last, sheet.write(Words("its determinant  "), self.D, " = ", node, *(() if value is None else (
-            " = " + complex_told(value),)), settles=self.D.name, uses=[sheet.last])]
+            " = " + complex_told(value), Words(f" {unit_of_determinant(self.about.problem)}"))),
+                                        settles=self.D.name, uses=[sheet.last])]
 
     def _part(self, letter, node, name, real):
         """The letter of the real or the imaginary part of one that is told; of zero itself."""
@@ -193,10 +199,6 @@ class SteadyState:
             return given
         return self.parts.get(self.F[i] if j is None else self.Z[i][j], given)
 
-    def _real(self, parts):
-        """What a line settles by an expression that is real."""
-        return {"node": parts[0], "value": self.about.value(parts[0])} if parts[1].is_zero else {}
-
     def _complex(self, real, imaginary):
         values = [self.about.value(node) for node in (real, imaginary)]
         return None if None in values else complex(*values)
@@ -208,11 +210,6 @@ class SteadyState:
 
         return ([[at(self.entry(i, j)) for j in range(self.n)] for i in range(self.n)],
                 [at(self.force(i)) for i in range(self.n)])
-
-    def _value_of_determinant(self):
-        from numpy.linalg import det
-
-        return complex(det(self._rows(self.about.numbers())[0])) if self.numeric else None
 
     def _solved(self):
         """Complex amplitudes in numbers, those that the engine finds: Untold of others; None in letters."""

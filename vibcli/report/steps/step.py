@@ -1,11 +1,13 @@
 """Steps, and the sheet on which they are written down one after the other."""
 
+import re
 from collections.abc import Sequence
 from math import tau
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.notation.as_printed import as_printed
+from vibcli.notation.names import GREEK, split_name
 from vibcli.notation.numbers import with_minus
 from vibcli.quantities.dimensions import unit_of
 from vibcli.report.blocks import Name, Words
@@ -18,6 +20,7 @@ if TYPE_CHECKING:
 
 MARKED = "′", "′′", "′′′"
 MATRICES = {"M": "DHN", "C": "BRW", "G": "YXU", "K": "SEZ", "P": "QLJ", "Z": "AOV"}   # where the scene has these
+ENTRY = re.compile(r"\d\d")      # indices of an entry of a matrix
 
 
 class WorkedLine(NamedTuple):
@@ -44,7 +47,7 @@ class WorkedSolution:
 
     def __init__(self, taken: Sequence[str]):
         self.steps: list[WorkedLine] = []
-        self._taken = set(taken)
+        self._taken = set(map(_printed, taken))
         self._letters: dict[str, str] = {}
         self._beside: WorkedLine | None = None
 
@@ -65,12 +68,14 @@ class WorkedSolution:
         """The letter of a matrix, which has indices instead of marks."""
         key = f"matrix {wanted}"
         if key not in self._letters:
-            self._letters[key] = self._free((wanted, *MATRICES[wanted], *(wanted + mark for mark in MARKED)))
+            of_entries = {letter for letter, below in self._taken if ENTRY.fullmatch(below)}
+            self._letters[key] = self._free([name for name in (wanted, *MATRICES[wanted]) if name not in of_entries]
+                                            + [wanted + mark for mark in MARKED])
         return self._letters[key]
 
     def _free(self, names):
-        found = next(name for name in names if name not in self._taken)
-        self._taken.add(found)
+        found = next(name for name in names if _printed(name) not in self._taken)
+        self._taken.add(_printed(found))
         return found
 
     def write(self, *parts: Any, settles: str = "", uses: Sequence[int | None] = (), node: "Node | None" = None,
@@ -88,6 +93,12 @@ class WorkedSolution:
     def opened(self) -> bool:
         """Will the next line be joined to the last one?"""
         return bool(self.steps) and self.steps[-1] is self._beside
+
+
+def _printed(name):
+    """(letter, index) as a name is printed: a_1 as a1."""
+    letter, below, primes = split_name(name)
+    return GREEK.get(letter, letter) + primes, below.removeprefix("_")
 
 
 def momentum(sheet: WorkedSolution, name: str, p: Any, change: Any, slope: Any) -> tuple:

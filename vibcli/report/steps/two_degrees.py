@@ -108,7 +108,7 @@ class TwoDegrees:
             if not below.is_zero:
                 above, = substitute([self._stiffened(self.row, 0)], {self.omega: self.table.sqrt(node)})
                 shape = self._quotient(-above, below)
-                shapes.append(shape)
+                shapes.append((node, shape))
                 last = self.sheet.write(Words(f"in mode {k}  "), y, "/", x, " = ", shape, node=shape, uses=[
                     ratio, lines[k - 1]], settles=f"mode[{k}][{self.names[1]}]")
         if len(shapes) == 2:

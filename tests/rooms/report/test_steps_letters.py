@@ -1,0 +1,107 @@
+"""Letters and units of worked solutions: no letter stands for two things, and numbers of matrices have units."""
+
+from pathlib import Path
+
+from support.scenes import kept_problem_of, problem
+
+from vibcli.inverse.letters import expression_in_letters
+from vibcli.notation.plain import plain
+from vibcli.report.formats.formula import formula
+from vibcli.report.steps.worked import worked
+
+
+def lines(text):
+    return [formula(line.parts, plain) for line in worked(problem(text)) if line.parts]
+
+
+def test_letters_that_are_printed_alike_are_one():
+    """a_1 is a₁, K11 an entry of K."""
+    told = lines("""
+        parameters: {a_1: 2 kg, p_2: 1 kg, omega_1: 300 N/m, K11: 50 N/m}
+        bodies: {one: {mass: a_1, slide: x}, two: {mass: p_2, slide: y}}
+        springs: {s: {k: omega_1, between: [ground, one]}, t: {k: K11, between: [one, two]}}
+        """)
+    assert any(line.startswith("stiffness matrix:  S₁₁ = ") for line in told)
+    assert any(line.startswith("a₁′ = ") for line in told) and any(line.startswith("ω₁′ = ") for line in told)
+    assert "x = p₁ + p₂′" in told[-1]
+
+
+ROD = """
+parameters: {{m: 3 kg, L: 0.8 m, k: 9 N/m}}
+points: {{C: {{body: rod, at: [{at}, 0]}}, O: {{body: rod, at: [{at}, 0]}}}}
+bodies: {{rod: {{shape: rod, mass: m, from: [0, 0], to: [L, 0], pin: {{at: [0, 0], by: phi}}}}}}
+springs: {{s: {{k: k, between: [[L, -L], C]}}, t: {{k: k, between: [[L, L], O]}}}}
+"""
+
+
+def test_axis_and_centre_are_no_points_that_lie_elsewhere():
+    assert any("fixed A, G at" in line for line in lines(ROD.format(at="L")))
+    assert any("fixed A, C at" in line for line in lines(ROD.format(at="L/2")))
+
+
+def test_a_start_with_a_speed_in_letters():
+    """Of a mode that moves freely there is no sine."""
+    told = lines("""
+        parameters: {m: , n: , k: , v: {unit: m/s}}
+        bodies: {a: {mass: m, slide: x}, b: {mass: n, slide: y}}
+        springs: {s: {k: k, between: [a, b]}}
+        initial: {x': v}
+        """)
+    assert told[-1] == "so  y = m·v·t/(m + n) − m·v·sin(ω₂·t)/(ω₂·(m + n))"
+    told = lines("""
+        parameters: {m: , k: , v: {unit: m/s}}
+        bodies: {a: {mass: m, slide: x}, b: {mass: m, slide: y}}
+        springs: {r: {k: k, between: [ground, a]}, s: {k: k, between: [a, b]}, t: {k: k, between: [b, ground]}}
+        initial: {x': v}
+        """)
+    assert told[-1] == "so  y = v·sin(ω₁·t)/(2·ω₁) − v·sin(ω₂·t)/(2·ω₂)"
+
+
+def test_coefficients_and_entries_have_units():
+    told = lines("""
+        parameters: {m: 4 kg, J: 1 kg*m^2, k: 400 N/m, c: 9 N*s/m, L: 0.3 m, F: 3 N, w: 7 rad/s}
+        bodies: {bar: {mass: m, inertia: J, at: [0, 0], move: [0, y, phi]}, b: {mass: 2 kg, slide: z}}
+        points: {P: {body: bar, at: [L, 0]}, Q: {body: bar, at: [-L, 0]}}
+        springs: {s: {k: k, between: [[L, -L], P]}, t: {k: k, between: [[-L, -L], Q]},
+                  u: {k: k, between: [ground, b]}}
+        dampers: {d: {c: c, between: [[L, -L], P]}}
+        forces: {f: {at: P, force: [0, F*sin(w*t)]}}
+        """)
+    for unit in ("M₃₃ = 2 kg", "a₃ = 2·m·J = 8 kg³·m²", " kg³·m²/s⁶", "c₆ = 2·m·J = 8 kg³·m²", " kg³·m²/s⁵"):
+        assert any(unit in line for line in told), unit
+    assert any("Z₂₂ = " in line and line.endswith("·i N·m") for line in told)
+    assert any(line.startswith("F₂ = L·F = 0.9 N·m") for line in told)
+
+
+def test_shapes_of_coordinates_that_follow_others_are_in_letters():
+    """Of gears, at rest as drawn, and turned by a moment."""
+    scene = """
+        parameters: {{J: , r: , R: , kt: , M: {{unit: N*m}}}}
+        bodies: {{one: {{inertia: J, at: [0, 0], pin: {{by: phi}}}},
+                  two: {{inertia: J, at: [r + R, 0], pin: {{by: psi}}}}}}
+        springs: {{s: {{torsion: kt, between: [ground, one]}}}}
+        constraints: {{teeth: {{gear: [one, two], radii: [r, R]}}}}
+        forces: {{f: {{body: one, moment: {moment}}}}}
+        answers: {{"mode[1][psi]": -r/R}}
+        """
+    for moment in ("0*M", "M"):
+        found = problem(scene.format(moment=moment))
+        assert formula([expression_in_letters(found, found.spec.answers[0].asked)], plain) == "−r/R"
+
+
+def test_expressions_that_answers_of_a_scene_in_letters_ask_are_told():
+    """With a number where the letters that are left have some: Thomson's trailer, whose mass cancels."""
+    told = lines("""
+        parameters: {m: , d: 100 mm, w: 16 m, g: 9.81 m/s^2}
+        bodies: {b: {mass: m, slide: x}}
+        springs: {s: {k: m*g/d, between: [ground, b]}}
+        answers: {"omega[1]*w/(2*pi)": 25.22 m/s, "omega[1]^2*m": m^2*g/(d*m)}
+        """)
+    assert told[-2].startswith("ω₁·w/(2·π):  ") and told[-2].endswith(" = 25.2217 m/s")
+    assert told[-1] == "ω₁²·m:  m·g/d"
+
+
+def test_a_number_beside_a_letter_keeps_its_unit_in_a_quotient():
+    found = kept_problem_of(Path("problems/5_forced/shelter_under_a_blast.yaml"))
+    square, = [line for line in worked(found) if line.settles == "omega[1]"]
+    assert "(L² + 3.24\u00a0m²)" in formula(square.parts, plain).partition(",  ω")[0]
