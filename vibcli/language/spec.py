@@ -71,11 +71,6 @@ class Spec(NamedTuple):
         """Are they those of the equations expanded to the third order?"""
         return self.motion == EXPANDED
 
-    @property
-    def at_limit(self) -> bool:
-        """Is a parameter chosen that is to bring the scene to its limit of stability?"""
-        return any(record["so"].is_limit for record in self.choices.values())
-
     @classmethod
     def of(cls, file: Any, sections: Any, named: Any) -> "Spec":
         """A Spec whose names are not settled yet."""

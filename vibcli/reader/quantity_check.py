@@ -37,7 +37,7 @@ def can_be_asked(spec: "Spec", reader: "Reader", expression: "Expression", tree:
         reader.report(place, f"unknown quantity '{head}'", nearest(head, FAMILIES) or ALL)
         return False
     own, number = about_which(tree)
-    if not _as_many_indices(spec, reader, place, tree, len(own.indices)):
+    if not _as_many_indices(spec, reader, place, tree, (quantity, len(own.indices))):
         return False
     kinds = quantity.indices[:len(own.indices)] + ("equilibrium",) * (number is not None)
     if not arguments_fit(spec, reader, expression, tree, bare):
@@ -60,9 +60,9 @@ def can_be_asked(spec: "Spec", reader: "Reader", expression: "Expression", tree:
     return True
 
 
-def _as_many_indices(spec, reader, place, tree, count):
-    quantity = declared(tree)
-    most = len(quantity.indices)
+def _as_many_indices(spec, reader, place, tree, found):
+    """Has it as many as its Declaration takes? found: that, and how many are its own."""
+    (quantity, count), most = found, len(found[0].indices)
     if most - quantity.spare <= count <= most:
         return True
     words = "no index", "one index", "two indices", "three indices"

@@ -53,7 +53,7 @@ class ModalAnalysis:
         """The modes of the system without its dampers; none where it would not oscillate."""
         if self._known[0] is not None:
             return Modes(self._known[0])
-        from vibcli.analyses.modal.modes import natural_modes
+        from vibcli.analyses.modal.modes import chosen_at_limit, natural_modes
 
         elements = self._natural_data
         if elements.massless and not elements.pieces:
@@ -62,7 +62,7 @@ class ModalAnalysis:
             if only_damped(elements):
                 return Modes([])
         return self._sequence(self.solved(natural_modes, elements, *self.configuration.sources,
-                                          at_limit=self.spec.at_limit))
+                                          at_limit=chosen_at_limit(self.spec)))
 
     @cached_property
     def zero_modes(self) -> dict[int, str]:
@@ -226,9 +226,9 @@ class ModalAnalysis:
 
     def modes_to(self, digits: int) -> Modes:
         """The modes of the system without its dampers, recomputed to so many correct digits; found once."""
-        from vibcli.analyses.modal.modes import natural_modes
+        from vibcli.analyses.modal.modes import chosen_at_limit, natural_modes
 
-        return self._sharpened("modes", digits, partial(natural_modes, at_limit=self.spec.at_limit)) if (
+        return self._sharpened("modes", digits, partial(natural_modes, at_limit=chosen_at_limit(self.spec))) if (
             self.modes) else self.modes
 
     def damped_to(self, digits: int):

@@ -18,6 +18,12 @@ from vibcli.mechanics.factored_system import MOST_DENSE, require_dense, summed
 
 if TYPE_CHECKING:
     from vibcli.analyses.modal.damped_modes import DampedMode
+    from vibcli.language.spec import Spec
+
+
+def chosen_at_limit(spec: "Spec") -> bool:
+    """Is a parameter chosen that is to bring a scene to its limit of stability?"""
+    return any(record["so"].is_limit for record in spec.choices.values())
 
 
 def natural_modes(elements: Any, precise: Callable | None = None, exact: Callable | None = None,

@@ -79,7 +79,7 @@ class NamedDrives:
         driven = [(factor, self._names[symbol]) for factor, symbol in zip(factors, moving, strict=True)
                   if not factor.is_zero]
         table = self._problem.scene.table
-        return [(*copied([factor], table), *copied([name], table)) for factor, name in driven]
+        return [(copied([factor], table)[0], copied([name], table)[0]) for factor, name in driven]
 
     def _named(self, mine, whole):
         """An expression with the symbols; the engine's where they do not have the same value at states of motion."""

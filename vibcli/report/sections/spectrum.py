@@ -28,8 +28,11 @@ def frequencies(problem: "Problem", report: "Report") -> Iterator[Section]:
     modal = problem.modal
     found = shown(problem, report.wanted)
     same = repeated(found)
-    held = problem.scene.pieces and problem.spec.at_limit
-    zero = dict.fromkeys(modal.zero_modes, "held") if held else modal.zero_modes
+    zero = modal.zero_modes
+    if problem.scene.pieces:
+        from vibcli.analyses.modal.modes import chosen_at_limit
+
+        zero = dict.fromkeys(zero, "held") if chosen_at_limit(problem.spec) else zero
     rows = [mode_row(mode, zero.get(mode.index), same.get(mode.index, "")) for mode in found]
     head = ("mode", "ω [rad/s]", "f [Hz]", "T [s]", "relative error ≤", "")
     doubts = [] if report.tells("Equilibrium") else list(map(paragraph, _doubts(problem)))
