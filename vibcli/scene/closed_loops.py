@@ -1,7 +1,8 @@
 """Closed loops in numbers: the dependent coordinates z(q) of G(q, z, t) = 0, by Newton's method along a path.
 
-A step from a known position is taken whole where Newton's steps contract fast, and halved where they do not; det ∂G/∂z
-keeps its sign. So a linkage does not jump from one way of closing to another, nor pass a dead centre.
+A step from a known position is taken whole where Newton's steps contract fast, and halved where they do not, or where
+z or det ∂G/∂z change by much; det ∂G/∂z keeps its sign. So a linkage does not jump from one way of closing to another,
+nor pass a dead centre or places at which it does not close.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -19,6 +20,8 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 CONTRACTION, SHORTEST, ROUNDS = 0.25, 2.0**-12, 40
+FINE, CHANGE, CALM = 2.0**-10, 0.7, 0.2     # a step that need not be near its end; of log |det ∂G/∂z|
+FAR, BEND = 0.5, 0.1        # of a size: by which z moves, and by which it does so differently, at one of many instants
 ALONG = 1e-14       # of its size: what is left of a step
 
 
@@ -44,35 +47,55 @@ class Loops:
         start, target = self._in_floats(start), self._in_floats(target)
         n, gaps = len(self.names), evaluate(self.conditions, Floats, start)
         moving = [name for name in target if name not in self.names and target[name] != start.get(name, target[name])]
-        here, done, step, sense = dict(start), 0.0, 1.0, self._sense(start)
+        here, done, step, (sense, log) = dict(start), 0.0, 1.0, self._determinant(start)
+        through = (0.5, 1.0) if self._time in moving else (1.0,)        # what swings may be back at the end of a step
         while done < 1.0:
-            reach = min(1.0, done + step)
-            trial = {**target, **{name: here[name] for name in self.names}}
-            for name in moving:
-                trial[name] = target[name] if reach == 1.0 else (1 - reach) * start[name] + reach * target[name]
-            if self._closed(trial, n, [(1.0 - reach) * gap for gap in gaps]) and self._sense(trial) == sense:
-                here, done, step = trial, reach, 2 * step
+            trial, last, reach = here, log, min(1.0, done + step)
+            for share in through:
+                at = reach if share == 1.0 else done + share * (reach - done)
+                place = {name: target[name] if at == 1.0 else (1 - at) * start[name] + at * target[name]
+                         for name in moving}
+                before, trial = trial, {**target, **{name: trial[name] for name in self.names}, **place}
+                turned, found = self._determinant(trial) if self._closed(
+                    trial, n, [(1.0 - at) * gap for gap in gaps]) else (None, 0.0)
+                if turned != sense or not (step <= FINE or self._is_near(before, trial, found - last)):
+                    step *= 0.5
+                    break
+                last = found
             else:
-                step *= 0.5
-                if step < SHORTEST:
-                    return None
+                step = 2 * step if abs(last - log) <= CALM else step
+                here, done, log = trial, reach, last
+            if step < SHORTEST:
+                return None
         if moving or not n:
             return here
         polished = {**target, **{name: here[name] for name in self.names}}
         return polished if self._closed(polished, n) else None
 
+    @property
+    def _time(self):
+        """The name of the time, None where there is none."""
+        time = self.conditions[0].table.time if self.conditions else None
+        return None if time is None else time.name
+
     def _in_floats(self, values):
         """The values with those on which the conditions hang taken as they are."""
         return {name: float(value) if name in self._used else value for name, value in values.items()}
 
-    def _sense(self, values):
-        """The sign of det ∂G/∂z: it changes where the loops are singular; NaN where that is no number."""
+    def _determinant(self, values):
+        """The sign of det ∂G/∂z, which changes where the loops are singular, and log |det ∂G/∂z|; NaN where that is no
+        number."""
         import numpy as np
 
         n = len(self.names)
         flat = evaluate(self.slopes, Floats, values)
-        with np.errstate(invalid="ignore"):
-            return np.linalg.slogdet(np.array(flat).reshape(n, n))[0]
+        with np.errstate(invalid="ignore", divide="ignore"):
+            return np.linalg.slogdet(np.array(flat).reshape(n, n))
+
+    def _is_near(self, here, there, change):
+        """Do z and det ∂G/∂z, whose logarithm changes by so much, differ little between two positions?"""
+        moves = (abs(there[name] - here[name]) / size for name, size in zip(self.names, self.sizes, strict=True))
+        return abs(change) <= CHANGE and all(move <= FAR for move in moves)
 
     def _closed(self, values, n, gaps=0.0):
         """Newton's method for G = gaps, in place; False where it does not contract from the first step on."""
@@ -112,11 +135,11 @@ class Loops:
         as many at once as a whole step reaches. Fewer positions where the loops cannot follow to the next."""
         import numpy as np
 
-        here, sense, count, reach = self._in_floats(start), self._sense(start), len(next(iter(path.values()))), 1
+        here, count, reach = self._in_floats(start), len(next(iter(path.values()))), 1
         found, first = np.empty((len(self.names), count)), 0
         while first < count:
             near = {name: values[first:first + reach] for name, values in path.items()}
-            z = self._closed_at_once(here, near, sense)
+            z = self._closed_at_once(here, found[:, first - 2], near) if first > 1 else found[:, :0]
             if z.shape[1]:
                 here.update({name: float(values[z.shape[1] - 1]) for name, values in near.items()})
                 here.update(zip(self.names, map(float, z[:, -1]), strict=True))
@@ -129,9 +152,9 @@ class Loops:
             first, reach = first + z.shape[1], 2 * reach if z.shape[1] == reach else max(1, z.shape[1])
         return found
 
-    def _closed_at_once(self, here, path, sense):
+    def _closed_at_once(self, here, earlier, path):
         """The unknowns at positions to which Newton's method leads from one in whole steps, up to the first to which it
-        does not."""
+        does not, or at which they do not go on as from an `earlier` one."""
         import numpy as np
 
         from vibcli.symbolic.array_arithmetic import Arrays
@@ -156,8 +179,14 @@ class Loops:
                 break
         at = {**here, **path, **dict(zip(self.names, z, strict=True))}
         flat = np.array([np.broadcast_to(x, count) for x in evaluate(self.slopes, Arrays, at)])
-        with np.errstate(invalid="ignore"):
-            good = closed & (np.linalg.slogdet(flat.T.reshape(count, n, n))[0] == sense)
+        sense, first = self._determinant(here)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            turned, last = np.linalg.slogdet(flat.T.reshape(count, n, n))
+            calm = abs(np.diff(last, prepend=first)) <= CHANGE
+        known = np.array([[x, here[name]] for name, x in zip(self.names, earlier, strict=True)])
+        moves = np.diff(z, axis=1, prepend=known)
+        bends = np.abs(np.diff(moves / sizes, axis=1)) <= BEND
+        good = closed & (turned == sense) & calm & (np.abs(moves[:, 1:] / sizes) <= FAR).all(axis=0) & bends.all(axis=0)
         return z[:, :count if good.all() else int(np.argmin(good))]
 
     def along(self, start: Mapping[str, float], values: Mapping[str, float]) -> "dict[str, np.ndarray] | None":

@@ -50,3 +50,23 @@ def test_positions_end_where_the_loop_no_longer_closes():
     true = exact(times[:found.shape[1]])
     for name, values in zip(loops.names, found, strict=True):
         assert np.abs(values - true[name]).max() < 1e-12
+
+
+@pytest.mark.parametrize("excess", [1e-2, 1e-4])
+def test_no_step_leads_over_places_that_do_not_close(excess):
+    """Beyond sin wt = L/r the crank would come down again; a rod that is not shorter passes there."""
+    late = 0.5 * np.pi / 3 + 0.4
+    loops, start, _ = driven(0.7 * (1 + excess))
+    assert loops.followed(start, {**start, "t": late}) is None
+    assert loops.through(start, {"t": np.array([late])}).shape[1] == 0
+    loops, start, exact = driven(0.7 * (1 - excess))
+    found = loops.followed(start, {**start, "t": late})
+    assert [found[name] for name in loops.names] == pytest.approx(
+        [exact(late)[name] for name in loops.names], abs=1e-12)
+
+
+def test_many_turns_in_one_step():
+    loops, start, exact = driven(0.3)
+    found = loops.followed(start, {**start, "t": 100.3})
+    assert [found[name] for name in loops.names] == pytest.approx(
+        [exact(100.3)[name] for name in loops.names], abs=1e-12)
