@@ -61,13 +61,12 @@ def rows_supported(found):
     for mode in found.modal.damped or ():
         if not mode.omega_d:
             continue
-        size = abs(complex(mode.eigenvalue))        # the error of λ falls on its parts, however small
-        omega_d = float(mode.omega_d)
-        for text, value, part in zip(damped_row(mode)[1:7], (mode.omega, mode.zeta, omega_d, omega_d / math.tau,
-                                                             math.tau / omega_d, mode.decay),
-                                     (size, mode.decay, omega_d, omega_d, omega_d, mode.decay), strict=True):
+        omega_d, (of_decay, of_swing) = float(mode.omega_d), mode.bounds
+        for text, value, error in zip(damped_row(mode)[1:7], (mode.omega, mode.zeta, omega_d, omega_d / math.tau,
+                                                              math.tau / omega_d, mode.decay),
+                                      (mode.error, of_decay, of_swing, of_swing, of_swing, of_decay), strict=True):
             if value:
-                assert_supported(text, float(value), float(mode.error * size / abs(float(part))))
+                assert_supported(text, float(value), float(error))
                 count += 1
     return count
 
