@@ -35,7 +35,7 @@ INSIDE = 1e-3       # of a part of a piece: what no division of pieces is as nea
 INNER = np.array([0.0, 0.21, 0.5, 0.83, 1.0])    # parts of a piece that show how large a field is
 ROUNDED = 2.0**-48  # of a field, where that is largest
 PHASE = 2.0**-49    # of λ, to which it is found
-LEAST = 8.0         # turns of the lowest modes, of which D itself rounds
+LEAST = 8.0         # turns that the lowest complex modes have at least, as what rounds in D is felt in their λ
 PLACED = 2.0**-51   # of a place, which is rounded as the difference of two
 HELD = 1e-36, 1e36  # ω in rad/s, of whose eighth powers floats hold what sums over modes need
 
@@ -172,7 +172,7 @@ class ModeBasis:
             found = self._sizes[piece, along] = np.zeros(self.shapes.shape[1])
             for part in self.parts[piece]:
                 values = abs(part.along(part.start + part.piece.length * INNER)[..., along]).max(axis=0)
-                often = 1.0 + PHASE / ROUNDED * (LEAST + part.turns())
+                often = 1.0 + PHASE / ROUNDED * (part.turns() + LEAST * np.iscomplexobj(self.shapes))
                 found[part.modes] = np.maximum(found[part.modes], often * np.maximum(values, part.told_by(along)))
         return self._sizes[piece, along]
 
