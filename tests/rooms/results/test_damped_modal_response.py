@@ -90,6 +90,14 @@ def test_a_smooth_push_at_a_damper_by_the_integral_of_bromwich():
     _bears_no_moment(found)
 
 
+@pytest.mark.parametrize("c", ["0.05", "2"])
+def test_what_rounds_at_a_free_end_is_within_what_modes_lose(c):
+    text = TIP.replace("0.7", c) + "forces: {pull: {at: tip, force: 1 N*exp(-t/(1 s))}}\n"
+    modes = signal(DampedModalResponse, problem(text), "arm.u(L)").modal.modes
+    end = LinearOutput(places={FieldPoint(0, 1.0, 2): 1.0})
+    assert (2 * np.abs(modes.rows(end)[0][0]) <= modes.lost_rows(end)[0]).all()
+
+
 def _bears_no_moment(found):
     """The end: in modes but for what their λ round, times how often waves turn along the beam."""
     end = found.asked[0].signal(with_places(parse("arm.moment(L)"), ["arm"]))

@@ -36,6 +36,7 @@ INNER = np.array([0.0, 0.21, 0.5, 0.83, 1.0])    # parts of a piece that show ho
 ROUNDED = 2.0**-48  # of a field, where that is largest
 PHASE = 2.0**-49    # of λ, to which it is found
 LEAST = 8.0         # turns that the lowest complex modes have at least, as what rounds in D is felt in their λ
+FORCES = 4.0        # times that is felt in what they bear: at their ends no coordinate holds that, as it does u
 PLACED = 2.0**-51   # of a place, which is rounded as the difference of two
 HELD = 1e-36, 1e36  # ω in rad/s, of whose eighth powers floats hold what sums over modes need
 
@@ -172,7 +173,10 @@ class ModeBasis:
             found = self._sizes[piece, along] = np.zeros(self.shapes.shape[1])
             for part in self.parts[piece]:
                 values = abs(part.along(part.start + part.piece.length * INNER)[..., along]).max(axis=0)
-                often = 1.0 + PHASE / ROUNDED * (part.turns() + LEAST * np.iscomplexobj(self.shapes))
+                turns = part.turns()
+                if np.iscomplexobj(self.shapes):
+                    turns = (turns + LEAST) * (FORCES if along >= part.piece.order // 2 else 1.0)
+                often = 1.0 + PHASE / ROUNDED * turns
                 found[part.modes] = np.maximum(found[part.modes], often * np.maximum(values, part.told_by(along)))
         return self._sizes[piece, along]
 
