@@ -4,10 +4,15 @@ import csv
 import json
 
 import pytest
+from support import scenes
 
 import vibcli
+from vibcli.api.axis import axis
+from vibcli.api.sweep import sweep
+from vibcli.api.values import given_expression
 from vibcli.cli.program import run
 from vibcli.plots.words import width
+from vibcli.report.sections.sweep import sweep_figure
 
 TWO = """title: Two oscillators on a weak spring
 parameters: {m: 1 kg, k1: 100 N/m, k2: 100 N/m, kc: 1 N/m, s: 2*kc, c: 0.5 N*s/m}
@@ -127,6 +132,14 @@ def test_it_is_told_how_far_it_has_come(scene):
     parts = [said[1] for said in told if said[2]]
     assert parts == sorted(parts) and set(parts) == {i / 10 for i in range(1, 11)}
     assert all(said[2] for said in told[told.index(("the sweep", 0.1, True)):-1])      # also while a value is found
+
+
+@pytest.mark.parametrize("log", [False, True])
+def test_values_that_grow_by_one_ratio_are_plotted_by_decades(log):
+    problem = scenes.problem(TWO)
+    asked = [given_expression(text, "") for text in ("omega[1]", "omega[2]^2")]
+    found = sweep(problem, [axis(problem.spec, "k1=1 .. 1e4", 5, log)], asked)
+    assert [(panel.x_log, panel.y_log) for panel in sweep_figure(found).panels] == [(log, False), (log, log)]
 
 
 def test_two_parameters_are_a_grid_with_contours(scene, capsys, monkeypatch):

@@ -136,8 +136,8 @@ SWEEP = [
     "parameter of the file: any that `answers` may ask for, and expressions of some; the natural frequencies unless "
     "named. The scene is derived once. Each value is that of the scene with this parameter, as `--set` gives it.",
     [
-        ("--points N", "how many values; `--log` spaces them by one ratio. A bare number has the unit of the other "
-         "end, or that of the file."),
+        ("--points N", "how many values; `--log` spaces them by one ratio, and pictures show decades. A bare number "
+         "has the unit of the other end, or that of the file."),
         ("--over twice", "the grid of two parameters, as tables and contours"),
         ("branches", "omega[i] stays the i-th in ascending order. Natural modes are followed by their shapes besides: "
          "where branches change places, the branch of each mode stands beside it, and it is told where they cross, or "

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Sequence
 from functools import cached_property
 from itertools import product
+from math import isclose
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, SpecError
@@ -34,6 +35,12 @@ class SweptAxis(NamedTuple):
     @property
     def in_si(self) -> list[float]:
         return [float(value.exact) for value in self.values]
+
+    @property
+    def by_ratio(self) -> bool:
+        """Do its values grow by one ratio?"""
+        return self.shown[0] > 0 and len(self.shown) > 2 and isclose(
+            self.shown[1] / self.shown[0], self.shown[-1] / self.shown[-2], rel_tol=1e-6)
 
 
 class Gap(NamedTuple):

@@ -1,5 +1,6 @@
 """Quantities over one or two parameters: tables, where branches of natural modes meet, why values are missing."""
 
+import math
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
@@ -156,7 +157,13 @@ def _panels(found):
         curves = [curve for number in numbers for curve in _curves(found, number, numbers)]
         names = ", ".join(_labels(found)[number] for number in numbers)
         yield Panel(labelled(symbol(axis.name), _unit_told(axis)), labelled(names, unit if unit != "1" else ""),
+                    axis.by_ratio, axis.by_ratio and _over_decades([y for curve in curves for y in curve.y if y == y]),
                     curves=(*_engine_orders(found, unit, numbers), *curves), x_range=(axis.shown[0], axis.shown[-1]))
+
+
+def _over_decades(values):
+    """Are all positive, and the largest more than ten times the smallest?"""
+    return bool(values) and 0 < 10 * min(values) < max(values)
 
 
 def _curves(found, number, together):
@@ -209,8 +216,8 @@ def _contours(found):
 
     down, across = found.axes
     for text, unit, values in zip(_labels(found), found.units, found.columns, strict=True):
-        made, curves = contour_generator(across.shown, down.shown, _masked(values)), []
-        for level in _levels(values):
+        made, curves = contour_generator(across.shown, down.shown, np.ma.masked_invalid(values)), []
+        for level in _levels(values, across.by_ratio):
             x, y = [], []
             for line in made.lines(level):
                 places = np.asarray(line)
@@ -218,18 +225,12 @@ def _contours(found):
                 y += [*places[:, 1].tolist(), float("nan")]
             curves.append(Curve(f"{text} = {figure(level)}{'' if unit == '1' else ' ' + unit}", tuple(x), tuple(y)))
         yield Panel(labelled(symbol(across.name), _unit_told(across)), labelled(symbol(down.name), _unit_told(down)),
-                    curves=tuple(curve for curve in curves if curve.x),
+                    across.by_ratio, down.by_ratio, curves=tuple(curve for curve in curves if curve.x),
                     x_range=(across.shown[0], across.shown[-1]), y_range=(down.shown[0], down.shown[-1]))
 
 
-def _masked(values):
-    import numpy as np
-
-    return np.ma.masked_invalid(values)
-
-
-def _levels(values: "np.ndarray") -> "Sequence[float]":
-    """Round values within those that are met."""
+def _levels(values: "np.ndarray", by_ratio: bool) -> "Sequence[float]":
+    """Round values within those that are met; over parameters that grow by one ratio, parts of decades."""
     import numpy as np
 
     from vibcli.plots.ticks import ticks
@@ -238,7 +239,10 @@ def _levels(values: "np.ndarray") -> "Sequence[float]":
     low, high = (float(known.min()), float(known.max())) if known.size else (0.0, 0.0)
     if not low < high:
         return []
-    return [place for place, _ in ticks(low, high, lambda found: len(found) <= 6) if low < place < high]
+    decades = by_ratio and _over_decades([low, high])
+    ends = (math.log10(low), math.log10(high)) if decades else (low, high)
+    places = [place for place, _ in ticks(*ends, lambda found: len(found) <= 6, decades) if ends[0] < place < ends[1]]
+    return [10.0 ** place for place in places] if decades else places
 
 
 def sweep_columns(found: "Sweep") -> "list[tuple[str, str, np.ndarray]]":
