@@ -3,6 +3,7 @@
 import csv
 import json
 
+import numpy as np
 import pytest
 from support import scenes
 
@@ -12,7 +13,7 @@ from vibcli.api.sweep import sweep
 from vibcli.api.values import given_expression
 from vibcli.cli.program import run
 from vibcli.plots.words import width
-from vibcli.report.sections.sweep import sweep_figure
+from vibcli.report.sections.swept_curves import sweep_figure
 
 TWO = """title: Two oscillators on a weak spring
 parameters: {m: 1 kg, k1: 100 N/m, k2: 100 N/m, kc: 1 N/m, s: 2*kc, c: 0.5 N*s/m}
@@ -132,6 +133,19 @@ def test_it_is_told_how_far_it_has_come(scene):
     parts = [said[1] for said in told if said[2]]
     assert parts == sorted(parts) and set(parts) == {i / 10 for i in range(1, 11)}
     assert all(said[2] for said in told[told.index(("the sweep", 0.1, True)):-1])      # also while a value is found
+
+
+def test_curves_break_where_the_number_of_natural_modes_changes(tmp_path, capsys):
+    """Ω = √(k/m): two rigid modes and one of 2Ω instead of |√(k/m) ± Ω|."""
+    problem = scenes.problem(RODS)
+    found = sweep(problem, [axis(problem.spec, "Omega=18 .. 22", 5)], [given_expression("omega[2]", "")])
+    assert found.columns[0].tolist() == pytest.approx([38, 39, 0, 41, 42], rel=1e-14)
+    curve = sweep_figure(found).panels[0].curves[-1]
+    assert np.isnan(curve.y).tolist() == [False, False, True, False, True, False, False]
+    path = tmp_path / "rotor.yaml"
+    path.write_text(RODS, encoding="utf-8")
+    assert "At Ω = 20 rad/s there are 3 natural modes, 2 before" in " ".join(
+        out_of(capsys, str(path), "--over", "Omega=18 .. 22", "--points", "5").out.split())
 
 
 @pytest.mark.parametrize("log", [False, True])

@@ -70,7 +70,13 @@ def _found(problem, ranges, quantities, points, by_ratio, settings):
 def _shown(found, plot, saves, force):
     if not (plot or saves) or not found.done:
         return
-    from vibcli.report.sections.sweep import sweep_columns, sweep_figure
+    from vibcli.report.sections.sweep import sweep_columns
 
-    show_curves(plot, saves, force, found.problem.spec.get("title") or "", lambda: sweep_figure(found),
+    show_curves(plot, saves, force, found.problem.spec.get("title") or "", lambda: _figure(found),
                 lambda: sweep_columns(found))
+
+
+def _figure(found):
+    from vibcli.report.sections.swept_curves import sweep_figure
+
+    return sweep_figure(found)

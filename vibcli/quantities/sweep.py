@@ -51,6 +51,14 @@ class Gap(NamedTuple):
     reason: str
 
 
+class ModeCount(NamedTuple):
+    """Places from the first to the last with one number of natural modes, 0 where they are not finite in number."""
+
+    number: int
+    first: int
+    last: int
+
+
 class Sweep:
     """Values of expressions of quantities, in these units, over the grid of some axes; `settle(problem)` gives values
     to what is chosen."""
@@ -129,11 +137,22 @@ class Sweep:
         return belongs
 
     @cached_property
+    def mode_counts(self) -> "list[ModeCount]":
+        """Runs of places with one number of natural modes, where these are asked for over one parameter."""
+        found: list[ModeCount] = []
+        for k, count in enumerate(self._found[4]):
+            if found and found[-1].number == count:
+                found[-1] = found[-1]._replace(last=k)
+            else:
+                found.append(ModeCount(count, k, k))
+        return found
+
+    @cached_property
     def _found(self):
-        """(arrays, [(text, reason, place)], places reached, NaturalModesAt or None of each)."""
+        """(arrays, [(text, reason, place)], places reached, NaturalModesAt or None of each, numbers of modes)."""
         import numpy as np
 
-        arrays, gaps, spectra, done = [np.full(self.shape, np.nan) for _ in self.asked], [], [], 0
+        arrays, gaps, spectra, counts, done = [np.full(self.shape, np.nan) for _ in self.asked], [], [], [], 0
         follow = len(self.axes) == 1 and any(map(self.numbered, self.asked))
         total = arrays[0].size
         with self.problem.work.task("the sweep") as task:
@@ -145,11 +164,12 @@ class Sweep:
                         array[place] = value
                         gaps += [(expression.text, reason, place)] if reason else []
                     spectra.append(spectrum)
+                    counts += [_count(problem)] * follow
                     done += 1
                     task.step(done / total)
             except KeyboardInterrupt:
                 self.problem.work.interrupt()
-        return arrays, gaps, done, spectra
+        return arrays, gaps, done, spectra, counts
 
     def _between(self, value):
         axis = self.axes[0]
@@ -169,6 +189,17 @@ def _value(problem, expression) -> tuple[float, str]:
         return float("nan"), error.diagnostics[0].message
     except PhysicsError as error:
         return float("nan"), error.message
+
+
+def _count(problem: Any) -> int:
+    """The number of natural modes; 0 where there are none, or no end of them."""
+    if isinstance(problem, Exception):
+        return 0
+    try:
+        modes = problem.modal.modes
+    except (SpecError, PhysicsError):
+        return 0
+    return len(modes) if modes.finite else 0
 
 
 def _spectrum(problem: Any, value: float) -> "NaturalModesAt | None":

@@ -1,11 +1,9 @@
 """Quantities over one or two parameters: tables, where branches of natural modes meet, why values are missing."""
 
-import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
-from vibcli.base import units
 from vibcli.base.enumeration import listed
 from vibcli.notation.numbers import figure
 from vibcli.report.blocks import Name, Section, TableBlock, Words, maths, paragraph, section
@@ -16,12 +14,11 @@ from vibcli.symbolic.syntax import NameRef
 if TYPE_CHECKING:
     import numpy as np
 
-    from vibcli.plots.figure import Figure
-    from vibcli.quantities.sweep import Gap, Sweep
+    from vibcli.quantities.sweep import Gap, Sweep, SweptAxis
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
 
-SHOWN_COLUMNS, ORDERS = 7, (1, 2)       # of a grid as text; lines of a Campbell diagram
+SHOWN_COLUMNS = 7       # of a grid as text
 SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 SYMBOLS = {"omega": "ω", "zeta": "ζ", "frequency": "f", "period": "T", "decay": "δ"}
 
@@ -29,24 +26,26 @@ SYMBOLS = {"omega": "ω", "zeta": "ζ", "frequency": "f", "period": "T", "decay"
 def sweep(problem: "Problem", report: "Report") -> Iterator[Section]:
     """A table over one parameter, or one for each quantity over two."""
     found = report.wanted.sweep
-    told = [paragraph(text) for text in (*_meetings(found), *_gaps(found), *_stopped(found))]
+    words = [paragraph(text) for text in (*_meetings(found), *_gaps(found), *_mode_counts(found), *_stopped(found))]
     if len(found.axes) == 1:
-        yield from section(f"Over {_range(found.axes[0])}", _table(found), *told)
+        yield from section(f"Over {_range(found.axes[0])}", _table(found), *words)
         return
-    for text, unit, values in zip(_labels(found), found.units, found.columns, strict=True):
+    for text, unit, values in zip(labels(found), found.units, found.columns, strict=True):
         yield from section(f"{text}{_in(unit)} over {' and '.join(map(_range, found.axes))}", _grid(found, values))
-    yield from section("What has to be said of these values", *told)
+    yield from section("What has to be said of these values", *words)
 
 
 def _range(axis):
-    return f"{symbol(axis.name)} from {_told(axis, axis.shown[0])} to {_told(axis, axis.shown[-1])}"
+    return f"{symbol(axis.name)} from {told(axis, axis.shown[0])} to {told(axis, axis.shown[-1])}"
 
 
-def _told(axis, value):
-    return f"{figure(value)} {_unit_told(axis)}".rstrip()
+def told(axis: "SweptAxis", value: float) -> str:
+    """A value with its unit."""
+    return f"{figure(value)} {unit_told(axis)}".rstrip()
 
 
-def _unit_told(axis):
+def unit_told(axis: "SweptAxis") -> str:
+    """The unit of an axis as it is printed."""
     return axis.unit.replace("*", "·").replace("^2", "²").replace("^3", "³")
 
 
@@ -54,7 +53,8 @@ def _in(unit):
     return f" [{unit}]" if unit not in ("", "1") else ""
 
 
-def _labels(found):
+def labels(found: "Sweep") -> list[str]:
+    """The quantities as they are printed."""
     return [_label(one) for one in found.asked]
 
 
@@ -70,10 +70,10 @@ def _label(expression):
 
 
 def _table(found):
-    axis, changed = found.axes[0], _changed(found)
-    head: list[Any] = [maths(Name(axis.name), *[Words(f" [{_unit_told(axis)}]")] * bool(axis.unit))]
+    axis, changed = found.axes[0], branches_change(found)
+    head: list[Any] = [maths(Name(axis.name), *[Words(f" [{unit_told(axis)}]")] * bool(axis.unit))]
     columns = [[figure(value) for value in axis.shown]]
-    for expression, text, unit, values in zip(found.asked, _labels(found), found.units, found.columns, strict=True):
+    for expression, text, unit, values in zip(found.asked, labels(found), found.units, found.columns, strict=True):
         head.append(text + _in(unit))
         columns.append([figure(float(value)) if value == value else "–" for value in values])
         if changed and (branch := found.branch(expression)) is not None:
@@ -82,7 +82,7 @@ def _table(found):
     return TableBlock(tuple(head), tuple(zip(*(column[:found.done] for column in columns), strict=True)))
 
 
-def _changed(found):
+def branches_change(found: "Sweep") -> bool:
     """Do branches change places?"""
     return found.branches is not None and any(one.crosses for one in found.branches.meetings)
 
@@ -90,8 +90,8 @@ def _changed(found):
 def _grid(found, values):
     down, across = found.axes
     shown = sorted({round(k * (len(across.values) - 1) / (SHOWN_COLUMNS - 1)) for k in range(SHOWN_COLUMNS)})
-    head = (maths(Name(down.name), *[Words(f" [{_unit_told(down)}]")] * bool(down.unit)),
-            *(maths(Name(across.name), Words(" = " + _told(across, across.shown[k]))) for k in shown))
+    head = (maths(Name(down.name), *[Words(f" [{unit_told(down)}]")] * bool(down.unit)),
+            *(maths(Name(across.name), Words(" = " + told(across, across.shown[k]))) for k in shown))
     rows = ((figure(down.shown[i]), *(figure(float(values[i, k])) if values[i, k] == values[i, k] else "–"
                                       for k in shown)) for i in range(len(down.values)))
     return TableBlock(head, tuple(rows))
@@ -104,7 +104,7 @@ def _meetings(found):
     axis, name = found.axes[0], symbol(found.axes[0].name)
     for one in found.branches.meetings:
         first, second = one.branches
-        where = f"at {name} = {_told(axis, one.value)}"
+        where = f"at {name} = {told(axis, one.value)}"
         if one.crosses:
             yield f"Branches {first} and {second} cross {where}: each keeps its shape."
         else:
@@ -115,8 +115,19 @@ def _meetings(found):
 def _gaps(found):
     """Why there are no values, and where."""
     for gap in found.gaps:
-        texts = [text for text, one in zip(_labels(found), found.asked, strict=True) if one.text in gap.texts]
+        texts = [text for text, one in zip(labels(found), found.asked, strict=True) if one.text in gap.texts]
         yield f"{listed(texts)}: no value {_where(found, gap)}: {gap.reason}."
+
+
+def _mode_counts(found):
+    """Where the number of natural modes changes, as where one that turns comes to rest."""
+    known = [one for one in found.mode_counts if one.number]
+    for k, one in enumerate(known[1:], 1):
+        if one.number != known[0].number:
+            axis, begins, ends = found.axes[0], found.axes[0].shown[one.first], found.axes[0].shown[one.last]
+            where = told(axis, begins) if begins == ends else f"{figure(begins)} … {told(axis, ends)}"
+            yield (f"At {symbol(axis.name)} = {where} there are {one.number} natural modes, {known[k - 1].number} "
+                   "before: they are numbered anew, rigid ones first, and curves break.")
 
 
 def _where(found, gap: "Gap"):
@@ -129,120 +140,13 @@ def _where(found, gap: "Gap"):
             runs.append((start, one))
             start = two
     return f"for {symbol(axis.name)} = " + listed([
-        _told(axis, axis.shown[a]) if a == b else f"{figure(axis.shown[a])} … {_told(axis, axis.shown[b])}"
+        told(axis, axis.shown[a]) if a == b else f"{figure(axis.shown[a])} … {told(axis, axis.shown[b])}"
         for a, b in runs])
 
 
 def _stopped(found):
     if found.problem.work.interrupted:
         yield f"Interrupted: {found.done} of {found.columns[0].size} values were found."
-
-
-def sweep_figure(found: "Sweep") -> "Figure":
-    """Curves over one parameter, a panel for each unit; over two, contours of each quantity."""
-    from vibcli.plots.figure import Figure
-
-    panels = _contours(found) if len(found.axes) > 1 else _panels(found)
-    return Figure(found.problem.spec.get("title") or "", tuple(panels))
-
-
-def _panels(found):
-    from vibcli.plots.figure import Panel
-    from vibcli.plots.prefixes import labelled
-
-    axis, groups = found.axes[0], {}
-    for number, unit in enumerate(found.units):
-        groups.setdefault(unit, []).append(number)
-    for unit, numbers in groups.items():
-        curves = [curve for number in numbers for curve in _curves(found, number, numbers)]
-        names = ", ".join(_labels(found)[number] for number in numbers)
-        yield Panel(labelled(symbol(axis.name), _unit_told(axis)), labelled(names, unit if unit != "1" else ""),
-                    axis.by_ratio, axis.by_ratio and _over_decades([y for curve in curves for y in curve.y if y == y]),
-                    curves=(*_engine_orders(found, unit, numbers), *curves), x_range=(axis.shown[0], axis.shown[-1]))
-
-
-def _over_decades(values):
-    """Are all positive, and the largest more than ten times the smallest?"""
-    return bool(values) and 0 < 10 * min(values) < max(values)
-
-
-def _curves(found, number, together):
-    """The curve of a quantity; of natural modes that belong to branches, that of the branch of its number."""
-    from vibcli.plots.figure import Curve
-
-    text, expression, x = _labels(found)[number], found.asked[number], found.axes[0].shown
-    kinds = {n: found.asked[n].tree.head for n in together if found.numbered(found.asked[n]) is not None}
-    own = [n for n in together if kinds.get(n) == kinds.get(number)]
-    if number not in kinds or not _changed(found):
-        return [Curve(text, x, tuple(map(float, found.columns[number])))]
-    branch = found.numbered(expression)
-    y = [_of_branch(found, own, branch, k) for k in range(len(x))]
-    return [Curve(f"{text.rstrip('₀₁₂₃₄₅₆₇₈₉')}, branch {branch}", x, tuple(y))]
-
-
-def _of_branch(found, numbers, branch, k):
-    return next((float(found.columns[n][k]) for n in numbers if found.branch(found.asked[n])[k] == branch),
-                float("nan"))
-
-
-def _engine_orders(found, unit, numbers):
-    """The lines ω = Ω and 2Ω of a Campbell diagram, where a rate is swept over."""
-    from vibcli.plots.figure import Curve
-
-    axis = found.axes[0]
-    rate = found.problem.spec.dimensions.of(axis.name) == units.RATE
-    if unit not in ("rad/s", "Hz") or not rate:
-        return []
-    import numpy as np
-
-    top = max((float(np.nanmax(found.columns[n])) for n in numbers if np.isfinite(found.columns[n]).any()), default=0.0)
-    per = np.array(axis.in_si) / (2 * np.pi if unit == "Hz" else 1.0)
-    lines = []
-    for order in ORDERS:
-        y = np.where(order * per <= top, order * per, np.nan)
-        last = int(np.flatnonzero(np.isfinite(y))[-1]) if np.isfinite(y).any() else 0
-        lines.append(Curve(f"{order}×", axis.shown, tuple(map(float, y)), "guide",
-                           tuple(f"{order}×" * (k == last) for k in range(len(y)))))
-    return lines
-
-
-def _contours(found):
-    """Lines of one value each over two parameters."""
-    import numpy as np
-    from contourpy import contour_generator
-
-    from vibcli.plots.figure import Curve, Panel
-    from vibcli.plots.prefixes import labelled
-
-    down, across = found.axes
-    for text, unit, values in zip(_labels(found), found.units, found.columns, strict=True):
-        made, curves = contour_generator(across.shown, down.shown, np.ma.masked_invalid(values)), []
-        for level in _levels(values, across.by_ratio):
-            x, y = [], []
-            for line in made.lines(level):
-                places = np.asarray(line)
-                x += [*places[:, 0].tolist(), float("nan")]
-                y += [*places[:, 1].tolist(), float("nan")]
-            curves.append(Curve(f"{text} = {figure(level)}{'' if unit == '1' else ' ' + unit}", tuple(x), tuple(y)))
-        yield Panel(labelled(symbol(across.name), _unit_told(across)), labelled(symbol(down.name), _unit_told(down)),
-                    across.by_ratio, down.by_ratio, curves=tuple(curve for curve in curves if curve.x),
-                    x_range=(across.shown[0], across.shown[-1]), y_range=(down.shown[0], down.shown[-1]))
-
-
-def _levels(values: "np.ndarray", by_ratio: bool) -> "Sequence[float]":
-    """Round values within those that are met; over parameters that grow by one ratio, parts of decades."""
-    import numpy as np
-
-    from vibcli.plots.ticks import ticks
-
-    known = values[np.isfinite(values)]
-    low, high = (float(known.min()), float(known.max())) if known.size else (0.0, 0.0)
-    if not low < high:
-        return []
-    decades = by_ratio and _over_decades([low, high])
-    ends = (math.log10(low), math.log10(high)) if decades else (low, high)
-    places = [place for place, _ in ticks(*ends, lambda found: len(found) <= 6, decades) if ends[0] < place < ends[1]]
-    return [10.0 ** place for place in places] if decades else places
 
 
 def sweep_columns(found: "Sweep") -> "list[tuple[str, str, np.ndarray]]":
