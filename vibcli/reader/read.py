@@ -117,12 +117,15 @@ def read_spec(root: Any, file: str, diagnostics: Sequence[Any] = (), settings: A
 
 
 def read_changed(root: Mapping, part: Mapping, file: str, remark: str, settings: Any = None,
-                 any_dimension: bool = False) -> Spec:
+                 any_dimension: bool = False, spec: Spec | None = None) -> Spec:
     """The Spec of a document with a part merged over it as a case is, which may leave parameters unused; SpecError,
-    with this remark, where it is none. any_dimension: its numbers are in SI units, whatever they measure."""
+    with this remark, where it is none. any_dimension: its numbers are in SI units, whatever they measure; spec: that of
+    the document, whose records are not read anew."""
     from vibcli.language.cases import merged
+    from vibcli.language.sections.record import samples_by_text
 
-    return read_alone(merged(root, part), file, settings, {}, remark, any_dimension)
+    files = {} if spec is None else samples_by_text(spec.get("records", {}))
+    return read_alone(merged(root, part), file, settings, files, remark, any_dimension)
 
 
 def read_alone(root: Mapping, file: str, settings: Any = None, files: Any = None, remark: str = "",

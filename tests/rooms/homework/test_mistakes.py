@@ -11,10 +11,12 @@ from vibcli.api.source import problem_of, text_source
 from vibcli.api.values import quantity_asked
 from vibcli.check.verdicts import check
 from vibcli.cli.common import known_mistake
-from vibcli.homework.mistakes import FORMULA, MISTAKES, MODEL, READING
+from vibcli.cli.program import run
+from vibcli.homework.mistakes import FORMULA, MISTAKES, MODEL, READING, known
 from vibcli.homework.mistakes.known import by_kind, of_catalogue
 from vibcli.homework.mistakes.springs import lever_ratio
 from vibcli.inverse import settled
+from vibcli.language import data_columns
 from vibcli.quantities.dimensions import unit_of
 from vibcli.quantities.expression import value_of
 
@@ -204,3 +206,19 @@ def test_check_names_mistakes_of_the_model(scene, line, said):
     assert verdict.agrees is False and verdict.remark.startswith(said)
     without, = check(problem_of(source))
     assert without.remark != verdict.remark
+
+
+def test_the_files_of_records_are_read_once_for_all_mistakes(tmp_path, monkeypatch, capsys):
+    rows = "".join(f"{i / 10},{i % 7}\n" for i in range(100))
+    (tmp_path / "a.csv").write_text(rows)
+    path = tmp_path / "scene.yaml"
+    path.write_text("parameters: {m: 2 kg, k: 800 N/m, c: 4 N*s/m}\nrecords: {ag: {file: a.csv, unit: m/s^2}}\n"
+                    "bodies: {b: {mass: m, slide: x}}\nsprings: {s: {k: k, stretch: x}}\n"
+                    "dampers: {d: {c: c, stretch: x}}\nforces: {f: {coordinate: x, value: -m*ag(t)}}\n"
+                    "answers: {x(5 s): 4 m}\n")
+    reads, whole = [], data_columns.columns_in
+    monkeypatch.setattr(data_columns, "columns_in", lambda *args: reads.append(args) or whole(*args))
+    scenes, changed = [], known.read_changed
+    monkeypatch.setattr(known, "read_changed", lambda *args: scenes.append(args) or changed(*args))
+    assert run(["check", str(path)]) == 1
+    assert "1 differs" in capsys.readouterr().out and len(reads) == 1 and scenes

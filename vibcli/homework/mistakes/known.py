@@ -118,7 +118,8 @@ def _scenes(problem, root, one, settings, name, names):
         if names is not None and _words(name, concerns) not in names:
             continue
         try:
-            found = problem.with_spec(read_changed(*changed(root, part), problem.spec.file, "", settings, True))
+            found = problem.with_spec(read_changed(*changed(root, part), problem.spec.file, "", settings, True,
+                                                   problem.spec))
             found.draw()
         except (SpecError, PhysicsError):
             continue

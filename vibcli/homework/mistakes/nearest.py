@@ -4,6 +4,7 @@ from math import isfinite
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.base.garbage import GARBAGE
 from vibcli.homework.mistakes import MODEL
 from vibcli.homework.mistakes.known import KnownMistake, of_catalogue
 from vibcli.language.cases import document_of_case
@@ -27,6 +28,7 @@ def nearest_mistake(problem: "Problem", asked: "Expression", expected: float, fo
     document = root and document_of_case(root, case)
     for mistake in of_catalogue(problem, document, [asked]):
         wrong = _wrong(problem, mistake, asked, found)
+        GARBAGE.clear()
         off = abs(wrong / expected - 1) if wrong is not None and isfinite(wrong) else CLOSE
         if off < CLOSE and abs(wrong / found - 1) > NEAR:
             near.append((mistake.kind != MODEL, off, mistake.told))

@@ -18,6 +18,8 @@ from vibcli.symbolic.semantics import literal_unit
 from vibcli.symbolic.syntax import Number, whole_literal
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from vibcli.language.reader import Record
 
 
@@ -74,8 +76,20 @@ ELEMENT = _Record(
 )
 
 
+def samples_by_text(records: "Mapping[str, Record]") -> dict:
+    """{what a record says: its Samples}, with which a scene that says the same is read without its files."""
+    return {_said(record): record["samples"] for record in records.values()}
+
+
+def _said(record):
+    texts = (getattr(record.get(key), "text", record.get(key)) for key in ELEMENT.fields)
+    return record["file"].where.file, *texts
+
+
 def _samples(record, reader):
     """The Samples of a record; None with a report where there are none."""
+    if (said := _said(record)) in reader.files:
+        return reader.files[said]
     file = record["file"]
     columns, problem = reader.columns_of(file.where.file, file.text.strip(), read_columns)
     if isinstance(problem, Diagnostic):
