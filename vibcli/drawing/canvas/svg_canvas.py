@@ -80,11 +80,12 @@ def _letters(part, children, attributes):
     x, y = part.place
     found = []
     for run in part.runs:
-        slant, wide = ' font-style="italic"' if run.slanted else "", lettering.width((run,))
-        if run.text.strip():        # of another font, where this one is not there, letters are as wide as drawn
-            own = number(wide - lettering.BESIDE * run.size)
-            slant += f' textLength="{own}" lengthAdjust="spacingAndGlyphs"'
-        found.append(f'<tspan x="{number(x)}" y="{number(-y - run.rise)}" font-size="{number(run.size)}"{slant}>'
-                     f"{words(run.text)}</tspan>")
-        x += wide
+        for text, right, rise in lettering.set_apart(run):
+            slant = ' font-style="italic"' if run.slanted else ""
+            if text.strip():        # of another font, where this one is not there, letters are as wide as drawn
+                own = number(lettering.width((run._replace(text=text),)) - lettering.BESIDE * run.size)
+                slant += f' textLength="{own}" lengthAdjust="spacingAndGlyphs"'
+            found.append(f'<tspan x="{number(x + right)}" y="{number(-y - rise)}" '
+                         f'font-size="{number(run.size)}"{slant}>{words(text)}</tspan>')
+        x += lettering.width((run,))
     return f'<text fill="{COLOURS[part.role]}"{attributes}>{"".join(found)}{children}</text>'
