@@ -6,6 +6,7 @@ from support.scenes import problem
 from vibcli.api.reports import STEPS, report, solution
 from vibcli.report.blocks import Name, maths
 from vibcli.report.formats import html, text
+from vibcli.report.sections.requested_signals import symbol
 
 ASKED = """
 question: "Of k2 x^2/pi and 2*a sin(Omega1 t) let phi1' be {a}, k2.force or k3 (R/n^2)."
@@ -83,3 +84,18 @@ def test_signs_of_numbers_among_words_are_those_of_print():
     falling = told("gravity: 9.81 m/s^2\nfind: [accelerations]\n"
                    "bodies: {rod: {shape: rod, mass: 2 kg, from: [0, 0], to: [1 m, 0], pin: {at: [0, 0], by: phi}}}\n")
     assert "φ̈ = −14.715 rad/s²" in text.render([falling])
+
+
+@pytest.mark.parametrize(("asked", "label"), [
+    ("L*phi1'", "L·φ̇₁"), ("2*x1 - y'", "2·x₁ − ẏ"), ("rope.force[1]", "rope.force[1]"), ("rod.u(L/2)", "rod.u(L/2)"),
+    ("s1.force + d.force", "s1.force + d.force"), ("phi''", "φ̈"), ("max(x1)", "max(x₁)")])
+def test_signals_that_are_asked_are_labelled_as_in_print(asked, label):
+    assert symbol(asked) == label
+
+
+def test_conditions_are_told_apart():
+    shown = text.render([told("""
+        bodies: {a: {mass: 1 kg, slide: x}, b: {mass: 1 kg, slide: y}, c: {mass: 1 kg, slide: z}}
+        constraints: {one: {equation: y = 2*x}, two: {equation: z = 3*x}}
+    """)])
+    assert "3 coordinates less 2 independent conditions: z = 3·x, y = 2·x" in shown
