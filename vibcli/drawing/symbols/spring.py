@@ -68,7 +68,7 @@ def _one_sided(record, whole):
         at, plate = plane.along(start, end), scale * PLATE
         far = plane.distance(start, end) - STEM
         near = far - play
-        lines = [((far if pushes else near + head, 0.0), (far + STEM, 0.0))]
+        lines: list[tuple[Any, ...]] = [((far if pushes else near + head, 0.0), (far + STEM, 0.0))]
         if pushes:
             lines += [((s, plate), (s, -plate)) for s in (near, far)]
         else:
