@@ -46,6 +46,10 @@ class RequestedSignal(NamedTuple):
 
 def symbol(text: str) -> str:
     """A signal as it is printed: a coordinate or its rate by its symbol, L·φ̇, s.force."""
+    if text.rstrip("'").isidentifier():
+        from vibcli.notation.plain import plain
+
+        return plain.symbol(text)
     from vibcli.notation.as_printed import as_printed
 
     return as_printed(text, OF_THE_SCENE.findall(text))
