@@ -3,7 +3,7 @@
 import pytest
 from support.scenes import problem
 
-from vibcli.api.reports import STEPS, report, solution
+from vibcli.api.reports import STEPS, illustrated, report, solution
 from vibcli.report.blocks import Name, maths
 from vibcli.report.formats import html, text
 from vibcli.report.sections.requested_signals import symbol
@@ -99,3 +99,12 @@ def test_conditions_are_told_apart():
         constraints: {one: {equation: y = 2*x}, two: {equation: z = 3*x}}
     """)])
     assert "3 coordinates less 2 independent conditions: z = 3·x, y = 2·x" in shown
+
+
+def test_what_is_prescribed_is_told_with_pictures_too():
+    found = problem("""
+        bodies: {cart: {mass: 2 kg, at: [0, 0], slide: 0.2 m*sin(3 s^-1*t)}}
+        answers: {T(0 s): 0.36 J}
+    """)
+    made = report(found, illustrated(solution(found)), pictures=True)
+    assert made.refusal is None and made.sections[0].title == "Figure"
