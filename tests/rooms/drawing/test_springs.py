@@ -9,6 +9,8 @@ from support.scenes import kept_drawing_of, problem
 from vibcli.drawing.canvas.primitives import ARROW, LetterRuns, Polyline
 from vibcli.drawing.drawing import draw
 from vibcli.drawing.layout import plane
+from vibcli.drawing.layout.lettering import words
+from vibcli.drawing.layout.space import Space
 
 ROOT = Path(__file__).parents[3]
 
@@ -77,8 +79,8 @@ def test_each_of_three_elements_side_by_side_has_its_name_at_it():
     """))
     piston = next(part for part in drawn if part.role == "damper" and part.width > 1.5).points
     middle = (piston[0][1] + piston[-1][1]) / 2
-    words = {part.runs[0].text: (part.box[1] + part.box[3]) / 2 for part in drawn if isinstance(part, LetterRuns)}
-    assert abs(words["c"] - middle) < 15.0 < words["k"] - words["c"] and touching(drawn) == []
+    levels = {part.runs[0].text: (part.box[1] + part.box[3]) / 2 for part in drawn if isinstance(part, LetterRuns)}
+    assert abs(levels["c"] - middle) < 15.0 < levels["k"] - levels["c"] and touching(drawn) == []
 
 
 def test_a_radius_meets_no_arrow_of_a_coordinate_where_another_place_is_free():
@@ -87,3 +89,10 @@ def test_a_radius_meets_no_arrow_of_a_coordinate_where_another_place_is_free():
             if isinstance(part, Polyline) and part.role == "coordinate" and len(part.points) > 2]
     ray, = [part.points for part in drawn if isinstance(part, Polyline) and part.role == "measure"]
     assert min(plane.distance(p, q) for p in arc for q in (ray[0], ray[-1])) > 6.0
+
+
+def test_words_keep_clear_of_the_edges_of_thick_lines():
+    for thick, far in ((0.8, 0.8), (1.7, 1.7)):
+        line = Polyline(((0.0, 0.1), (60.0, 0.1)), "load", thick)
+        word = Space([line]).put(words("F0 saw(t)"), [(30.0, 1.2)])
+        assert max(word.box[1] - 0.1, 0.1 - word.box[3]) > far
