@@ -1,13 +1,16 @@
 """What stands in reports as it is set in print: symbols within questions, words that hold, formulas that are read."""
 
+from pathlib import Path
+
 import pytest
-from support.scenes import problem
+from support.scenes import kept_problem_of, problem
 
 from vibcli.api.reports import STEPS, illustrated, report, solution
 from vibcli.report.blocks import Name, maths
 from vibcli.report.formats import html, text
 from vibcli.report.sections.requested_signals import symbol
 
+ROOT = Path(__file__).parents[3]
 ASKED = """
 question: "Of k2 x^2/pi and 2*a sin(Omega1 t) let phi1' be {a}, k2.force or k3 (R/n^2)."
 parameters: {a: 3 N*s/m, k2: 4 N/m, Omega1: 5 rad/s, m: 2 kg}
@@ -102,9 +105,6 @@ def test_conditions_are_told_apart():
 
 
 def test_what_is_prescribed_is_told_with_pictures_too():
-    found = problem("""
-        bodies: {cart: {mass: 2 kg, at: [0, 0], slide: 0.2 m*sin(3 s^-1*t)}}
-        answers: {T(0 s): 0.36 J}
-    """)
+    found = kept_problem_of(ROOT / "problems/2_lagrange/pump_turned_by_a_motor.yaml")
     made = report(found, illustrated(solution(found)), pictures=True)
     assert made.refusal is None and made.sections[0].title == "Figure"
