@@ -49,4 +49,4 @@ def test_dots_stand_above_their_letter(name, higher):
 def test_dots_are_no_part_of_their_letter_in_figures():
     scene = "coordinates: [theta]\nparameters: {m: 2 kg*m^2}\nenergies: {T: m*theta'^2/2, V: m*theta^2*1 s^-2}\n"
     shown = picture(draw(problem(scene))).decode()
-    assert "\u02d9</tspan>" in shown and "\u0307" not in shown
+    assert "\u02d9</text>" in shown and "\u0307" not in shown
