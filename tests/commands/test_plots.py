@@ -23,7 +23,7 @@ from vibcli.plots.picture import picture
 from vibcli.plots.prefixes import readable
 from vibcli.plots.response import of_response
 from vibcli.plots.ticks import decimal, ticks
-from vibcli.plots.words import printable, shortened, width
+from vibcli.plots.words import printable, shortened, width, with_its_unit
 
 EACH = pytest.mark.parametrize("name", FIGURES)
 
@@ -235,6 +235,9 @@ def test_marks_stand_at_their_places():
 def test_words():
     assert printable("a\x1b[31m\n b\u202e\u200b  c") == "a[31m b c"
     assert width("φ̇ 日本") == 6
+    assert [with_its_unit("rope.force.1 [N]", n) for n in (16, 12, 6)] == [
+        "rope.force.1 [N]", "rope.force.1\n[N]", "rope.…\n[N]"]
+    assert with_its_unit("displacement", 6) == "displ…"
     assert [shortened("日本語", n) for n in (6, 5, 4, 1, 0)] == ["日本語", "日本…", "日…", "…", ""]
 
 

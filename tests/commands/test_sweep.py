@@ -50,6 +50,11 @@ def test_a_table_tells_where_branches_veer(scene, capsys):
     assert "ω₁ [rad/s]" in out and "ζ₁" in out and "Branches 1 and 2 veer at k₁ = 100.0" in out
 
 
+def test_expressions_of_quantities_are_told_as_in_print(scene, capsys):
+    out = out_of(capsys, scene, "--over", "k1=50 .. 150", "--of", "2*k1*omega[1]^2", "--points", "3").out
+    assert "2·k₁·ω₁² [" in out and "omega" not in out
+
+
 def test_branches_that_cross_have_a_column(scene, capsys):
     out = out_of(capsys, scene, "--set", "kc=0", "--over", "k1=50 .. 170", "--of", "omega[1]", "--points", "4").out
     assert "cross at k₁ = 100 N/m" in out

@@ -85,7 +85,7 @@ def _parts(problem, parts, normalise, digits, sections, wanted):
     if digits is not None:
         _require_numbers(problem)
     found: dict = {"title": problem.spec.get("title"), "coordinates": list(problem.scene.coordinates)}
-    if sections is PRESCRIBED:
+    if "prescribed" in sections:
         parts = tuple(part for part in parts if part == "equations")
     if problem.choice is not None:
         from vibcli.report.sections.design_parameters import CHOSEN
@@ -200,7 +200,7 @@ def _rests_at_a_jump(problem, error):
 
 def _without_slope(problem, refusal, sections):
     """Is there no slope, for friction or a kink, or no inertia, where nothing that needs them is asked by name?"""
-    if sections is PRESCRIBED:
+    if "prescribed" in sections:
         return True
     if not isinstance(refusal, (Kinked, Inertless, NoEquilibrium)) and problem.system.sticking is None:
         return False

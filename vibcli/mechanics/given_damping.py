@@ -132,8 +132,18 @@ def added(record: "Record", values: "Mapping[str, Any]", elements: Any) -> Facto
     """The dampers and the C that are added to element data, in their numbers of mpmath, as element data."""
     if "proportional" in record:
         return in_proportion(*values["proportional"], elements)
-    rows = [(mode.c, {i: x for i, x in enumerate(mode.row) if x}) for mode in damped_modes(record, values, elements)]
-    return FactoredSystem(elements.n, dampers=rows)
+    modes = damped_modes(record, values, elements)
+    if len(values.get("caughey") or ()) == 2 and modes and not elements.massless and modes[-1].square > modes[0].square:
+        alpha, beta = _through_both(modes[0], modes[-1])
+        if alpha >= 0 and beta >= 0:        # without cancellation
+            return in_proportion(alpha, beta, elements)
+    return FactoredSystem(elements.n, dampers=[(mode.c, {i: x for i, x in enumerate(mode.row) if x}) for mode in modes])
+
+
+def _through_both(one, two):
+    """α, β of the series of two terms, c = α + β ω²: C has no entries but those of M and K."""
+    beta = (two.c - one.c) / (two.square - one.square)
+    return one.c - beta * one.square, beta
 
 
 def in_proportion(alpha: Any, beta: Any, elements: Any) -> FactoredSystem:

@@ -19,8 +19,11 @@ if TYPE_CHECKING:
 
 _SUPERSCRIPT = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _DOTS = {"": "", "'": "\u0307", "''": "\u0308"}
-_PRECOMPOSED = {"x\u0307": "ẋ", "x\u0308": "ẍ", "y\u0307": "ẏ", "y\u0308": "ÿ", "s\u0307": "ṡ", "z\u0307": "ż",
-                "u\u0308": "ü", "r\u0307": "ṙ"}
+_COMPOSED = (("\u0307", "ABCDEFGHMNOPRSTWXYZabcdefghmnoprstwxyz",
+              "ȦḂĊḊĖḞĠḢṀṄȮṖṘṠṪẆẊẎŻȧḃċḋėḟġḣṁṅȯṗṙṡṫẇẋẏż"),
+             ("\u0308", "AEHOUWXYaehotuwxy", "ÄËḦÖÜẄẌŸäëḧöẗüẅẍÿ"))
+PRECOMPOSED = {letter + dots: single for dots, letters, singles in _COMPOSED
+               for letter, single in zip(letters, singles, strict=True)}
 
 
 class Notation:
@@ -213,7 +216,7 @@ class Plain(Notation):
         if len(letter) > 1:
             return letter + "′" * marks + primes
         dotted = letter + _DOTS[primes]
-        return _PRECOMPOSED.get(dotted, dotted) + below + "′" * marks
+        return PRECOMPOSED.get(dotted, dotted) + below + "′" * marks
 
     def brackets(self, text: str) -> str:
         return f"({text})"

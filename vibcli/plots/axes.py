@@ -7,7 +7,7 @@ from vibcli.plots import style
 from vibcli.plots.marking import draw_marks, draw_names
 from vibcli.plots.response import turns
 from vibcli.plots.ticks import OF_A_TURN, decade
-from vibcli.plots.words import shortened, width
+from vibcli.plots.words import shortened, width, with_its_unit
 
 if TYPE_CHECKING:
     from vibcli.plots.paper import Sheet
@@ -27,7 +27,7 @@ def draw(axes: Any, sheet: "Sheet", inches: float) -> None:
     _scale(axes.yaxis, sheet.y, min(int(_UPWARDS * inches), _ALONG))
     axes.tick_params(axis="x", labelbottom=sheet.last)
     axes.set_xlabel(shortened(panel.x_label, _LONGEST) if sheet.last else "")
-    axes.set_ylabel(shortened(panel.y_label, int(_AN_INCH * inches)))
+    axes.set_ylabel(with_its_unit(panel.y_label, int(_AN_INCH * inches)))
     if panel.equal:
         axes.set_box_aspect(1 / style.RATIO)
     if not any(sheet.strokes):

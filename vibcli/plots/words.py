@@ -34,3 +34,9 @@ def shortened(text: str, columns: int) -> str:
     if kept and found[len(kept)] == "":
         kept.pop()
     return "".join(kept) + "…" * (columns > 0)
+
+
+def with_its_unit(label: str, columns: int) -> str:
+    """A label "name [unit]" of at most so many columns; where it is longer the unit stands in a line of its own."""
+    name, _, unit = label.rpartition(" [")
+    return shortened(label, columns) if width(label) <= columns or not name else f"{shortened(name, columns)}\n[{unit}"

@@ -23,6 +23,7 @@ from vibcli.drawing.canvas.matplotlib_canvas import MARGIN, figure, picture
 from vibcli.drawing.canvas.primitives import Circle, Hatch, LetterRuns, Polygon, Polyline, extent
 from vibcli.drawing.drawing import draw
 from vibcli.drawing.layout import compose, lettering, plane
+from vibcli.drawing.layout.lettering import set_apart
 from vibcli.drawing.symbols import SYMBOLS, mode_shape, on_surfaces, rope, sliding
 from vibcli.elements import ELEMENTS
 from vibcli.language.named_elements import load
@@ -98,8 +99,8 @@ def test_words_are_as_large_as_measured(path):
     renderer = FigureCanvasAgg(made).get_renderer()
     boxes = [artist.get_window_extent(renderer) for artist in made.artists if hasattr(artist, "get_text")]
     left, bottom, _, _ = extent(found)
-    assert len(boxes) == sum(len(part.runs) for part in texts(found))
-    measured = [part.box for part in texts(found) for _ in part.runs]
+    measured = [part.box for part in texts(found) for run in part.runs for _ in set_apart(run)]
+    assert len(boxes) == len(measured)
     for box, (x0, y0, x1, y1) in zip(boxes, measured, strict=True):
         if box.width:
             assert box.x0 / 2 >= x0 - left + MARGIN - 2 and box.x1 / 2 <= x1 - left + MARGIN + 2

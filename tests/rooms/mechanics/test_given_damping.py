@@ -187,3 +187,15 @@ def test_what_has_no_inertia_has_no_mode_to_be_damped(capsys, tmp_path):
             path.write_text(scene + more)
             codes.append(run([*command, str(path)]))
         assert len(set(codes)) == 1 and codes[0] in (0, 4), (command, codes)
+
+
+def test_a_series_of_two_terms_has_no_entries_but_those_of_mass_and_stiffness():
+    """C = α M + β K: what does not touch is not coupled, and neither is it by rounding."""
+    row = Row(0)
+    assert row.n > 3
+    scene = problem(row.text("caughey: {1: 2 %, 3: 2 %}"))
+    C = matrix(scene, row.n)
+    assert not C[row.K == 0].any()
+    rates = row.modes()[0]
+    beta = 0.04 / (rates[0] + rates[2])
+    assert np.allclose(C, beta * rates[0] * rates[2] * row.M + beta * row.K, rtol=1e-12)

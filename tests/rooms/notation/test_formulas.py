@@ -2,6 +2,7 @@
 
 import math
 import random
+import unicodedata
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
@@ -188,3 +189,10 @@ def test_bessel_functions_are_written_with_their_order_below():
     assert {name: write(node) for name, write in (("latex", latex), ("typst", typst))} == {
         "latex": r"J_{0}\left(z\right) \, Y_{1}\left(2 \, z\right)", "typst": "J_(0) (z) thin Y_(1) (2 thin z)"}
     assert "<msub><mi>J</mi><mn>0</mn></msub>" in mathml(node)
+
+
+def test_rates_are_written_in_single_letters_where_there_are():
+    """As texts are compared and found (Unicode normalisation form C)."""
+    for letter in "abcdefghjklmnopqrstuvwxyzABCDEFGHJKLMNOPQRSTUVWXYZ":
+        for primes in ("'", "''"):
+            assert unicodedata.is_normalized("NFC", plain.symbol(letter + primes)), letter

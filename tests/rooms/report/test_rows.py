@@ -9,9 +9,21 @@ from vibcli.notation.mathml import mathml
 from vibcli.notation.numbers import width, wrapped
 from vibcli.notation.plain import plain
 from vibcli.notation.typst import typst
-from vibcli.report.blocks import Definition, Definitions, Equations, Heading, Line, Name, Paragraph, Section, Words
+from vibcli.report.blocks import (
+    Definition,
+    Definitions,
+    Document,
+    Equations,
+    Heading,
+    Line,
+    Name,
+    Paragraph,
+    Section,
+    Words,
+)
 from vibcli.report.formats import text
 from vibcli.report.formats.formula import formula, rows
+from vibcli.report.formats.latex import fragment
 
 
 def joined(found):
@@ -76,3 +88,10 @@ def test_lines_of_text_end_within_a_page(block):
     """Sections are indented: what fills a line ends at the hundredth column."""
     lines = text.section_lines([Section("title", (block,))])
     assert 88 <= max(map(width, lines)) <= 100
+
+
+def test_the_indent_of_a_row_that_is_made_smaller_is_made_smaller_with_it():
+    long = [Name(f"length_{i}") for i in range(30)]
+    parts = [part for i, name in enumerate(long) for part in ((" + ", name) if i else (name,))]
+    shown = fragment(Document("T", None, (), (Section("S", (Equations((Line(tuple(parts)),)),)),)))
+    assert r"\wide{$\displaystyle \qquad" in shown and r"\qquad \wide" not in shown

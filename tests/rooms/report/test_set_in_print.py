@@ -1,12 +1,16 @@
 """What stands in reports as it is set in print: symbols within questions, words that hold, formulas that are read."""
 
-import pytest
-from support.scenes import problem
+from pathlib import Path
 
-from vibcli.api.reports import STEPS, report, solution
+import pytest
+from support.scenes import kept_problem_of, problem
+
+from vibcli.api.reports import STEPS, illustrated, report, solution
 from vibcli.report.blocks import Name, maths
 from vibcli.report.formats import html, text
+from vibcli.report.sections.requested_signals import symbol
 
+ROOT = Path(__file__).parents[3]
 ASKED = """
 question: "Of k2 x^2/pi and 2*a sin(Omega1 t) let phi1' be {a}, k2.force or k3 (R/n^2)."
 parameters: {a: 3 N*s/m, k2: 4 N/m, Omega1: 5 rad/s, m: 2 kg}
@@ -83,3 +87,24 @@ def test_signs_of_numbers_among_words_are_those_of_print():
     falling = told("gravity: 9.81 m/s^2\nfind: [accelerations]\n"
                    "bodies: {rod: {shape: rod, mass: 2 kg, from: [0, 0], to: [1 m, 0], pin: {at: [0, 0], by: phi}}}\n")
     assert "φ̈ = −14.715 rad/s²" in text.render([falling])
+
+
+@pytest.mark.parametrize(("asked", "label"), [
+    ("L*phi1'", "L·φ̇₁"), ("2*x1 - y'", "2·x₁ − ẏ"), ("rope.force[1]", "rope.force[1]"), ("rod.u(L/2)", "rod.u(L/2)"),
+    ("s1.force + d.force", "s1.force + d.force"), ("phi''", "φ̈"), ("max(x1)", "max(x₁)")])
+def test_signals_that_are_asked_are_labelled_as_in_print(asked, label):
+    assert symbol(asked) == label
+
+
+def test_conditions_are_told_apart():
+    shown = text.render([told("""
+        bodies: {a: {mass: 1 kg, slide: x}, b: {mass: 1 kg, slide: y}, c: {mass: 1 kg, slide: z}}
+        constraints: {one: {equation: y = 2*x}, two: {equation: z = 3*x}}
+    """)])
+    assert "3 coordinates less 2 independent conditions: z = 3·x, y = 2·x" in shown
+
+
+def test_what_is_prescribed_is_told_with_pictures_too():
+    found = kept_problem_of(ROOT / "problems/2_lagrange/pump_turned_by_a_motor.yaml")
+    made = report(found, illustrated(solution(found)), pictures=True)
+    assert made.refusal is None and made.sections[0].title == "Figure"

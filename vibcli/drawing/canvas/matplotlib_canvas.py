@@ -59,10 +59,11 @@ def _letters(part):
     x, y = part.place
     found = []
     for run in part.runs:
-        file = lettering.file_of(run.text, run.slanted)
-        font = FontProperties(fname=f"{matplotlib.get_data_path()}/fonts/ttf/{file}", size=run.size)
-        found.append(Letters(x, y + run.rise, run.text, fontproperties=font, color=COLOURS[part.role],
-                             horizontalalignment="left", verticalalignment="baseline", parse_math=False))
+        for text, right, rise in lettering.set_apart(run):
+            file = lettering.file_of(text, run.slanted)
+            font = FontProperties(fname=f"{matplotlib.get_data_path()}/fonts/ttf/{file}", size=run.size)
+            found.append(Letters(x + right, y + rise, text, fontproperties=font, color=COLOURS[part.role],
+                                 horizontalalignment="left", verticalalignment="baseline", parse_math=False))
         x += lettering.width((run,))
     return found
 

@@ -74,17 +74,26 @@ def _line(points):
     return "M" + " ".join(f"{number(x)},{number(-y)}" for x, y in points)
 
 
+def _held(text):
+    """The letters with what is blank before and after them, which browsers leave out, as blanks that stay."""
+    inner = text.strip(" ")
+    first = text.find(inner)
+    return "\u00a0" * first + inner + "\u00a0" * (len(text) - first - len(inner))
+
+
 def _letters(part, children, attributes):
+    """A text for each run, since Firefox gives no width to parts of one."""
     from vibcli.drawing.layout import lettering
 
     x, y = part.place
     found = []
     for run in part.runs:
-        slant, wide = ' font-style="italic"' if run.slanted else "", lettering.width((run,))
-        if run.text.strip():        # of another font, where this one is not there, letters are as wide as drawn
-            own = number(wide - lettering.BESIDE * run.size)
-            slant += f' textLength="{own}" lengthAdjust="spacingAndGlyphs"'
-        found.append(f'<tspan x="{number(x)}" y="{number(-y - run.rise)}" font-size="{number(run.size)}"{slant}>'
-                     f"{words(run.text)}</tspan>")
-        x += wide
-    return f'<text fill="{COLOURS[part.role]}"{attributes}>{"".join(found)}{children}</text>'
+        for text, right, rise in lettering.set_apart(run):
+            slant = ' font-style="italic"' if run.slanted else ""
+            if text.strip():        # of another font, where this one is not there, letters are as wide as drawn
+                own = number(lettering.width((run._replace(text=text),)) - lettering.BESIDE * run.size)
+                slant += f' textLength="{own}" lengthAdjust="spacingAndGlyphs"'
+            found.append(f'<text x="{number(x + right)}" y="{number(-y - rise)}" '
+                         f'font-size="{number(run.size)}"{slant}>{words(_held(text))}</text>')
+        x += lettering.width((run,))
+    return f'<g fill="{COLOURS[part.role]}"{attributes}>{"".join(found)}{children}</g>'

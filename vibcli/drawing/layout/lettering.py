@@ -3,7 +3,7 @@
 The fonts come with Matplotlib: STIX, and DejaVu for letters that it lacks; what neither has is shown as □.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from itertools import groupby
 from typing import Any
@@ -21,6 +21,8 @@ MISSING, LONGEST, GAP = "□", 90, 0.13
 BESIDE = 0.05       # of the size: behind each run
 _OPEN, _INDEX, _CLOSE = "\ue000", "\ue001", "\ue002"
 DOTS = {"'": "\u0307", "''": "\u0308"}      # of a rate: one or two above the letter
+ABOVE = {"\u0307": "\u02d9", "\u0308": "\u00a8"}       # the same, standing alone at the height of x
+HIGHER, LEANING, SMALL_GREEK = 0.19, 0.03, set("αγεηικμνοπρστυφχψω")    # parts of the size; letters without a head
 RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻"
 _HIGH = str.maketrans(RAISED, "0123456789−")
 
@@ -64,6 +66,19 @@ def _plain(text, size):
         letters = "".join(part)
         yield (Run(letters.translate(_HIGH), False, SMALL * size, RAISE * size) if raised else
                Run(_printable(letters, False), False, size))
+
+
+def set_apart(run: Run) -> Iterator[tuple[str, float, float]]:
+    """(letters, points from the left end, rise) of a run, its dots above their letter: fonts without the two in one set
+    them into a tall letter."""
+    letter, dots = run.text[:-1], run.text[-1:]
+    if dots not in ABOVE:
+        yield run.text, 0.0, run.rise
+        return
+    tall = letter not in LOW and letter not in SMALL_GREEK
+    middle = (_advance(letter, run.slanted, run.size) - _advance(ABOVE[dots], run.slanted, run.size)) / 2
+    yield letter, 0.0, run.rise
+    yield ABOVE[dots], middle + LEANING * run.size * (1 + tall), run.rise + HIGHER * run.size * tall
 
 
 def letters(runs: Sequence[Run]) -> str:
@@ -115,5 +130,7 @@ def _printable(letters, slanted):
 def _advance(letters, slanted, size):
     if not letters.strip():
         return GAP * size * len(letters)
+    if letters[-1] in ABOVE:
+        letters = letters[:-1]
     found = font(file_of(letters, slanted))
     return size * (sum(map(found.advance, letters)) + BESIDE)

@@ -168,10 +168,15 @@ def _lane(layout, places, low, high, edge, lane):
             ends.append(((layout.left if column < 0 else layout.right), None))
         else:
             place = places[bodies[column]]
-            ends.append((place.middle[0] + side * max(place.half - 6, 0.0), layout.y + place.height))
+            ends.append((place.middle[0] + side * _leg(place), layout.y + place.height))
     (x1, y1), (x2, y2) = ends
     legs = [Polyline(((x, foot), (x, y))) for x, foot in ((x1, y1), (x2, y2)) if foot is not None]
     return legs + symbol(edge.record).between(edge.record, (x1, y), (x2, y), x2 - x1), ((x1 + x2) / 2, y)
+
+
+def _leg(place):
+    """How far from the middle of a body what runs over others stands on it."""
+    return max(place.half - 6, 0.0)
 
 
 def _box(place):
@@ -223,7 +228,7 @@ def label_places(place: LumpedPlace) -> list[tuple[float, float]]:
 def arrows(layout: Layout, scene: "Scene",
            sketch: "Sketch") -> list[tuple[list[Polygon | Polyline], tuple[Run, ...], list[tuple[Any, ...]], str]]:
     """[(primitives, runs, places for them, role)] of the coordinates and loads of a row."""
-    found = []
+    found, legged = [], {layout.row.bodies[low] for low, *_ in layout.row.lanes if low >= 0}
     for name, place in layout.places.items():
         body = scene.bodies[name]
         field = motion(body)
@@ -232,6 +237,8 @@ def arrows(layout: Layout, scene: "Scene",
             x, y = x + place.half + 6, place.middle[1]
         if place.gear == 2:             # beside the pinion
             x += 0.25 * place.half
+        elif name in legged and layout.kind == "row" and not place.turns:       # beside what stands on it
+            x += _leg(place) + 4.0
         if place.gear == -1:            # away from the other gear
             y = place.middle[1] - place.height - 15
         if place.gear == 4:             # beside it

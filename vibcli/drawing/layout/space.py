@@ -19,6 +19,7 @@ CROSSED = 30.0                              # the cost of a cell of theirs
 COILS, COILED = 8, 0.5                      # points of a zigzag, the cost of a cell between its coils
 SIDE, MARGIN = 1.2, 0.8                     # points from a word to what is beside it, the part of its cost there
 APART, NEAR = 6.0, 0.9                      # points between words that are not to be read as one, the cost of a cell
+THICK = 1.5                                 # points: the width of a line whose edges words keep clear of
 ROUNDED = 1e-9                              # by which costs may differ that are added in another order
 
 
@@ -39,6 +40,9 @@ class Space:
             for stroke in part.strokes():
                 keys = _cells_through(stroke)
                 self._taken(keys, 1.0)
+                if len(stroke) == 2 and getattr(part, "width", 0.0) >= THICK:
+                    for side in (-0.5, 0.5):
+                        self._taken(_cells_through(_beside(stroke, side * part.width)), 1.0)
                 if part.role == "spring" and len(stroke) >= COILS:
                     coiled = set(_cells_within([*stroke[1::2], *stroke[2::2][::-1]])) - keys
                     self._taken(coiled, COILED)
@@ -143,6 +147,14 @@ class Space:
             return None
         self.reserve(best[1])
         return lettering.text(runs, best[1][0], best[1][1], role)
+
+
+def _beside(stroke, distance):
+    """A straight line as far on the left of another."""
+    (ax, ay), (bx, by) = stroke
+    share = distance / (hypot(bx - ax, by - ay) or 1.0)
+    dx, dy = (ay - by) * share, (bx - ax) * share
+    return (ax + dx, ay + dy), (bx + dx, by + dy)
 
 
 @lru_cache(64)      # one line is asked for several costs

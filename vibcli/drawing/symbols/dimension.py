@@ -105,7 +105,8 @@ def ways(length: Length, space: "Space") -> Iterator[Drawn]:
     """(primitives, runs, places for them) of those for which there is room, the better first; beside a line that
     stands upright first away from what it measures, where no other line is."""
     if length.radial:
-        tried = [_radial(length._replace(two=rim), space) for rim in (length.two, *length.rims)]
+        rims = sorted((length.two, *length.rims), key=lambda rim: space.meets(_ray(length.one, rim)) > 0.0)
+        tried = [_radial(length._replace(two=rim), space) for rim in rims]
         yield from (drawn for drawn in tried if drawn is not None)
         return
     upright = abs(length.two[1] - length.one[1]) > abs(length.two[0] - length.one[0])
@@ -118,9 +119,14 @@ def ways(length: Length, space: "Space") -> Iterator[Drawn]:
             yield drawn
 
 
+def _ray(centre, rim):
+    """From beside a centre to beside a rim."""
+    start = plane.plus(centre, plane.unit(plane.minus(rim, centre)), 4.0)
+    return [start, plane.plus(rim, plane.minus(start, rim), 0.1)]
+
+
 def _radial(length, space):
-    start = plane.plus(length.one, plane.unit(plane.minus(length.two, length.one)), 4.0)
-    if space.path([start, plane.plus(length.two, plane.minus(start, length.two), 0.1)]) > 2 * CROWDED:
+    if space.path(_ray(length.one, length.two)) > 2 * CROWDED:
         return None
     parts = [part._replace(width=0.7) for part in arrow.straight(length.one, length.two, "measure", 0.7)]
     return parts, length.runs, [plane.plus(plane.middle(length.one, length.two), plane.left(

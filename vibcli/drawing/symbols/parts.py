@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from vibcli.language.reader import Record
 
 ROW = 15.0          # across, of each of those that stand side by side
+NAMED = 10.0        # across, of a name
 LEAD, MOST = 5.0, 0.12      # to a bar and from it, at most in parts of the length
 
 Place = tuple[float, float]
@@ -35,7 +36,9 @@ def rows(record: "Mapping[Any, Any] | Record") -> int:
 
 
 def offsets(records: "Sequence[Mapping[Any, Any] | Record]", apart: float) -> list[float]:
-    """How far across each of some elements with the same ends lies, the first one on the left of their direction."""
+    """How far across each of some elements with the same ends lies, the first one on the left of their direction; of
+    three or more with room for a name between them."""
+    apart += NAMED * (len(records) > 2)
     widths = [max(apart, (ROW + 3) * rows(record)) if rows(record) > 1 else apart for record in records]
     return [sum(widths) / 2 - sum(widths[:i]) - width / 2 for i, width in enumerate(widths)]
 

@@ -26,7 +26,7 @@ COLUMNS = 95        # of plain text, in a row of a formula
 FITTING, ROWS = 60, 30      # columns of a row, or of a table of so many rows, that surely fits a page
 LABEL, BESIDE = 20, 8       # of a label beside its formula, and beside formulas that fill the page
 BOX = 30                    # of a definition that is not broken
-WIDE = r"\wide"
+WIDE, MADE = r"\wide", r"\wide{$\displaystyle "          # what is made smaller where it would not fit; a formula there
 _SIGNED = re.compile(r"(?=.*[-−e])[-−]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 HEAD = r"""\documentclass[11pt,a4paper,fleqn]{article}
 \usepackage[T1]{fontenc}
@@ -40,7 +40,7 @@ HEAD = r"""\documentclass[11pt,a4paper,fleqn]{article}
 \setlength{\parskip}{4pt}
 \raggedright
 \allowdisplaybreaks
-\newcommand{\wide}[1]{\resizebox{\ifdim\width>0.84\linewidth 0.84\linewidth\else\width\fi}{!}{#1}}
+\newcommand{\wide}[1]{\resizebox{\ifdim\width>0.82\linewidth 0.82\linewidth\else\width\fi}{!}{#1}}
 \begin{document}
 """
 
@@ -73,13 +73,14 @@ def _running(parts):
 
 
 def _equations(block):
-    lines = " \\\\\n".join(aligned(block, latex, _fitted_rows))
+    lines = " \\\\\n".join(row.replace(rf"\qquad {MADE}", rf"{MADE}\qquad ")
+                           for row in aligned(block, latex, _fitted_rows))
     return f"\\begin{{align*}}\n{lines}\n\\end{{align*}}"
 
 
 def _fitted_rows(parts, write, columns):
     """Rows of a formula, made smaller where they may be too wide for a page."""
-    return [f"{WIDE}{{$\\displaystyle {row}$}}" if width(text) > FITTING else row
+    return [f"{MADE}{row}$}}" if width(text) > FITTING else row
             for row, text in rows_and_plain(parts, write, columns)]
 
 

@@ -169,7 +169,7 @@ def tied(scene: "Scene") -> list[Paragraph]:
     told = [paragraph(f"{freedom.coordinates} coordinate{'s' if freedom.coordinates > 1 else ''} less "
                       f"{freedom.conditions} independent condition{'s' if freedom.conditions > 1 else ''}"
                       + (": " if explicit else ""),
-                      *separated(explicit, "   "))]
+                      *separated(explicit))]
     if closed:
         told.append(paragraph(*separated(closed), (" follow" if len(closed) > 1 else " follows")
                               + " by closing the loops", hang=None))

@@ -1,5 +1,6 @@
 """Motions in time as data: what is asked, sampled series with their units, extremes, steady amplitudes."""
 
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -22,6 +23,9 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 
+OF_THE_SCENE = re.compile(r"(?<![\w.])[^\W\d]\w*(?![\w.(\[])")     # names but those of elements and functions
+
+
 class RequestedSignal(NamedTuple):
     """A signal that is asked for: its text, its tree, its dimension, and the Signal."""
 
@@ -41,10 +45,14 @@ class RequestedSignal(NamedTuple):
 
 
 def symbol(text: str) -> str:
-    """A coordinate or its rate by its symbol; other signals as they are written."""
-    from vibcli.notation.plain import plain
+    """A signal as it is printed: a coordinate or its rate by its symbol, L·φ̇, s.force."""
+    if text.rstrip("'").isidentifier():
+        from vibcli.notation.plain import plain
 
-    return plain.symbol(text) if text.rstrip("'").isidentifier() else text
+        return plain.symbol(text)
+    from vibcli.notation.as_printed import as_printed
+
+    return as_printed(text, OF_THE_SCENE.findall(text))
 
 
 def require_known(spec: "Spec", signals: "Sequence[Expression]", inputs: "Sequence[Expression]" = ()) -> None:

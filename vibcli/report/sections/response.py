@@ -15,6 +15,7 @@ from vibcli.report import blocks
 from vibcli.report.blocks import Name, Section, TableBlock, line, maths, paragraph, section
 from vibcli.report.keys import Key, data
 from vibcli.report.sections.expanded_motion import PERIODS, compared_periods
+from vibcli.report.sections.parameters import as_given
 from vibcli.report.sections.requested_signals import RequestedSignal, extremes, if_known, signals_asked, trees_asked
 from vibcli.report.sections.steady_state import harmonics_of, phase_in, steady_state
 
@@ -166,8 +167,8 @@ def _start(problem, motion, drive):
         parts += [", "] * bool(parts) + [maths(Name(name), "(0) = "), with_unit(value, dimension)]
         if speeds[name]:
             parts += [", ", maths(Name(name + "'"), "(0) = "), with_unit(speeds[name], times(dimension, TIME, -1))]
-    for signal, expression in (problem.spec.get(FIELDS) or {}).items():
-        parts += [", "] * bool(parts) + [f"{signal.text}(x) = {expression.text}"]
+    for signal, field in (problem.spec.get(FIELDS) or {}).items():
+        parts += [", "] * bool(parts) + [f"{signal.text}(x) = ", as_given(field, frozenset(problem.spec.parameters))]
     given = problem.initial.given
     if any(name not in given for name in places) and not problem.system.named_start and problem.configuration.falls:
         parts += ["   (as drawn: no equilibrium is reached)"]

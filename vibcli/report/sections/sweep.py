@@ -9,7 +9,6 @@ from vibcli.notation.numbers import figure
 from vibcli.report.blocks import Name, Section, TableBlock, Words, maths, paragraph, section
 from vibcli.report.keys import Key
 from vibcli.report.sections.requested_signals import symbol
-from vibcli.symbolic.syntax import NameRef
 
 if TYPE_CHECKING:
     import numpy as np
@@ -59,13 +58,11 @@ def labels(found: "Sweep") -> list[str]:
 
 
 def _label(expression):
-    """A quantity as it is printed: ω₁ of omega[1], an expression as it is written."""
+    """A quantity or an expression of some as it is printed: ω₁ of omega[1], f₁ of frequency[1], L·φ̇."""
     tree = expression.tree
-    if isinstance(tree, NameRef):
-        return symbol(expression.text)
     head = SYMBOLS.get(getattr(tree, "head", ""))
     if head is None or tree.args or len(tree.indices) != 1:
-        return expression.text
+        return symbol(expression.text)
     return head + str(tree.indices[0]).translate(SUBSCRIPTS)
 
 
