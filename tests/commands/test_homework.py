@@ -393,3 +393,9 @@ def test_the_schema_of_sets(capsys):
     assert valid(yaml.safe_load(path.read_text(encoding="utf-8")))
     assert valid({"problems": ["a.yaml", {"file": "more", "pick": 2}]}) and not valid({"title": "Week 3"})
     assert not valid({"problems": [{"fil": "a.yaml"}]}) and not valid({"problems": []})
+
+
+def test_a_set_is_told_from_a_scene_with_a_slip(tmp_path, capsys):
+    (tmp_path / "set.yaml").write_text("course: Dynamics\nproblems: [a.yaml]\n", encoding="utf-8")
+    assert run(["solve", str(tmp_path / "set.yaml")]) == 3
+    assert capsys.readouterr().err.count("hint: this is a set of problems: vibcli homework hands it out") == 2

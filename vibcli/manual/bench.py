@@ -62,11 +62,12 @@ STRESS = [
     "`vibcli stress FILE` shakes a scene. Without members its modes are found again of the same element data written "
     "otherwise: masses, dampers and stiffnesses by four, times by a half, the units of some coordinates by two, or "
     "these the other way round, which has to leave every bit of them as it is; coordinates and elements from the last "
-    "to the first, each spring as two in parallel or in series, which have to stay within the bounds of both. Then the "
-    "whole scene is read and solved again with its lengths, masses or times four times as large, which has to leave "
-    "every bit of its place of rest and of its modes (with members their bounds), its elements in another order, and "
-    "each spring as two in parallel, and what is drawn in the plane is seen in a mirror; all answers that are numbers, "
-    "motions too, have to stay within their bounds.",
+    "to the first, each spring as two in parallel or in series, which have to stay within the bounds of both. Then "
+    "the whole scene is read and solved again with its lengths, masses or times four times as large, which has to "
+    "leave every bit of its place of rest and of its modes (with members their bounds, as the place of rest where "
+    "lengths stand beside angles and nothing is drawn), its elements in another order, and each spring as two in "
+    "parallel, and what is drawn in the plane is seen in a mirror; all answers that are numbers, motions too, have to "
+    " stay within their bounds.",
     "Last, each figure of the file that is written with three digits or more (fewer are exact), in parameters or "
     "elsewhere, is moved by half a unit of its last digit: told is how many digits of each answer the data support, "
     "−log₁₀ of the sum of the relative changes, and which figure takes most of them. Cases are shaken with --case, but "

@@ -5,6 +5,7 @@ All diagnostics of a file are collected and raised together as one SpecError.
 
 import re
 from collections.abc import Sequence
+from os.path import basename
 from typing import Any
 
 from vibcli.base.diagnostics import quoted
@@ -61,6 +62,7 @@ def _own(name):
     return LazyKind(name, "language.sections")
 
 
+SET, PROBLEMS = "set.yaml", "problems"       # the file that names problems of homework, and its key for them
 _CALLED, _TAKEN = {"points": "places"}, {"points": ("ground",), "bodies": ("ground",)}
 SECTIONS = {
     "title": (Text(), "what the scene shows, in a line"),
@@ -177,14 +179,20 @@ def _remarks(spec, reader):
     return tuple(angle_remarks(spec, reader))
 
 
+def _instead(key, root):
+    """What was meant by a key that is no section."""
+    if PROBLEMS in root.entries and basename(root.where.file or "") == SET:
+        return "this is a set of problems: vibcli homework hands it out"
+    return f"a set of problems is a file with the name {SET}" if key == PROBLEMS else nearest(key, SECTIONS)
+
+
 def _sections(root, reader):
     """The records of each section."""
     sections = {}
     for key, (key_node, value) in root.entries.items():
         before = len(reader.diagnostics)
         if key not in SECTIONS:
-            hint = "a set of problems is a file with the name set.yaml" if key == "problems" else nearest(key, SECTIONS)
-            reader.report(key_node.where, f"unknown key {quoted(key)}", hint)
+            reader.report(key_node.where, f"unknown key {quoted(key)}", _instead(key, root))
         elif _is_empty(value) and not isinstance(SECTIONS[key][0], Text):
             reader.report(key_node.where, f"the section '{key}' is empty", "fill it in or leave it out")
         else:

@@ -9,8 +9,10 @@ from support.scenes import problem
 
 from vibcli.cli.program import run
 from vibcli.evidence.stress import whole_scene
+from vibcli.evidence.stress.read_again import read_again
 from vibcli.evidence.stress.rewritten import decimal_of, in_parallel, reordered, scaled, with_numbers
 from vibcli.evidence.stress.shaken import BROKEN, EQUAL, REFUSED, WITHIN
+from vibcli.language.document.document import read_file
 from vibcli.language.document.nodes import Scalar
 
 CHAIN = {"parameters": {"m": "2 kg", "k": "310 N/m", "w": "1.3 Hz"},
@@ -115,6 +117,44 @@ def test_entries_by_the_numbers_of_coordinates_are_others_in_another_order(monke
     monkeypatch.setattr(whole_scene, "LAWS", [law for law in whole_scene.LAWS if law.change is reordered])
     found = shaken({**CHAIN, "answers": {"M[1,1]": "2 kg", "K[x,y]": "1 N/m", "omega[1]": "1 rad/s"}})
     assert found["elements reordered: answers"].compared == 2 and BROKEN not in {one.verdict for one in found.values()}
+
+
+def test_modal_masses_are_others_where_another_coordinate_is_the_first(monkeypatch):
+    monkeypatch.setattr(whole_scene, "LAWS", [law for law in whole_scene.LAWS if law.change is reordered])
+    found = shaken({**CHAIN, "answers": {"modal_mass[1]": "2 kg", "omega[1]": "1 rad/s"}})
+    assert found["elements reordered: answers"].compared == 1 and BROKEN not in {one.verdict for one in found.values()}
+
+
+def test_what_consists_of_parts_is_two_of_half_of_each_and_turns_beside_what_slides():
+    """No length measures how far a block slides beside a disc that turns: its place is compared within its bound."""
+    found = shaken({
+        "bodies": {"block": {"mass": "2 kg", "slide": "x"}, "disc": {"inertia": "0.5 kg*m^2", "turn": "phi"}},
+        "springs": {"s": {"series": [{"k": "800 N/m"}, {"law": "(800 N/m)*d + (2e5 N/m^3)*d^3"}, {"parallel": [
+            {"k": "800 N/m"}, {"series": [{"k": "800 N/m"}] * 2}]}], "between": ["ground", "block"]},
+            "shaft": {"series": [{"torsion": "30 N*m"}, {"torsion": "true", "law": "(30 N*m)*d^3"}],
+                      "between": ["ground", "disc"]}},
+        "forces": {"pull": {"at": "block", "force": "24 N"}, "twist": {"body": "disc", "moment": "6 N*m"}},
+        "motion": "small", "answers": {"equilibrium[phi]": "0.78", "equilibrium[x]": "5 cm"}})
+    assert {one.verdict for one in found.values()} <= {EQUAL, WITHIN}
+    assert found["springs as two in parallel: answers"].compared == 2 == found["masses × 4: rest"].compared
+
+
+POINTS = [["-3 mm", "-6 N"], ["0", "0"], ["2 mm", "3.1 N"], ["5 mm", "14 N"]]
+
+
+@pytest.mark.parametrize(("law", "refused"), [
+    (POINTS, 0), ({"table": POINTS, "beyond": "linear"}, 0), ({"table": "t.csv", "units": ["mm", "N"]}, 4)])
+def test_tables_of_a_scene_are_shaken_with_it_and_those_of_a_file_stay_as_they_were_measured(law, refused, tmp_path):
+    (tmp_path / "t.csv").write_text("".join(f"{d.split()[0]},{force.split()[0]}\n" for d, force in POINTS))
+    file = tmp_path / "s.yaml"
+    file.write_text(json.dumps({
+        "bodies": {"b": {"mass": "2.5 kg", "at": ["0.3 m", "0 m"], "slide": "x"}},
+        "springs": {"s": {"law": law, "between": [["0 m", "0 m"], "b"], "free_length": "0.3 m"}},
+        "forces": {"f": {"at": "b", "force": ["2 N", "0 N"]}}, "motion": "small", "answers": {"omega[1]": "26 rad/s"}}))
+    _, remade = read_again(read_file(str(file))[0], str(file), {}, None)
+    found = {one.change: one for one in whole_scene.shaken_as_a_whole(remade(lambda same: same), remade)}
+    assert [one.verdict for one in found.values()].count(REFUSED) == refused
+    assert {one.verdict for one in found.values()} <= {EQUAL, WITHIN, REFUSED} and len(found) == 18 - 2 * refused
 
 
 def test_numbers_without_units_and_what_cannot_be_read_are_refused():

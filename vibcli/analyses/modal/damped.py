@@ -36,7 +36,7 @@ from vibcli.numerics.precision import working_bits
 
 GOAL = 160
 WANTED = 60
-FAINT = 1e-9        # relative bound of Re λ and Im λ, above which weak damping is found of more digits of the data
+FAINT = 1e-9        # relative bound of Re λ and Im λ, above which weak damping is found in more digits
 TRIES = 4
 FARTHEST = 2000
 
@@ -68,7 +68,7 @@ def _damped(elements, precise, exact, digits):
         from vibcli.analyses.modal.damped_large import damped_floats
 
         modes = damped_floats(elements)
-        if arithmetic == IN_FLOATS or max(mode.error for mode in modes) <= ENOUGH:
+        if arithmetic == IN_FLOATS or all(mode.error <= ENOUGH and mode.bounds[0] <= FAINT for mode in modes):
             return modes
     data = _exactly(exact, elements)
     unit = EVALUATED if data is None and precise is not None else EXACT

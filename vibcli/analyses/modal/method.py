@@ -9,8 +9,9 @@
 
 SQUARES: K x = ω² M x. FOLLOWER: the same with a K that is not symmetric. MODAL: λ² + λ C + ω² in the modes without
 damping. FIRST_ORDER: places and velocities of what has inertia, places of what has none. Certified: enclosed in fixed
-point; if sure: in floats as long as their bound is below ENOUGH, else certified. Of more coordinates than dense
-matrices are made of, the lowest natural modes alone are found (lowest_modes.py).
+point; if sure: in floats as long as their bound is below ENOUGH, and of damped ones that of Re λ below FAINT, else
+certified. Of more coordinates than dense matrices are made of, the lowest natural modes alone are found
+(lowest_modes.py).
 """
 
 from typing import Any

@@ -220,8 +220,8 @@ class _Sections:
             return self._list(node, self.vector)
         if name not in CONNECTION:
             raise PhysicsError(f"what '{name}' of a spring or damper is in a mirror is not told")
-        each = partial(self.connection, letter)
-        return self._list(node, each) if isinstance(node, Sequence) else self.expression(node)
+        return self.expression(node) if isinstance(node, Scalar) else node if name == "law" else self._list(
+            node, partial(self.connection, letter))
 
     def load(self, record: Any) -> Any:
         """A force or a moment."""

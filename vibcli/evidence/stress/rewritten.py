@@ -8,6 +8,7 @@ from typing import Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.base.units import UNITS
+from vibcli.evidence.stress.read_again import replaced
 from vibcli.language.document.nodes import Mapping, Scalar, Sequence
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.syntax import ExpressionError, Number, parts_of
@@ -15,10 +16,12 @@ from vibcli.symbolic.syntax import ExpressionError, Number, parts_of
 TOLD = ("title", "source", "question", "about", "hint", "tags")     # keys of words
 OF_ELEMENTS = ("bodies", "springs", "dampers", "forces")
 EXACTLY = Context(prec=400)
-HALVED = ("k", "law", "torsion", "preload")         # of a spring, what two in parallel share
+PARTS = ("series", "parallel")                      # of a spring or damper, what it consists of
+HALVED = ("k", "law", "torsion", *PARTS, "preload")     # of a spring, what two in parallel share
 AN_EQUATION = "y = 2*x"
 EXPONENT = re.compile(r"(?<![^\W\d])[\d.][eE]$")
 WORDS = ("static", "true", "false")
+TABLE = "table"                                     # of a law, its points
 Change = Callable[[Number, str], str | None]        # a number of a text, and the text: what stands for its figures
 
 
@@ -119,10 +122,27 @@ def in_parallel(top: Mapping) -> Mapping:
 def _half(record: Any) -> Mapping:
     if not isinstance(record, Mapping) or not any(word in record.entries for word in HALVED[:-1]):
         raise PhysicsError("not all springs are given by a stiffness or a law")
-    entries = {word: (key, Scalar(f"({value.text})/2", value.where, True)
-                      if word in HALVED and isinstance(value, Scalar) and value.text not in WORDS else value)
-               for word, (key, value) in record.entries.items()}
-    return Mapping(record.where, entries)
+    return Mapping(record.where, {word: (key, _halved(value) if word in HALVED else value)
+                                  for word, (key, value) in record.entries.items()})
+
+
+def _halved(value: Any) -> Any:
+    """An expression, the forces of a table that the scene holds, or parts."""
+    if isinstance(value, Scalar):
+        return value if value.text in WORDS else Scalar(f"({value.text})/2", value.where, True)
+    if isinstance(value, Mapping):
+        return replaced(value, TABLE, _halved)
+    found = Sequence(value.where)
+    found.items.extend(_half(part) if isinstance(part, Mapping) else _lower(part) for part in value.items)
+    return found
+
+
+def _lower(point: Sequence) -> Sequence:
+    """A point of a table at half its force."""
+    found = Sequence(point.where)
+    argument, force = point.items
+    found.items.extend((argument, with_numbers(force, lambda number, _: decimal_of(number.value / 2))))
+    return found
 
 
 def opposite(text: str) -> str:

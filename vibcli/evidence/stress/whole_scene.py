@@ -2,7 +2,8 @@
 in another order, each spring as two, and has to rest, swing and answer as before.
 
 Where the scene rests and how it swings has to stay to the last bit where units change by powers of two (members apart,
-which are solved by their own lengths, and parameters that are searched), all else within the bounds of both.
+which are solved by their own lengths, parameters that are searched, and lengths beside angles where nothing is drawn
+that has a size), all else within the bounds of both.
 """
 
 import re
@@ -14,9 +15,18 @@ from typing import Any
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.stress.mirrored import NotDrawn, mirrored
-from vibcli.evidence.stress.rewritten import OF_ELEMENTS, in_parallel, power_of_two, reordered, scaled, with_numbers
+from vibcli.evidence.stress.rewritten import (
+    OF_ELEMENTS,
+    PARTS,
+    in_parallel,
+    power_of_two,
+    reordered,
+    scaled,
+    with_numbers,
+)
 from vibcli.evidence.stress.shaken import BROKEN, EQUAL, REFUSED, WITHIN, Shake
 from vibcli.evidence.stress.turned_coordinates import turned_round
+from vibcli.language.sections.law_table import LawTable
 from vibcli.language.sections.record import dimension
 from vibcli.quantities.dimensions import asked_dimension, dimension_of
 from vibcli.quantities.expression import bounded
@@ -32,7 +42,7 @@ CHOSEN = 2.0**-40       # of the largest rate: by what rounding of what is chose
 NONE = 0, 0, 0
 WORD = re.compile(r"[^\W\d]\w*")
 SENSED = re.compile(r"\b(arg|phase|ritz|rayleigh|[MCKG])\b|\.(?=[^\W\d])")      # what hangs on the sense of coordinates
-NUMBERED = re.compile(r"\b[MCKG]\[\d")         # by the numbers of coordinates
+NUMBERED = re.compile(r"\b([MCKG]\[\d|modal_mass\[)")       # by the numbers of coordinates, or by which is the first
 PLACED = re.compile(r"\[[^\]]*\([^)\]]*\d\s+[^\W\d]")     # at a place in numbers within [ ], which stay as they are
 OF_ORDER = re.compile(r"\bmode(_d)?\[")         # shapes in which the first coordinate is 1, whichever that is
 
@@ -92,6 +102,8 @@ def _require_told(problem, law):
     conditions = [record["so"].text for record in (problem.spec.choices or {}).values()]
     if law.change is in_parallel and any(_names_a_spring(problem.spec, text) for text in conditions):
         raise PhysicsError("what is chosen hangs on one of its springs by name")
+    if (law.powers != NONE or law.change is in_parallel) and any(map(_measured, _parts(problem.spec))):
+        raise PhysicsError("its tables stay as they were measured")
     if law.powers == NONE:
         return
     letters = set(problem.given).difference(problem.spec.choices or ())
@@ -100,6 +112,20 @@ def _require_told(problem, law):
     for record in (problem.spec.get("records") or {}).values():
         if law.powers[2] or _power(dimension(record) or {}, law):
             raise PhysicsError("its records stay as they were measured")
+
+
+def _parts(spec):
+    """The records of springs and dampers, and of all that they consist of."""
+    pending = [record for kind in ("springs", "dampers") for record in (spec.get(kind) or {}).values()]
+    while pending:
+        yield (record := pending.pop())
+        pending += [part for key in PARTS for part in record.get(key, ())]
+
+
+def _measured(record):
+    """Is its law a table of a file?"""
+    law = record.get("law")
+    return isinstance(law, LawTable) and law.points[0][0].expression is None
 
 
 def _require_alike(problem, law, turned):
@@ -147,8 +173,15 @@ def _shake(problem, other, law, what, numbers):
     far = [(abs(a.value - b.value) / max(a.error + b.error, 5e-324), key)
            for key, (a, b) in pairs.items() if a.value != b.value]
     apart, worst = max(far, default=(0.0, ""))
-    exact = what != "answers" and law.powers != NONE and not problem.scene.pieces and not problem.spec.choices
+    exact = what != "answers" and law.powers != NONE and not problem.scene.pieces and not problem.spec.choices and not (
+        what == "rest" and law.powers[0] and _beside_angles(problem))
     return Shake(name, len(pairs), apart, EQUAL if not far else WITHIN if apart <= 1 and not exact else BROKEN, worst)
+
+
+def _beside_angles(problem):
+    """Do lengths stand beside angles in a scene that has no size to measure them by?"""
+    lengths = {bool(problem.system.dimension(name)) for name in problem.scene.coordinates}
+    return len(lengths) > 1 and not problem.numeric.figure_size
 
 
 def _back(one, law):

@@ -4,7 +4,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from vibcli.analyses.modal.damped import EXACT, GOAL, WANTED, CertifiedEigenvalues
+from vibcli.analyses.modal.damped import EXACT, GOAL, WANTED, CertifiedEigenvalues, damped
 from vibcli.analyses.modal.damped_large import damped_floats
 from vibcli.analyses.modal.damped_modes import collected
 from vibcli.analyses.modal.mode_numbers import NearestFloats
@@ -102,6 +102,21 @@ def test_what_is_left_of_heavily_damped_modes_is_rounding():
     problem = problem_of(text_source(text))
     assert max(mode.error for mode in problem.modal.damped) <= 1e-9      # 1e-6 by floats alone, on any processor
     assert certificate(problem)["damped modes"] <= ROUNDING
+
+
+def test_weak_damping_of_many_coordinates_is_known_to_its_own_digits():
+    """A row of equal masses and springs, in which c at one mass damps mode i by c φ²/(2 ω φᵀφ) up to squares of c;
+    floats know Re λ to the rounding of |λ| alone."""
+    n, at, c = 41, 12, 1e-9
+    elements = FactoredSystem(n, [(1.0, {i: 1.0}) for i in range(n)],
+                              [(1.0, {i: 1.0, **({i - 1: -1.0} if i else {})}) for i in range(n)],
+                              dampers=[(c, {at: 1.0})])
+    assert max(mode.bounds[0] for mode in damped_floats(elements)) > 1e-6
+    for i, mode in enumerate(damped(elements), 1):
+        shape = np.sin((2 * i - 1) * np.pi / (2 * n + 1) * np.arange(1, n + 1))
+        omega = 2 * np.sin((2 * i - 1) * np.pi / (4 * n + 2))
+        assert mode.zeta == pytest.approx(c * shape[at] ** 2 / (2 * omega * (shape @ shape)), rel=1e-12)
+        assert mode.bounds[0] < 1e-15
 
 
 def test_discs_in_the_plane_that_overlap_are_one():
