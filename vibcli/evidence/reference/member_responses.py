@@ -91,10 +91,10 @@ class DrivenMembers(NamedTuple):
         return [*terms, derivatives(part, z, s, None, load)[order]] if any(load) else terms
 
 
-def driven_members(problem: "Problem", signal: str) -> DrivenMembers:
-    """Those of a scene that lead to a signal, at the working precision; PhysicsError of members that lose energy in
-    their material."""
-    configuration = PreciseConfiguration(problem.configuration)
+def driven_members(problem: "Problem", signal: str, about: PreciseConfiguration | None = None) -> DrivenMembers:
+    """Those of a scene that lead to a signal, at the working precision, about another configuration perhaps;
+    PhysicsError of members that lose energy in their material."""
+    configuration = about or PreciseConfiguration(problem.configuration)
     opened, place = configuration.with_inputs, place_output(configuration, signal)
     require_plain(opened.elements)
     if problem.spec.get("damping") is not None or any(placed.retardation for placed in opened.elements.pieces):

@@ -7,13 +7,13 @@ import numpy as np
 
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.plain_equations import plain_equations
+from vibcli.evidence.reference import member_fronts, periodic, swings
 from vibcli.evidence.reference import motion as reference
-from vibcli.evidence.reference import periodic, swings
 from vibcli.evidence.reference.outputs import signal
 from vibcli.evidence.reference.taylor_steps import TakesMinutes
 from vibcli.evidence.subject import Subject, of_signal
 from vibcli.quantities.expression import measure, number_of
-from vibcli.symbolic.evaluation import evaluate_rational
+from vibcli.symbolic.evaluation import evaluate, evaluate_rational, multiprecision
 from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import NameRef, QuantityRef
 
@@ -28,6 +28,8 @@ KINDS = {"small": "motion", "full": "full motion", STEADY: "steady motion"}
 
 def of_motion(problem: "Problem", tree: QuantityRef) -> Subject:
     """A value, max, min, argmax, argmin or zero of a signal."""
+    if problem.configuration.linear_system.pieces:
+        return of_member_motion(problem, tree)
     kind, motion = _followed(problem)
     of, feature, keeps_on = tree.args[0], tree.head, getattr(tree.args[0], "head", "") == "steady"
     if keeps_on:
@@ -46,6 +48,33 @@ def of_motion(problem: "Problem", tree: QuantityRef) -> Subject:
     plain = None if motion.parts.gaps or motion.blows else _plain(problem, motion, node, until, feature)
     kind = STEADY if keeps_on else kind
     return of_signal(KINDS[kind], problem, tree, f"of {problem.response.words}{cut}", true, plain)
+
+
+def of_member_motion(problem: "Problem", tree: QuantityRef) -> Subject:
+    """A value, max, min, argmax or argmin of a single signal."""
+    of = tree.args[0]
+    if not isinstance(of, NameRef) or tree.head not in (*SENSES, "value"):
+        raise PhysicsError("of motions of members a reference is found of values and extremes of single signals")
+    if problem.spec.get("damping") is not None:
+        raise PhysicsError("no reference is found of motions of members that `damping:` damps")
+    name = of.name + "'" * of.primes
+    if tree.head == "value":
+        true = member_fronts.at_instant(problem, name, _exact_instant(problem, tree.args[1]))
+    else:
+        true = member_fronts.extremes(problem, name, problem.response.until, SENSES[tree.head],
+                                      tree.head.startswith("arg"))
+    return of_signal("member motion", problem, tree, f"of {problem.response.words}", true, None)
+
+
+def _exact_instant(problem, tree):
+    """An instant at the working precision."""
+    node = lower(tree, problem.scene.table, lambda name, *_: problem.scene.parameters.nodes[name])
+
+    def found():
+        numbers = multiprecision()
+        return evaluate([node], numbers, problem.numeric.values(numbers))[0]
+
+    return found
 
 
 def period(problem: "Problem", tree: QuantityRef) -> Subject:

@@ -1,0 +1,36 @@
+"""True motions of bars in time, by the fronts of their waves: beside closed forms, and within the bounds of what the
+program answers."""
+
+import mpmath
+import pytest
+from support.scenes import problem
+
+from vibcli.evidence.subjects.motions import of_member_motion
+
+BAR = """
+bars: {rod: {length: 1 m, EA: 1 MN, mass_per_length: 4 kg/m, left: clamped%s}}
+points: {end: {body: rod, at: 1 m}}
+%s
+find: [{response: {of: [rod.u(1 m)], until: 7 ms}}]
+answers: {"%s": 0}
+"""
+MASS, DAMPER = ", attached: [{at: 1 m, mass: 4 kg}]", ", right: {c: 2 kN*s/m}"
+LET_GO = "forces: {pull: {at: end, force: 500 N}}\ninitial: {released: pull}"
+PUSHED = "forces: {pull: {at: end, force: (500 N)*sin((300 rad/s)*t)}}"
+
+
+@pytest.mark.parametrize(("more", "rest", "quantity", "exact"), [
+    ("", LET_GO, "rod.u(1 m)(1 ms)", lambda: mpmath.mpf("0.25e-3")),
+    ("", LET_GO, "rod.force(0 m)(3 ms)", lambda: -500),
+    ("", LET_GO, "argmin(rod.u(1 m))", lambda: mpmath.mpf("0.004")),
+    (DAMPER, LET_GO, "rod.u(1 m)(5 ms)", lambda: 0),
+    (MASS, "initial: {rod.u: '(1 mm)*x/(1 m)'}", "rod.u(1 m)(2 ms)", lambda: (1 - mpmath.exp(-1)) / 1000),
+    ("", "initial: {rod.u: '(1 mm)*min(x/(1 m), 1/4)'}", "rod.u(1 m)(1.8 ms)", lambda: mpmath.mpf("1e-4")),
+    ("", PUSHED, "rod.u(1 m)(3 ms)", lambda: (1 - mpmath.cos(mpmath.mpf("0.9"))) / 1200)])
+def test_between_fronts(more, rest, quantity, exact):
+    one = problem(BAR % (more, rest, quantity))
+    found = of_member_motion(one, one.spec.answers[0].asked.tree)
+    with mpmath.workdps(60):
+        assert abs(found.true.values[0] - exact()) <= mpmath.mpf(10) ** -38 * found.scale
+    ours = found.ours()
+    assert found.error(ours.values, found.true) <= ours.bound <= 1e-12
