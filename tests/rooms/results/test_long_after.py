@@ -49,6 +49,14 @@ def test_a_pulse_runs_to_and_fro_in_a_free_bar():
             asked(scene, text)
 
 
+def test_what_is_infinite_for_an_instant_has_no_mean_square():
+    """A blow on what has no mass runs to and fro as a leap, whose slope is 0 but for instants."""
+    scene = problem(BAR % ("left: clamped", "F*impulse(t)*(1 s)"))
+    compared(scene, {"mean(rod.force(L/2))": 0.0})
+    with pytest.raises(PhysicsError, match="infinite for an instant"):
+        asked(scene, "rms(rod.force(L/2))")
+
+
 def test_what_nothing_holds_may_come_to_stand_elsewhere():
     """F for 1 s and −F for 1 s more move a free bar of 1 kg by F T²/m; one let go at rest stays where it is."""
     loads = "F*(step(t) - 2*step(t - 1 s) + step(t - 2 s))"
