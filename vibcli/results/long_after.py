@@ -17,6 +17,7 @@ from vibcli.language.signal_names import signal_name
 from vibcli.results.averaged_waves import common_speed
 from vibcli.results.composed_errors import propagated
 from vibcli.results.modal_signals import ModalSignal, without_bound
+from vibcli.results.moved_on import SEEN, moved_on
 from vibcli.results.repeating_signal import DEAD, INNER, MODES, SAMPLES, RepeatingSignal
 from vibcli.results.signal_features import at_rest
 from vibcli.results.signals import ComposedSignal, LinearSignal
@@ -30,7 +31,6 @@ if TYPE_CHECKING:
 
 GONE = 40.0         # decay times after which nothing is left in floats
 ALIKE = 1e-9        # relative: angular frequencies whose vibrations are taken together and apart
-SEEN = 1e-12        # of what parts of a signal see: rounding
 REPEATED = 64.0     # times rounding: how far what repeats itself is from itself
 
 
@@ -51,13 +51,13 @@ class LongAfter:
         members keep nothing still."""
         if self._loads.period is not None or not self._loads.listed:
             raise PhysicsError("loads keep this signal in motion: it has no limit", "ask for max(x), or mean(x)")
-        if any(mode.rigid for mode in self.problem.modal.modes.shown()) and self._drifts:
-            raise PhysicsError("nothing holds these members: where they move on to does not follow from their last "
-                               "loads", "ask for its value at a time")
+        drifts = any(mode.rigid for mode in self.problem.modal.modes.shown()) and self._drifts
+        shift, off = moved_on(self._by_modes, self._loads.last.start, self._longest) if drifts else (0.0, 0.0)
         if any(-decay > error for decay, error in self._pairs):
             raise PhysicsError("what vibrates grows without end: it has neither limit nor mean",
                                "ask for its value at a time")
-        return _still(self._kept)
+        value, error = _still(self._kept)
+        return value + shift, error + off
 
     @property
     def _drifts(self):

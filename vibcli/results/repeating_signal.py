@@ -95,6 +95,7 @@ class RepeatingSignal(Signal):
 
     def mean_square(self, about: float) -> tuple[float, float]:
         """(the mean of the square of its distance from a value over a period, how far that may be off)."""
+        self.signal.require_bounded(self.start + self.period)
         edges = _edges(self.period, [self.signal.fronts(self.start + self.period) - self.start])
         most = max(abs(self.signal.values(self.start + edges) - self.aside - about))
         known = 2 * float(most) * (self.left + self.signal.error(self.start + self.period))

@@ -106,8 +106,13 @@ class DynamicMatrix:
     @property
     def undamped(self) -> bool:
         """Is D a real function of s²?"""
-        return not self.polynomial[1].any() and not any(stack.piece.drag.any() or stack.beta.any()
-                                                        for stack in self.stacks)
+        return self.conservative and not self.polynomial[1].any()
+
+    @property
+    def conservative(self) -> bool:
+        """Does nothing damp, though gyroscopic terms may act?"""
+        return bool((self.polynomial[1] == -self.polynomial[1].T).all()) and not any(
+            stack.piece.drag.any() or stack.beta.any() for stack in self.stacks)
 
     @property
     def retardation(self) -> float:
@@ -247,9 +252,8 @@ class EvaluatedMatrix:
     def __init__(self, matrix: DynamicMatrix, D: np.ndarray, slope: np.ndarray | None, size: np.ndarray,
                  excess: np.ndarray, ends: "list[tuple[np.ndarray, np.ndarray | None]]", put: "Mapping[int, list]",
                  given: np.ndarray):
-        self.given = given
         self.matrix, self.D, self.slope, self.size, self.excess, self.ends = matrix, D, slope, size, excess, ends
-        self.put = put
+        self.put, self.given = put, given
 
     def of_end(self, number: int, end: int) -> "list[tuple[int, float, np.ndarray, np.ndarray | None]]":
         """The force on an end of a piece: [(coordinate, factor, its weight (N,), the slope of that or None)]."""

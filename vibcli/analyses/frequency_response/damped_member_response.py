@@ -13,9 +13,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vibcli.analyses.continuous.damped_sum import HIGHEST, SHARE, DampedSum, fractions
+from vibcli.analyses.frequency_response.counted_zeros import CountedPoles, zeros_beside
 from vibcli.analyses.frequency_response.frequency_response_function import FrequencyResponseFunction
 from vibcli.analyses.frequency_response.member_errors import of_value_at
-from vibcli.analyses.frequency_response.member_poles_and_zeros import distinct, followed
+from vibcli.analyses.frequency_response.member_poles_and_zeros import ABOVE
 from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
@@ -118,12 +119,13 @@ class DampedMemberTransfer(FrequencyResponseFunction):
     def zeros(self, low: float = 0.0, high: float = math.inf) -> np.ndarray:
         high = high if math.isfinite(high) else self.end
         if (low, high) not in self._zeros:
-            self._zeros[low, high] = distinct(followed(self._newton, self.still.zeros(low, high)))
+            self._zeros[low, high] = zeros_beside(self, self._told_up_to(high), self.still, low, high)
         return self._zeros[low, high]
 
-    def _newton(self, s):
-        values, slopes, _ = self.at(s, True)
-        return -values / slopes
+    def _told_up_to(self, high):
+        """The CountedPoles, which all modes are."""
+        poles = self.poles(0.0, ABOVE * high)
+        return CountedPoles(poles, high / (1 + int((poles.imag <= high).sum())))
 
     def endless(self, low: float = 0.0, high: float = math.inf) -> list[np.ndarray]:
         return self.still.endless(low, high)

@@ -11,13 +11,17 @@ class FrequencyResponseFunction:
     state: amplitude |H|, lag θ = −arg H.
 
     order: how often the output is differentiated (receptance 0, mobility 1, accelerance 2). Poles and zeros are those
-    of the output itself.
+    of the output itself. counted: is none of the zeros that were told missing for sure?
     """
 
-    __slots__ = ("order",)
+    __slots__ = ("counted", "order")
 
     def __init__(self, order: int = 0):
-        self.order = order
+        self.order, self.counted = order, True
+
+    def leave_uncounted(self) -> None:
+        """Some of the zeros that are told from now on may be missing."""
+        self.counted = False
 
     @property
     def undamped(self) -> bool:

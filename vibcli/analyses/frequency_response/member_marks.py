@@ -9,7 +9,14 @@ import numpy as np
 
 from vibcli.analyses.continuous.mode_source import NaturalModes
 from vibcli.analyses.frequency_response.held_systems import held
-from vibcli.analyses.frequency_response.member_poles_and_zeros import distinct, followed, taking_part, zeros_on_axis
+from vibcli.analyses.frequency_response.member_poles_and_zeros import (
+    ABOVE,
+    LOWEST,
+    distinct,
+    followed,
+    taking_part,
+    zeros_on_axis,
+)
 from vibcli.base.errors import PhysicsError
 from vibcli.numerics.ascending import ascending
 
@@ -22,7 +29,6 @@ if TYPE_CHECKING:
     from vibcli.mechanics.factored_system import FactoredSystem
 
 ROUNDING, ASIDE = 1e-15, 1e-5
-CLOSEST = 24        # halvings of the distance from a pole at which zeros are looked for
 BESIDE = 0.05       # relative distance of a damped pole from where it is without dampers, within which it is its own
 DAMPINGS, EVEN, EACH = (0.003, 0.05, 0.2, 0.7), 40, 8      # where damped poles are looked for besides: ratios, places
 
@@ -49,6 +55,11 @@ class Marks:
     def shown(self) -> "list[Mode]":
         """The modes without dampers that oscillate and are shown."""
         return [mode for mode in self._modal.modes.shown() if mode.omega]
+
+    @property
+    def tells_poles(self) -> bool:
+        """Are the modes without dampers those of the scene without them, whatever loads depend on velocities?"""
+        return not any(self._modal.configuration.linear_system.drag.values())
 
     @cached_property
     def next_to_zero(self) -> float | None:
@@ -83,12 +94,20 @@ def still(elements: "FactoredSystem") -> "FactoredSystem":
 
 
 def poles(response: "MemberTransfer", low: float, high: float) -> np.ndarray:
-    """The poles with low ≤ Im s ≤ high. With dampers, where damping may turn or merge what would move without it,
-    they are looked for from many places; a frequency without dampers near which none is found stands for its own."""
+    """The poles with low ≤ Im s ≤ high: without dampers the natural frequencies; with them counted beside the axis,
+    where the count is certain."""
+    if response.moves_by_modes or not math.isfinite(high):
+        return 1j * np.array([mode.omega for mode in response.marks.natural(low, high)])
+    counted = None if low else _counted(response, high)
+    found = _looked_for(response, low, high) if counted is None else counted.poles
+    return found[(found.imag >= low) & (found.imag <= high)]
+
+
+def _looked_for(response, low, high):
+    """Damping may turn or merge what would move without it: from many places; a frequency without dampers near which
+    none is found stands for its own."""
     start = 1j * np.array([mode.omega for mode in response.marks.natural(low, high)])
-    if response.undamped or not math.isfinite(high):
-        return start
-    axis = _evenly(response, low, high)
+    axis = np.linspace(low, high, EVEN + EACH * len(start) + 1)[1:]
     starts = np.concatenate([start, response.marks.slow, *((1j - damping) * axis for damping in DAMPINGS)])
     found = distinct(np.concatenate([followed(response.to_pole, starts), followed(response.to_pole_within, starts)]))
     alone = [s for s in start if not (np.abs(found - s) <= BESIDE * abs(s)).any()]
@@ -96,36 +115,34 @@ def poles(response: "MemberTransfer", low: float, high: float) -> np.ndarray:
     return found[np.argsort(found.imag)]
 
 
-def _evenly(response, low, high):
-    """Places on the axis, several to each natural frequency."""
-    return np.linspace(low, high, EVEN + EACH * len(response.marks.natural(low, high)) + 1)[1:]
+def _counted(response, high):
+    """The CountedPoles up to some way beyond a frequency, None where they are not certain."""
+    from vibcli.analyses.frequency_response.counted_zeros import CountedPoles, counted_poles
 
+    response = response.marks.scene or response
+    top = ABOVE * high
 
-def _beside_poles(response, low, high):
-    """Places ever closer to each natural frequency: zeros lie next to those that are hardly felt."""
-    natural = np.array([mode.omega for mode in response.marks.natural(low, high)])
-    return [natural * (1 + side * 2.0**-k) for k in range(3, CLOSEST) for side in (-1, 1)]
+    def find():
+        if response.moves_by_modes:
+            return CountedPoles(poles(response, 0.0, top), high / (1 + len(response.marks.natural(0.0, high))))
+        with suppress(PhysicsError):
+            return counted_poles(response, _looked_for(response, 0.0, top), LOWEST * response.pace, top)
+    return response.once(("counted", high), find)
 
 
 def zeros(response: "MemberTransfer", low: float, high: float) -> np.ndarray:
-    """The zeros with low ≤ Im s ≤ high. Beside gyroscopic terms, and of what velocities enter, they are looked for from
-    many places, as there no scene without dampers tells where."""
-    if not response.undamped:
-        still = response.without_damping
-        start = zeros(still, low, high) if still.undamped else 1j * np.concatenate(
-            [_evenly(response, low, high), *_beside_poles(response, low, high)])
-        found = distinct(followed(lambda s: _newton(response, s), start))
-        return found if still.undamped else found[(found.imag >= low) & (found.imag <= high)]
-    natural = np.array([mode.omega for mode in response.marks.natural(low, high)])
-    seen = taking_part(response, ascending(natural))
-    if response.marks.shared is None:
-        return 1j * zeros_on_axis(response, seen, low or 1e-3 * response.pace, high)
-    return _newton_kept(response, 1j * ascending(response.marks.held(low, high)))
+    """The zeros with low ≤ Im s ≤ high, counted; with dampers followed from those without where the count is not
+    certain."""
+    if response.marks.shared is not None and response.moves_by_modes:
+        with suppress(PhysicsError):        # beside gyroscopic terms what nothing else holds is not counted
+            return _newton_kept(response, 1j * ascending(response.marks.held(low, high)))
+    if response.undamped:
+        natural = np.array([mode.omega for mode in response.marks.natural(low, high)])
+        return 1j * zeros_on_axis(response, taking_part(response, ascending(natural)), low or LOWEST * response.pace,
+                                  high)
+    from vibcli.analyses.frequency_response.counted_zeros import zeros_beside
 
-
-def _newton(response, s):
-    values, slopes, _ = response.at(s, True)
-    return -values / slopes
+    return zeros_beside(response, _counted(response, high), response.without_damping, low, high)
 
 
 def _newton_kept(response, places):

@@ -3,7 +3,7 @@
 Poles are the natural frequencies, which counts tell completely; with dampers they are followed from there. Zeros where
 load and signal share a place are the natural frequencies of the same system held there, counted in the same way.
 Elsewhere they are where H changes its sign between poles, and the argument principle, Z − P = ∮ H′/H ds/2πi about what
-lies between two poles, tells whether any is missing.
+lies between two poles, tells whether any is missing; where H is not real there, `counted_zeros` are in its stead.
 """
 
 from typing import TYPE_CHECKING, Any
@@ -24,6 +24,9 @@ FLAT = 0.4                  # height of a contour over half its width
 BESIDE, INSET = 1e-8, 1e-4     # of the distance of two poles: how near to them signs are looked at, contours end
 CLOSE = 1e-6, 1e-7, 1e-10, 1e-11    # of a pole, by tens: a zero may lie as near
 STEPS, NEAR, STILL = 12, 0.05, 1e-6
+LOWEST = 1e-3       # of a typical frequency: from where on zeros are looked for
+ABOVE = 1.1         # times a frequency: so far poles are known where zeros are counted up to there
+SETTLED = 1e-10     # relative: a step after which the next one is lost in rounding
 
 
 def signs(response: FrequencyResponseFunction, Omega: np.ndarray) -> np.ndarray:
@@ -100,13 +103,25 @@ def taking_part(response: FrequencyResponseFunction, places: np.ndarray) -> np.n
 
 def followed(step: "Callable[[np.ndarray], np.ndarray]", places: np.ndarray) -> np.ndarray:
     """Places to which Newton's method leads from some, complex; those that it does not settle near are left out."""
-    at, moved = places.astype(complex), np.zeros(len(places))
-    for _ in range(STEPS if len(places) else 0):
+    at, moved, left = places.astype(complex), np.full(len(places), np.inf), np.arange(len(places))
+    for _ in range(STEPS):
+        if not len(left):
+            break
         with np.errstate(all="ignore"):
-            moved = step(at)
-        moved = np.where(np.isfinite(moved), moved, np.inf)
-        at = np.where(np.abs(moved) <= NEAR * np.abs(at), at + moved, at)
-    return at[np.abs(moved) <= STILL * np.abs(at)]
+            steps = step(at[left])
+        steps = np.where(np.isfinite(steps), steps, np.inf)
+        moved[left] = np.abs(steps)
+        near = moved[left] <= NEAR * np.abs(at[left])
+        left, steps = left[near], steps[near]
+        at[left] += steps
+        left = left[moved[left] > SETTLED * np.abs(at[left])]
+    return at[moved <= STILL * np.abs(at)]
+
+
+def to_zero(response: FrequencyResponseFunction, s: np.ndarray) -> np.ndarray:
+    """Newton's step towards the next zero."""
+    values, slopes, _ = response.at(s, True)
+    return -values / slopes
 
 
 def distinct(places: Any) -> np.ndarray:

@@ -16,6 +16,8 @@ from vibcli.base.errors import LostDigits
 from vibcli.numerics.ascending import ascending, median
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from vibcli.analyses.frequency_response.member_marks import Marks
     from vibcli.analyses.frequency_response.member_system import MemberSystem
 
@@ -38,6 +40,11 @@ class MemberTransfer(FrequencyResponseFunction):
         whole = not any(isinstance(x, complex) for x in (*rows[0].values(), *rows[2].values(),
                                                          *self.system.given.weights.values()))
         return self.system.matrix.undamped and not rows[1] and whole
+
+    @property
+    def moves_by_modes(self) -> bool:
+        """Are its poles the natural frequencies, counted ones?"""
+        return self.system.matrix.conservative and (self.system.matrix.undamped or self.marks.tells_poles)
 
     @property
     def pace(self) -> float:
@@ -129,9 +136,13 @@ class MemberTransfer(FrequencyResponseFunction):
 
     def _found(self, find, low, high):
         high = high if math.isfinite(high) else self.end
-        if (find, low, high) not in self._kept:
-            self._kept[find, low, high] = find(self, low, high)
-        return self._kept[find, low, high]
+        return self.once((find, low, high), lambda: find(self, low, high))
+
+    def once(self, key: Any, find: "Callable[[], Any]") -> Any:
+        """What is found, kept."""
+        if key not in self._kept:
+            self._kept[key] = find()
+        return self._kept[key]
 
     @property
     def without_damping(self) -> "MemberTransfer":

@@ -75,6 +75,8 @@ def _in_numbers(problem, name, driver, unit):
     head = ("", "Ω [rad/s]", "f [Hz]", f"|H| [{unit}]", "Ω₁ [rad/s]", "Ω₂ [rad/s]", "Q")
     yield _static(curve, unit)
     yield TableBlock(head, tuple(rows)) if rows else paragraph("no resonance")
+    if not curve.transfer.counted:
+        yield paragraph("(antiresonances are followed from those without damping and not counted: some may be missing)")
     yield from _fixed_points(problem, curve, unit)
     if any(isfinite(value) for _, value in curve.peaks):
         yield paragraph("Ω₁ and Ω₂: half-power points, |H| = peak/√2; Q = Ω/(Ω₂ − Ω₁)")
