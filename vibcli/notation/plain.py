@@ -178,7 +178,8 @@ class Notation:
         if base.op == "sum" and exponent.denominator == 1 and exponent.numerator % 2 == 0:
             leading = min(base.args, key=term_rank)
             base = -base if leading[1] < 0 and not base.table.squares_at_sample else base
-        text, bracketed = self.write(base, 2), base.op == "symbol" and factors_of(base.name)
+        text, bracketed = self.write(base, 2), base.op == "symbol" and (
+            factors_of(base.name) or "dt\u00a0" in plain.symbol(base.name))
         return self.power(self.brackets(text) if bracketed else text, self.number(exponent))
 
 

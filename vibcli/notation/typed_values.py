@@ -12,6 +12,7 @@ MICRO = {"um": "µm", "us": "µs", "uN": "µN"}
 SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 SUPERSCRIPT = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 BARS = "abs"
+RATES = {"'": "d/dt\u00a0", "''": "d²/dt²\u00a0"}
 
 
 def set_in_print(text: str, symbol: Callable[[str], str], known: Collection[str] | None = None) -> str:
@@ -55,5 +56,5 @@ def placed(name: str, symbol: Callable[[str], str]) -> str:
         return name
     owner, part, place, primes = found.groups()
     motion = symbol(part + primes)
-    after = primes if motion.endswith(primes) else ""       # words have no dots
-    return f"{owner}{motion.removesuffix(after)}({set_in_print(place, symbol)}){after}"
+    before = RATES[primes] if primes and motion.endswith(primes) else ""        # words have no dots
+    return f"{before}{owner}{motion.removesuffix(primes) if before else motion}({set_in_print(place, symbol)})"

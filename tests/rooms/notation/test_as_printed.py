@@ -6,6 +6,7 @@ from vibcli.notation.as_printed import as_printed
 from vibcli.notation.latex import latex
 from vibcli.notation.plain import plain
 from vibcli.notation.typed_tree import typeset
+from vibcli.symbolic.expression import Table
 from vibcli.symbolic.parser import parse
 
 
@@ -25,7 +26,7 @@ def test_signs_are_those_of_print(typed, printed):
 
 def test_places_on_members_are_set_in_print():
     assert plain.symbol("blade.phi(2*L1/3)'") == "blade.φ̇(2·L₁/3)"
-    assert plain.symbol("blade.slope(0 m)''") == "blade.slope(0 m)''"
+    assert plain.symbol("blade.slope(0 m)''") == "d²/dt²\u00a0blade.slope(0 m)"
     assert latex.symbol("blade.phi(L1)") == r"\text{blade.\ensuremath{\varphi}(L\ensuremath{{}_{1}})}"
 
 
@@ -37,3 +38,8 @@ def test_places_on_members_are_set_in_print():
     ("2*(L/3)", r"2 \, \frac{L}{3}")])
 def test_what_is_given_as_a_formula_is_set_as_one(typed, set_in_latex):
     assert typeset(parse(typed), typed, latex).replace(" \\text", "\\text") == set_in_latex
+
+
+def test_a_power_of_the_rate_of_a_word_has_brackets():
+    rate = Table().parameter("bridge.oscillator(L/2)'")
+    assert plain(rate ** 2) == "(d/dt\u00a0bridge.oscillator(L/2))²"

@@ -225,5 +225,5 @@ def test_what_is_asked_of_a_place_in_time_is_told_as_counted():
     """)
     said = {key: formula(line.parts, plain).replace("\u00a0", " ") for key, line in lines.items()}
     assert said["x(0.3 s)"] == "x(0.3 s) = 0.104511 m (counted as drawn)"
-    assert said["max(x)"] == "max(x):  m·g/k + √(A² + B²) = 0.1108 m (counted as drawn)"
+    assert said["max(x)"] == "max(x):  m·g/k − A = 0.1108 m (counted as drawn)"
     assert "counted" not in said["x'(0.2 s)"]

@@ -1,7 +1,9 @@
 """Letters and units of worked solutions: no letter stands for two things, and numbers of matrices have units."""
 
+import math
 from pathlib import Path
 
+import pytest
 from support.scenes import kept_problem_of, problem
 
 from vibcli.inverse.letters import expression_in_letters
@@ -105,3 +107,57 @@ def test_a_number_beside_a_letter_keeps_its_unit_in_a_quotient():
     found = kept_problem_of(Path("problems/5_forced/shelter_under_a_blast.yaml"))
     square, = [line for line in worked(found) if line.settles == "omega[1]"]
     assert "(L² + 3.24\u00a0m²)" in formula(square.parts, plain).partition(",  ω")[0]
+
+
+STEP = """
+parameters: {{m: {values[0]}, k: {values[1]}, c: {values[2]}, F0: {values[3]}}}
+bodies: {{block: {{mass: m, slide: x}}}}
+springs: {{s: {{k: k, between: [ground, block]}}}}
+dampers: {{d: {{c: c, between: [ground, block]}}}}
+forces: {{load: {{at: block, force: {load}}}}}
+{start}
+answers: {{max(x): 0 m, overshoot(x): 0, argmax(x): 0 s}}
+"""
+LETTERS, NUMBERS = ("", "", "", ""), ("2 kg", "200 N/m", "8 N*s/m", "10 N")
+PEAK = 0.05 * (1 + math.exp(-math.pi * 2 / math.sqrt(96)))       # m: F₀/k (1 + e^{−πδ/ω_d})
+
+
+@pytest.mark.parametrize(("load", "start", "rest", "amplitude"), [
+    ("F0", "initial: {x: 0}", "F₀/k", " − A·"), ("F0*step(t)", "", "F₀/k", " + F₀·")])
+def test_how_far_a_step_brings_it_is_told_in_letters(load, start, rest, amplitude):
+    """And in numbers: where it turns back, the largest deflection, the overshoot, the instant."""
+    told = lines(STEP.format(values=LETTERS, load=load, start=start))
+    turns = next(i for i, line in enumerate(told) if line.endswith("zero first at  t = π/ω_d"))
+    peak, over, at = (line.replace("\u00a0", " ") for line in told[turns + 1:turns + 4])
+    assert peak.startswith(f"max(x):  {rest}{amplitude}exp(−π·δ/ω_d)")
+    assert (over, at) == ("overshoot(x):  exp(−π·δ/ω_d)", "argmax(x):  π/ω_d")
+    assert any("(under-damped, δ < ω)" in line for line in told)
+    of = {line.settles: line for line in worked(problem(STEP.format(values=NUMBERS, load=load, start=start)))}
+    assert of["max(x)"].value == pytest.approx(PEAK, rel=1e-12) and of["max(x)"].unit == "m"
+    assert of["argmax(x)"].value == pytest.approx(math.pi / math.sqrt(96), rel=1e-9)
+
+
+def test_where_it_turns_back_from_a_start_with_a_speed():
+    """By the tangent of ω_d t, also where the peak is not the first root of that."""
+    of = {line.settles: line for line in worked(problem(STEP.format(
+        values=NUMBERS, load="0*F0", start="initial: {x: -1 cm, x': 0.3 m/s}")))}
+    at, rate = of["t1"].value, math.sqrt(96)
+    B = (0.3 - 0.01 * 2) / rate
+    assert math.tan(rate * at) == pytest.approx((rate * B + 2 * 0.01) / (2 * B - rate * 0.01), rel=1e-6)
+    wave = math.exp(-2 * at) * (B * math.sin(rate * at) - 0.01 * math.cos(rate * at))
+    assert of["max(x)"].value == pytest.approx(wave, rel=1e-9) and wave > 0.01
+
+
+def test_bodies_on_different_axes_have_each_its_letter():
+    told = lines("""
+        parameters: {m: 3 kg, L: 0.8 m, k: 9 N/m}
+        points: {B: {body: rod, at: [L, 0]}, D: {body: bar, at: [3*L, L]}}
+        bodies:
+          rod: {shape: rod, mass: m, from: [0, 0], to: [L, 0], pin: {at: [0, 0], by: phi}}
+          bar: {shape: rod, mass: m, from: [2*L, L], to: [3*L, L], pin: {at: [2*L, L], by: psi}}
+          arm: {shape: rod, mass: m, from: [2*L, L], to: [2*L, 2*L], pin: {at: [2*L, L], by: chi}}
+        springs: {s: {k: k, between: [B, D]}, t: {k: k, between: [B, [L, -L]]}}
+        """)
+    assert any("fixed O₁" in line and "J_O₁ = J_C + m·O₁C²" in line for line in told)
+    assert any("bar turns about the fixed O₂" in line and "J_bar = J_C + m·O₂C²" in line for line in told)
+    assert any("arm turns about the fixed O₂" in line and "J_arm = " in line for line in told)

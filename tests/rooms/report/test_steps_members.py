@@ -104,6 +104,20 @@ def test_members_about_a_rest_that_a_search_finds():
     assert any(one.startswith("the forces balance at  y = −0.0173048 m") for one in text)
 
 
+def test_entries_of_a_receptance_have_each_its_unit():
+    """m/N and 1/N and rad/(N·m) of a place and a turn."""
+    text = told(worked(problem("""
+        parameters: {L: 1.2 m, EI: 50 N*m^2, mu: 2 kg/m, c: 20 N*s/m, F: 3 N, w: 40 rad/s}
+        beams: {arm: {length: L, EI: EI, mass_per_length: mu, left: clamped, right: {c: c}}}
+        points: {end: {body: arm, at: L}}
+        forces: {f: {at: end, force: F*sin(w*t)}}
+        damping: {modal: 2 %}
+        answers: {amplitude(arm.u(L)): 1 m}
+        """)))
+    line, = [one for one in text if "H₁₁ = " in one]
+    assert [part.rpartition("·i ")[2] for part in line.split(",  ")] == ["m/N", "1/N", "rad/(N·m)"]
+
+
 def test_each_stretch_about_a_rest_that_a_search_finds_has_its_stiffness():
     text = told(worked(problem("""
         gravity: 9.81

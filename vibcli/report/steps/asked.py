@@ -51,8 +51,11 @@ def _tell_in_letters(problem, sheet):
     """The expressions of quantities that answers of a scene in letters ask, with a number where all that is left has
     one."""
     samples, known = samples_of(problem, {}), problem.scene.parameters.values(Floats)
+    settled = {line.settles for line in sheet.steps}
     for asked in [one.asked for one in problem.spec.answers if _untold(problem.spec, one.asked)]:
         if isinstance(asked.tree, QuantityRef):
+            with suppress(PhysicsError, SpecError):
+                _ = asked.text in settled or tell_instant(problem, sheet, asked)
             continue
         with suppress(PhysicsError, SpecError):
             node = tidy(_of_quantities(problem, asked), samples)

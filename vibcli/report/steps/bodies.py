@@ -2,9 +2,11 @@
 (Kovacić & Radomirović 2018, §1.3), speeds to the first order about rest."""
 
 from collections.abc import Collection, Iterator
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
+from vibcli.notation.names import lowered
 from vibcli.notation.plain import plain
 from vibcli.report.blocks import Factor, Name, SumOfTerms, Words
 from vibcli.report.steps.step import WorkedSolution, number
@@ -106,7 +108,8 @@ class Bodies:
             shown = [] if rate.op == "symbol" else [turn, " = ", rate, Words(",  ")]
             return self._energy(body.name, [(J, omega)], None, [J * turn ** 2 / 2] if shown else [],
                                 before=[*turns, *shown])
-        letter = self.sheet.letter(f"J_{axis}", body.name if self._several else "")
+        letter = self.sheet.letter("J", body.name) if self._shares_its_axis(body) else self.sheet.letter(
+            f"J_{axis}", body.name if self._several and len(self._axes) < 2 else "")
         simple = len(parts) == 2 and not (body.pieces or body.cut)
         how = [f"J_{centre} + ", Factor(body.mass), f"·{axis}{centre}² = "] if simple else []
         told = [SumOfTerms(tuple(written)), " = "] if len(written) > 1 else []
@@ -122,8 +125,26 @@ class Bodies:
         """The letters O and C, others where the scene has these of something else than the places meant."""
         names = {*self.scene.parameters.nodes, *self.scene.coordinates, *self.scene.points}
         places = ("OASP", body.frame.place), ("CGWR", body.frame.point(*body.centre))
-        return [next((one for one in several if one not in names or self._is_at(one, place)), f"{several[0]}′")
-                for several, place in places]
+        axis, centre = (next((one for one in several if one not in names or self._is_at(one, place)), f"{several[0]}′")
+                        for several, place in places)
+        return self._axis_of(body, axis), centre
+
+    def _axis_of(self, body, letter):
+        """The letter of an axis, numbered where bodies have several."""
+        return letter if len(self._axes) < 2 else letter + lowered(list(self._axes).index(_place(body)) + 1)
+
+    def _shares_its_axis(self, body):
+        """Do others turn about it, while there are several axes?"""
+        return len(self._axes) > 1 and len(self._axes[_place(body)]) > 1
+
+    @cached_property
+    def _axes(self):
+        """{place of a fixed axis: the bodies that turn about it}."""
+        found: dict = {}
+        for body in self.scene.bodies.values():
+            if _is_on_an_axis(body):
+                found.setdefault(_place(body), []).append(body.name)
+        return found
 
     def _is_at(self, point, place):
         """Is the point of the scene of this name always at the place?"""
@@ -206,6 +227,10 @@ class Bodies:
 def _is_on_an_axis(body):
     """Does a body turn about a fixed axis?"""
     return body.frame is not None and body.frame.angle.mask and not any(node.mask for node in body.frame.place)
+
+
+def _place(body):
+    return tuple(map(textbook, body.frame.place))
 
 
 def _about_the_axis(body):

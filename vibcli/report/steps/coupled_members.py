@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from vibcli.base.errors import PhysicsError
 from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.complex_numbers import cleared, complex_told
+from vibcli.report.steps.matrix_units import unit_of_receptance
 from vibcli.report.steps.step import WorkedSolution, number
 
 if TYPE_CHECKING:
@@ -49,11 +50,10 @@ def _write(problem, sheet, parts, Omega):
                        " = Σ X_k·X_k/(m_k·(ω_k² − Ω² + 2·i·δ_k·Ω))", Words(",  the second  "), "X_k",
                        Words("  transposed"), settles="receptance", uses=[sheet.last])
     more = [part for i in range(len(H)) for j in range(i, len(H)) for part in (
-        Words(",  "), Name(sheet.letter(f"H{i + 1}{j + 1}")), f" = {complex_told(cleared(complex(H[i, j])))}")]
+        Words(",  "), Name(sheet.letter(f"H{i + 1}{j + 1}")), f" = {complex_told(cleared(complex(H[i, j])))}",
+        Words(f" {unit_of_receptance(problem, i, j)}"))]
     of = [part for name in names for part in (Words(", "), Name(name))][1:]
-    unit = [Words(" m/N")] * all(problem.system.dimension(name) for name in names)
-    line = sheet.write(Words("of  "), *of, Words(":  "), *more[1:], *unit, settles="entries of the receptance",
-                       uses=[rule])
+    line = sheet.write(Words("of  "), *of, Words(":  "), *more[1:], settles="entries of the receptance", uses=[rule])
     line = sheet.write(Words("dampers take  "), "i·Ω·", c, "·", u, Words(" of the loads:  "), u, " = ", h, "·(", f,
                        " − i·Ω·", c, "·", u, ")", settles="balance at the dampers", uses=[line])
     for i, name in enumerate(names):

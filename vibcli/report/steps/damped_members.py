@@ -11,7 +11,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.complex_numbers import cleared, complex_told
 from vibcli.report.steps.from_modes import ALIKE, waves
-from vibcli.report.steps.step import WorkedSolution, number, told
+from vibcli.report.steps.step import WorkedSolution, number, told, unit_told
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.parser import VALUE
 from vibcli.symbolic.syntax import NameRef
@@ -96,7 +96,8 @@ def _write(problem, sheet, modes):
         tree = answer.asked.tree
         if getattr(tree, "head", "") == VALUE and isinstance(tree.args[0], NameRef):
             signal = problem.response.signal(tree.args[0])
-            _at_place(problem, sheet, (signal, tree.args[0].name, modes), told_of, line)
+            unit = unit_told(problem.spec, answer.asked)
+            _at_place(problem, sheet, (signal, tree.args[0].name, modes, unit), told_of, line)
 
 
 def _root(sheet, mode, line):
@@ -111,7 +112,7 @@ def _root(sheet, mode, line):
 
 def _at_place(problem, sheet, asked, told_of, line):
     """The line of what the modes add up to at a place, free of loads: from the start, or after they have ended."""
-    signal, name, modes = asked
+    signal, name, modes, unit = asked
     last = signal.modal.stretches(0.0)[-1]
     if not signal.modal.forcing.listed or last.strokes or (name, last.start) in told_of:
         return
@@ -130,7 +131,8 @@ def _at_place(problem, sheet, asked, told_of, line):
         head = [Words("when the loads have ended  ")] * bool(last.start)
         first = shown[1:] if shown[0] == " + " else ["−", *shown[1:]]
         rest = [f" + {told(signal.reads.constant)}"] * bool(signal.reads.constant)
-        sheet.write(*head, Name(name), " = ", *first, " + …", *rest, *after, settles=f"motion of {name}", uses=[line])
+        sheet.write(*head, Name(name), " = ", *first, " + …", *rest, *after, Words(f"   (in {unit})"),
+                    settles=f"motion of {name}", uses=[line])
 
 
 def _time_from(problem, sheet, start):

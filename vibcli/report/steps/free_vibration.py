@@ -1,24 +1,27 @@
 """What is asked of a free vibration by the constants of its lines, x = e^{−δt} (A cos ω_dt + B sin ω_dt):
 
-    decrement 2πδ/ω_d,   amplitude √(A² + B²),   phase atan2(B, A),   extremes ±√(A² + B²) where nothing damps.
+    amplitude √(A² + B²),   phase atan2(B, A),   period 2π/ω_d,   decrement 2πδ/ω_d;
+
+its envelope falls to 1/n in the time ln n/δ, in ln n over the decrement cycles.
 """
 
-from contextlib import suppress
 from typing import TYPE_CHECKING
 
-from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.notation.as_printed import as_printed
 from vibcli.quantities.expression import value_of
 from vibcli.report.blocks import Words
 from vibcli.report.steps.place_of_rest import as_counted
 from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.parser import parse
+from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import NameRef
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Expression
     from vibcli.results.problem import Problem
 
+FALLS = "time_to", "cycles_to"
 CLOSE = 1e-9        # relative: of a line and the engine's number
 
 
@@ -29,7 +32,7 @@ def tell_of_free(problem: "Problem", sheet: WorkedSolution, asked: "Expression")
             and {"A", "B"} <= {line.settles for line in known.values()}):
         return False
     value, floats = float(value_of(problem, asked)[0]), {letter: line.value for letter, line in known.items()}
-    for node in _forms(problem, known, tree.head):
+    for node in _forms(problem, known, tree):
         found, = evaluate([node], Floats, {**problem.numeric.floats, **floats})
         if abs(found - value) <= CLOSE * abs(value):
             unit = unit_told(problem.spec, asked)
@@ -40,15 +43,21 @@ def tell_of_free(problem: "Problem", sheet: WorkedSolution, asked: "Expression")
     return False
 
 
-def _forms(problem, known, head):
-    """What the quantity of this name may be, by the letters of the lines."""
+def _forms(problem, known, tree):
+    """What the quantity may be, by the letters of the lines."""
     table = problem.scene.table
     letter = {line.settles: table.parameter(name, positive=False) for name, line in known.items()}
-    size = table.sqrt(letter["A"] ** 2 + letter["B"] ** 2)
-    if head == "decrement" and {"delta", "omega_d[1]"} <= set(letter):
-        return [2 * table.pi * letter["delta"] / letter["omega_d[1]"]]
-    if head in ("max", "min") and "delta" not in letter:
-        swings = size if head == "max" else -size
-        with suppress(PhysicsError, SpecError):
-            return [swings, problem.symbolic.equilibrium_position[problem.scene.coordinates[0]] + swings]
-    return {"amplitude": [size], "phase": [table.call("atan2", letter["B"], letter["A"])]}.get(head, [])
+    found = {"amplitude": [table.sqrt(letter["A"] ** 2 + letter["B"] ** 2)],
+             "phase": [table.call("atan2", letter["B"], letter["A"])]}
+    rate = letter.get("omega_d[1]" if "delta" in letter else "omega[1]")
+    if rate is not None:
+        found["period"] = [2 * table.pi / rate]
+    if rate is None or "delta" not in letter:
+        return found.get(tree.head, [])
+    decrement = 2 * table.pi * letter["delta"] / rate
+    found["decrement"] = [decrement]
+    if tree.head in FALLS:
+        known_as = problem.scene.parameters.nodes
+        falls = table.call("log", 1 / lower(parse(tree.indices[0]), table, lambda name, *_: known_as[name]))
+        found |= {"time_to": [falls / letter["delta"]], "cycles_to": [falls / decrement]}
+    return found.get(tree.head, [])

@@ -9,22 +9,18 @@ from vibcli.mechanics.initial_state import start_in_letters
 from vibcli.notation.as_printed import as_printed
 from vibcli.quantities.expression import value_of
 from vibcli.report.blocks import Words
+from vibcli.report.steps.instances import found_at, instances, is_found
 from vibcli.report.steps.place_of_rest import as_counted
 from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.symbolic.derivatives import gradient, substitute
-from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.parser import VALUE
 from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import NameRef, parts_of
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     from vibcli.language.reader import Expression
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
-
-CLOSE = 1e-9        # relative: of a line and the engine's number
 
 
 def tell_instant(problem: "Problem", sheet: WorkedSolution, asked: "Expression") -> bool:
@@ -32,11 +28,13 @@ def tell_instant(problem: "Problem", sheet: WorkedSolution, asked: "Expression")
     found = _found(problem, sheet, asked)
     if found is None:
         return False
-    (node, line), value, unit = found, float(value_of(problem, asked)[0]), unit_told(problem.spec, asked)
-    shown = [" = ", node] if line is None and node.op != "number" else []
+    (node, line), value, unit = found, None, ""
+    if not problem.numeric.has_free_symbols:
+        value, unit = float(value_of(problem, asked)[0]), unit_told(problem.spec, asked)
+    shown = [" = ", node] if (line is None and node.op != "number") or value is None else []
     names = {*problem.spec.parameters, *problem.spec.coordinates}
-    sheet.write(Words(as_printed(asked.text, names)), *shown, *number(value, unit), *as_counted(problem, asked.tree),
-                settles=asked.text, node=node, value=value, unit=unit, uses=[line])
+    sheet.write(Words(as_printed(asked.text, names)), *shown, *(() if value is None else number(value, unit)),
+                *as_counted(problem, asked.tree), settles=asked.text, node=node, value=value, unit=unit, uses=[line])
     return True
 
 
@@ -52,21 +50,8 @@ def _found(problem, sheet, asked) -> "tuple[Node, int | None] | None":
     if getattr(tree, "head", "") != VALUE or not isinstance(tree.args[0], NameRef) or (
             tree.args[0].primes > 1 or parts_of(tree.args[1]).quantities):
         return None
-    value, known = float(value_of(problem, asked)[0]), _numbers(problem, sheet)
-    for node, line in _forms(problem, sheet, tree):
-        try:
-            found, = evaluate([node], Floats, known)
-        except KeyError:
-            continue
-        if abs(found - value) <= CLOSE * abs(value):
-            return node, line
-    return None
-
-
-def _numbers(problem, sheet) -> "Mapping[str, float]":
-    """{letter: number} of the parameters and of the lines."""
-    return {**problem.numeric.floats, **{line.letter: line.value for line in sheet.steps
-                                         if line.letter and line.value is not None}}
+    values = found_at(instances(problem, sheet.steps), asked)
+    return next((form for form in _forms(problem, sheet, tree) if is_found(form[0], values)), None)
 
 
 def _forms(problem, sheet, tree) -> "list[tuple[Node, int | None]]":
@@ -74,6 +59,8 @@ def _forms(problem, sheet, tree) -> "list[tuple[Node, int | None]]":
     count from rest."""
     (name, primes), scene = (tree.args[0].name, tree.args[0].primes), problem.scene
     t = lower(tree.args[1], scene.table, lambda name, *_: scene.parameters.nodes[name])
+    if t.op == "number" and not t.is_zero and problem.numeric.has_free_symbols:
+        return []       # its unit would not stand beside letters
     found: list = [(node, None) for node in _start(problem, name, primes)] if t.is_zero else []
     for line in sheet.steps:
         if line.settles == name and line.node is not None:

@@ -1,4 +1,5 @@
-"""SI units of the stiffness Kᵢⱼ, an energy over qᵢqⱼ, of Mᵢⱼ, of loads Qᵢ, an energy over qᵢ, and of determinants."""
+"""SI units of the stiffness Kᵢⱼ, an energy over qᵢqⱼ, of Mᵢⱼ, of loads Qᵢ, an energy over qᵢ, of receptances Hᵢⱼ, and
+of determinants."""
 
 from typing import TYPE_CHECKING
 
@@ -8,11 +9,19 @@ from vibcli.quantities.matrices import entry_dimension
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
+RECEPTANCE = "m/N", "1/N", "rad/(N·m)"      # by how many of its coordinates are turns
+
 
 def unit_of_entry(problem: "Problem", i: int, j: int, letter: str = "K") -> str:
     """Of Kᵢⱼ, or an entry of another matrix."""
     names, dimension = problem.scene.coordinates, problem.system.dimension
     return units.text(entry_dimension(letter, dimension(names[i]), dimension(names[j])))
+
+
+def unit_of_receptance(problem: "Problem", i: int, j: int) -> str:
+    """Of Hᵢⱼ, what qᵢ is by a load along qⱼ: qᵢqⱼ over an energy."""
+    names, dimension = problem.scene.coordinates, problem.system.dimension
+    return RECEPTANCE[sum(not dimension(names[k]) for k in (i, j))]
 
 
 def unit_of_load(problem: "Problem", i: int) -> str:

@@ -8,6 +8,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.notation.units_in_sums import unit_beside
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.degree import Degree
+from vibcli.report.steps.extremes import Swing, tell_extremes
 from vibcli.report.steps.forced import tell_forced
 from vibcli.report.steps.step import number
 from vibcli.symbolic.common_denominator import single
@@ -79,10 +80,8 @@ class OneDegree:
         delta = single(self.C / (2 * self.M))
         of_delta = self.degree.settled([*self._by_acceleration(), self.delta], delta, "1/s", self.delta.name,
                                        self.found.lines)
-        zeta = self.C / (2 * self.degree.root(self.K) * self.degree.root(self.M))
-        value = self.about.value(zeta)
-        if self._is_critical():
-            value = 1.0
+        zeta = self._zeta()
+        value = 1.0 if self._is_critical() else self.about.known_value(zeta)
         beside = "" if value is None or value in (0.0, 1.0) or value < 0 else " < 1" if value < 1 else " > 1"
         kind = () if value is None else (beside, Words(f": {_damped(value)}"))
         shown = () if value is None or zeta is self.about.table.one else number(value)
@@ -102,15 +101,20 @@ class OneDegree:
 
     def _is_critical(self):
         """Is ζ one, in letters or but for rounding?"""
-        value = self.about.value(self.C / (2 * self.degree.root(self.K) * self.degree.root(self.M)))
+        value = self.about.known_value(self._zeta())
         return is_zero(self.C * self.C - 4 * self.M * self.K) or (value is not None and abs(value - 1) <= ROUNDING)
+
+    def _zeta(self):
+        return self.C / (2 * self.degree.root(self.K) * self.degree.root(self.M))
 
     def _damped_frequency(self, delta, uses):
         from vibcli.analyses.closed_form.one_degree import damped_frequency
 
+        known = self.about.known_value(self._zeta()) is not None or self.problem.spec.choices
         omega_d = damped_frequency(self.M, self.C, self.K, self.about.samples)
         parts = [self.omega_d, " = ", self.about.table.sqrt(self.omega ** 2 - self.delta ** 2)]
-        return self.degree.settled(parts, omega_d, "rad/s", "omega_d[1]", uses)
+        return self.degree.settled(parts, omega_d, "rad/s", "omega_d[1]", uses, more=[] if known else [
+            Words("   (under-damped, δ < ω)")])
 
     def _free_motion(self, uses):
         """The constants of the free motion from the start that the file gives."""
@@ -128,13 +132,15 @@ class OneDegree:
             told[regime](start, uses)
 
     def _regime(self):
-        """How it is damped, None where letters decide."""
+        """How it is damped; lightly where letters decide, None where the scene chooses these."""
         if self.C.is_zero:
             return UNDAMPED
         if self._is_critical():
             return CRITICAL
-        values = [self.about.value(node) for node in (self.M, self.C, self.K)]
-        return None if None in values else regime_at(*values)
+        zeta = self.about.known_value(self._zeta())
+        if zeta is None:
+            return None if self.problem.spec.choices else UNDER
+        return regime_at(1.0, 2.0 * zeta, 1.0)
 
     def _letters(self, start):
         """A, B, the start and its speed: letters for these where they are more than a letter or a number."""
@@ -153,8 +159,10 @@ class OneDegree:
         ahead = v0 if self.C.is_zero else v0 + self.delta * x0
         delta = single(self.C / (2 * self.M))
         exact = self.about.table.sqrt(self.K / self.M - delta ** 2)
-        self._constants([*decay, Factor(wave) if decay else wave], start, (x0, ahead / rate),
-                        (start[0], (start[1] + delta * start[0]) / exact), uses)
+        line = self._constants([*decay, Factor(wave) if decay else wave], start, (x0, ahead / rate),
+                               (start[0], (start[1] + delta * start[0]) / exact), uses)
+        tell_extremes(self.degree, Swing(self.about.place[self.about.scene.q[0]], A, None if start[1].is_zero else B,
+                                         table.zero, line))
 
     def _critical(self, start, uses):
         A, B, x0, v0 = self._letters(start)
@@ -182,7 +190,7 @@ class OneDegree:
                         [*uses, line])
 
     def _constants(self, motion, start, forms, exact, uses, of_speed=False):
-        """The form of the motion, and its constants from the start."""
+        """The form of the motion, and its constants from the start; the number of the line of these."""
         A, B, x0, v0 = self._letters(start)
         name, unit = self.degree.name, self.degree.unit
         line = self.sheet.write(Name(name), " = ", *motion, settles=name, uses=uses, node=self.about.table.product(
@@ -201,7 +209,8 @@ class OneDegree:
             shown = [] if form.op == "number" and known is not None else [" = ", form]
             value = () if known is None else number(known, its)
             constants += [Words(",  " * bool(constants)), letter, *shown, *value]
-        self.sheet.write(Words("at t = 0  "), *of_start, Words(":  "), *constants, uses=[line], settles="free motion")
+        line = self.sheet.write(Words("at t = 0  "), *of_start, Words(":  "), *constants, uses=[line],
+                                settles="free motion")
         for letter, form, known, its in found:
             self.sheet.write(settles=letter.name, node=form, value=known, unit=its, joined=True, letter=letter.name)
 

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.degree import Degree
+from vibcli.report.steps.extremes import Swing, tell_extremes
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.normal_form import TooLong, expanded, is_zero, textbook
 from vibcli.symbolic.rationals import ONE
@@ -141,8 +142,12 @@ def tell_pieces(degree: Degree, pieces: Sequence[LoadPiece]) -> None:
         sign = " − " if negative and told else "−" if negative else " + " if told else ""
         factor = [] if size is size.table.one else [Factor(size), "·"]
         told += [sign, *factor, Name(letters[piece.kind]), "(", degree.problem.scene.time - piece.begins, ")"]
-    sheet.write(Words("so by superposition  "), Name(degree.name), " = ", *[part for part in told if part != ""],
-                Words("   (each from when its argument is positive)"), settles="forced motion", uses=lines)
+    line = sheet.write(Words("so by superposition  "), Name(degree.name), " = ", *[part for part in told if part != ""],
+                       Words("   (each from when its argument is positive)"), settles="forced motion", uses=lines)
+    if [piece.kind for piece in pieces] == ["step"]:
+        (_, F, begins, _), rest = pieces[0], degree.about.place[degree.about.scene.q[0]]
+        follows = textbook(F / degree.K)
+        tell_extremes(degree, Swing(rest + follows, -follows, None, begins, line))
 
 
 def _resistances(degree, pieces):

@@ -10,6 +10,7 @@ from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.normal_form import is_zero
 from vibcli.symbolic.parser import VALUE
 from vibcli.symbolic.syntax import NameRef
 
@@ -50,15 +51,21 @@ def as_counted(problem: "Problem", tree: Any) -> list[Words]:
     if not isinstance(place, NameRef) or place.primes or problem.spec.in_full:
         return []
     try:
-        if problem.symbolic.balanced_as_drawn:
-            return []
-        rest, drawn = problem.configuration.equilibrium.values, problem.scene.drawn_values
+        moved = not problem.symbolic.balanced_as_drawn and _is_moved(problem, place.name)
     except PhysicsError:        # nothing is counted from rest
         return []
-    name, moved = place.name, place.name in problem.scene.dependent
-    if name in problem.scene.coordinates:
-        moved = abs(rest[name] - drawn[name]) > UNMOVED * (1 + abs(drawn[name]))
     return [Words(" (counted as drawn)")] * moved
+
+
+def _is_moved(problem, name):
+    """Does a coordinate rest elsewhere than drawn?"""
+    if problem.numeric.has_free_symbols:
+        rest = problem.symbolic.equilibrium_position.get(name)
+        return rest is not None and not is_zero(rest - problem.scene.drawn[problem.scene.symbol(name)])
+    rest, drawn = problem.configuration.equilibrium.values, problem.scene.drawn_values
+    if name in problem.scene.coordinates:
+        return abs(rest[name] - drawn[name]) > UNMOVED * (1 + abs(drawn[name]))
+    return name in problem.scene.dependent
 
 
 def _about_numbers(problem, sheet):

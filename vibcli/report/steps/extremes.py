@@ -1,0 +1,154 @@
+"""How far the only coordinate goes from a start or under a step, and when, where it moves as
+
+    x = x_r + e^{−δτ} (A cos ω_dτ + B sin ω_dτ),   ẋ = 0 at  tan ω_dτ = (ω_d B − δ A)/(ω_d A + δ B);
+
+from a start at rest first at τ = π/ω_d, with x = x_r − A e^{−πδ/ω_d}, so that e^{−πδ/ω_d} is the overshoot
+
+(Thomson & Dahleh 1998, section 4.3)."""
+
+from typing import TYPE_CHECKING
+
+from vibcli.base.named_tuple import NamedTuple
+from vibcli.notation.as_printed import as_printed
+from vibcli.quantities.expression import value_of
+from vibcli.report.blocks import Name, Words
+from vibcli.report.steps.degree import Degree
+from vibcli.report.steps.instances import found_at, instances, is_found
+from vibcli.report.steps.place_of_rest import as_counted
+from vibcli.report.steps.step import number, unit_told
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.syntax import NameRef
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
+
+INSTANTS = "argmax", "argmin"
+HEADS = ("max", "min", *INSTANTS, "overshoot")
+TURNS = 3           # places where it turns back that are looked at
+
+
+class Swing(NamedTuple):
+    """x_r + e^{−δτ} (A cos ω_dτ + B sin ω_dτ) from τ = t − begins = 0 on, the line that tells it; B is None where it
+    starts at rest."""
+
+    rest: "Node"
+    A: "Node"
+    B: "Node | None"
+    begins: "Node"
+    line: int
+
+
+class TurningBack(NamedTuple):
+    """τ where it turns back, None of the start; x there; the letter of τ in that, None where it has none."""
+
+    instant: "Node | None"
+    place: "Node"
+    letter: "Node | None" = None
+
+
+def tell_extremes(degree: Degree, swing: Swing) -> None:
+    """Write down the extremes that are asked of the coordinate, and their instants, where the engine finds the same."""
+    asked = _asked(degree) if not degree.problem.spec.choices else []
+    of = instances(degree.problem, degree.sheet.steps) if asked else []
+    found = [(one, *form) for one in asked if (form := _form_of(degree, swing, one, found_at(of, one))) is not None]
+    turn, line = next((turn for _, turn, _ in found if turn.instant is not None), None), swing.line
+    if turn is not None and (swing.B is None or turn.letter is not None):
+        line = _tell_turn(degree, swing, turn, of[0][1])
+    before = degree.sheet.last
+    for one, _, node in found:
+        _tell(degree, one, node, line, joined=degree.sheet.last > before)
+
+
+def _asked(degree):
+    """What is asked of extremes of the coordinate."""
+    spec, rules = degree.problem.spec, degree.problem.spec.get("variants")
+    every = {one.asked.text: one.asked for one in (*(rules.ask if rules is not None else ()), *spec.answers)}
+    return [one for one in every.values() if getattr(one.tree, "head", "") in HEADS and one.tree.args and isinstance(
+        one.tree.args[0], NameRef) and (one.tree.args[0].name, one.tree.args[0].primes) == (degree.name, 0)]
+
+
+def _tell_turn(degree, swing, turn, known):
+    """The line of where it turns back first."""
+    table, t, rate = degree.about.table, degree.problem.scene.time, _rate(degree)
+    if swing.B is None:
+        wave = table.call("sin", rate * (t - swing.begins)) * _decay(degree, t - swing.begins)
+        speed = -(swing.A * degree.omega ** 2 * wave / rate)
+        return degree.sheet.write(Name(degree.name + "'"), " = ", speed, Words(",  zero first at  "), "t = ",
+                                  swing.begins + turn.instant, settles="turning back", uses=[swing.line])
+    value = None if degree.problem.numeric.has_free_symbols else _at(turn, known)[turn.letter.name]
+    tangent = table.call("tan", rate * turn.letter)
+    return degree.sheet.write(Name(degree.name + "'"), " = 0", Words(" at  "), turn.letter, Words("  with  "), tangent,
+                              " = ", _tangent(degree, swing), *(() if value is None else (
+                                  Words(":  "), turn.letter, *number(value, "s"))), settles=turn.letter.name,
+                              value=value, unit="" if value is None else "s", letter=turn.letter.name,
+                              uses=[swing.line])
+
+
+def _tell(degree, asked, node, line, joined):
+    """A number that is asked by its expression."""
+    problem, value, unit = degree.problem, None, ""
+    if not problem.numeric.has_free_symbols:
+        value, unit = float(value_of(problem, asked)[0]), unit_told(problem.spec, asked)
+    text = as_printed(asked.text, {*problem.spec.parameters, *problem.spec.coordinates})
+    shown = [] if node.op == "number" and value is not None else [Words(":  "), node]
+    degree.sheet.write(Words(text), *shown, *(() if value is None else number(value, unit)), *as_counted(
+        problem, asked.tree), settles=asked.text, node=node, value=value, unit=unit, uses=[line], joined=joined)
+
+
+def _form_of(degree, swing, asked, values):
+    """(the TurningBack, its expression) of what the engine finds; None of others."""
+    for turn in _turns(degree, swing):
+        node = _form(degree, swing, asked.tree.head, turn)
+        if node is not None and is_found(node, [(_at(turn, known), value) for known, value in values]):
+            return turn, node
+    return None
+
+
+def _at(turn, known):
+    """With a number for the letter of the instant."""
+    if turn.letter is None:
+        return known
+    return {**known, turn.letter.name: evaluate([turn.instant], Floats, known)[0]}
+
+
+def _form(degree, swing, head, turn):
+    """The expression of what is asked at a turn; None of what it has none of."""
+    if head == "overshoot":
+        at_rest = swing.B is None and turn.instant is not None and not degree.C.is_zero
+        return _decay(degree, turn.instant) if at_rest else None
+    if head in INSTANTS:
+        return swing.begins if turn.instant is None else swing.begins + (turn.letter or turn.instant)
+    return turn.place
+
+
+def _turns(degree, swing):
+    """The start, and the first places where it turns back."""
+    table, A, B, rate = degree.about.table, swing.A, swing.B, _rate(degree)
+    yield TurningBack(None, swing.rest + A)
+    if B is None:
+        turn = table.pi / rate
+        yield TurningBack(turn, swing.rest - A * _decay(degree, turn))
+        return
+    for k in range(TURNS):
+        if degree.C.is_zero:
+            size = table.sqrt(A ** 2 + B ** 2)
+            yield TurningBack((table.call("atan2", B, A) + k * table.pi) / rate, swing.rest + (size if k % 2 == 0 else -size))
+        else:
+            t = degree.about.letter(degree.sheet.letter("t1"))
+            wave = A * table.call("cos", rate * t) + B * table.call("sin", rate * t)
+            instant = (table.call("atan", _tangent(degree, swing)) + k * table.pi) / rate
+            yield TurningBack(instant, swing.rest + _decay(degree, t) * wave, t)
+
+
+def _tangent(degree, swing):
+    """tan ω_dτ where it turns back."""
+    rate, delta = _rate(degree), degree.delta
+    return (rate * swing.B - delta * swing.A) / (rate * swing.A + delta * swing.B)
+
+
+def _rate(degree):
+    return degree.omega if degree.C.is_zero else degree.omega_d
+
+
+def _decay(degree, instant):
+    return degree.about.table.one if degree.C.is_zero else degree.about.table.call("exp", -(degree.delta * instant))
