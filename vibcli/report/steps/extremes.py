@@ -132,7 +132,8 @@ def _turns(degree, swing):
     for k in range(TURNS):
         if degree.C.is_zero:
             size = table.sqrt(A ** 2 + B ** 2)
-            yield TurningBack((table.call("atan2", B, A) + k * table.pi) / rate, swing.rest + (size if k % 2 == 0 else -size))
+            at = (table.call("atan2", B, A) + k * table.pi) / rate
+            yield TurningBack(at, swing.rest + (size if k % 2 == 0 else -size))
         else:
             t = degree.about.letter(degree.sheet.letter("t1"))
             wave = A * table.call("cos", rate * t) + B * table.call("sin", rate * t)
