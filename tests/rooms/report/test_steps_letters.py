@@ -148,6 +148,15 @@ def test_where_it_turns_back_from_a_start_with_a_speed():
     assert of["max(x)"].value == pytest.approx(wave, rel=1e-9) and wave > 0.01
 
 
+def test_two_places_where_it_turns_back_have_two_letters():
+    scene = STEP.format(values=NUMBERS, load="0*F0", start="initial: {x: 1 cm, x': -0.3 m/s}")
+    told = {line.settles: line for line in worked(problem(scene.replace("overshoot(x): 0, argmax(x)", "argmin(x)")
+                                                          .replace("max(x): 0 m", "max(x): 1 m, min(x): 1 m")))}
+    assert 0 < told["t1"].value < told["t2"].value
+    assert told["argmin(x)"].value == pytest.approx(told["t1"].value, rel=1e-12)
+    assert "t₂" in formula(told["max(x)"].parts, plain) and "t₁" in formula(told["min(x)"].parts, plain)
+
+
 def test_bodies_on_different_axes_have_each_its_letter():
     told = lines("""
         parameters: {m: 3 kg, L: 0.8 m, k: 9 N/m}

@@ -39,24 +39,38 @@ class Swing(NamedTuple):
 
 
 class TurningBack(NamedTuple):
-    """τ where it turns back, None of the start; x there; the letter of τ in that, None where it has none."""
+    """τ where it turns back, None of the start; x there; the letter of τ in that, None where it has none; which place
+    of those that are looked at."""
 
     instant: "Node | None"
     place: "Node"
     letter: "Node | None" = None
+    number: int = 0
 
 
 def tell_extremes(degree: Degree, swing: Swing) -> None:
     """Write down the extremes that are asked of the coordinate, and their instants, where the engine finds the same."""
     asked = _asked(degree) if not degree.problem.spec.choices else []
     of = instances(degree.problem, degree.sheet.steps) if asked else []
-    found = [(one, *form) for one in asked if (form := _form_of(degree, swing, one, found_at(of, one))) is not None]
-    turn, line = next((turn for _, turn, _ in found if turn.instant is not None), None), swing.line
-    if turn is not None and (swing.B is None or turn.letter is not None):
-        line = _tell_turn(degree, swing, turn, of[0][1])
+    found = list(_found(degree, swing, asked, of, {}))
+    numbers = sorted({turn.number for _, turn, _ in found if turn.letter is not None})
+    if len(numbers) > 1:
+        found = list(_found(degree, swing, asked, of, {number: place for place, number in enumerate(numbers, 1)}))
+    lines: dict = {}
+    for turn in sorted((turn for _, turn, _ in found), key=lambda turn: turn.number):
+        if turn.instant is not None and (swing.B is None or turn.letter is not None) and turn.number not in lines:
+            lines[turn.number] = _tell_turn(degree, swing, turn, of[0][1])
     before = degree.sheet.last
-    for one, _, node in found:
-        _tell(degree, one, node, line, joined=degree.sheet.last > before)
+    for one, turn, node in found:
+        _tell(degree, one, node, lines.get(turn.number, swing.line), joined=degree.sheet.last > before)
+
+
+def _found(degree, swing, asked, of, letters):
+    """(what is asked, its TurningBack, its expression), with letters t₁, t₂ … by the numbers of places."""
+    for one in asked:
+        form = _form_of(degree, swing, one, found_at(of, one), letters)
+        if form is not None:
+            yield one, *form
 
 
 def _asked(degree):
@@ -95,9 +109,9 @@ def _tell(degree, asked, node, line, joined):
         problem, asked.tree), settles=asked.text, node=node, value=value, unit=unit, uses=[line], joined=joined)
 
 
-def _form_of(degree, swing, asked, values):
+def _form_of(degree, swing, asked, values, letters):
     """(the TurningBack, its expression) of what the engine finds; None of others."""
-    for turn in _turns(degree, swing):
+    for turn in _turns(degree, swing, letters):
         node = _form(degree, swing, asked.tree.head, turn)
         if node is not None and is_found(node, [(_at(turn, known), value) for known, value in values]):
             return turn, node
@@ -121,24 +135,24 @@ def _form(degree, swing, head, turn):
     return turn.place
 
 
-def _turns(degree, swing):
+def _turns(degree, swing, letters):
     """The start, and the first places where it turns back."""
     table, A, B, rate = degree.about.table, swing.A, swing.B, _rate(degree)
     yield TurningBack(None, swing.rest + A)
     if B is None:
         turn = table.pi / rate
-        yield TurningBack(turn, swing.rest - A * _decay(degree, turn))
+        yield TurningBack(turn, swing.rest - A * _decay(degree, turn), number=1)
         return
     for k in range(TURNS):
         if degree.C.is_zero:
             size = table.sqrt(A ** 2 + B ** 2)
             at = (table.call("atan2", B, A) + k * table.pi) / rate
-            yield TurningBack(at, swing.rest + (size if k % 2 == 0 else -size))
+            yield TurningBack(at, swing.rest + (size if k % 2 == 0 else -size), number=k + 1)
         else:
-            t = degree.about.letter(degree.sheet.letter("t1"))
+            t = degree.about.letter(degree.sheet.letter(f"t{letters.get(k + 1, 1)}"))
             wave = A * table.call("cos", rate * t) + B * table.call("sin", rate * t)
             instant = (table.call("atan", _tangent(degree, swing)) + k * table.pi) / rate
-            yield TurningBack(instant, swing.rest + _decay(degree, t) * wave, t)
+            yield TurningBack(instant, swing.rest + _decay(degree, t) * wave, t, k + 1)
 
 
 def _tangent(degree, swing):
