@@ -10,6 +10,7 @@ from vibcli.base.named_tuple import NamedTuple
 
 POINTS, PARTS, DEEPEST = 10, 1, 18      # of a rule, parts of a side to begin with, how often they are halved
 CLOSE = 1e-5        # how closely halves agree
+OPEN = 16           # parts of a side at once whose halves do not agree: near so many poles, or lost in rounding
 
 
 class SideSamples(NamedTuple):
@@ -27,7 +28,8 @@ def _rule():
 
 def along(function: Callable[[np.ndarray], np.ndarray],
           sides: Sequence[tuple[complex, complex]]) -> list[SideSamples | None]:
-    """The SideSamples on each side (from, to), all evaluated together; None of a side next to a pole."""
+    """The SideSamples on each side (from, to), all evaluated together; None of a side next to a pole, or where the
+    function is not finite."""
     at, weights = _rule()
     number = np.repeat(np.arange(len(sides)), PARTS)
     start = np.array([a + (b - a) * k / PARTS for a, b in sides for k in range(PARTS)])
@@ -39,6 +41,7 @@ def along(function: Callable[[np.ndarray], np.ndarray],
         return s, function(s.ravel()).reshape(s.shape) * weights * width[:, None]
 
     s, values = sampled(start, width)
+    lost = set()
     for _ in range(DEEPEST):
         half = np.repeat(width / 2, 2)
         begins = np.stack([start, start + width / 2], axis=1).ravel()
@@ -50,8 +53,12 @@ def along(function: Callable[[np.ndarray], np.ndarray],
             mine = good & np.repeat(number == k, 2)
             kept[k].append(SideSamples(s[mine].ravel(), finer[mine].ravel()))
         number, start, width, values = np.repeat(number, 2)[~good], begins[~good], half[~good], finer[~good]
+        crowded = np.bincount(number, minlength=len(sides)) > OPEN
+        crowded[number[~np.isfinite(values).all(axis=1)]] = True
+        lost.update(np.flatnonzero(crowded).tolist())
+        number, start, width, values = (part[~crowded[number]] for part in (number, start, width, values))
         if not len(number):
             break
-    lost = set(number.tolist())
+    lost.update(number.tolist())
     return [None if k in lost else SideSamples(*(np.concatenate(part) for part in zip(*own, strict=True)))
             for k, own in enumerate(kept)]
