@@ -15,7 +15,7 @@ class NumberRange(Many):
 
     __slots__ = ()
 
-    def read(self, node: Any, reader: Any):
+    def read(self, node: Any, reader: Any) -> list[int] | None:
         found = super().read(node, reader)
         if found is not None and not 0 <= found[1] - found[0] < MOST:
             far = found[1] > found[0]

@@ -6,7 +6,8 @@ from vibcli.base.errors import Where
 from vibcli.base.spelling import nearest
 from vibcli.language.document.nodes import Mapping, Scalar
 from vibcli.language.reader import Expression
-from vibcli.symbolic.parser import parse, plain_name
+from vibcli.symbolic.parser import parse
+from vibcli.symbolic.parser import plain_name as plain_name
 from vibcli.symbolic.syntax import ExpressionError
 
 if TYPE_CHECKING:

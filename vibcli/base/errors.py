@@ -1,9 +1,14 @@
 """Errors and where they are: places in a file, diagnostics, physical refusals."""
 
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
+
+if TYPE_CHECKING:
+    from typing import TypeVar
+
+    T = TypeVar("T")
 
 
 class Where(NamedTuple):
@@ -105,7 +110,7 @@ class NoEquilibrium(PhysicsError):
     """No equilibrium is reached, as where nothing holds the scene: a remark beside equations and accelerations."""
 
 
-def defined_as_drawn(function: Callable, *args: Any) -> tuple[Any, dict[str, Any]]:
+def defined_as_drawn(function: "Callable[..., T]", *args: Any) -> "T":
     """The result of a function; a refusal where an expression divides by zero in the drawn position."""
     try:
         return function(*args)

@@ -141,7 +141,7 @@ def _projected(until, tolerance):
     """The crank angle by DOP853 on three coordinates, put back on the closed loop at each step."""
     from scipy.integrate import DOP853
 
-    class Projected(DOP853):
+    class Projected(DOP853):  # type: ignore[misc]       # SciPy has no types
         y: Any
         f: Any
 

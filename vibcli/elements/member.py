@@ -15,7 +15,8 @@ from vibcli.elements.member_attachments import attach
 from vibcli.elements.member_ends import HOLDS
 from vibcli.elements.member_fields import LENGTHWISE, MemberKind, members_of
 from vibcli.elements.member_holds import beyond_reach, held_at
-from vibcli.elements.member_line import DrawnLine, Station, line_of
+from vibcli.elements.member_line import DrawnLine, line_of
+from vibcli.elements.member_line import Station as Station
 from vibcli.elements.member_pieces import add_pieces, pieces_of, preload_of
 from vibcli.elements.member_places import ROUNDING, places_of
 from vibcli.elements.member_segments import segments_of

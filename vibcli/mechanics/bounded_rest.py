@@ -12,7 +12,6 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.running_errors import UNIT, Rounded, RunningErrors, error_in, number_in
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
 
     from vibcli.mechanics.configuration import Configuration
 
@@ -79,7 +78,7 @@ def _by_more_digits(configuration, found):
         return {name: Rounded(x, UNIT * abs(x) + float(abs(precise[name] - x))) for name, x in found.items()}
 
 
-def bounded_matrices(configuration: "Configuration") -> "list[Mapping[tuple[int, int], Any]]":
+def bounded_matrices(configuration: "Configuration") -> "list[dict[tuple[int, int], Rounded]]":
     """M, C, G, K of small oscillations, each {(i, j): number with its bound}; those about an equilibrium that was
     searched for are added from data that are correctly rounded."""
     closed = configuration.scene.loops is not None or "atan2" in configuration.scene.table.called

@@ -16,10 +16,13 @@ if TYPE_CHECKING:
     import mpmath
 
     from vibcli.mechanics.equilibrium.equilibrium import Equilibrium
+    from vibcli.mechanics.factored_system import FactoredSystem
+    from vibcli.mechanics.inputs_outputs.base_excitation import SystemWithInputs
     from vibcli.mechanics.inputs_outputs.dynamic_reactions import MovingReactions
     from vibcli.mechanics.inputs_outputs.reactions import Reaction
     from vibcli.mechanics.linearisation import Linearisation
     from vibcli.scene.scene import Scene
+    from vibcli.symbolic.running_errors import Rounded, RunningErrors
 
 
 class Configuration:
@@ -52,13 +55,13 @@ class Configuration:
         return Configuration(self.numeric, equilibrium, linear_system, final)
 
     @cached_property
-    def preloaded(self):
+    def preloaded(self) -> "Configuration | None":
         """The Configuration under the force that lets go at t = 0; None where none does."""
         held = self.system.preloaded
-        return held and Configuration(NumericSystem(held, self.numeric.given))
+        return None if held is None else Configuration(NumericSystem(held, self.numeric.given))
 
     @Stage
-    def equilibrium(self):
+    def equilibrium(self) -> "Equilibrium":
         """The Equilibrium; PhysicsError where none is reached."""
         if self._equilibrium is not None:
             return self._equilibrium
@@ -122,13 +125,13 @@ class Configuration:
         return {name: value if abs(value) > 1e-14 * self.scene.unit_of(name) else 0.0 for name, value in values.items()}
 
     @property
-    def linear_system(self):
+    def linear_system(self) -> "FactoredSystem":
         """The element data for what makes dense matrices of them; PhysicsError where there are too many coordinates."""
         require_dense(self.element_data.n)
         return self.element_data
 
     @cached_property
-    def element_data(self):
+    def element_data(self) -> "FactoredSystem":
         """The FactoredSystem about the equilibrium, in floats that are correct but for their own rounding."""
         return self.costs.measured("linear_system", self._assembled)
 
@@ -158,7 +161,7 @@ class Configuration:
             return False
         return any(self.without_given_damping().matrices()[1].values())
 
-    def damped_as_a_whole(self, elements: Any, moved: "Sequence[int] | None" = None):
+    def damped_as_a_whole(self, elements: Any, moved: "Sequence[int] | None" = None) -> "FactoredSystem":
         """Element data of members with `damping:` that stands beside what couples their modes; moved: those of their
         coordinates that are displacements, where others are loads."""
         if not self.coupled:
@@ -167,7 +170,7 @@ class Configuration:
 
         return as_a_whole(self, elements, moved)
 
-    def given_damping(self, digits: int = 40):
+    def given_damping(self, digits: int = 40) -> "FactoredSystem":
         """What `damping:` adds, as element data, to so many digits; nothing where members are damped mode by mode."""
         if self.scene.pieces:
             from vibcli.mechanics.factored_system import FactoredSystem
@@ -178,7 +181,7 @@ class Configuration:
 
         return damping_of(self, digits)
 
-    def without_given_damping(self):
+    def without_given_damping(self) -> "FactoredSystem":
         """The FactoredSystem about the equilibrium without what `damping:` adds."""
         from vibcli.mechanics.nonsmooth import require_smooth
 
@@ -204,7 +207,7 @@ class Configuration:
             require_inertia(numeric, found)
         return found
 
-    def precise_system(self, digits: int):
+    def precise_system(self, digits: int) -> "FactoredSystem":
         """The FactoredSystem to so many digits, as mpmath numbers."""
         from vibcli.mechanics.high_precision import system_to
 
@@ -221,21 +224,21 @@ class Configuration:
         return {}
 
     @cached_property
-    def bounded_rest(self):
+    def bounded_rest(self) -> "tuple[RunningErrors, dict[str, float | Rounded]]":
         """An arithmetic of bounded numbers, and {symbol: number with the bound of its error} of everything at rest."""
         from vibcli.mechanics.bounded_rest import bounded_rest
 
         return bounded_rest(self)
 
     @cached_property
-    def bounded_matrices(self):
+    def bounded_matrices(self) -> "list[dict[tuple[int, int], Rounded]]":
         """M, C, G, K, each {(i, j): number with the bound of its error}."""
         from vibcli.mechanics.bounded_rest import bounded_matrices
 
         return bounded_matrices(self)
 
     @cached_property
-    def told_matrices(self):
+    def told_matrices(self) -> Sequence[Mapping[tuple[int, int], float]]:
         """M, C, G, K, each {(i, j): number}, without what rounding left in place of a zero."""
         from vibcli.mechanics.told_zeros import told_matrices
 
@@ -247,7 +250,7 @@ class Configuration:
 
         return rest_to(self, digits)
 
-    def exact_system(self):
+    def exact_system(self) -> "FactoredSystem | None":
         """The FactoredSystem in Fractions, None where it is irrational or the equilibrium had to be searched for."""
         system = self.system
         if not (self.equilibrium.drawn or system.is_linear) or self.spec.get("damping") is not None:
@@ -264,7 +267,7 @@ class Configuration:
         return (None, None) if self._final else (self.precise_system, self.exact_system)
 
     @cached_property
-    def with_inputs(self):
+    def with_inputs(self) -> "SystemWithInputs":
         """The scene with what drives it as further coordinates, linearised about the equilibrium."""
         from vibcli.mechanics.inputs_outputs.base_excitation import SystemWithInputs
 

@@ -62,7 +62,7 @@ def dynamics(scene: "Scene", redundant: Sequence[Any] = (), undamped: bool = Fal
                     rates, slopes, [drift(scene, node) for node in rates])
 
 
-def drift(scene: "Scene", rate: "Node"):
+def drift(scene: "Scene", rate: "Node") -> "Node":
     """d(rate)/dt without accelerations: Σ (∂rate/∂q) q̇ + ∂rate/∂t."""
     slopes = gradient(rate)
     return scene.table.total(slopes[x] * scene.speeds[x] for x in (*scene.q, scene.time) if x in slopes)

@@ -16,6 +16,8 @@ from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from vibcli.scene.energy_terms import Spring
 
 ROUNDING = 2.0 ** -51
@@ -59,11 +61,11 @@ class FactoredSystem:
         self.K_size, self.drag = K_size or {}, drag or {}
         self.rational_rows, self.massless, self.pieces = rational_rows, tuple(massless), tuple(pieces)
 
-    def with_parts(self, **parts: Any):
+    def with_parts(self, **parts: Any) -> "FactoredSystem":
         """The same with other parts."""
         return FactoredSystem(**{kind: getattr(self, kind) for kind in self.__slots__} | parts)
 
-    def each(self, change: Any, **given: Any):
+    def each(self, change: Any, **given: Any) -> "FactoredSystem":
         """The same with `change` applied to every weight, slope and entry of a matrix, and with the parts `given`."""
         def rows(terms):
             return [(change(weight), {i: change(x) for i, x in row.items()}) for weight, row in terms]
@@ -77,7 +79,7 @@ class FactoredSystem:
                   for kind in ("M", "C", "G", "K", "drag")}
         return self.with_parts(**(parts | given))
 
-    def among(self, numbers: Mapping[int, int], pieces: Sequence[int]):
+    def among(self, numbers: Mapping[int, int], pieces: Sequence[int]) -> "FactoredSystem":
         """What some coordinates, {number: new number}, and pieces do while nothing else moves."""
         def over(row):
             return {numbers[i]: x for i, x in row.items() if i in numbers}
@@ -93,37 +95,37 @@ class FactoredSystem:
         return FactoredSystem(len(numbers), massless=[numbers[i] for i in self.massless if i in numbers], **parts)
 
     @property
-    def damps(self):
+    def damps(self) -> bool:
         """Do forces depend on velocities, the gyroscopic ones of what moves left out?"""
         return bool(self.dampers or self.C or any(self.drag.values()) or any(one.piece.drag for one in self.pieces))
 
     @property
-    def circulatory(self):
+    def circulatory(self) -> bool:
         """Is K not symmetric? Exactly, or by more than the rounding of its sums where K_size tells that."""
         size = self.K_size
         return any(abs(x - self.K.get((j, i), 0)) > ROUNDING * (size.get((i, j), 0) + size.get((j, i), 0))
                    for (i, j), x in self.K.items() if i != j)
 
-    def matrices(self):
+    def matrices(self) -> list[dict[tuple[int, int], Any]]:
         """M, C, G, K assembled, each {(i, j): number}: for printing and for what needs no last digit."""
         return [_assembled(rows, extra) for rows, extra in (
             (self.inertias, self.M), (self.dampers, summed(self.C, self.drag)), ((), self.G),
             (self.static_springs, self.K))]
 
-    def arrays(self):
+    def arrays(self) -> "list[np.ndarray]":
         """The same as arrays of floats."""
         return [_as_array(entries, self.n) for entries in self.matrices()]
 
-    def coefficients(self):
+    def coefficients(self) -> "tuple[np.ndarray, np.ndarray, np.ndarray]":
         """(M, C + G, K) as arrays of floats: what stands before q̈, q̇ and q."""
         M, C, G, K = self.arrays()
         return M, C + G, K
 
-    def stiffness_array(self):
+    def stiffness_array(self) -> "np.ndarray":
         """K assembled, as an array of floats."""
         return _as_array(self.stiffness(), self.n)
 
-    def stiffness(self):
+    def stiffness(self) -> dict[tuple[int, int], Any]:
         """K assembled, that of the pieces at rest included, {(i, j): number}."""
         return _assembled(self.static_springs, self.K)
 
@@ -140,7 +142,7 @@ def require_dense(n: int, what: str = "this") -> None:
                            "ask for the lowest modes without dampers, as omega[1] or find: [{modes: 10}]")
 
 
-def summed(one: Any, two: Mapping[Any, Any]):
+def summed(one: Any, two: Mapping[Any, Any]) -> dict[Any, Any]:
     """The sum of two matrices {(i, j): entry}; of numbers of mpmath exactly, whatever the precision about them is."""
     found = dict(one)
     for pair, x in two.items():

@@ -123,7 +123,7 @@ def as_a_whole(configuration: "Configuration", elements: Any, moved: "Sequence[i
     return with_damping(elements, more).with_parts(pieces=pieces)
 
 
-def with_damping(elements: Any, more: FactoredSystem):
+def with_damping(elements: Any, more: FactoredSystem) -> FactoredSystem:
     """Element data with what is added to their damping."""
     return elements.with_parts(dampers=elements.dampers + more.dampers, C=summed(elements.C, more.C))
 

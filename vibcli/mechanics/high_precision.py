@@ -12,6 +12,7 @@ if TYPE_CHECKING:
 
     from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.equilibrium.equilibrium import Equilibrium
+    from vibcli.mechanics.factored_system import FactoredSystem
     from vibcli.mechanics.numeric_system import NumericSystem
     from vibcli.symbolic.node import Node
 
@@ -19,7 +20,7 @@ ROUNDED, NOTHING, FALLEN, VANISHED = 40, 1e-20, 1e-10, 1e-6
 GUARD = 30      # digits beyond those asked: near a bifurcation a singular K takes up many of them
 
 
-def system_to(configuration: "Configuration", digits: int):
+def system_to(configuration: "Configuration", digits: int) -> "FactoredSystem":
     """FactoredSystem of mpmath numbers, good to `digits` digits."""
     import mpmath
 
@@ -159,7 +160,7 @@ def require_inertia(numeric: "NumericSystem", elements: Any) -> None:
                                "give the bodies their inertia, or start elsewhere with `equilibrium:`")
 
 
-def rounded_system(configuration: "Configuration"):
+def rounded_system(configuration: "Configuration") -> "FactoredSystem":
     """The element data at an equilibrium that was searched for, each number correctly rounded.
 
     What falls with the digits is rounding of what cancels, and zero.

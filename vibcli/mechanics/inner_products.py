@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def inner(terms: Sequence[tuple[Any, dict[int, Any]]], extra: "Mapping[tuple[int, int], mpmath.mpf | Dual]",
-          y: "Sequence[float | mpmath.mpc] | np.ndarray", x: "Sequence[float | mpmath.mpc] | np.ndarray"):
+          y: "Sequence[float | mpmath.mpc] | np.ndarray", x: "Sequence[float | mpmath.mpc] | np.ndarray") -> Any:
     """yᴴ A x of rows and weights and a matrix {(i, j): number}; A is real."""
     y = [conjugate(part) for part in y]
     total = sum(weight * along(row, y) * along(row, x) for weight, row in terms)
@@ -34,7 +34,7 @@ def conjugate(x: "mpmath.mpc | mpmath.mpf") -> "mpmath.mpc | mpmath.mpf":
     return x.conjugate() if hasattr(x, "_mpc_") or isinstance(x, complex) else x
 
 
-def only(elements: Any, kept: Callable):
+def only(elements: Any, kept: Callable) -> FactoredSystem:
     """The element data of which a number is `kept`: the terms in which one is, and such entries of the matrices."""
     def terms(found):
         return [(weight, row) for weight, row in found if kept(weight) or any(map(kept, row.values()))]

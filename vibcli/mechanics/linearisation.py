@@ -34,7 +34,7 @@ class Linearisation(NamedTuple):
     pieces: list
 
 
-def at_position(form: Linearisation, values: "Mapping[Node, Node]"):
+def at_position(form: Linearisation, values: "Mapping[Node, Node]") -> Linearisation:
     """The Linearisation with coordinates replaced, {symbol: node}; what vanishes there is left out.
 
     In letters, so that what is zero by structure is exactly zero.

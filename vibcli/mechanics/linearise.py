@@ -23,6 +23,8 @@ from vibcli.symbolic.normal_form import TooLong, collected, expanded, reduced, t
 from vibcli.symbolic.rationals import ONE
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
     from vibcli.scene.energy_terms import AppliedLoad
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
@@ -134,12 +136,12 @@ def _rows(terms, number):
     return [(term.weight, row_of(term.s, number)) for term in terms]
 
 
-def row_of(s: Any, number: "Mapping[Node, int]"):
+def row_of(s: Any, number: "Mapping[Node, int]") -> "dict[int, Node]":
     """{i: ∂s/∂xᵢ} by the symbols {xᵢ: i} in `number`."""
     return {number[x]: slope for x, slope in gradient(s).items() if x in number}
 
 
-def slopes_of(row: Any, number: Any):
+def slopes_of(row: Any, number: Any) -> "dict[tuple[int, int], Node]":
     """{(i, j): ∂rowᵢ/∂xⱼ} by the symbols {xⱼ: j} in `number`."""
     return {(i, number[x]): second for i, slope in row.items() for x, second in gradient(slope).items() if x in number}
 
@@ -210,7 +212,7 @@ def load_at_rest(scene: "Scene", term: "AppliedLoad") -> "tuple[Node, Node, Node
     return steady_part, turning, force - steady_part - constant, constant
 
 
-def expanded_terms(scene: "Scene", node: "Node"):
+def expanded_terms(scene: "Scene", node: "Node") -> "dict[tuple[tuple[Node, Fraction | int], ...], Fraction | int]":
     try:
         return reduced(expanded(node))
     except (TooLong, ZeroDivisionError):

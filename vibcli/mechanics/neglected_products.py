@@ -20,11 +20,12 @@ from vibcli.symbolic.smoothed_functions import SmoothFloats
 
 if TYPE_CHECKING:
     from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.symbolic.node import Node
 
 NOTHING = 1e-9      # of what the load does to the equations
 
 
-def left_out(symbolic: "SymbolicSystem"):
+def left_out(symbolic: "SymbolicSystem") -> "dict[int, Node]":
     """{i: node}, what the left side of equation i lacks, linear in the coordinates counted from the equilibrium."""
     scene = symbolic.scene.vibrating
     number, place = {q: i for i, q in enumerate(scene.q)}, symbolic.excitation_place

@@ -1,6 +1,6 @@
 """Kinks: |u|, sign u, min and max whose argument vanishes in equilibrium leave no slope, so no small oscillations."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NoReturn
 
 from vibcli.base.errors import Kinked
 from vibcli.symbolic.derivatives import gradient, substitute
@@ -62,7 +62,7 @@ def jumps(configuration: "Configuration", node: "Node") -> bool:
     return abs(left - right) > SAME * max(abs(left), abs(right))
 
 
-def without_slope(scene: "Scene"):
+def without_slope(scene: "Scene") -> NoReturn:
     """Refuse small oscillations where the slope of a force is infinite as drawn, as of ∛d at d = 0; ZeroDivisionError
     where the energies themselves are not defined there."""
     from vibcli.mechanics.energies import kinetic, potential

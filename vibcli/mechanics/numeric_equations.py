@@ -65,7 +65,7 @@ class NumericEquations:
         """[Mᵢᵢ] of instants."""
         return self.compiled([self.parts.M[i, i] for i in range(self.n)])
 
-    def compiled(self, nodes: "Sequence[Node]"):
+    def compiled(self, nodes: "Sequence[Node]") -> Compiled:
         """The nodes as a function of arrays; its switches are added to those of the system."""
         if self.changed is None:
             return Compiled(self.scene, self.floats, self._slots, nodes)
@@ -77,7 +77,7 @@ class NumericEquations:
         return named.of_data(self.floats, self.changed)
 
     @property
-    def switches(self):
+    def switches(self) -> "list[Node]":
         return list(self._slots)
 
     def prepared(self, t: np.ndarray) -> tuple[np.ndarray, ...]:
@@ -148,7 +148,7 @@ class NumericEquations:
         scale = size ** -0.5
         return scale[:, None] * np.linalg.inv(M * np.outer(scale, scale)) * scale
 
-    def sizes(self, t: Any, q: Any, v: Any, g: Any = ()):
+    def sizes(self, t: Any, q: Any, v: Any, g: Any = ()) -> np.ndarray:
         """Σ |terms of hᵢ| at one instant: what the rounding of hᵢ is relative to."""
         factors, compiled = self._terms_of_h
         return factors @ np.abs(compiled.rows(np.array([t]), q[:, None], v[:, None], g)[:, 0])

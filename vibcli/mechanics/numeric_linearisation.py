@@ -45,7 +45,7 @@ class Numbers(NamedTuple):
 
 
 def in_numbers(form: Linearisation, arithmetic: Any, values: Mapping[str, Any],
-               rational: "Mapping[str, Fraction] | None" = None):
+               rational: "Mapping[str, Fraction] | None" = None) -> Numbers:
     """The Numbers of a Linearisation. `rational`: exact values of the symbols, for rows that are exactly rational."""
     _, nodes, expressions = _EXPRESSIONS.of(form)
     known = dict(zip(nodes, evaluate(nodes, arithmetic, values), strict=True))

@@ -16,11 +16,12 @@ from vibcli.symbolic.evaluation import evaluate, multiprecision
 
 if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.factored_system import FactoredSystem
 
 LOST = 1e-20    # of the terms of a force: what counts as none, at the working precision of 60 digits
 
 
-def perturbed_system(configuration: "Configuration", name: str, free: Any):
+def perturbed_system(configuration: "Configuration", name: str, free: Any) -> "FactoredSystem":
     """FactoredSystem in dual numbers at the working precision of mpmath, the slopes being d/d`name`.
 
     `free`: the shapes of the rigid-body modes. PhysicsError where the equilibrium does not persist as p changes, or

@@ -49,11 +49,11 @@ class PreciseConfiguration(Configuration):
                 for name, value in values.items()}
 
     @cached_property
-    def preloaded(self):
+    def preloaded(self) -> "PreciseConfiguration | None":
         """The same under the force that lets go at t = 0; None where none does."""
-        return self.near.preloaded and PreciseConfiguration(self.near.preloaded)
+        return None if self.near.preloaded is None else PreciseConfiguration(self.near.preloaded)
 
     @cached_property
-    def matrices(self):
+    def matrices(self) -> list[dict[tuple[int, int], mpmath.mpf]]:
         """M, C, G, K as {(i, j): number}."""
         return self.near.precise_system(mpmath.mp.dps).matrices()

@@ -13,11 +13,16 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
+    from typing import TypeVar
+
+    import numpy as np
 
     from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.system import MechanicalSystem
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
+
+    T = TypeVar("T")
 
 MOST_NAMED = 6      # forces that share a load
 
@@ -89,7 +94,7 @@ def force(configuration: "Configuration", text: str) -> float:
     known = {reaction.signal: reaction.value for reaction in configuration.reactions}
     if part in ("normal", "friction"):
         normal = evaluate(list(normal_of(configuration.scene.resting, name)), Floats, configuration.at_rest)
-        return in_contact(part, normal, [known[f"{name}.reaction.{axis}"] for axis in "xy"])
+        return float(in_contact(part, normal, [known[f"{name}.reaction.{axis}"] for axis in "xy"]))
     text = reaction_of(configuration.system, text, known)
     if known[text] is None:
         raise not_fixed(text, known)
@@ -127,7 +132,7 @@ def _tension(configuration, name):
     return values[0] if len(values) == 1 else sum(value * value for value in values) ** 0.5
 
 
-def reaction_of(system: "MechanicalSystem", text: str, known: Any):
+def reaction_of(system: "MechanicalSystem", text: str, known: Any) -> str:
     """The name of a force in a constraint or support among those `known`; at a point, that of the body pinned there."""
     name, part, *_ = signal_name(text)
     if name in (system.spec.get("points") or {}) and not part.startswith("drive"):
@@ -139,7 +144,7 @@ def reaction_of(system: "MechanicalSystem", text: str, known: Any):
     return text
 
 
-def require_fixed(text: str, value: Any):
+def require_fixed(text: str, value: "T | None") -> "T":
     """The value of a force in motion; PhysicsError where it is None."""
     if value is None:
         raise PhysicsError(f"rigid bodies alone do not fix '{text}': the scene is supported by more than it needs",
@@ -158,7 +163,7 @@ def _pinned_at(system, point):
     return found[0]
 
 
-def normal_of(scene: "Scene", name: str):
+def normal_of(scene: "Scene", name: str) -> "tuple[Node, Node]":
     """The normal of the surface on which a body rolls or slides."""
     normal = scene.bodies[name].normal
     if normal is None and scene.bodies[name].touched:
@@ -169,7 +174,7 @@ def normal_of(scene: "Scene", name: str):
     return normal
 
 
-def in_contact(part: str, normal: Any, reaction: Any):
+def in_contact(part: str, normal: Any, reaction: Any) -> "float | np.ndarray":
     """The `normal` or `friction` part of the reaction (x, y) of a surface."""
     (nx, ny), (x, y) = normal, reaction
     return x * nx + y * ny if part == "normal" else x * ny - y * nx

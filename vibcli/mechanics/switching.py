@@ -76,7 +76,7 @@ class Switching:
             _add(row, self._rates[k][0], of, a)
         return found
 
-    def sizes(self, t: float, q: np.ndarray, v: np.ndarray, g: Sequence[float] | np.ndarray):
+    def sizes(self, t: float, q: np.ndarray, v: np.ndarray, g: Sequence[float] | np.ndarray) -> np.ndarray:
         """What each argument is made of: Σ |∂g/∂x|·|x| at one instant."""
         n = len(q)
         slopes = np.array([float(np.max(value)) for value in self._slopes(np.array([t]), q[:, None], v[:, None], g)])

@@ -39,26 +39,26 @@ class SymbolicEquilibrium(NamedTuple):
     reached: list
     named: bool = False
 
-    def with_solution(self, q: Any, solution: SymbolicSolution, reached: Any):
+    def with_solution(self, q: Any, solution: SymbolicSolution, reached: Any) -> "SymbolicEquilibrium":
         """The same with one coordinate more; `reached`: those that still reach it."""
         calls = {} if solution.sine is None else {
             q.table.call("sin", q): solution.sine, q.table.call("cos", q): solution.cosine}
         return SymbolicEquilibrium({**self.values, q: solution.value}, {**self.calls, **calls}, reached)
 
-    def at(self, nodes: "Sequence[Node]"):
+    def at(self, nodes: "Sequence[Node]") -> "list[Node]":
         """The nodes with what is known put in."""
         for q in self.values:
             nodes = opened(nodes, q)
         return substitute(nodes, {**self.values, **self.calls})
 
-    def position(self, form: Linearisation):
+    def position(self, form: Linearisation) -> "dict[Node, Node]":
         """{node: expression} of what a Linearisation holds of the coordinates."""
         nodes = nodes_of(form)
         sums = {call: node for q in self.values for call, node in openings(nodes, q).items()}
         return {**dict(zip(sums, self.at(list(sums.values())), strict=True)), **self.values, **self.calls}
 
 
-def symbolic_equilibrium(symbolic: "SymbolicSystem"):
+def symbolic_equilibrium(symbolic: "SymbolicSystem") -> SymbolicEquilibrium | None:
     """The SymbolicEquilibrium of a nonlinear scene, None where it is not found."""
     scene, tried, start = symbolic.scene, _Tried(symbolic), symbolic.start
     reached = tried.first(LEAST) if scene.loops is None else []

@@ -23,9 +23,11 @@ if TYPE_CHECKING:
     from vibcli.symbolic.syntax import Product, Sum
 
     Tree = NameRef | Sum | Product
+    Part = dict[int, float | Node]
 
 
-def coefficients(symbolic: "SymbolicSystem", signal: str, driven_by: str):
+def coefficients(symbolic: "SymbolicSystem", signal: str,
+                 driven_by: str) -> "tuple[list[Part], list[dict[int, Node]], list[Part]]":
     """b, c, d as [{i: node}] of the powers of s, nodes of the opened scene; d has the one entry 0."""
     opened, place = symbolic.configuration.with_inputs, place_in_letters(symbolic)
     chosen = named_input(symbolic.configuration, driven_by)

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.inputs_outputs.symbolic_reactions import SymbolicForces
     from vibcli.mechanics.lagrange import EquationsOfMotion
+    from vibcli.mechanics.linearisation import Linearisation
+    from vibcli.mechanics.symbolic_equilibrium import SymbolicEquilibrium
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
@@ -32,10 +34,10 @@ class SymbolicSystem:
         return self.system.scene
 
     @cached_property
-    def preloaded(self):
+    def preloaded(self) -> "SymbolicSystem | None":
         """The same under the force that lets go at t = 0; None where none does."""
         held = self.configuration.preloaded
-        return held and SymbolicSystem(held, self.modal_of)
+        return None if held is None else SymbolicSystem(held, self.modal_of)
 
     @property
     def letters(self) -> list[str]:
@@ -97,7 +99,7 @@ class SymbolicSystem:
         return self.system.is_linear or self.balanced_as_drawn or self.equilibrium is not None
 
     @property
-    def linearisation(self):
+    def linearisation(self) -> "Linearisation":
         """The Linearisation about the equilibrium."""
         system = self.system
         if self.balanced_as_drawn or system.is_linear:
@@ -110,7 +112,7 @@ class SymbolicSystem:
         return at_position(system.linearisation, self.equilibrium.position(system.linearisation))
 
     @cached_property
-    def equilibrium(self):
+    def equilibrium(self) -> "SymbolicEquilibrium | None":
         """The SymbolicEquilibrium of a nonlinear scene with letters that is not the drawn position; None where none is
         found."""
         if not self.numeric.has_free_symbols or self.balanced_as_drawn or self.system.is_linear:
@@ -128,7 +130,7 @@ class SymbolicSystem:
         return equilibrium_in_letters(self)
 
     @cached_property
-    def start(self):
+    def start(self) -> "dict[Node, Node] | None":
         """{symbol: expression} of the position that `equilibrium:` names; None where it is the drawn one."""
         from vibcli.symbolic.normal_form import is_zero
 
@@ -176,7 +178,7 @@ class SymbolicSystem:
         return excitation(self.scene.vibrating, self.system.time_dependent_linearisation, self.excitation_place)
 
     @cached_property
-    def left_out(self):
+    def left_out(self) -> "dict[int, Node]":
         """{i: products that the left side of equation i of the small oscillations lacks}."""
         if not self.scene.timed:
             return {}

@@ -14,6 +14,9 @@ if TYPE_CHECKING:
     from fractions import Fraction
 
     from vibcli.language.spec import Spec
+    from vibcli.mechanics.compiled_statics import StaticsCode
+    from vibcli.mechanics.equilibrium.dry_friction import Sticking
+    from vibcli.mechanics.linearisation import Linearisation
     from vibcli.mechanics.settled_tensions import Settled
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
@@ -86,7 +89,7 @@ class MechanicalSystem:
         """What has its parts."""
         return self if self.settled is None else self.settled.configuration.system
 
-    def dimension(self, coordinate: str):
+    def dimension(self, coordinate: str) -> "Mapping[str, Fraction | int]":
         """The dimension of a coordinate; a length where nothing settles it."""
         from vibcli.base.units import LENGTH
 
@@ -120,19 +123,18 @@ class MechanicalSystem:
         return scene
 
     @cached_property
-    def scene_with_multipliers(self):
+    def scene_with_multipliers(self) -> "Scene":
         """The scene with all its coordinates, its closed loops held by multipliers; itself where it has none."""
         return self.scene if self.scene.loops is None else self.scene.with_multipliers()
 
     @cached_property
-    def with_inputs(self):
-        """(scene, Linearisation, the same without excitation, may its matrices depend on the time?) of the scene with
-        what drives it as coordinates."""
+    def with_inputs(self) -> "tuple[Scene, Linearisation, Linearisation, bool]":
+        """(scene with inputs, Linearisation, that without excitation, may its matrices depend on the time?)."""
         return (self._shared and self._shared("with_inputs")) or self._with_loads_alone() or self._with_inputs(
             self.scene.with_inputs())
 
     @cached_property
-    def released_with_inputs(self):
+    def released_with_inputs(self) -> "tuple[Scene, Linearisation, Linearisation, bool]":
         """The same where supports give way."""
         return (self._shared and self._shared("released_with_inputs")) or self._with_inputs(
             self.scene.with_released_supports().with_inputs())
@@ -163,7 +165,7 @@ class MechanicalSystem:
         return scene, joined(timed, added), joined(form, added), self.hangs_on_time
 
     @Stage
-    def linearisation(self):
+    def linearisation(self) -> "Linearisation":
         """The Linearisation of the scene, its excitation left out."""
         if self.settled is not None:
             return self._itself.linearisation
@@ -174,19 +176,18 @@ class MechanicalSystem:
         return steady(self.scene.vibrating, self.time_dependent_linearisation)
 
     @SharedPart
-    def statics(self):
+    def statics(self) -> "Linearisation":
         """The Linearisation of forces alone: what conditions of equilibrium and K are made of."""
         return self.linearisation._replace(inertias=[], dampers=[], M={}, C={}, G={}, drag={})
 
     @SharedPart
-    def statics_code(self):
-        """Its StaticsCode."""
+    def statics_code(self) -> "StaticsCode":
         from vibcli.mechanics.compiled_statics import StaticsCode
 
         return StaticsCode(self.statics)
 
     @cached_property
-    def time_dependent_linearisation(self):
+    def time_dependent_linearisation(self) -> "Linearisation":
         """The Linearisation of the scene with what drives it."""
         if self.settled is not None:
             return self._itself.time_dependent_linearisation
@@ -204,7 +205,7 @@ class MechanicalSystem:
         return excitation(scene, self.time_dependent_linearisation, scene.drawn_position)
 
     @SharedPart
-    def hangs_on_time(self):
+    def hangs_on_time(self) -> bool:
         """May M, C, G and K depend on the time?"""
         from vibcli.mechanics.linearisation import hangs_on
 
@@ -224,7 +225,7 @@ class MechanicalSystem:
             raise nothing_moves(self.spec.members)
 
     @cached_property
-    def linearisation_at_reference(self):
+    def linearisation_at_reference(self) -> "Linearisation":
         """The Linearisation in the drawn position, in letters: what vanishes there by structure is exactly zero."""
         if self.settled is not None:
             return self._itself.linearisation_at_reference
@@ -235,7 +236,7 @@ class MechanicalSystem:
         except ZeroDivisionError:
             from vibcli.mechanics.nonsmooth import without_slope
 
-            defined_as_drawn(without_slope, self.scene.vibrating)
+            return defined_as_drawn(without_slope, self.scene.vibrating)
 
     @cached_property
     def is_steep_as_drawn(self) -> bool:
@@ -257,8 +258,7 @@ class MechanicalSystem:
 
     @cached_property
     def drawn_residual(self) -> "list[list[Node]]":
-        """The terms of each condition of equilibrium as drawn: lists of expressions; the slopes of forces may be
-        infinite there."""
+        """The terms of each condition of equilibrium as drawn; the slopes of forces may be infinite there."""
         from vibcli.mechanics.linearisation import residual_terms
 
         try:
@@ -268,7 +268,7 @@ class MechanicalSystem:
                     for terms in residual_terms(self.linearisation)]
 
     @SharedPart
-    def potential(self):
+    def potential(self) -> "Node":
         """V of the whole scene less the kinetic energy at rest, as an expression."""
         from vibcli.mechanics.energies import effective_potential
 
@@ -281,7 +281,7 @@ class MechanicalSystem:
         return not scene.timed and not any(term.weight.mask for term in scene.forces)
 
     @cached_property
-    def sticking(self):
+    def sticking(self) -> "Sticking | None":
         """Where dry friction holds the scene at rest; None where nothing does, or loops are closed numerically."""
         if self.scene.loops is not None or not self.scene.table.called.intersection(SENSES):
             return None

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 
@@ -18,7 +18,7 @@ _SMALLEST = 1e-290
 
 
 
-def unit_text(unit: str) -> str:
+def unit_text(unit: str | dict[str, Any]) -> str:
     """The SI unit of a dimension; a text is one already."""
     return unit if isinstance(unit, str) else units.text(unit)
 

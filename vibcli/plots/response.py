@@ -18,7 +18,8 @@ _BEYOND = 1.25     # of the time that is known: how far the axis goes on at most
 _MOST_APART = 6    # signals of a unit that get panels of their own
 
 
-def of_response(times: "Sequence[float] | np.ndarray", series: "Sequence[tuple[str, str, list[float] | np.ndarray]]",
+def of_response(times: "Sequence[float] | np.ndarray",
+                series: "Sequence[tuple[str, str | dict[str, Any], list[float] | np.ndarray]]",
                 steady: Sequence[Any] | None = None, envelope: Sequence[Any] | None = None, title: str = "",
               until: float = 0.0) -> Figure:
     """`series`: [(label, unit or dimension, values)] at the times [s]; `steady` and `envelope`: for each of them the

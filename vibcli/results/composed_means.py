@@ -9,8 +9,9 @@ from vibcli.base.errors import PhysicsError
 from vibcli.results import feature_errors
 from vibcli.results.composed_errors import propagated
 from vibcli.results.feature_errors import SAMPLES
+from vibcli.results.signal import require_finite
 from vibcli.results.signal_features import at_rest, kept_up, lasting
-from vibcli.results.signals import ComposedSignal, LinearSignal, require_finite
+from vibcli.results.signals import ComposedSignal, LinearSignal
 from vibcli.results.steady_features import common
 from vibcli.symbolic.evaluation import Floats, evaluate
 

@@ -11,6 +11,7 @@ from vibcli.symbolic.rationals import fraction_of
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.modal_motion import ModalMotion
     from vibcli.analyses.modal.mode_sequence import Modes
+    from vibcli.symbolic.node import Node
 
 LOW = 12            # damped modes that are looked for one by one
 LONGEST = 1_000     # steps of a million products
@@ -52,7 +53,7 @@ class DampedModalResponse(ModalResponse):
         return Modes((), modal.solved(damped_modes, self.linear, lambda: self.natural), modal.solved)
 
     @property
-    def drive(self):
+    def drive(self) -> "dict[int, Node]":
         """With what `damping:` does with displacements that drive the scene."""
         found, configuration = dict(super().drive), self.configuration
         if not configuration.coupled:

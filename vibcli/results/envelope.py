@@ -30,7 +30,7 @@ class Envelope(Signal):
         return envelope(self.signal)
 
     @property
-    def source(self):
+    def source(self) -> tuple[Any, ...]:
         """That of its signal, of which it is a part."""
         return part_of(self.signal.source, "envelope")
 
@@ -46,7 +46,7 @@ class Envelope(Signal):
         return vibrations(self.signal.motion, self.signal.output) or [vibration(self.signal)]
 
     @property
-    def period(self):
+    def period(self) -> float | None:
         """After which the beats repeat themselves, None where they do not."""
         return self.found.period
 

@@ -3,7 +3,7 @@ and velocities."""
 
 from collections.abc import Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from vibcli.base.errors import PhysicsError
 from vibcli.results.full_response import FullResponse
@@ -11,6 +11,7 @@ from vibcli.symbolic.syntax import parts_of
 
 if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
+    from vibcli.results.full_signals import FullSignal
     from vibcli.results.problem import Problem
 
 
@@ -53,19 +54,19 @@ class ExpandedResponse(FullResponse):
     def _integrated(self):
         return self.expanded
 
-    def signal(self, tree: Any):
+    def signal(self, tree: Any) -> "FullSignal":
         """The signal of a tree: a function of places, velocities and accelerations, and of forces of elements."""
         if any(name in ("T", "V", "Phi") for name, *_ in parts_of(tree).names):
             raise PhysicsError("energies along a motion of the expanded equations are not told",
                                "ask for them with motion: full, or for their factors, as in V[x^2]")
         return super().signal(tree)
 
-    def forces(self, wanted: Mapping[str, str], places: Any, trajectory: Any):
+    def forces(self, wanted: Mapping[str, str], places: Any, trajectory: Any) -> NoReturn:
         raise PhysicsError("forces of supports and constraints are not those of the expanded equations",
                            "ask for them with motion: full")
 
     @property
-    def precise(self):
+    def precise(self) -> NoReturn:
         raise PhysicsError("motions of expanded equations are found in the digits of floats",
                            "leave --digits out, or ask for motion: full")
 

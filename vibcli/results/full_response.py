@@ -81,7 +81,7 @@ class StatesInTime(Response):
         """Gives the σ of arguments of a scene at the `states`; None where their signs are those of the arguments."""
         return None
 
-    def states(self, known: Any, trajectory: "Trajectory | None"):
+    def states(self, known: Any, trajectory: "Trajectory | None") -> "dict[str, float | np.ndarray]":
         """{name: array} of the time and of all coordinates with their rates, from what is `known` of them."""
         import numpy as np
 
@@ -111,10 +111,10 @@ class FullResponse(StatesInTime):
         return self.problem.configuration
 
     @property
-    def integrated(self):
+    def integrated(self) -> bool:
         return self._trajectory is not None
 
-    def trajectory(self, until: Any = None):
+    def trajectory(self, until: Any = None) -> "Trajectory":
         """The Trajectory up to an instant at least, to the end asked for if none is given."""
         until = self.until if until is None else until
         found = self._trajectory
@@ -154,7 +154,7 @@ class FullResponse(StatesInTime):
             return False
 
     @property
-    def known(self):
+    def known(self) -> float:
         """Up to when the motion is known, of that which is looked at [s]; where nobody says how long that is, of that
         which was followed."""
         try:
@@ -165,7 +165,7 @@ class FullResponse(StatesInTime):
             return self._trajectory.end
         return min(until, self.trajectory().end)
 
-    def reaching(self, t: float):
+    def reaching(self, t: float) -> "Trajectory":
         """The Trajectory up to an instant: as far as the motion is looked at, where that is known and can be found."""
         if self._trajectory is None or self._trajectory.until < t:
             try:
@@ -193,7 +193,7 @@ class FullResponse(StatesInTime):
     def _say_until(self):
         return f"say until when: find: [{{response: {{until: {self.problem.spec.example('10 s')}}}}}]"
 
-    def lasting(self):
+    def lasting(self) -> float:
         self.problem.numeric.floats  # noqa: B018 - refused where parameters have none
         try:
             damped = self.problem.modal.damped
@@ -202,7 +202,7 @@ class FullResponse(StatesInTime):
             raise PhysicsError("it is not known how long this motion is to be looked at", self._say_until()) from None
         return self._beside_loads(*modes)
 
-    def by_quadrature(self, tree: NameRef | Power | Sum):
+    def by_quadrature(self, tree: NameRef | Power | Sum) -> tuple[float, float] | None:
         """(period, relative error) of a coordinate of a conservative scene that has no other; else None."""
         if isinstance(tree, NameRef) and tree.name in self.problem.scene.coordinates and not tree.primes:
             return self._exact_period
@@ -244,7 +244,7 @@ class FullResponse(StatesInTime):
             q, v = start(self.problem, values, q)
         return q.values(), v.values()
 
-    def period(self, tree: NameRef | Power | Sum):
+    def period(self, tree: NameRef | Power | Sum) -> tuple[float, float]:
         """(period, relative error): of one conservative degree of freedom by quadrature; else the time after which a
         signal repeats itself."""
         self._require_start()
@@ -283,7 +283,7 @@ class FullResponse(StatesInTime):
 
         return of
 
-    def places(self, times: "np.ndarray", trajectory: "Trajectory"):
+    def places(self, times: "np.ndarray", trajectory: "Trajectory") -> "dict[str, float | np.ndarray]":
         """{name: array} of the time and of the coordinates that were integrated, with their rates."""
         return self.named(trajectory.names, times, *trajectory.at(times))
 
@@ -294,5 +294,5 @@ class FullResponse(StatesInTime):
             values |= {name + primes: row for name, row in zip(names, each, strict=True)}
         return values
 
-    def signal_of(self, node: "Node", forces: Mapping[Any, Any], shared: "SharedFriction | None" = None):
+    def signal_of(self, node: "Node", forces: Mapping[Any, Any], shared: "SharedFriction | None" = None) -> FullSignal:
         return FullSignal(self, node, forces, shared)

@@ -1,7 +1,7 @@
 """Signals of motions whose places, velocities and accelerations are known at any instant: integrated or prescribed."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from vibcli.base.errors import PhysicsError
 from vibcli.results.signal import Signal, require_finite
@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     import numpy as np
 
     from vibcli.analyses.time_integration.signal_error import SignalError
+    from vibcli.analyses.transient.composition import Composition
+    from vibcli.base.work import Work
     from vibcli.results.shared_friction import SharedFriction
     from vibcli.symbolic.node import Node
 
@@ -173,7 +175,7 @@ class FullSignal(Signal):
                     found += FullSignal(self.motion, argument, self.forces).zeros(start, end)
         return np.array(found)
 
-    def final(self):
+    def final(self) -> NoReturn:
         raise PhysicsError("a motion that is integrated has no known limit", "ask for its value at a late instant")
 
 
@@ -186,7 +188,7 @@ class PrescribedSignal(FullSignal):
     _sampled = ComposedSignal._sampled
     error, error_of_time = Signal.error, Signal.error_of_time
 
-    def along(self, end: float):
+    def along(self, end: float) -> "Composition":
         """The Composition of the time alone; KeyError where places follow from loops, or forces from the equations."""
         from vibcli.analyses.transient.composition import Composition
 
@@ -196,7 +198,7 @@ class PrescribedSignal(FullSignal):
         return Composition(self.node, {}, problem.numeric.floats, problem.scene.time.name, require_finite, end)
 
     @property
-    def work(self):
+    def work(self) -> "Work":
         return self.motion.problem.work
 
     def _require_fixed(self, trajectory, times, values, value):
@@ -205,5 +207,5 @@ class PrescribedSignal(FullSignal):
     def _with_senses(self, node, trajectory, times, values):
         return node
 
-    def final(self):
+    def final(self) -> NoReturn:
         raise PhysicsError("a motion that is prescribed has no known limit", "ask for its value at a late instant")

@@ -11,6 +11,7 @@ from vibcli.results.response_of_members import ResponseOfMembers
 from vibcli.results.resting_shape import less_rest
 
 if TYPE_CHECKING:
+    from vibcli.analyses.continuous.estimated_motion import EstimatedMotion
     from vibcli.analyses.continuous.modal_motion import ModalMotion
     from vibcli.analyses.modal.mode_sequence import Modes
     from vibcli.mechanics.factored_system import FactoredSystem
@@ -52,7 +53,7 @@ class ModalResponse(ResponseOfMembers):
         return found if self.part is None else self.part.elements(found)
 
     @cached_property
-    def alone(self):
+    def alone(self) -> "ModalMotion | EstimatedMotion":
         """The ModalMotion of the first modes under the excitation."""
         count = FEWEST if self.rests else self._first
         while True:
@@ -207,7 +208,7 @@ class ModalResponse(ResponseOfMembers):
                           work=self.problem.work)
 
     @property
-    def loaded(self):
+    def loaded(self) -> "tuple[dict[int, Node], int]":
         """{channel: node of the time} of coordinates, driven ends and loads along members, and how many there are."""
         driven = [*(node for _, node in self.ends_of_pieces if node is not None),
                   *(force.weight for force in self.spread_forces),
@@ -273,7 +274,7 @@ class ModalResponse(ResponseOfMembers):
                                  "take its tension out, or what turns or ends sharply along it")
         return u, speed
 
-    def moved(self, direct: Any = ()):
+    def moved(self, direct: Any = ()) -> "ModalMotion | EstimatedMotion":
         """The same motion, read with nodes of the time on further channels."""
         return self.alone.under(self.forcing(direct)) if direct else self.alone
 

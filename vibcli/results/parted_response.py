@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
     import numpy as np
 
+    from vibcli.analyses.continuous.estimated_motion import EstimatedMotion
+    from vibcli.analyses.continuous.modal_motion import ModalMotion
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
     Followed = tuple[Any, Callable[[LinearOutput], LinearOutput]]
@@ -39,7 +41,7 @@ class PartedResponse(ResponseOfMembers):
         return self.WORDS if self._waves is None else self.whole.words
 
     @property
-    def alone(self):
+    def alone(self) -> "ModalMotion | EstimatedMotion":
         """The motion of all by modes."""
         return self.whole.alone
 

@@ -102,7 +102,7 @@ class PreciseMemberCurve:
     def _matrix(self, s, d):
         """D with the inputs among its coordinates."""
         elements, D = self.elements, mp.matrix(self.n, self.n)
-        rows: list[tuple[Any, dict]] = [*elements.springs, *((s * w, row) for w, row in elements.dampers),
+        rows: list[Any] = [*elements.springs, *((s * w, row) for w, row in elements.dampers),
                                         *((s * s * w, row) for w, row in elements.inertias)]
         for weight, row in rows:
             for i, x in row.items():

@@ -21,6 +21,8 @@ from vibcli.results.responses import SmallResponse
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from vibcli.analyses.excitation.forcing import Forcing
+    from vibcli.analyses.transient.high_precision import PreciseMotion
     from vibcli.analyses.transient.textbook_form import Part
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
@@ -47,27 +49,28 @@ class PreciseResponse(SmallResponse):
         return given_start(self.problem, self.values, rest)
 
     @cached_property
-    def matrices(self):
+    def matrices(self) -> tuple[list[list[mpmath.mpf]], list[list[mpmath.mpf]], list[list[mpmath.mpf]]]:
         """M, C + G, K as lists of rows."""
         n, (M, C, G, K) = len(self.problem.scene.coordinates), self.configuration.matrices
         damping = {pair: C.get(pair, 0) + G.get(pair, 0) for pair in {*C, *G}}
-        return tuple([[part.get((i, j), 0) for j in range(n)] for i in range(n)] for part in (M, damping, K))
+        M, C, K = ([[part.get((i, j), 0) for j in range(n)] for i in range(n)] for part in (M, damping, K))
+        return M, C, K
 
     @cached_property
-    def deviations(self):
+    def deviations(self) -> tuple[list[mpmath.mpf], list[mpmath.mpf]]:
         """(q, v) at t = 0, counted from the equilibrium."""
         (places, speeds), rest = self.start, self.configuration.equilibrium.values
         names = self.problem.scene.coordinates
         return [places[name] - rest[name] for name in names], [speeds[name] for name in names]
 
-    def forcing(self, direct: Any = ()):
+    def forcing(self, direct: Any = ()) -> "Forcing":
         """The Forcing of the coordinates; `direct`: nodes of the time on further channels."""
         n = len(self.problem.scene.coordinates)
         nodes = {**self.drive, **{n + number: node for number, node in enumerate(direct)}}
         return forcing_of(nodes, self.problem.scene.time, self.values, n + len(direct), precise=True,
                           work=self.problem.work)
 
-    def moved(self, direct: Any = ()):
+    def moved(self, direct: Any = ()) -> "PreciseMotion":
         """The PreciseMotion under the excitation."""
         return precise_motion(*self.matrices, self.forcing(direct), *self.deviations)
 

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property, reduce
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import mpmath
 from mpmath import mp
@@ -81,7 +81,7 @@ class PreciseLinear:
         return PreciseLinear(TransientMotion(self.motion), self.output)
 
     @property
-    def envelope(self):
+    def envelope(self) -> NoReturn:
         raise PhysicsError("more digits of what holds an envelope are not found", "leave --digits out")
 
 

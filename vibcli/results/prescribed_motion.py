@@ -1,7 +1,7 @@
 """Motions of which nothing is free: all places are functions of the time, given outright or by closing loops."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from vibcli.base.errors import PhysicsError
 from vibcli.results.full_response import StatesInTime
@@ -32,18 +32,18 @@ class PrescribedResponse(StatesInTime):
         self._closed = self._start()
 
     @property
-    def start(self):
+    def start(self) -> tuple[dict[str, float], dict[str, float]]:
         return {}, {}
 
     @property
-    def drive(self):
+    def drive(self) -> "dict[int, Node]":
         return {}
 
-    def lasting(self):
+    def lasting(self) -> NoReturn:
         raise PhysicsError("it is not known how long this motion is to be looked at",
                            f"say until when: find: [{{response: {{until: {self.problem.spec.example('10 s')}}}}}]")
 
-    def period(self, tree: "NameRef | Power | Sum"):
+    def period(self, tree: "NameRef | Power | Sum") -> NoReturn:
         raise PhysicsError("the period of what is prescribed is that of what drives it",
                            "ask for zero[1](x), zero[2](x), argmax(x)")
 
@@ -83,19 +83,19 @@ class PrescribedResponse(StatesInTime):
                            "rounding", "leave --digits out")
 
     @property
-    def known(self):
+    def known(self) -> float:
         return self.until
 
-    def reaching(self, t: float):
+    def reaching(self, t: float) -> None:
         """It needs no solution."""
 
-    def places(self, times: "np.ndarray", trajectory: "Trajectory"):
+    def places(self, times: "np.ndarray", trajectory: "Trajectory") -> "dict[str, float | np.ndarray]":
         """{name: array} of the time and of what closes the loops."""
         import numpy as np
 
         times, problem = np.asarray(times, dtype=float), self.problem
         loops, time = problem.scene.loops, problem.scene.time.name
-        found = {**problem.numeric.floats, time: times}
+        found: dict[str, float | np.ndarray] = {**problem.numeric.floats, time: times}
         if loops is None:
             return found
         order, values = np.argsort(times, kind="stable"), np.empty((len(loops.names), len(times)))
@@ -105,7 +105,8 @@ class PrescribedResponse(StatesInTime):
         values[:, order] = reached
         return {**found, **dict(zip(loops.names, values, strict=True))}
 
-    def signal_of(self, node: "Node", forces: Mapping[Any, Any], shared: "SharedFriction | None" = None):
+    def signal_of(self, node: "Node", forces: Mapping[Any, Any],
+                  shared: "SharedFriction | None" = None) -> PrescribedSignal:
         return PrescribedSignal(self, node, forces, shared)
 
 

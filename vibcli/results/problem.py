@@ -17,18 +17,23 @@ if TYPE_CHECKING:
     from fractions import Fraction
 
     from vibcli.analyses.closed_form.closed_forms import ClosedForms
+    from vibcli.analyses.closed_form.frequency_response import Formula
+    from vibcli.analyses.closed_form.steady_state import Steady
     from vibcli.analyses.modal.modal_analysis import ModalAnalysis
     from vibcli.base.work import Work
     from vibcli.language.spec import Spec
     from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.equilibrium.all_equilibria import Equilibria
     from vibcli.mechanics.equilibrium.equilibrium import Equilibrium
+    from vibcli.mechanics.initial_state import InitialState
     from vibcli.mechanics.numeric_system import NumericSystem
     from vibcli.mechanics.symbolic_linear import Tree
     from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.results.free_motions import FreeMotions
     from vibcli.results.frequency_response import FrequencyResponse
     from vibcli.results.limit_loads import LimitLoads
     from vibcli.results.phase_plane import PhasePlane
+    from vibcli.results.response import Response
     from vibcli.results.signals import LinearSignal
     from vibcli.results.steady_response import SteadyResponse
     from vibcli.scene.scene import Scene
@@ -49,9 +54,9 @@ class Problem:
     many = False
 
     def __init__(self, spec: "Spec", given: "Mapping[str, Fraction] | None" = None, work: "Work | None" = None,
-                 modal: "ModalAnalysis | None" = None, choice: Any = None,
-                 earlier: Mapping[str, float] | None = None, end: Any = None, signed: bool = False,
-                 rough: bool = False, digits: int | None = None, symbolic: "SymbolicSystem | None" = None):
+                 modal: "ModalAnalysis | None" = None, choice: Any = None, earlier: Mapping[str, float] | None = None,
+                 end: Any = None, signed: bool = False, rough: bool = False, digits: int | None = None,
+                 symbolic: "SymbolicSystem | None" = None):
         self.spec, self.system = spec, MechanicalSystem(spec, given, work) if modal is None else modal.system
         self.work, self.costs = self.system.work, self.system.costs
         self.given: Mapping[str, Fraction] = self.system.given
@@ -171,8 +176,7 @@ class Problem:
         return [system.scene for system in systems]
 
     @cached_property
-    def initial(self):
-        """The InitialState of its motion."""
+    def initial(self) -> "InitialState":
         from vibcli.mechanics.initial_state import InitialState
 
         return InitialState(self.configuration)
@@ -203,7 +207,7 @@ class Problem:
         return [self.about(about(self.configuration, item, forces), len(item.free)) for item in self.equilibria.items]
 
     @Stage
-    def response(self):
+    def response(self) -> "Response":
         """The motion in time, as `motion:` of the file says."""
         from vibcli.results.kinds_of_motion import motion_in_time
 
@@ -230,8 +234,7 @@ class Problem:
         return found if found.drives else None
 
     @cached_property
-    def free_motions(self):
-        """Its FreeMotions."""
+    def free_motions(self) -> "FreeMotions":
         from vibcli.results.free_motions import FreeMotions
 
         return FreeMotions(self)
@@ -244,7 +247,6 @@ class Problem:
         return PhasePlane(self)
 
     def limit_loads(self, name: str) -> "LimitLoads":
-        """The LimitLoads of a parameter."""
         from vibcli.results.limit_loads import LimitLoads
 
         if name not in self._limits:
@@ -257,14 +259,15 @@ class Problem:
             raise NotInLetters("motions of members that vibrate are found in numbers",
                                "give the parameters values with --set")
 
-    def symbolic_frequency_response(self, signal: "LinearSignal", driver: str, frequency: "str | Node" = "Omega"):
+    def symbolic_frequency_response(self, signal: "LinearSignal", driver: str,
+                                    frequency: "str | Node" = "Omega") -> "Formula":
         """The Formula of a frequency response; `frequency`: its letter, or an expression for it."""
         from vibcli.analyses.closed_form.frequency_response import formula
 
         self.require_no_members()
         return formula(self.symbolic, signal, driver, frequency)
 
-    def symbolic_steady_state(self, signal: "str | Tree"):
+    def symbolic_steady_state(self, signal: "str | Tree") -> "Steady":
         """The Steady state of a signal, or of a sum of signals, in letters."""
         from vibcli.analyses.closed_form.steady_state import steady_state
 

@@ -1,8 +1,9 @@
 """What all motions in time of scenes with members share: pieces between stations, what moves their ends, the fields
 that they start with, and signals of places between stations."""
 
+from collections.abc import Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import numpy as np
 
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
     from vibcli.results.signal import Signal
     from vibcli.results.steady_response import SteadyResponse
     from vibcli.results.wave_response import WaveResponse
+    from vibcli.scene.spread_forces import SpreadForce
     from vibcli.symbolic.node import Node
 
 EARLY = "; values at instants by travelling waves as long as their fronts stay few"
@@ -53,24 +55,24 @@ class ResponseOfMembers(SmallResponse):
         return self._waves.signal(tree)
 
     @property
-    def start(self):
+    def start(self) -> tuple[dict[str, float], dict[str, float]]:
         return self.problem.initial.start
 
     @cached_property
-    def matrices(self):
+    def matrices(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """M, C + G, K without the pieces."""
         M, C, G, K = self.configuration.linear_system.with_parts(pieces=()).arrays()
-        found = M, C + G, K
-        return found if self.part is None else tuple(map(self.part.block, found))
+        M, C, K = (M, C + G, K) if self.part is None else map(self.part.block, (M, C + G, K))
+        return M, C, K
 
     @cached_property
-    def placed(self):
+    def placed(self) -> "Sequence[PlacedPiece]":
         """The PlacedPieces, their rows over coordinates and, behind them, inputs."""
         found = self.configuration.with_inputs.elements.pieces
         return found if self.part is None else [found[p] for p in self.part.pieces]
 
     @cached_property
-    def deviations(self):
+    def deviations(self) -> tuple[np.ndarray, np.ndarray]:
         q, v = super().deviations
         q = np.where(np.abs(q) > ROUNDING * self._subtracted, q, 0.0)
         return self._among(q), self._among(v)
@@ -93,7 +95,7 @@ class ResponseOfMembers(SmallResponse):
             self.problem.initial.start[0], self.problem.configuration.equilibrium.values)) for name in names])
 
     @cached_property
-    def drive(self):
+    def drive(self) -> "dict[int, Node]":
         found = super().drive
         return found if self.part is None else self.part.row(found)
 
@@ -113,7 +115,7 @@ class ResponseOfMembers(SmallResponse):
         return sum(terms[1:], terms[0]) if terms else None
 
     @cached_property
-    def ends_of_pieces(self):
+    def ends_of_pieces(self) -> "list[tuple[dict[int, float], Node | None]]":
         """[(row over coordinates, node of the time or None)] of all ends of pieces, from left to right."""
         n = self.configuration.with_inputs.n
         return [(self._own({i: float(x) for i, x in row.items() if i < n and x}), self._driven_by(row))
@@ -123,9 +125,8 @@ class ResponseOfMembers(SmallResponse):
         return row if self.part is None else self.part.row(row)
 
     @cached_property
-    def loads(self):
-        """{i: node of the time}: what drives the coordinates, less what the springs that pieces are at rest would bring
-        from driven ends."""
+    def loads(self) -> "dict[int, Node]":
+        """{i: node of the time}: what drives the coordinates, less what driven ends bring by springs of pieces."""
         table, n, found = self.problem.scene.table, self.configuration.with_inputs.n, dict(self.drive)
         for piece in self.placed:
             for weight, row in piece.springs:
@@ -136,7 +137,7 @@ class ResponseOfMembers(SmallResponse):
         return found
 
     @property
-    def spread_forces(self):
+    def spread_forces(self) -> "list[SpreadForce]":
         """The SpreadForces that vary in time."""
         members = {placed.owner for placed in self.placed}
         return [force for force in self.problem.scene.spread_forces
@@ -162,9 +163,8 @@ class ResponseOfMembers(SmallResponse):
         return [spread_drive(force, held.at_rest, Floats) for force in forces]
 
     @cached_property
-    def fields(self):
-        """What each piece starts with, counted from the equilibrium, as Forcing over its length; None of those that are
-        at rest, straight between their ends."""
+    def fields(self) -> list[Any]:
+        """What each piece starts with, counted from the equilibrium; None of those at rest, straight between ends."""
         from vibcli.mechanics.initial_fields import member_fields
 
         given = member_fields(self.problem.scene)
@@ -253,7 +253,7 @@ class ResponseOfMembers(SmallResponse):
             return self.kept_up.signal(part[0])
         return super()._one(part, source)
 
-    def lasting(self):
+    def lasting(self) -> float:
         from vibcli.analyses.transient.duration import duration, fading
 
         forces = self._forces
@@ -294,7 +294,7 @@ class ResponseOfMembers(SmallResponse):
 
         return value_at_rest(self.configuration, name)
 
-    def state_signal(self, node: "Node"):
+    def state_signal(self, node: "Node") -> NoReturn:
         """Energies of members are spread along them: they are not found."""
         raise PhysicsError("energies of scenes with members that vibrate are not found in time",
                            "ask for displacements, forces and stresses")

@@ -21,7 +21,13 @@ from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import NameRef, Power, QuantityRef, Sum
 
 if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.analyses.excitation.forcing import Forcing
+    from vibcli.analyses.modal.mode_sequence import Modes
+    from vibcli.analyses.transient.data_errors import DataErrors
     from vibcli.analyses.transient.linear_response import LinearMotion
+    from vibcli.results.precise_response import PreciseResponse
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
@@ -49,7 +55,7 @@ class SmallResponse(Response):
         return self.problem.numeric.floats
 
     @property
-    def precise(self):
+    def precise(self) -> "PreciseResponse":
         """The PreciseResponse at the working precision of mpmath."""
         from mpmath import mp
 
@@ -58,11 +64,11 @@ class SmallResponse(Response):
         return self.finer[mp.prec]
 
     @property
-    def known(self):
+    def known(self) -> float:
         return self.until
 
     @cached_property
-    def deviations(self):
+    def deviations(self) -> "tuple[np.ndarray, np.ndarray]":
         """(q, v) at t = 0, counted from the equilibrium, as arrays."""
         import numpy as np
 
@@ -72,7 +78,7 @@ class SmallResponse(Response):
         return (np.array([places[name] - rest[name] for name in names]), np.array([speeds[name] for name in names]))
 
     @cached_property
-    def data_errors(self):
+    def data_errors(self) -> "DataErrors":
         """The DataErrors of the matrices and of the start."""
         import numpy as np
 
@@ -86,11 +92,11 @@ class SmallResponse(Response):
         return of_elements(configuration.linear_system, self.matrices, (places, speeds), rest)
 
     @cached_property
-    def matrices(self):
+    def matrices(self) -> "tuple[np.ndarray, np.ndarray, np.ndarray]":
         """M, C + G, K as arrays."""
         return self.problem.configuration.linear_system.coefficients()
 
-    def forcing(self, direct: Any = ()):
+    def forcing(self, direct: Any = ()) -> "Forcing":
         """The Forcing of the coordinates; `direct`: nodes of the time on further channels."""
         from vibcli.analyses.excitation.decompose import forcing_of
         from vibcli.notation.plain import plain
@@ -100,7 +106,7 @@ class SmallResponse(Response):
         return forcing_of(nodes, self.problem.scene.time, self.problem.numeric.floats, n + len(direct), write=plain,
                           work=self.problem.work)
 
-    def moved(self, direct: Any = ()):
+    def moved(self, direct: Any = ()) -> "LinearMotion":
         """The LinearMotion under the excitation."""
         from vibcli.analyses.transient.linear_response import linear_motion
 
@@ -111,7 +117,7 @@ class SmallResponse(Response):
         return found
 
     @property
-    def start(self):
+    def start(self) -> tuple[dict[str, float], dict[str, float]]:
         """The start, and where what has no inertia stands then."""
         places, speeds = self.problem.initial.start
         if self.alone.system is None:
@@ -120,7 +126,7 @@ class SmallResponse(Response):
         return {name: rest[name] + float(x) for name, x in zip(places, self.alone.start, strict=True)}, speeds
 
     @cached_property
-    def modes(self):
+    def modes(self) -> "Modes | None":
         """The undamped modes, which the element data tell better than K; None where they are not real."""
         elements = self.problem.configuration.linear_system
         if elements.G or elements.circulatory or elements.massless:
@@ -128,7 +134,7 @@ class SmallResponse(Response):
         return self.problem.modal.modes
 
     @cached_property
-    def rigid(self):
+    def rigid(self) -> "np.ndarray | None":
         """Columns of what moves freely; None where turning frames or circulatory forces make modes complex."""
         import numpy as np
 
@@ -139,10 +145,10 @@ class SmallResponse(Response):
         return np.array(shapes).reshape(len(shapes), elements.n).T
 
     @cached_property
-    def alone(self):
+    def alone(self) -> "LinearMotion":
         return self.moved()
 
-    def lasting(self):
+    def lasting(self) -> float:
         from vibcli.analyses.transient.duration import duration, fading
 
         problem, forcing = self.problem, self.alone.forcing
@@ -151,7 +157,7 @@ class SmallResponse(Response):
         damped = problem.modal.damped and problem.modal.damped.shown()
         return duration(modes, damped, last, sorted(forcing.speeds), fading(forcing))
 
-    def signal(self, tree: NameRef | Power | Sum):
+    def signal(self, tree: NameRef | Power | Sum) -> LinearSignal | ComposedSignal:
         """The signal of a tree."""
         parts = {}
         node, source = lower(tree, self.problem.scene.table, lambda *named: self._part(parts, *named)), (self, tree)
@@ -207,7 +213,7 @@ class SmallResponse(Response):
             parts[symbol] = found
         return symbol
 
-    def state_signal(self, node: "Node"):
+    def state_signal(self, node: "Node") -> ComposedSignal:
         """The signal of an expression of coordinates, velocities and accelerations."""
         parts = {}
         return self._composed(self._at_states(parts, node), parts)

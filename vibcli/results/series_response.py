@@ -33,7 +33,7 @@ class SeriesResponse(FullResponse):
     KIND, WORDS = "series", "full equations, by series"
 
     @property
-    def known(self):
+    def known(self) -> float:
         return self.until
 
     @property
@@ -59,13 +59,14 @@ class SeriesResponse(FullResponse):
     def reaching(self, t: float) -> "SeriesTrajectory":
         return self.trajectory(max(t, ROUNDING))
 
-    def states(self, known: Any, trajectory: Any):
+    def states(self, known: Any, trajectory: Any) -> dict[str, float | np.ndarray]:
         return StatesInTime.states(self, known, trajectory)
 
     def senses(self, states: Any, trajectory: Any) -> None:
         """None: what switches has no series."""
 
-    def signal_of(self, node: "Node", forces: Mapping[Any, Any], shared: "SharedFriction | None" = None):
+    def signal_of(self, node: "Node", forces: Mapping[Any, Any],
+                  shared: "SharedFriction | None" = None) -> "SeriesSignal":
         return SeriesSignal(self, node, forces, shared)
 
 

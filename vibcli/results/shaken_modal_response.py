@@ -10,6 +10,7 @@ from vibcli.symbolic.rationals import fraction_of
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.mode_basis import ModeBasis
     from vibcli.analyses.continuous.shaken_modes import Shaking
+    from vibcli.symbolic.node import Node
 
 
 class ShakenModalResponse(ModalResponse):
@@ -83,7 +84,7 @@ class ShakenModalResponse(ModalResponse):
         return np.concatenate([basis.shapes.T, *spread], axis=1)
 
     @property
-    def loaded(self):
+    def loaded(self) -> "tuple[dict[int, Node], int]":
         """{channel: node of the time} of coordinates without what displacements of supports put on them, of loads along
         members and of these, and how many there are."""
         table, scene, nodes = self.problem.scene.table, self.problem.scene, dict(self.drive)

@@ -139,16 +139,16 @@ class Signal:
         return 0.0
 
     @property
-    def steady(self):
+    def steady(self) -> "Signal":
         raise PhysicsError(f"{self.KIND} has no steady part that is found", "ask for max(x), min(x) or values in time")
 
     @property
-    def transient(self):
+    def transient(self) -> "Signal":
         raise PhysicsError(f"{self.KIND} has no transient part that is found",
                            "ask for max(x), min(x) or values in time")
 
     @property
-    def envelope(self):
+    def envelope(self) -> "Signal":
         raise PhysicsError(f"{self.KIND} has no envelope that is found", "ask for max(x), min(x) or values in time")
 
 

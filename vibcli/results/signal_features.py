@@ -154,12 +154,12 @@ def free_period(signal: "LinearSignal") -> float:
     return tau / vibration(signal).omega
 
 
-def mean(signal: "LinearSignal"):
+def mean(signal: "LinearSignal") -> float:
     """Of what lasts of a free motion."""
     return _vibrating(signal)[0][1].real
 
 
-def rms(signal: "LinearSignal"):
+def rms(signal: "LinearSignal") -> float:
     """√(c² + Σ A²/2) of c + Σ A cos(ω t − φ), what lasts of a free motion."""
     return sum(abs(X) ** 2 / (2 if speed else 1) for speed, X in _vibrating(signal)) ** 0.5
 

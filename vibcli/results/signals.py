@@ -61,7 +61,7 @@ class LinearSignal(Signal):
         return Leaf(self.motion.pieces(end), self.output)
 
     @cached_property
-    def period(self):
+    def period(self) -> float | None:
         """After which the steady state repeats itself, None where it does not; of others, None."""
         from vibcli.results.steady_features import fundamental
 
@@ -117,7 +117,7 @@ class Closing:
     def __init__(self, loops: Any, rest: "Mapping[str, float | mpmath.mpf]", free: Any):
         self.loops, self.rest, self.free = loops, rest, free
 
-    def values(self, times: Any, known: Any):
+    def values(self, times: Any, known: Any) -> "dict[str, np.ndarray]":
         """{name: array}, `known` being the values of parameters and of the time, and of free coordinates perhaps."""
         free = {name: one.values(times) for name, one in self.free.items() if name not in known}
         found = self.loops.along(self.rest, {**known, **free})
@@ -231,14 +231,14 @@ class ComposedSignal(Signal):
             return self._sampled(start, end).zeros()
 
     @property
-    def period(self):
+    def period(self) -> float | None:
         """After which it repeats itself from t = 0 on, None where that is not known."""
         periods = [signal.period for signal in self.signals.values()]
         if self.node.mask & self.time.mask or None in periods or not periods:
             return None
         return max(periods) if max(periods) - min(periods) <= EQUAL * max(periods) else None
 
-    def final(self):
+    def final(self) -> float:
         self.require_no_time("limit")
         from vibcli.symbolic.evaluation import Floats
 
@@ -250,7 +250,7 @@ class ComposedSignal(Signal):
         return evaluate([self.node], Floats, {**self.floats, **values})[0]
 
     @cached_property
-    def steady(self):
+    def steady(self) -> "ComposedSignal":
         self.require_no_time("steady state")
         return ComposedSignal(self.node, {name: signal.steady for name, signal in self.signals.items()}, self.floats,
                               self.time, work=self.work, source=part_of(self.source, "steady"))
@@ -262,7 +262,7 @@ class ComposedSignal(Signal):
                                "ask for its values at instants, or for max and min")
 
     @cached_property
-    def transient(self):
+    def transient(self) -> "TransientOfComposed":
         """It less its steady part."""
         from vibcli.symbolic.derivatives import substitute
         from vibcli.symbolic.expression_graph import reachable

@@ -3,7 +3,7 @@ followed from its start."""
 
 from functools import cached_property
 from math import inf, tau
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from vibcli.analyses.excitation.linear_output import LinearOutput
 from vibcli.analyses.transient.steady_state import harmonic_forces, lost_forces, resonance, steady_forcing
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
     from vibcli.analyses.continuous.kept_up_motion import Harmonic, KeptUpMotion
     from vibcli.analyses.excitation.forcing import Forcing
+    from vibcli.analyses.transient.data_errors import DataErrors
     from vibcli.results.problem import Problem
 
 MOST = 10_000       # steps of a million products
@@ -37,7 +38,7 @@ class SteadyResponse(SmallResponse):
         self._harmonics: list[Harmonic] = []
 
     @property
-    def start(self):
+    def start(self) -> tuple[dict[str, float], dict[str, float]]:
         return self.problem.initial.start
 
     def of_harmonic(self, number: int) -> "SteadyResponse":
@@ -57,10 +58,10 @@ class SteadyResponse(SmallResponse):
             return False
 
     @property
-    def alone(self):
+    def alone(self) -> "NotFollowed":
         return NotFollowed(self)
 
-    def lasting(self):
+    def lasting(self) -> float:
         from vibcli.analyses.transient.duration import duration
 
         if self.only is None and self.input_forcing.period is not None:
@@ -71,10 +72,10 @@ class SteadyResponse(SmallResponse):
         return max(duration((), None, 0.0, speeds), tau / (common(speeds) or inf))
 
     @property
-    def precise(self):
+    def precise(self) -> NoReturn:
         raise PhysicsError("more digits of steady states of members are not found", "leave --digits out")
 
-    def state_signal(self, node: Any):
+    def state_signal(self, node: Any) -> NoReturn:
         """Energies of members are spread along them: they are not found."""
         raise self.reason
 
@@ -262,17 +263,17 @@ class NotFollowed:
         self._response = response
 
     @property
-    def forcing(self):
+    def forcing(self) -> "Forcing":
         """What drives it."""
         return self._response.input_forcing
 
     @property
-    def steady(self):
+    def steady(self) -> "KeptUpMotion":
         """What loads keep up."""
         return self._response.kept
 
     @property
-    def data_errors(self):
+    def data_errors(self) -> "DataErrors":
         """Those of the steady state."""
         return self.steady.data_errors
 

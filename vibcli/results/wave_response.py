@@ -11,6 +11,7 @@ if TYPE_CHECKING:
 
     import numpy as np
 
+    from vibcli.analyses.continuous.travelling_waves import WaveMotion
     from vibcli.results.modal_response import ModalResponse
     from vibcli.results.part_of_members import PartOfMembers
     from vibcli.results.problem import Problem
@@ -30,7 +31,7 @@ class WaveResponse(ResponseOfMembers):
         self._by_modes = by_modes
 
     @cached_property
-    def alone(self):
+    def alone(self) -> "WaveMotion":
         """The WaveMotion under the excitation."""
         from vibcli.analyses.continuous.travelling_waves import wave_motion
         from vibcli.analyses.continuous.travelling_waves_loads import LoadAlong
@@ -94,7 +95,7 @@ class WaveResponse(ResponseOfMembers):
         """The response by modes beside these waves."""
         return self._by_modes(self.problem, self)
 
-    def moved(self, direct: Any = ()):
+    def moved(self, direct: Any = ()) -> "WaveMotion":
         """The same motion, read with nodes of the time on further channels."""
         return self.alone.under(self.forcing(direct)) if direct else self.alone
 

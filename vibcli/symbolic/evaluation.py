@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic import discontinuous_functions
 from vibcli.symbolic.expression_graph import evaluable
-from vibcli.symbolic.floats import ELEMENTARY, Floats, sign
+from vibcli.symbolic.floats import ELEMENTARY, sign
+from vibcli.symbolic.floats import Floats as Floats
 from vibcli.symbolic.rationals import HALF, ONE, bits, exact_root
 
 if TYPE_CHECKING:

@@ -19,14 +19,14 @@ if TYPE_CHECKING:
 OMEGA = "ω"
 
 
-def of_omega(quotients: Quotients, element: Sequence[Any]):
+def of_omega(quotients: Quotients, element: Sequence[Any]) -> "Node":
     """u₀ + u₁λ of a field as a node with ω² for λ."""
     u, v = (list(element) + [quotients.field(0)] * 2)[:2]
     node = quotients.node(u + v * quotients.unknown)
     return substitute([node], {quotients.symbol: quotients.table.parameter(OMEGA) ** 2})[0]
 
 
-def ratio(table: "Table", M: Any, K: Any):
+def ratio(table: "Table", M: Any, K: Any) -> "Node":
     """q₂/q₁ of two coordinates as the shorter of what their two equations say."""
     own, across, back, other = (_entry(table, M, K, *pair) for pair in ((0, 0), (0, 1), (1, 0), (1, 1)))
     parts = [factored(-above / below) for above, below in ((own, across), (back, other)) if not below.is_zero]

@@ -13,6 +13,10 @@ from vibcli.symbolic.rational_functions import Quotients
 from vibcli.symbolic.time_limit import within
 
 if TYPE_CHECKING:
+    from sympy.polys.fields import FracElement
+
+    from vibcli.analyses.closed_form.characteristic_roots import Simple, Surd, Turning
+    from vibcli.analyses.closed_form.toeplitz_chains import Cosine
     from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
 
@@ -53,12 +57,12 @@ class Characteristic:
         parts = [(self.quotients.coefficients(factor), power) for factor, power in factors]
         return [(modulus, power) for modulus, power in parts if len(modulus) > 1]
 
-    def roots(self, modulus: Sequence[Any]):
+    def roots(self, modulus: Sequence[Any]) -> "Sequence[Simple | Surd | Turning | Cosine] | None":
         """The solutions of a factor, None where there are none that are short."""
         turns = any(map(any, self.G))
         return within(CALLS, lambda: solutions(self.quotients, modulus, self.sample, turns), None)
 
-    def null_vectors(self, modulus: Sequence[Any]):
+    def null_vectors(self, modulus: Sequence[Any]) -> "list[list[list[FracElement]]]":
         """A basis of (K − λM) x = 0 as elements of F[λ]/(modulus); none where that takes too long, or where G turns."""
         if any(map(any, self.G)):
             return []

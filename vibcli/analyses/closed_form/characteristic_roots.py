@@ -14,6 +14,7 @@ from vibcli.symbolic.rationals import HALF
 from vibcli.symbolic.surds import Pair
 
 if TYPE_CHECKING:
+    from vibcli.analyses.closed_form.toeplitz_chains import Cosine
     from vibcli.symbolic.node import Node
     from vibcli.symbolic.rational_functions import Quotients
 
@@ -66,7 +67,7 @@ class Turning:
         self.frequency = front * (self.sign * rest)
         self.square = self.frequency * self.frequency
 
-    def ratio(self, above: str, below: Any):
+    def ratio(self, above: str, below: Any) -> "Node | None":
         """Σ aᵢωⁱ/Σ bᵢωⁱ of nodes where it does not depend on ω, else None."""
         quotients = self.parts.quotients
         field = Extension(quotients.field, self.modulus)
@@ -74,11 +75,12 @@ class Turning:
         found = field.times(field.reduced(a), field.inverse(field.reduced(b)))
         return quotients.node(found[0]) if len(found) == 1 else None
 
-    def omega(self, samples: Sequence[dict[str, float]], sign: int = 1):
+    def omega(self, samples: Sequence[dict[str, float]], sign: int = 1) -> "Node":
         return positive(self.frequency, samples)
 
 
-def solutions(quotients: "Quotients", modulus: Sequence[Any], sample: Mapping[str, float], turns: bool = False):
+def solutions(quotients: "Quotients", modulus: Sequence[Any], sample: Mapping[str, float],
+              turns: bool = False) -> "Sequence[Simple | Surd | Turning | Cosine] | None":
     """The roots of a factor with these coefficients, from the lowest; None where they are not solved. `turns`: try ω
     before ω²."""
     if len(modulus) == 2:

@@ -93,7 +93,7 @@ def _combined(columns, column):
     return {i: value for i, value in found.items() if value}
 
 
-def symmetry(block: DecoupledBlock):
+def symmetry(block: DecoupledBlock) -> list[tuple[int, int]] | None:
     """[(b, ±1)] for each coordinate a: an exchange that changes no matrix, other than ±1 as a whole; None where none
     is found."""
     search = _Search(block)

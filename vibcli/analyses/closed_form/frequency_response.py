@@ -133,8 +133,8 @@ def require_few(system: "MechanicalSystem") -> None:
                            "give numbers with --set")
 
 
-def from_parts(symbolic: "SymbolicSystem", b: "Sequence[dict[int, Node]]", c: "Sequence[dict[int, Node]]",
-               d: "Sequence[dict[int, Node]]", Omega: "Node", order: int = 0) -> Formula:
+def from_parts(symbolic: "SymbolicSystem", b: "Sequence[dict[int, Any]]", c: "Sequence[dict[int, Node]]",
+               d: "Sequence[dict[int, Any]]", Omega: "Node", order: int = 0) -> Formula:
     """The Formula of H = cᵀ D⁻¹ b + d, each [{i: node}] of the powers of s = iΩ; d has the one entry 0."""
     table = Table(squares_at_sample=True)
     *_, Omega = copied([*symbolic.scene.parameters.nodes.values(), Omega], table)    # letters in the order of the scene

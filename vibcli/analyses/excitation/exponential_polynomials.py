@@ -21,11 +21,13 @@ class TooManyTerms(ArithmeticError):
     """More terms, or higher powers, than can be kept."""
 
 
-def constant(value: Fraction | int):
+def constant(value: Fraction | int) -> dict[tuple[Fraction | None, tuple[()], tuple[int, ...]],
+                                            tuple[Fraction | int, ...]]:
     return {ALWAYS: (value,)} if value else {}
 
 
-def linear(b: Fraction, a: Fraction):
+def linear(b: Fraction, a: Fraction) -> dict[tuple[Fraction | None, tuple[()], tuple[int, ...]],
+                                             tuple[Fraction | int, ...]]:
     """a·t + b."""
     return {ALWAYS: (b, a)} if a else constant(b)
 
@@ -53,7 +55,7 @@ def gate(function: Any) -> dict[tuple[Any, tuple[Any, ...], tuple[int, ...]], tu
     return {(None, (function,), STILL): (1,)}
 
 
-def since(instant: Fraction):
+def since(instant: Fraction) -> dict[tuple[Fraction | None, tuple[()], tuple[int, ...]], tuple[Fraction | int, ...]]:
     """1 from an instant on, 0 before; those before t = 0 do not count."""
     return {(instant, (), STILL): (1,)} if instant >= 0 else constant(1)
 
@@ -118,7 +120,8 @@ def _products(one, other):
 
 
 def raised(base: Mapping[tuple[Fraction | None, tuple[Any, ...], tuple[Fraction | int, ...]], tuple[Fraction, ...]],
-           power: int):
+           power: int) -> Mapping[tuple[Fraction | None, tuple[Any, ...], tuple[Fraction | int, ...]],
+                                  tuple[Fraction, ...]]:
     """A whole power of a Sum, 1 or more."""
     found = None
     while power:

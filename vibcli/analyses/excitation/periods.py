@@ -41,7 +41,8 @@ def common_period(groups: "Sequence[WaveGroup]", numbers: type[Any]) -> Fraction
                        INSTANTS)
 
 
-def shortest(pieces: "Sequence[Segment]", period: "float | mpmath.mpf", since: "float | mpmath.mpf", same: Fraction):
+def shortest(pieces: "Sequence[Segment]", period: "float | mpmath.mpf", since: "float | mpmath.mpf",
+             same: Fraction) -> "tuple[Sequence[Segment], float | mpmath.mpf]":
     """(pieces, period) of the shortest period: |sin| repeats after half a turn."""
     for part in PARTS:
         while True:

@@ -34,10 +34,10 @@ class Periodic(NamedTuple):
     end = None
 
     @property
-    def period(self):
+    def period(self) -> Fraction:
         return 1 / self.a
 
-    def count(self, low: Any, high: Any):
+    def count(self, low: Any, high: Any) -> Fraction:
         """About how many breaks there are."""
         return (high - low) * self.a * len(self.corners)
 
@@ -71,7 +71,7 @@ class Blow(NamedTuple):
 
     period = None
 
-    def count(self, low: Any, high: Any):
+    def count(self, low: Any, high: Any) -> int:
         return 1
 
     def breaks(self, low: Fraction, high: Fraction) -> list[Fraction]:

@@ -19,7 +19,7 @@ class Floating:
     number, real, complex = float, float, complex
 
     @staticmethod
-    def exact(value: float):
+    def exact(value: float) -> Fraction:
         return Fraction(value) if math.isfinite(value) else None
 
     @staticmethod

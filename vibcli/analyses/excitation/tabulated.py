@@ -64,7 +64,7 @@ class TabulatedFunction:
             row.reverse()
         return row
 
-    def count(self, low: Any, high: Any):
+    def count(self, low: Any, high: Any) -> int:
         return len(self)
 
     def breaks(self, low: Fraction, high: Fraction) -> list[Fraction]:

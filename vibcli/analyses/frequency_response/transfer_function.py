@@ -43,7 +43,7 @@ class TransferFunction(FrequencyResponseFunction):
         self._marks: dict[Any, Any] = {}
 
     @property
-    def n(self):
+    def n(self) -> int:
         return len(self.K)
 
     @property

@@ -21,6 +21,8 @@ from vibcli.symbolic.dual_numbers import Duals, dual, slope, value
 from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
 
 if TYPE_CHECKING:
+    import mpmath
+
     from vibcli.mechanics.numeric_system import NumericSystem
 
 SAME = 1e-9         # relative: compiled and in dual numbers
@@ -74,7 +76,7 @@ class ParametricEquilibrium:
                 (dr * self.scale, known[0].dr, 0.0)))
         return found if agrees else None
 
-    def slopes(self, q: np.ndarray, p: float, near: Mapping[str, float]):
+    def slopes(self, q: np.ndarray, p: float, near: Mapping[str, float]) -> tuple[Rates, dict[str, float]] | None:
         """(Rates by p without those of K, {coordinate: float}), as `rates` finds them; None where undefined."""
         if self._compiled is None:
             return self.rates(q, p, None, 1.0, near)
@@ -87,7 +89,8 @@ class ParametricEquilibrium:
         position = {**near, **{one: float(x) for one, x in zip(self.names, q * self.scale, strict=True)}}
         return (found, position) if all(np.isfinite(part).all() for part in found) else None
 
-    def rates(self, q: np.ndarray, p: float, dq: "np.ndarray | None", dp: float, near: Mapping[str, float]):
+    def rates(self, q: np.ndarray, p: float, dq: "np.ndarray | None", dp: float,
+              near: Mapping[str, float]) -> tuple[Rates, dict[str, float]] | None:
         """(Rates, {coordinate: float}) at a place, None where the forces are not defined. `near`: a position with
         closed loops near by."""
         try:
@@ -144,7 +147,9 @@ class ParametricEquilibrium:
         steps = np.linalg.solve(G, [-float(slope(x)) for x in found[:n]])
         return {z: dual(value(values[z]), float(step)) for z, step in zip(self.loops.names, steps, strict=True)}
 
-    def precisely(self, q: list, p: Any, near: Mapping[str, Any]):
+    def precisely(self, q: list, p: Any,
+                  near: Mapping[str, Any]
+                  ) -> "tuple[list[mpmath.mpf], list[list[mpmath.mpf]], dict[str, mpmath.mpf], dict[str, mpmath.mpf]]":
         """(r, K, {coordinate: number}, {symbol: number}) in mpmath at the working precision, as lists with scaled rows;
         q is not scaled."""
         arithmetic = multiprecision()

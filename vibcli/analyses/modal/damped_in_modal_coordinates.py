@@ -185,7 +185,7 @@ class Coupled:
         out[self.elastic] -= self.pull[:, None] * u >> bits
         return out
 
-    def place(self, u: "Interval"):
+    def place(self, u: "Interval") -> np.ndarray:
         """q from u = Ω q, for a motion too slow for its velocities to count."""
         q = np.zeros(len(self.c), complex)
         q[self.elastic] = u / fx.floats(self.omega, self.bits)

@@ -117,7 +117,7 @@ class FirstOrder:
         return out
 
 
-def bounds(matrix: np.ndarray, rounding: np.ndarray, values: np.ndarray, vectors: np.ndarray):
+def bounds(matrix: np.ndarray, rounding: np.ndarray, values: np.ndarray, vectors: np.ndarray) -> np.ndarray:
     """Radii from the residual seen by the left vectors, with the rounding of both."""
     try:
         left = np.linalg.inv(vectors)

@@ -21,7 +21,6 @@ from vibcli.mechanics.inner_products import along
 
 if TYPE_CHECKING:
     from vibcli.analyses.modal.modal_analysis import ModalAnalysis
-    from vibcli.language.document.nodes import Scalar
 
 ROUNDING = 1e-14        # relative, of what is evaluated in floats
 
@@ -113,7 +112,7 @@ def _unit_displacement(system, elements):
     return [int(kind == kinds[heavy[0]]) for kind in kinds]
 
 
-def matrix_of(entries: "Mapping[str, tuple[Scalar, Scalar]] | None", n: int):
+def matrix_of(entries: Mapping[tuple[int, int], Any], n: int) -> mpmath.matrix:
     """{(i, j): number} as a matrix of mpmath's."""
     found = mpmath.zeros(n)
     for pair, entry in entries.items():

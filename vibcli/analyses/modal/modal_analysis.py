@@ -1,6 +1,6 @@
 """The modes of a system about one of its equilibria, and what is derived from them."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from functools import cached_property, partial
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
@@ -19,8 +19,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.modal.damped_modes import DampedMode
     from vibcli.analyses.modal.stability import Stability
     from vibcli.analyses.modal.undamped import Mode
-    from vibcli.analyses.transient.linear_response import LinearMotion
-    from vibcli.base.work import Work
+    from vibcli.base.errors import T
     from vibcli.mechanics.configuration import Configuration
     from vibcli.scene.scene import Scene
 
@@ -204,8 +203,7 @@ class ModalAnalysis:
 
         return ModeFields(mode, self.scene.resting, *self.configuration.precise_rest(mp.dps), mp.mpf)
 
-    def solved(self, solve: Callable, *args: Any,
-               **options: "Sequence[Mode] | int | Work | Callable") -> "list[DampedMode | Mode] | LinearMotion | None":
+    def solved(self, solve: "Callable[..., T]", *args: Any, **options: Any) -> "T":
         """What solves for modes, as a task; its refusals have the names of coordinates."""
         from vibcli.analyses.modal.scaling import UnheldCoordinate
 
@@ -231,7 +229,7 @@ class ModalAnalysis:
         return self._sharpened("modes", digits, partial(natural_modes, at_limit=chosen_at_limit(self.spec))) if (
             self.modes) else self.modes
 
-    def damped_to(self, digits: int):
+    def damped_to(self, digits: int) -> Modes | None:
         """The damped modes, recomputed; None where nothing damps."""
         if self.member_damping is not None:
             return self._rated_to(digits)
@@ -268,7 +266,7 @@ class ModalAnalysis:
         return self._sequence(self.solved(solve, elements, *natural, *sources, digits=digits))
 
     @cached_property
-    def sharp_modes(self):
+    def sharp_modes(self) -> "list[Mode]":
         """The modes to the digits that shares and derivatives need."""
         from vibcli.analyses.modal.modes_precise import sharp_modes
 
@@ -280,19 +278,19 @@ class ModalAnalysis:
         return self.solved(sharp_modes, self.configuration)
 
     @cached_property
-    def sharp_damped(self):
+    def sharp_damped(self) -> "list[DampedMode]":
         """The damped modes to as many digits; asked for only where something damps."""
         from vibcli.analyses.modal.modes_precise import sharp_damped
 
         return self.solved(sharp_damped, self.configuration, lambda: self.sharp_modes)
 
-    def rayleigh_quotient(self, deflection: str, digits: int | None):
+    def rayleigh_quotient(self, deflection: str, digits: int | None) -> "mpmath.mpf":
         """Rayleigh's quotient of a scene with one member, whose deflection is a function of the place x."""
         from vibcli.analyses.continuous.assumed_bounds import quotient
 
         return self.costs.measured("rayleigh", lambda: quotient(self, deflection, digits))
 
-    def result(self, word: str):
+    def result(self, word: str) -> Any:
         """What the analysis of a word of `find` finds of these modes, as the file asks for it; found once."""
         questions = self.spec.get("find")
         asked = None if questions is None else questions.about(word)

@@ -41,7 +41,7 @@ class NearestFloats:
         return out
 
     @staticmethod
-    def array(a: np.ndarray, bits: np.ndarray):
+    def array(a: np.ndarray, bits: np.ndarray) -> np.ndarray:
         """An array of integers over 2^bits, an array of its shape."""
         top = int(bits.max())
         out = np.ldexp(fx.floats(a, top), top - bits)
@@ -84,7 +84,7 @@ class Digits:
         return mp.make_mpf(libmp.from_man_exp(int(a), -int(bits)))
 
     @classmethod
-    def array(cls, a: np.ndarray, bits: int | np.ndarray):
+    def array(cls, a: np.ndarray, bits: int | np.ndarray) -> np.ndarray:
         """An array of integers over 2^bits, a number or an array of its shape."""
         out = np.empty(a.shape, object)
         bits = np.broadcast_to(bits, a.shape)

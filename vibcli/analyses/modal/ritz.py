@@ -38,7 +38,7 @@ ELEMENT = Element(
 )
 
 
-def ritz(modal: Any, asked: Any):
+def ritz(modal: Any, asked: Any) -> RitzEstimates:
     """The RitzEstimates of a system; PhysicsError where its shapes or its matrices give no bounds."""
     import mpmath
 

@@ -21,9 +21,12 @@ from vibcli.numerics.precision import working_bits
 
 if TYPE_CHECKING:
     from fractions import Fraction
+    from typing import TypeVar
 
     from vibcli.analyses.modal.undamped_certified import EnclosedEigenvalues
     from vibcli.analyses.modal.undamped_large import Approximate
+
+    T = TypeVar("T")
 
 ENOUGH = 5e-13
 BETTERED = 500      # coordinates whose residuals are found in twice the digits
@@ -78,7 +81,7 @@ def undamped(elements: Any, precise: Callable | None = None, digits: int | None 
     return within_floats(_undamped, elements, precise, digits)
 
 
-def within_floats(solve: Callable, *data: Any):
+def within_floats(solve: "Callable[..., T]", *data: Any) -> "T":
     """What solves for modes; the refusal of those that floats cannot hold."""
     try:
         with np.errstate(all="ignore"):

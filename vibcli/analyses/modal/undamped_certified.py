@@ -40,7 +40,7 @@ class EnclosedEigenvalues:
             self.zero = np.zeros(len(self.off), bool)
             self.zero[np.argsort(self.sizes(), kind="stable")[:self.zeros]] = True
 
-    def sizes(self):
+    def sizes(self) -> np.ndarray:
         """log2 |λ̂|."""
         with np.errstate(divide="ignore"):
             return np.log2(np.abs(fx.floats(self.values, self.bits)))

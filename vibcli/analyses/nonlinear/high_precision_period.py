@@ -181,7 +181,7 @@ def _kink(energies, well, place):
     return mpmath.mpf(place)
 
 
-def time_between(energies: Any, energy: "Node", left: Any, right: Any):
+def time_between(energies: Any, energy: "Node", left: Any, right: Any) -> "mpmath.mpf":
     """∫ √(m/(2(E − V))) dq."""
     import mpmath
 

@@ -68,7 +68,7 @@ class _Run:
         return senses * np.stack((state[1], self.field.acceleration(state[0], state[1])))
 
     @np.errstate(all="ignore")      # a step to what is no number is taken back
-    def step(self):
+    def step(self) -> None:
         here = self.active
         state, senses = self.state[:, here], self.senses[here]
         first = self._rate(state, senses)
@@ -95,7 +95,7 @@ class _Run:
         self.left[here] -= 1
         self.kept.append((here, new))
 
-    def orbits(self):
+    def orbits(self) -> list[np.ndarray]:
         """The points of each, in order."""
         numbers = np.concatenate([here for here, _ in self.kept])
         order = np.argsort(numbers, kind="stable")

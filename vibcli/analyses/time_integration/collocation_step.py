@@ -42,7 +42,7 @@ class Window:
         """(q, q̇, q̈) of shapes (n, instants) at the instants tau [s] after the start."""
         return self.summed(tau, self.rule.basis(2 * tau / self.length - 1))
 
-    def summed(self, tau: Any, P: np.ndarray):
+    def summed(self, tau: Any, P: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """The same with the values of the Legendre polynomials at the instants at hand."""
         rule, H = self.rule, self.length
         a = self.series @ P[:-2]

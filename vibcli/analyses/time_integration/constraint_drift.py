@@ -19,7 +19,7 @@ class Drift(NamedTuple):
     velocity: float
 
 
-def drift(system: "NumericEquations", windows: "Sequence[Window]"):
+def drift(system: "NumericEquations", windows: "Sequence[Window]") -> Drift | None:
     """The Drift at the ends and Gauss points of all windows; None without constraints."""
     if not system.m:
         return None

@@ -21,6 +21,7 @@ from vibcli.analyses.time_integration.variation_at_events import jump
 
 if TYPE_CHECKING:
     from vibcli.analyses.time_integration.trajectory import Trajectory
+    from vibcli.analyses.time_integration.variation import Linear
 
 SPREAD = 6.0            # by which the root of the sum of squares is multiplied: of all that is said of an error
 HALF = EPSILON / 2      # of a number: what its rounding may be
@@ -66,7 +67,7 @@ class Deviations:
         return np.concatenate([found[0], speeds])
 
     @cached_property
-    def linear(self):
+    def linear(self) -> "list[Linear | None]":
         """The Linear of each window after those at rest."""
         windows = self.trajectory.windows
         return [None] * self._resting + linearised(self.varied, windows[self._resting:], self.steps)

@@ -57,7 +57,7 @@ class Sizes:
     def move(self, q: np.ndarray) -> None:
         self.moved = np.maximum(self.moved, np.abs(q - self.origin))
 
-    def scale(self, H: float, v: np.ndarray, a: np.ndarray):
+    def scale(self, H: float, v: np.ndarray, a: np.ndarray) -> np.ndarray:
         """The size of each coordinate to which its error is compared; that of a motion that begins is taken from what
         it does within a radian."""
         T = min(H, self.radian)

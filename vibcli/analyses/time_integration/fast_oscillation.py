@@ -31,12 +31,12 @@ class Fast(NamedTuple):
     a: np.ndarray
     part: float
 
-    def allowed(self, settling: Any):
+    def allowed(self, settling: Any) -> np.ndarray:
         """Which coefficients of q need not be resolved: those of the oscillation as long as it is settling."""
         return (ROUGH if settling > 0 else LEFT) * self.q[:, None]
 
 
-def fast_part(window: "Window", sizes: "Sizes", scale: np.ndarray):
+def fast_part(window: "Window", sizes: "Sizes", scale: np.ndarray) -> Fast | None:
     """The Fast of a window that follows it; None where it is not small beside the motion of size `scale`."""
     c = window.rule.c
     amplitudes = [SAFETY * _left(row, c) for row in window.states(c * window.length)]

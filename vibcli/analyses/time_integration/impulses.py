@@ -19,7 +19,7 @@ SOON = 1e-10            # of the time up to the next break
 SAME = 0.1              # of what strikes: how much of it may change from one instant to the other
 
 
-def blow(march: "March", stops: "Breaks"):
+def blow(march: "March", stops: "Breaks") -> np.ndarray | None:
     """Δq̇ by the impulses that act now; None where none strikes."""
     blows = stops.blows.get(march.t)
     if not blows:

@@ -13,6 +13,8 @@ from vibcli.mechanics.numeric_equations import NumericEquations
 from vibcli.mechanics.switching import Switching
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from vibcli.analyses.time_integration.trajectory import Trajectory
 
 STEP = 1e-7             # by which constants are changed, relative
@@ -54,7 +56,8 @@ class Varied:
             self.systems.append(system)
             self.switchings.append(Switching(system, bounds, owners))
 
-    def accelerations(self, which: int, t: Any, q: Any, v: Any, g: Sequence[Any], slides: Sequence[int]):
+    def accelerations(self, which: int, t: Any, q: Any, v: Any, g: Sequence[Any],
+                      slides: Sequence[int]) -> "np.ndarray":
         """q̈ of the equations `which` while the switches stay as they are."""
         if slides:
             return self.switchings[which].sliding(slides, t, q, v, g)[0]

@@ -140,7 +140,7 @@ class Trajectory:
         """Of the windows in which the times lie."""
         return np.maximum(np.searchsorted(self.starts, times, side="right") - 1, 0)
 
-    def held(self, times: np.ndarray):
+    def held(self, times: np.ndarray) -> dict[int, np.ndarray]:
         """{number of a switch: σ by which it is held at the times, NaN where it is not}."""
         found, number = {}, self._numbers(times)
         for i in np.unique(number):
@@ -202,7 +202,7 @@ class Trajectory:
         return Unknown(f"{reason}{joint} its motion is not known at t = {t:.6g} s",
                        self.advice or "follow it for longer")
 
-    def values(self, nodes: Sequence[complex], times: np.ndarray):
+    def values(self, nodes: Sequence[complex], times: np.ndarray) -> list[np.ndarray]:
         """Expressions of the coordinates, velocities and the time at the times: an array for each."""
         compiled = Compiled(self.system.scene, self.system.floats, None, nodes)
         times = np.atleast_1d(np.asarray(times, dtype=float))

@@ -184,7 +184,7 @@ class Derivative:
             middle = 0.5 * (part.low + part.high)
         return np.where(np.isfinite(middle), middle, 0.0)
 
-    def bound(self, segment: np.ndarray, early: np.ndarray, late: np.ndarray):
+    def bound(self, segment: np.ndarray, early: np.ndarray, late: np.ndarray) -> float | np.ndarray:
         """Of the value as if nothing cancelled, where that is bounded: roundings are in proportion to it. Of the
         curvature what the slope can change by, at most."""
         found = self.whole.jet(segment, early, late)

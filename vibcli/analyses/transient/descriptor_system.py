@@ -66,5 +66,5 @@ def _require_held(M, C, K):
                            "leave --digits out")
 
 
-def real(x: Any):
+def real(x: Any) -> "mpmath.mpf":
     return mpf(x.numerator) / x.denominator if hasattr(x, "numerator") and not isinstance(x, float) else mp.mpf(x)

@@ -14,6 +14,7 @@ from vibcli.analyses.transient.segments_held import highest
 
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.base.errors import PhysicsError
     from vibcli.base.work import Task, Work
 
 FINE = 1e-6
@@ -144,7 +145,7 @@ class ExtremeSearch:
         times = curve.times(segment[near], tau[near])
         self.tops.append((values[near], times, np.full(len(times), peak)))
 
-    def refusal(self, task: "Task"):
+    def refusal(self, task: "Task") -> "PhysicsError":
         """What is said of a search that was given up, and what is known by then."""
         more = max(0.0, *(most - self.value for most, *_ in (*self.left, *self.curves[1:])))
         known = f": so far {self.sign * self.value:.6g} at t = {self.time:.6g} s is the {self.which} (in SI units)"

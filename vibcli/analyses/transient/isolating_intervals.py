@@ -40,7 +40,7 @@ class Cells:
         """Those where the mask holds."""
         return Cells(self.segment[mask], self.early[mask], self.late[mask])
 
-    def divided(self, parts: int):
+    def divided(self, parts: int) -> "Cells":
         """Each in equal parts."""
         edges = self.early[:, None] + self.width[:, None] * (np.arange(parts + 1) / parts)
         edges[:, -1] = self.late
@@ -82,7 +82,7 @@ class BoundedOutput:
         """Cells that grow with time, the first a part of the fastest wave's period."""
         return self.whole.doubling(1 / self.fastest) if self.fastest else self.whole
 
-    def times(self, segment: int | np.ndarray, tau: Any):
+    def times(self, segment: int | np.ndarray, tau: Any) -> float | np.ndarray:
         return self.timeline.starts[segment] + tau
 
     def ends(self, cells: Cells, slope: bool = False) -> list[np.ndarray]:
@@ -102,7 +102,7 @@ class BoundedOutput:
         """Which of the cells are so short that nothing changes within them but by rounding."""
         return instants(self.timeline, cells, self.fastest)
 
-    def steps(self, cells: Cells):
+    def steps(self, cells: Cells) -> float:
         """The steps that looking at the cells takes."""
         return len(cells) * self.count / STEP
 

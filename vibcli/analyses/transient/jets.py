@@ -7,7 +7,7 @@ curvature has no bound; at a jump the slope has none either.
 import math
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NoReturn
 
 import numpy as np
 
@@ -161,11 +161,11 @@ class Jets:
         return Jet(Intervals.number(value))
 
     @staticmethod
-    def record(name: str, samples: Sequence[dict[str, float]]):
+    def record(name: str, samples: Sequence[dict[str, float]]) -> NoReturn:
         raise KeyError(name)
 
     @staticmethod
-    def called(function: "DefinedFunction"):
+    def called(function: "DefinedFunction") -> NoReturn:
         raise KeyError(function.name)
 
     functions: dict[str, Callable] = {

@@ -50,7 +50,7 @@ class SampledSearch:
             rough = fresh[1:]       # a stretch that ends at a fresh place
         self.times, self.values = times, values
 
-    def extreme(self, sense: Any):
+    def extreme(self, sense: Any) -> tuple[float, float]:
         """(instant, value) of the largest (sense 1) or smallest (−1) value, the earliest of equals."""
         values, times = sense * self.values, self.times
         near = np.flatnonzero(values >= values.max() - 2 * STRAIGHT * self.range)
@@ -67,7 +67,7 @@ class SampledSearch:
         """The samples before and after those at these places."""
         return self.times[np.maximum(near - 1, 0)], self.times[np.minimum(near + 1, len(self.times) - 1)]
 
-    def zeros(self):
+    def zeros(self) -> list[float]:
         """Instants at which the signal passes or touches zero."""
         values, times, nothing = self.values, self.times, ROUNDING * np.abs(self.values).max()
         if not nothing:

@@ -166,7 +166,7 @@ def fractions(nodes: Sequence[complex], same: float = SAME) -> dict[tuple[comple
     return found
 
 
-def expanded(node: Any, count: int, others: Any):
+def expanded(node: Any, count: int, others: Any) -> list[complex]:
     """[c] of the Σ c tᵏ e^{λt} that a node λ so many times adds beside others: a Taylor series of 1/Π(p − other)."""
     series = np.eye(1, count, dtype=complex)[0]
     for other in others:

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
     from vibcli.analyses.transient.composition import Composition
     from vibcli.analyses.transient.pieces import Pieces
+    from vibcli.base.errors import PhysicsError
     from vibcli.base.work import Task, Work
 
 CLEAR, SOONER = 64, 2.0 ** np.arange(-60, 1)
@@ -59,10 +60,10 @@ class PassageSearch:
         return _told_apart(np.concatenate(self.found), self.curve.start, self.curve.end)
 
     @property
-    def reached(self):
+    def reached(self) -> float:
         """Before which all is known."""
         cells = self.left[-1][1]
-        return self.curve.times(cells.segment[0], cells.early[0]) if len(cells) else self.curve.start
+        return float(self.curve.times(cells.segment[0], cells.early[0])) if len(cells) else self.curve.start
 
     def _look(self, level, cells):
         curve = self.curve
@@ -85,7 +86,7 @@ class PassageSearch:
         else:
             self.left += [(level + 1, some) for _, some in reversed(curve.batches(cells))]
 
-    def refusal(self, task: "Task"):
+    def refusal(self, task: "Task") -> "PhysicsError":
         """What is said of a search that was given up, and what is known by then."""
         passed = (self._times() < self.reached).sum()
         return refused(task, f": before t = {self.reached:.6g} s it passes {passed} times")

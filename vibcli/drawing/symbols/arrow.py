@@ -3,7 +3,9 @@
 from math import cos, pi, sin
 from typing import Any
 
-from vibcli.drawing.canvas.primitives import ARROW, Polygon, Polyline
+from vibcli.drawing.canvas.primitives import ARROW as ARROW
+from vibcli.drawing.canvas.primitives import Polygon
+from vibcli.drawing.canvas.primitives import Polyline as Polyline
 from vibcli.drawing.layout import plane
 
 HEAD, WING = 6.5, 2.3

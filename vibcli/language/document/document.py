@@ -21,7 +21,7 @@ MAX_REREAD = 50_000  # characters read again, in all, to go on after slips in fl
 MAX_SLIPS = 20
 
 
-class SlowParser(yaml.reader.Reader, yaml.scanner.Scanner, yaml.parser.Parser):
+class SlowParser(yaml.reader.Reader, yaml.scanner.Scanner, yaml.parser.Parser):  # type: ignore[misc]
     """The same events from pure Python, some twenty times slower."""
 
     def __init__(self, text: str):

@@ -22,6 +22,7 @@ from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.interval_arithmetic import Interval, Intervals, exact, inverse, outward
 
 if TYPE_CHECKING:
+
     from vibcli.mechanics.equilibrium.distinct_roots import Found
     from vibcli.mechanics.equilibrium.scaled_forces import Forces
     from vibcli.symbolic.node import Node
@@ -132,13 +133,13 @@ class ForceBounds:
         if not np.isfinite(at).all() or abs(np.linalg.det(at)) < 1e-300:
             return None
         Y = np.linalg.inv(at)
-        off = np.array([summed(exact(Y[i, k]) * F[k] for k in range(n)).size[0] for i in range(n)]).max()
+        off = np.array([summed(exact(Y[i, k]) * F[k] for k in range(n)).size for i in range(n)])[:, 0].max()
         _, J = self.over(z - radius, z + radius)
-        bend = []
+        sizes: list[Any] = []
         for i in range(n):
             row = [exact(float(i == j)) - summed(exact(Y[i, k]) * J[k][j] for k in range(n)) for j in range(n)]
-            bend.append(sum(entry.size for entry in row))
-        bend = np.max(bend, axis=0) * (1 + 1e-12)
+            sizes.append(sum(entry.size for entry in row))
+        bend = np.max(sizes, axis=0) * (1 + 1e-12)
         single = np.flatnonzero(bend < 1)
         holding = np.flatnonzero(off * (1 + 1e-12) + bend * RADII < RADII * (1 - 1e-12))
         if not len(single) or not len(holding) or holding[-1] < single[0]:
@@ -219,7 +220,7 @@ def chunks(low: np.ndarray, high: np.ndarray) -> list[tuple[np.ndarray, np.ndarr
     return [(low[i:i + TOGETHER], high[i:i + TOGETHER]) for i in range(0, len(low), TOGETHER)]
 
 
-def summed(parts: Any):
+def summed(parts: Any) -> Interval:
     total, *others = parts
     for part in others:
         total = total + part

@@ -55,14 +55,14 @@ class Branch:
         self.scale = np.array(list(map(numeric.size_along, self.names)))
         self.size, self._floats = None, {}
 
-    def floats(self, value: Any):
+    def floats(self, value: Any) -> dict[str, float]:
         """The parameters where the one that goes has this value, at t = 0."""
         if value not in self._floats:
             numeric = self.numeric.sharing({self.name: Fraction(value)})
             self._floats[value] = {**numeric.floats, numeric.scene.time.name: 0.0}
         return self._floats[value]
 
-    def start(self, value: Any, position: Any):
+    def start(self, value: Any, position: Any) -> BranchPoint | None:
         """The Place of an equilibrium that was found, polished; None where it is none."""
         q = self.np.array([position[name] for name in self.names]) / self.scale
         found = self.forces(value, q, position, value)
@@ -73,7 +73,8 @@ class Branch:
         self.size = max(float(abs(part[1]).max()) for part in (found, known) if part is not None) or 1.0
         return self.corrected(value, BranchPoint(value, q, position, found[1]), q, 1e-3)
 
-    def forces(self, value: float, q: "np.ndarray", near: Any, of: Any):
+    def forces(self, value: float, q: "np.ndarray", near: Any,
+               of: Any) -> "tuple[np.ndarray, np.ndarray, dict[str, float]] | None":
         """(r, K, position) in scaled coordinates; None where they are not defined. `near`: a position closed for the
         value `of`."""
         self.numeric.work.step()
@@ -92,7 +93,7 @@ class Branch:
         K = numbers.elements.stiffness_array() * self.np.outer(self.scale, self.scale)
         return (r, K, target) if self.np.isfinite(r).all() and self.np.isfinite(K).all() else None
 
-    def corrected(self, value: Any, place: Any, q: "np.ndarray", reach: float | Fraction):
+    def corrected(self, value: Any, place: Any, q: "np.ndarray", reach: float | Fraction) -> BranchPoint | None:
         """The Place at a value by Newton's method from q, if it contracts and ends within `reach` of q; else None."""
         np, last, start = self.np, None, q
         near, of = place.position, place.value
@@ -120,7 +121,7 @@ class Branch:
     def _tiny(self, q):
         return CONVERGED * (1.0 + float(self.np.linalg.norm(q)))
 
-    def tangent(self, place: Any):
+    def tangent(self, place: Any) -> "np.ndarray | None":
         """dq/dp at a place; None where the branch has none."""
         slope = self.load(place)
         try:
@@ -128,13 +129,13 @@ class Branch:
         except self.np.linalg.LinAlgError:
             return None
 
-    def load(self, place: Any):
+    def load(self, place: Any) -> "np.ndarray | None":
         """∂r/∂p at a place."""
         h = DIFFERENCE * (abs(place.value) or 1.0)
         sides = [self.forces(place.value + sign * h, place.q, place.position, place.value) for sign in (1, -1)]
         return None if None in sides else (sides[0][0] - sides[1][0]) / (2 * h)
 
-    def followed(self, place: Any, target: Any):
+    def followed(self, place: Any, target: Any) -> Followed:
         """The Followed from a place towards a value."""
         whole = target - place.value
         step, way = whole, [place]
@@ -165,7 +166,7 @@ class Branch:
                 for position in (one, other))
         return all(abs(x - y) <= APPROACH * (1 + abs(x)) for x, y in zip(a, b, strict=True))
 
-    def fold(self, place: Any):
+    def fold(self, place: Any) -> BranchPoint | None:
         """The Place of a simple fold near by that Newton's method reaches from a place; None of none."""
         np = self.np
         along = np.linalg.svd(place.K)[2][-1]

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.equilibrium.all_equilibria import Item
     from vibcli.mechanics.equilibrium.scaled_forces import Forces
+    from vibcli.mechanics.factored_system import FactoredSystem
     from vibcli.mechanics.numeric_system import NumericSystem
 
 BLUR, ALONG = 1e-6, 1e-9           # at a multiple zero; on a line of equilibria
@@ -95,7 +96,7 @@ def _to_more_digits(numeric, found):
                          "are about it", "follow the motion with motion: full") from None
 
 
-def at_limit(configuration: Any, position: Any, felt: Any):
+def at_limit(configuration: Any, position: Any, felt: Any) -> "Configuration":
     """The Configuration in an equilibrium ({coordinate: float}) whose K is singular but for rounding; felt: what counts
     as stiff along each coordinate."""
     numeric = configuration.numeric
@@ -114,7 +115,7 @@ def _blurred(configuration, forces, blur):
     return configuration.about(found, blurred(configuration.numeric, found, forces, blur), final=True)
 
 
-def blurred(numeric: "NumericSystem", found: Equilibrium, forces: "Forces", blur: float):
+def blurred(numeric: "NumericSystem", found: Equilibrium, forces: "Forces", blur: float) -> "FactoredSystem":
     """The linear system in floats about an Equilibrium whose K is known to a part `blur` of what is typical."""
     exact = in_numbers(numeric.system.linearisation, Floats, {**numeric.floats, **found.values}).elements
     felt = dict(zip(forces.rows, forces.D, strict=True))

@@ -21,7 +21,7 @@ class Found:
         self.forces, self.box, self.isolated, self.families, self.met = forces, box, [], [], 0
 
     @property
-    def count(self):
+    def count(self) -> int:
         return len(self.isolated) + len(self.families)
 
     @property

@@ -51,7 +51,7 @@ class Sticking(NamedTuple):
     bounds: dict
 
 
-def sticking(system: "MechanicalSystem"):
+def sticking(system: "MechanicalSystem") -> Sticking | None:
     """The Sticking of a scene without loops that are closed numerically; None where no friction holds it."""
     scene = system.scene
     equations = [equation_of(scene, i) for i in range(len(scene.q))]
@@ -99,7 +99,7 @@ def _row(scene, name, b, held, parts, bounds):
     return HeldCondition(name, b, held, within)
 
 
-def holds(numeric: Any, found: Any, place: Any):
+def holds(numeric: Any, found: Any, place: Any) -> bool:
     """Does friction hold the scene at rest at a place {coordinate: value}: is b + A σ = 0 with |σ| ≤ σ₀? The sum of
     squares is descended along one σ after the other."""
     import numpy as np

@@ -205,7 +205,7 @@ class EnergyDescent:
             radius = 0.25 * min(radius, float(np.linalg.norm(p)))
         return q, numbers, radius, False
 
-    def drift(self, q: "np.ndarray", numbers: Numbers, dt: float):
+    def drift(self, q: "np.ndarray", numbers: Numbers, dt: float) -> "tuple[np.ndarray, Numbers, float, bool]":
         """One implicit Euler step of q̇ = −r in scaled coordinates, twice as long as the last where the force fades as
         it should, shorter where K pushes away (else it would turn back) or the force grows by much."""
         np = self.np

@@ -83,7 +83,7 @@ def _origin(search):
     return "place that `equilibrium:` names" if search.numeric.spec.get("equilibrium") else "drawn position"
 
 
-def unfinished(search: "EnergyDescent", q: "np.ndarray", steps: float):
+def unfinished(search: "EnergyDescent", q: "np.ndarray", steps: float) -> PhysicsError:
     """Steps are out, though nothing has run off."""
     place = ", ".join(f"{name} = {value:.6g}" for name, value in search.named_plainly(q).items())
     if search.blocked or search.np.any(search.np.abs(q) > FAR * search.scale):

@@ -94,7 +94,7 @@ class Forces:
         """z of {coordinate: number}."""
         return np.array([values[name] for name in self.names], dtype=float) / self.D
 
-    def position(self, z: Sequence[float] | np.ndarray):
+    def position(self, z: Sequence[float] | np.ndarray) -> dict[str, float]:
         """{coordinate: float} of z, loops closed on the way there from the nearest position known to be closed."""
         moved = {name: float(x * d) + 0.0 for name, x, d in zip(self.names, z, self.scale, strict=True)}
         drawn = self.numeric.drawn_floats

@@ -20,7 +20,11 @@ from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
+    import mpmath
+
     from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.factored_system import FactoredSystem
+    from vibcli.mechanics.numeric_linearisation import Numbers
     from vibcli.symbolic.node import Node
 
 
@@ -37,42 +41,42 @@ class SystemWithInputs:
         self.n = len(self.scene.q) - len(self.scene.inputs)
 
     @cached_property
-    def values(self):
+    def values(self) -> "dict[str, float | mpmath.mpf]":
         """{name: float} of every symbol in equilibrium."""
         known = self.configuration
         return {**self.at_zero, **known.dependent_values, **known.at_rest}
 
     @property
-    def at_zero(self):
+    def at_zero(self) -> dict[str, float]:
         """{name: 0} of every coordinate, input, velocity and acceleration."""
         return {node.name: 0.0 for nodes in (self.scene.q, self.scene.v, self.scene.a) for node in nodes}
 
     @cached_property
-    def sample(self):
+    def sample(self) -> "dict[str, float | mpmath.mpf]":
         """The same as drawn where the scene has letters, with sample values for them."""
         symbolic = self.configuration.numeric.has_free_symbols
         return {**self.at_zero, **self.scene.drawn_values} if symbolic else self.values
 
     @property
-    def place(self):
+    def place(self) -> "dict[Node, Node]":
         """{coordinate: its number in equilibrium as a node}, rates and inputs zero."""
         values, scene = self.values, self.scene
         symbols = [*scene.drawn, *scene.v, *scene.a]
         return {symbol: scene.table.number(fraction_of(values[symbol.name])) for symbol in symbols}
 
     @cached_property
-    def numbers(self):
+    def numbers(self) -> "Numbers":
         """The Numbers of the Linearisation in equilibrium."""
         return in_numbers(self.form, self.arithmetic, self.values)
 
     @cached_property
-    def elements(self):
+    def elements(self) -> "FactoredSystem":
         """The element data of these, with `damping:` that stands beside what couples the modes of members."""
         carried = [j for j, opening in enumerate(self.scene.inputs.values(), self.n) if opening.node is not None]
         return self.configuration.damped_as_a_whole(self.numbers.elements, [*range(self.n), *carried])
 
     @cached_property
-    def turning(self):
+    def turning(self) -> set[int]:
         """The numbers of the coordinates and inputs whose columns are others at other instants."""
         if not self.scene.timed or not self.varies:
             return set()
@@ -90,7 +94,7 @@ class SystemWithInputs:
                 and not abs(one.get(pair, 0.0) - two.get(pair, 0.0)) <= SAME * max(
                     abs(two.get(pair, 0.0)), size.get(pair, 0.0), 1e-6 * largest)}
 
-    def require_steady(self, weights: "Mapping[int, float | Node]"):
+    def require_steady(self, weights: "Mapping[int, complex | Node]") -> None:
         """PhysicsError where what these inputs {number: weight} do depends on the time."""
         if self.turning & {*range(self.n), *(j for j, weight in weights.items() if weight)}:
             raise self._turns()
@@ -100,7 +104,7 @@ class SystemWithInputs:
                             "ask for a response to a coordinate, as in frf[…, "
                             f"{self.configuration.scene.coordinates[0]}]")
 
-    def carried(self, weights: Any):
+    def carried(self, weights: Any) -> dict[int, float]:
         """{i: number} of b₀ of loads that turn with what is driven, `weights` {number of an input: node of the time}:
         the product of the two is what must not depend on it."""
         self.require_steady({})
@@ -115,7 +119,7 @@ class SystemWithInputs:
         return {i: x for (i, _), x in found[0].items() if x}
 
     @cached_property
-    def columns(self):
+    def columns(self) -> dict[int, list[dict[int, float]]]:
         """{number of an input: [{i: number}] of b₀, b₁, b₂}, the residual moved to the right side."""
         M, C, G, K = self.elements.matrices()
         found = {j: [{}, {}, {}] for j in range(self.n, len(self.scene.q))}
@@ -131,7 +135,7 @@ class SystemWithInputs:
         return found
 
     @cached_property
-    def damping(self):
+    def damping(self) -> dict[tuple[int, int], float]:
         """C_u of what `damping:` does with displacements that drive the scene, {(i, j): number}."""
         from vibcli.mechanics.given_damping import columns_of
 
@@ -139,7 +143,7 @@ class SystemWithInputs:
         driven = [j for j, opening in enumerate(self.scene.inputs.values(), self.n) if opening.node is not None]
         return columns_of(self.configuration, M, K, self.n, driven)
 
-    def rows(self, nodes: Any):
+    def rows(self, nodes: Any) -> list[LinearFunction]:
         """The LinearFunction of each node."""
         scene, kinds = self.scene, (self.scene.q, self.scene.v, self.scene.a)
         slopes = [[{i: slopes[x] for i, x in enumerate(kind) if x in slopes} for kind in kinds]

@@ -11,6 +11,7 @@ from vibcli.scene.energy_terms import Spring
 from vibcli.symbolic.parser import parse
 
 if TYPE_CHECKING:
+    from vibcli.elements.place_signals import PlaceSignal
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
@@ -48,7 +49,7 @@ def _of_point(scene, name, part):
     return member.line.displaced(station.along, station.u)["xy".index(part)]
 
 
-def signal_of_place(scene: "Scene", signal: SignalName):
+def signal_of_place(scene: "Scene", signal: SignalName) -> "PlaceSignal":
     """The PlaceSignal of a name; PhysicsError where its place is not on the member."""
     member = scene.members[signal.name]
     if not signal.place:

@@ -53,7 +53,7 @@ def drives_supports(configuration: "Configuration", given: Any) -> bool:
     return any(share and j in driven for j, share in given.weights.items())
 
 
-def input_columns(configuration: "Configuration", chosen: Input):
+def input_columns(configuration: "Configuration", chosen: Input) -> list[dict[int, Any]]:
     """b as [{i: number}] of the powers s⁰, s¹, s² of an Input; PhysicsError where it depends on the time."""
     if chosen.carried:
         return [configuration.with_inputs.carried(chosen.carried), {}, {}]

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.numeric_system import NumericSystem
     from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 OPEN = 1e-9
 ROUNDINGS = 4           # of a term, preloads that statics gives among them
@@ -58,7 +59,7 @@ class Released:
         self.units = self.scene.units_of([q.name for q in self.real])
 
 
-def constraint_slopes(scene: "Scene"):
+def constraint_slopes(scene: "Scene") -> "list[Node]":
     """[∂G_k/∂q] of one constraint after the other, over all coordinates."""
     return [gradient(constraint.node).get(q, scene.table.zero) for constraint in scene.constraints for q in scene.q]
 

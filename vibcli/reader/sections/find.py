@@ -2,7 +2,9 @@
 
 from typing import TYPE_CHECKING, Any
 
-from vibcli.analyses import ANALYSES, FIND, OF_MODES
+from vibcli.analyses import ANALYSES
+from vibcli.analyses import FIND as FIND
+from vibcli.analyses import OF_MODES as OF_MODES
 from vibcli.language.document.document import Mapping, Scalar, Sequence
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Choice, Many, OneOf, Quantity

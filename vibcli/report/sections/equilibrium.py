@@ -12,6 +12,8 @@ from vibcli.report.keys import Key
 from vibcli.symbolic.rationals import ONE
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
 
@@ -140,7 +142,7 @@ def _in_letters(problem):
             paragraph("the nearest to the start at sample values of the letters", hang=None) if searched else None]
 
 
-def measured(value: float, dimension: Mapping[str, int]) -> tuple[str, Words]:
+def measured(value: float, dimension: "Mapping[str, Fraction | int]") -> tuple[str, Words]:
     """Parts of a number with its unit."""
     number, unit = quantity(value, dimension)
     return number, Words(unit)

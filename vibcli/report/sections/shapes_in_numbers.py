@@ -11,7 +11,7 @@ from vibcli.notation.numbers import figure
 from vibcli.report.blocks import Line, Words, line
 
 if TYPE_CHECKING:
-    from vibcli.analyses.continuous.mode_fields import Moved
+    from vibcli.analyses.continuous.shapes import Moved
     from vibcli.analyses.modal.undamped import Mode
     from vibcli.results.problem import Problem
 
