@@ -163,7 +163,7 @@ def derivatives(piece: Piece, z: Any, s: Any, number: int | None, load: Sequence
     a = [mpmath.mpf(0)] * order
     if number is not None:
         a[number] = L**number
-    k, small = 0, 0
+    k, small, largest = 0, 0, max(map(abs, a))
     while small <= 2 * order or k < len(load):
         right = L**2 * load[k] if k < len(load) else mpmath.mpf(0)
         if order == 4:      # B/L² (k+4)(k+3)(k+2)(k+1) aₖ₊₄ = N (k+2)(k+1) aₖ₊₂ + n (k+1)² aₖ₊₁ − κ aₖ + L² pₖ
@@ -172,7 +172,7 @@ def derivatives(piece: Piece, z: Any, s: Any, number: int | None, load: Sequence
         else:               # N (k+2)(k+1) aₖ₊₂ = κ aₖ − n (k+1)² aₖ₊₁ − L² pₖ
             a.append((kappa * a[k] - n * (k + 1) ** 2 * a[k + 1] - right) / (N * (k + 2) * (k + 1)))
         k += 1
-        largest = max(map(abs, a))
+        largest = max(largest, abs(a[-1]))
         small = small + 1 if abs(a[-1]) * k**3 <= mpmath.eps * largest else 0
     return [sum(_falling(j, i) * x for j, x in enumerate(a)) / L**i for i in range(4)]
 
