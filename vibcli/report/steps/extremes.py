@@ -59,7 +59,7 @@ def tell_extremes(degree: Degree, swing: Swing) -> None:
     lines: dict = {}
     for turn in sorted((turn for _, turn, _ in found), key=lambda turn: turn.number):
         if turn.instant is not None and (swing.B is None or turn.letter is not None) and turn.number not in lines:
-            lines[turn.number] = _tell_turn(degree, swing, turn, of[0][1])
+            lines[turn.number] = _tell_turn(degree, swing, turn, of[0][1], bool(lines))
     before = degree.sheet.last
     for one, turn, node in found:
         _tell(degree, one, node, lines.get(turn.number, swing.line), joined=degree.sheet.last > before)
@@ -81,8 +81,8 @@ def _asked(degree):
         one.tree.args[0], NameRef) and (one.tree.args[0].name, one.tree.args[0].primes) == (degree.name, 0)]
 
 
-def _tell_turn(degree, swing, turn, known):
-    """The line of where it turns back first."""
+def _tell_turn(degree, swing, turn, known, joined):
+    """The line of where it turns back."""
     table, t, rate = degree.about.table, degree.problem.scene.time, _rate(degree)
     if swing.B is None:
         wave = table.call("sin", rate * (t - swing.begins)) * _decay(degree, t - swing.begins)
@@ -95,7 +95,7 @@ def _tell_turn(degree, swing, turn, known):
                               " = ", _tangent(degree, swing), *(() if value is None else (
                                   Words(":  "), turn.letter, *number(value, "s"))), settles=turn.letter.name,
                               value=value, unit="" if value is None else "s", letter=turn.letter.name,
-                              uses=[swing.line])
+                              uses=[swing.line], joined=joined)
 
 
 def _tell(degree, asked, node, line, joined):

@@ -333,8 +333,8 @@ def test_sums_of_signals_have_the_amplitude_of_the_motion(scene, signal):
 def test_a_signal_that_is_not_found_leaves_the_others():
     lines = printed(problem(ABSORBER + "    find: [{response: {of: [x1, x1*x2, x1 + x2]}}]\n"))
     at = lines.index("Not found in letters")
-    assert lines[at + 1] == "x1*x2: of signals sums alone are found in letters, each with a factor that is fixed"
-    assert "x₁ + x₂ = X₂·sin(Ω·t)" in lines and lines.index("Steady state of x1 + x2") < at
+    assert lines[at + 1] == "x₁·x₂: of signals sums alone are found in letters, each with a factor that is fixed"
+    assert "x₁ + x₂ = X₂·sin(Ω·t)" in lines and lines.index("Steady state of x₁ + x₂") < at
     found = Report(problem(ABSORBER + "    find: [{response: {of: [x1*x2]}}]\n"))
     found.add("response")
     assert isinstance(found.refusal, NotInLetters)
