@@ -9,6 +9,7 @@ from vibcli.symbolic.expression_graph import reachable
 
 if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.linearisation import Linearisation
     from vibcli.mechanics.system import MechanicalSystem
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
@@ -62,11 +63,18 @@ def jumps(configuration: "Configuration", node: "Node") -> bool:
     return abs(left - right) > SAME * max(abs(left), abs(right))
 
 
-def without_slope(scene: "Scene") -> NoReturn:
-    """Refuse small oscillations where the slope of a force is infinite as drawn, as of ∛d at d = 0; ZeroDivisionError
-    where the energies themselves are not defined there."""
+def without_slope(form: "Linearisation", scene: "Scene") -> NoReturn:
+    """Refuse small oscillations where the slope of a force is infinite as drawn, as of ∛d at d = 0, or that of a
+    displacement divides by zero, as of √(u²) at u = 0; ZeroDivisionError where the energies themselves are not defined
+    there."""
     from vibcli.mechanics.energies import kinetic, potential
+    from vibcli.mechanics.linearisation import residual_terms
 
     V = potential(scene)
     substitute([kinetic(scene), V, *gradient(V).values()], scene.drawn_position)
+    try:
+        substitute([term for terms in residual_terms(form) for term in terms], scene.drawn_position)
+    except ZeroDivisionError:
+        raise Kinked("a force, or the slope of a displacement, divides by zero as drawn: there are no small "
+                     "oscillations about that", HINT) from None
     raise Kinked("the slope of a force is infinite as drawn: there are no small oscillations about that", HINT)

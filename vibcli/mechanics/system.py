@@ -236,7 +236,7 @@ class MechanicalSystem:
         except ZeroDivisionError:
             from vibcli.mechanics.nonsmooth import without_slope
 
-            return defined_as_drawn(without_slope, self.scene.vibrating)
+            return defined_as_drawn(without_slope, self.linearisation, self.scene.vibrating)
 
     @cached_property
     def is_steep_as_drawn(self) -> bool:
@@ -263,9 +263,12 @@ class MechanicalSystem:
 
         try:
             return residual_terms(self.linearisation_at_reference)
-        except Kinked:
-            return [substitute(terms, self.scene.vibrating.drawn_position)
-                    for terms in residual_terms(self.linearisation)]
+        except Kinked as kink:
+            try:
+                return [substitute(terms, self.scene.vibrating.drawn_position)
+                        for terms in residual_terms(self.linearisation)]
+            except ZeroDivisionError:
+                raise kink from None
 
     @SharedPart
     def potential(self) -> "Node":

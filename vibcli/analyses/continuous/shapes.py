@@ -155,7 +155,7 @@ def _lengths(piece, q):
     if piece.order == 2:
         return np.sqrt(q / mean_tension(piece)) * piece.length / np.pi, 0.0
     N = min(piece.tension, piece.tension + piece.gradient * piece.length)
-    larger = (abs(N) + np.sqrt(N * N + 4 * piece.bending * q)) / (2 * piece.bending)
+    larger = (abs(N) + np.hypot(N, 2 * np.sqrt(piece.bending) * np.sqrt(q))) / (2 * piece.bending)
     smaller = q / (piece.bending * larger) if larger else 0.0
     beta, gamma = np.sqrt([smaller, larger] if N > 0 else [larger, smaller])
     return beta * piece.length / np.pi, 1 / (gamma * piece.length) if N > 0 else 0.0

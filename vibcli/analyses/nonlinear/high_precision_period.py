@@ -90,7 +90,7 @@ def precise_period(energies: Energies, well: "Well", start: "tuple[Any, Any]",
 def period_at_amplitude(energies: Energies, well: "Well", signal: "Node", amplitude: float,
                         ends: "tuple[TurningPoint, TurningPoint]") -> tuple[float, float] | None:
     """The same of the motion in which a signal has an amplitude, its turning points being known about; the error is
-    that of a float for the amplitude, too."""
+    that of a float for the amplitude, too. None also where turning points stand for one place in these digits."""
     import mpmath
 
     with mpmath.workdps(DIGITS):
@@ -101,7 +101,7 @@ def period_at_amplitude(energies: Energies, well: "Well", signal: "Node", amplit
         if None in rights:
             rights = [right, right - ends[1].error]
         period, other = (_period(energies, well, q, mpmath.mpf(0), ends) for q in rights)
-        return float(period), ROUNDING + float(abs(other / period - 1))
+        return (float(period), ROUNDING + float(abs(other / period - 1))) if period else None
 
 
 def _right_end(energies, well, signal, wanted, ends):
