@@ -55,8 +55,23 @@ def by_elements(elements: "FactoredSystem", count: int, divisions: int) -> list[
     """The lowest eigenvalues in floats, each piece being so many finite elements."""
     import scipy.linalg
 
-    K, M = finite_elements(elements.each(float), divisions)
-    return np.sort(scipy.linalg.eigh(K, M, eigvals_only=True, subset_by_index=[0, min(count, len(K)) - 1])).tolist()
+    try:
+        K, M = with_inertia(*finite_elements(elements.each(float), divisions))
+        found = scipy.linalg.eigh(K, M, eigvals_only=True, subset_by_index=[0, min(count, len(K)) - 1])
+    except np.linalg.LinAlgError as error:
+        raise PhysicsError("no reference is found of these members: in finite elements a matrix of theirs is "
+                           "singular to rounding") from error
+    return np.sort(found).tolist()
+
+
+def with_inertia(K: np.ndarray, M: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """K and M of the coordinates that have inertia, the others following at rest: K − K₁₂ K₂₂⁻¹ K₂₁ (Guyan 1965)."""
+    light = np.diag(M) == 0
+    if not light.any() or light.all():
+        return K, M
+    here = np.ix_(~light, ~light)
+    follow = np.linalg.solve(K[np.ix_(light, light)], K[np.ix_(light, ~light)])
+    return K[here] - K[np.ix_(~light, light)] @ follow, M[here]
 
 
 def _zeros(elements):
