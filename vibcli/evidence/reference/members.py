@@ -27,6 +27,7 @@ ELEMENTS = 24           # of a piece and a mode, at first
 NEAR, APART = 1e-2, 1e-8        # of a root: to what it was begun from, to its neighbours
 TINY = 1e-30            # an ω² beside which all others are large
 STEPS, STEP = 60, 1e-7
+FOUND = DIGITS + 5      # digits to which the last two secants agree; a determinant of beams under tension loses many
 
 
 def squares(elements: Elements, count: int) -> TrueValues:
@@ -102,7 +103,7 @@ def _root(elements, near):
         if at_x == at_y:
             return y
         x, y, at_x = y, y - at_y * (y - x) / (at_y - at_x), at_y
-        if abs(y - x) <= mpmath.eps * 10**12 * abs(y):
+        if abs(y - x) <= mpmath.mpf(10) ** -FOUND * abs(y):
             return y
         at_y = determinant(elements, y)
     raise ValueError("no root is found near by")
@@ -178,7 +179,7 @@ def derivatives(piece: Piece, z: Any, s: Any, number: int | None, load: Sequence
     a = [mpmath.mpf(0)] * order
     if number is not None:
         a[number] = L**number
-    k, small = 0, 0
+    k, small, largest = 0, 0, max(map(abs, a))
     while small <= 2 * order or k < len(load):
         right = L**2 * load[k] if k < len(load) else mpmath.mpf(0)
         if order == 4:      # B/L² (k+4)(k+3)(k+2)(k+1) aₖ₊₄ = N (k+2)(k+1) aₖ₊₂ + n (k+1)² aₖ₊₁ − κ aₖ + L² pₖ
@@ -187,7 +188,7 @@ def derivatives(piece: Piece, z: Any, s: Any, number: int | None, load: Sequence
         else:               # N (k+2)(k+1) aₖ₊₂ = κ aₖ − n (k+1)² aₖ₊₁ − L² pₖ
             a.append((kappa * a[k] - n * (k + 1) ** 2 * a[k + 1] - right) / (N * (k + 2) * (k + 1)))
         k += 1
-        largest = max(map(abs, a))
+        largest = max(largest, abs(a[-1]))
         small = small + 1 if abs(a[-1]) * k**3 <= mpmath.eps * largest else 0
     return [sum(_falling(j, i) * x for j, x in enumerate(a)) / L**i for i in range(4)]
 
