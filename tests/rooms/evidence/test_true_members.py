@@ -117,3 +117,15 @@ def test_what_loads_keep_up_in_a_bar(more, force, quantity, exact):
 def test_what_keeps_up_a_bar_otherwise_has_no_reference(more, force, said):
     subject = asked(more, force, "amplitude(b.u(2 m))")
     assert re.search(said, subject.why if isinstance(subject, NotCompared) else "")
+
+
+def test_a_place_without_inertia():
+    """A disc on a light shaft that a spring holds at its middle, ω² = (k − k²/(k + k + kₜ))/J with k = 2 GI_o/L, beside
+    a heavy shaft, ω² = (π/2L)² GI_o/j."""
+    text = """
+shafts:
+  light: {length: 2 m, GIo: 3 N*m^2, left: clamped, attached: [{at: 1 m, torsion: 3 N*m}, {at: 2 m, inertia: 5 kg*m^2}]}
+  heavy: {length: 2 m, GIo: 3 N*m^2, inertia_per_length: 5 kg*m, left: clamped}
+"""
+    with mpmath.workdps(60):
+        assert near(found(text, 2), [(mpmath.pi / 4) ** 2 * 3 / 5, mpmath.mpf(2) / 5])

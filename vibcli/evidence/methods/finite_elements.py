@@ -9,6 +9,7 @@ import numpy as np
 
 from vibcli.analyses.continuous.finite_elements import finite_elements
 from vibcli.evidence.methods.assembled_modes import rates_of
+from vibcli.evidence.reference.members import with_inertia
 from vibcli.evidence.subject import Deadline, MethodAnswer, MethodRun, Subject
 
 if TYPE_CHECKING:
@@ -27,7 +28,7 @@ def attempts(subject: Subject) -> Iterator[MethodRun]:
         return
     elements, count = subject.data
     for divisions in DIVISIONS:
-        K, M = finite_elements(elements, divisions)
+        K, M = with_inertia(*finite_elements(elements, divisions))
         if len(K) >= count:
             yield MethodRun("finite elements", f"{divisions} a piece", partial(_rates, K, M, count))
 

@@ -66,11 +66,13 @@ class SignalInFronts:
         return value
 
     def sampled(self, samples: int = SAMPLES) -> list[tuple[Any, Any, Any, int]]:
-        """[(t, y, ẏ, how many fronts have come)] between fronts, both ends of each stretch among them."""
-        found, ends = [], [*(front.delay for front in self.fronts), self.until]
-        for number, (a, b) in enumerate(pairwise(ends), 1):
-            found += [(t, *self.at(t, number), number) 
-                      for t in (a + (b - a) * k / samples for k in range(samples + 1))]
+        """[(t, y, ẏ, how many fronts have come)] before, between and after fronts, both ends of each stretch among
+        them."""
+        found, ends = [], [mpmath.mpf(0), *(front.delay for front in self.fronts), self.until]
+        for number, (a, b) in enumerate(pairwise(ends)):
+            if a < b:
+                found += [(t, *self.at(t, number), number)
+                          for t in (a + (b - a) * k / samples for k in range(samples + 1))]
         return found
 
     def extreme(self, sense: int) -> tuple[Any, Any, Any]:

@@ -27,6 +27,7 @@ ELEMENTS = 24           # of a piece and a mode, at first
 NEAR, APART = 1e-2, 1e-8        # of a root: to what it was begun from, to its neighbours
 TINY = 1e-30            # an ω² beside which all others are large
 STEPS, STEP = 60, 1e-7
+FOUND = DIGITS + 5      # digits to which the last two secants agree; a determinant of beams under tension loses many
 
 
 def squares(elements: Elements, count: int) -> TrueValues:
@@ -55,8 +56,23 @@ def by_elements(elements: "FactoredSystem", count: int, divisions: int) -> list[
     """The lowest eigenvalues in floats, each piece being so many finite elements."""
     import scipy.linalg
 
-    K, M = finite_elements(elements.each(float), divisions)
-    return np.sort(scipy.linalg.eigh(K, M, eigvals_only=True, subset_by_index=[0, min(count, len(K)) - 1])).tolist()
+    try:
+        K, M = with_inertia(*finite_elements(elements.each(float), divisions))
+        found = scipy.linalg.eigh(K, M, eigvals_only=True, subset_by_index=[0, min(count, len(K)) - 1])
+    except np.linalg.LinAlgError as error:
+        raise PhysicsError("no reference is found of these members: in finite elements a matrix of theirs is "
+                           "singular to rounding") from error
+    return np.sort(found).tolist()
+
+
+def with_inertia(K: np.ndarray, M: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """K and M of the coordinates that have inertia, the others following at rest: K − K₁₂ K₂₂⁻¹ K₂₁ (Guyan 1965)."""
+    light = np.diag(M) == 0
+    if not light.any() or light.all():
+        return K, M
+    here = np.ix_(~light, ~light)
+    follow = np.linalg.solve(K[np.ix_(light, light)], K[np.ix_(light, ~light)])
+    return K[here] - K[np.ix_(~light, light)] @ follow, M[here]
 
 
 def _zeros(elements):
@@ -87,7 +103,7 @@ def _root(elements, near):
         if at_x == at_y:
             return y
         x, y, at_x = y, y - at_y * (y - x) / (at_y - at_x), at_y
-        if abs(y - x) <= mpmath.eps * 10**12 * abs(y):
+        if abs(y - x) <= mpmath.mpf(10) ** -FOUND * abs(y):
             return y
         at_y = determinant(elements, y)
     raise ValueError("no root is found near by")
