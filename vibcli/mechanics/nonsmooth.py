@@ -78,3 +78,14 @@ def without_slope(form: "Linearisation", scene: "Scene") -> NoReturn:
         raise Kinked("a force, or the slope of a displacement, divides by zero as drawn: there are no small "
                      "oscillations about that", HINT) from None
     raise Kinked("the slope of a force is infinite as drawn: there are no small oscillations about that", HINT)
+
+
+def residual_as_drawn(form: "Linearisation", scene: "Scene", kink: Kinked) -> "list[list[Node]]":
+    """The terms of the conditions of equilibrium as drawn, where small oscillations are refused so; the refusal where
+    these divide by zero, too."""
+    from vibcli.mechanics.linearisation import residual_terms
+
+    try:
+        return [substitute(terms, scene.drawn_position) for terms in residual_terms(form)]
+    except ZeroDivisionError:
+        raise kink from None

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import Kinked, PhysicsError, defined_as_drawn
 from vibcli.base.stage import Costs, SharedPart, Stage
 from vibcli.base.work import Work
-from vibcli.symbolic.derivatives import substitute
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -264,11 +263,9 @@ class MechanicalSystem:
         try:
             return residual_terms(self.linearisation_at_reference)
         except Kinked as kink:
-            try:
-                return [substitute(terms, self.scene.vibrating.drawn_position)
-                        for terms in residual_terms(self.linearisation)]
-            except ZeroDivisionError:
-                raise kink from None
+            from vibcli.mechanics.nonsmooth import residual_as_drawn
+
+            return residual_as_drawn(self.linearisation, self.scene.vibrating, kink)
 
     @SharedPart
     def potential(self) -> "Node":
