@@ -67,7 +67,7 @@ STRESS = [
     "leave every bit of its place of rest and of its modes (with members their bounds, as the place of rest where "
     "lengths stand beside angles and nothing is drawn), its elements in another order, and each spring as two in "
     "parallel, and what is drawn in the plane is seen in a mirror; all answers that are numbers, motions too, have to "
-    " stay within their bounds.",
+    "stay within their bounds.",
     "Last, each figure of the file that is written with three digits or more (fewer are exact), in parameters or "
     "elsewhere, is moved by half a unit of its last digit: told is how many digits of each answer the data support, "
     "−log₁₀ of the sum of the relative changes, and which figure takes most of them. Cases are shaken with --case, but "

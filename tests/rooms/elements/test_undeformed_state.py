@@ -11,7 +11,7 @@ from scipy.optimize import brentq
 from support.scenes import problem, value
 
 from vibcli.api.reports import report, solution
-from vibcli.base.errors import PhysicsError
+from vibcli.base.errors import Kinked, PhysicsError
 
 SLIDE = "bodies: {p: {mass: 2 kg, slide: x}}\n"
 
@@ -129,6 +129,16 @@ def test_an_equilibrium_at_an_infinite_slope_is_refused():
     with pytest.raises(PhysicsError, match="slope of a force is infinite as drawn"):
         value(problem(SLIDE + "springs: {s: {law: '(9 N/m^(1/2))*sign(d)*abs(d)^(1/2)', between: [ground, p]}}\n"),
               "omega[1]")
+
+
+def test_a_displacement_whose_slope_divides_by_zero_as_drawn_is_refused():
+    scene = problem("parameters: {m: , k: , a: , N: , w: }\ncoordinates: {u: to the right, v: up}\npoints:\n"
+                    "  A: {body: disc, at: [a, 0]}\n  B: {body: disc, at: [-a, 0]}\nbodies:\n"
+                    "  disc: {at: [0, 0], pin: {by: w*t}}\n"
+                    "  p: {mass: m, at: [0, 0], move: {by: [sqrt(u^2), v, 0], carrier: disc}}\nsprings:\n"
+                    "  s: {k: k, between: [p, A], preload: N}\n  t: {k: k, between: [p, B], preload: N}\n")
+    with pytest.raises(Kinked, match="a force, or the slope of a displacement, divides by zero as drawn"):
+        scene.system.drawn_residual  # noqa: B018
 
 
 def test_a_particle_moves_by_two_displacements():

@@ -19,6 +19,14 @@ def modes_of(n, *rows, piece=BEAM):
     return NaturalModes(FactoredSystem(n, pieces=pieces)).numbered(1, 4)
 
 
+def test_nodes_do_not_hang_on_the_size_of_stiffness_and_inertia():
+    """Also where the product of both is beyond floats."""
+    moved = moved_pieces(modes_of(2, ({}, {}, {0: 1.0}, {1: 1.0}))[2], "member")
+    heavy = [one._replace(kappa=1e170 * one.kappa, piece=one.piece._replace(bending=1e170, inertia=1e170))
+             for one in moved]
+    assert resting_and_turning(heavy)[0] == pytest.approx(resting_and_turning(moved)[0], rel=1e-14)
+
+
 def test_nodes_and_antinodes_of_a_cantilever():
     modes = modes_of(2, ({}, {}, {0: 1.0}, {1: 1.0}))
     found = [resting_and_turning(moved_pieces(mode, "member"))[0] for mode in modes]
