@@ -68,24 +68,19 @@ def without_slope(form: "Linearisation", scene: "Scene") -> NoReturn:
     displacement divides by zero, as of √(u²) at u = 0; ZeroDivisionError where the energies themselves are not defined
     there."""
     from vibcli.mechanics.energies import kinetic, potential
-    from vibcli.mechanics.linearisation import residual_terms
 
     V = potential(scene)
     substitute([kinetic(scene), V, *gradient(V).values()], scene.drawn_position)
-    try:
-        substitute([term for terms in residual_terms(form) for term in terms], scene.drawn_position)
-    except ZeroDivisionError:
-        raise Kinked("a force, or the slope of a displacement, divides by zero as drawn: there are no small "
-                     "oscillations about that", HINT) from None
+    residual_as_drawn(form, scene)
     raise Kinked("the slope of a force is infinite as drawn: there are no small oscillations about that", HINT)
 
 
-def residual_as_drawn(form: "Linearisation", scene: "Scene", kink: Kinked) -> "list[list[Node]]":
-    """The terms of the conditions of equilibrium as drawn, where small oscillations are refused so; the refusal where
-    these divide by zero, too."""
+def residual_as_drawn(form: "Linearisation", scene: "Scene") -> "list[list[Node]]":
+    """The terms of each condition of equilibrium as drawn; Kinked where they divide by zero there."""
     from vibcli.mechanics.linearisation import residual_terms
 
     try:
         return [substitute(terms, scene.drawn_position) for terms in residual_terms(form)]
     except ZeroDivisionError:
-        raise kink from None
+        raise Kinked("a force, or the slope of a displacement, divides by zero as drawn: there are no small "
+                     "oscillations about that", HINT) from None

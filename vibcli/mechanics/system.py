@@ -262,10 +262,10 @@ class MechanicalSystem:
 
         try:
             return residual_terms(self.linearisation_at_reference)
-        except Kinked as kink:
+        except Kinked:
             from vibcli.mechanics.nonsmooth import residual_as_drawn
 
-            return residual_as_drawn(self.linearisation, self.scene.vibrating, kink)
+            return residual_as_drawn(self.linearisation, self.scene.vibrating)
 
     @SharedPart
     def potential(self) -> "Node":
