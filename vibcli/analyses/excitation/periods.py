@@ -57,7 +57,7 @@ def shortest(pieces: "Sequence[Segment]", period: "float | mpmath.mpf", since: "
 
 def _alike(one, other, shift, same):
     """Is a piece the same as the one before it, later by `shift`?"""
-    if abs(other.start - one.start - shift) > same or len(one.impulses) != len(other.impulses):
+    if abs(other.start - one.start - shift) > float(same) or len(one.impulses) != len(other.impulses):
         return False
     size = max((abs(wave.coefficient) for wave in one.waves), default=0)
     found = {}
@@ -65,5 +65,5 @@ def _alike(one, other, shift, same):
         for channel, c, k, s in piece.waves:
             found[channel, k, s] = found.get((channel, k, s), 0) + sign * c
     blows = dict(one.impulses)
-    return all(abs(c) <= ALIKE * size for c in found.values()) and all(
-        abs(blows.get(channel, 0) - blow) <= ALIKE * abs(blow) for channel, blow in other.impulses)
+    return all(abs(c) <= float(ALIKE * size) for c in found.values()) and all(
+        abs(blows.get(channel, 0) - blow) <= float(ALIKE * abs(blow)) for channel, blow in other.impulses)

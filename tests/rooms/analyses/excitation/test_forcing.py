@@ -10,8 +10,9 @@ import pytest
 from support.fourier import coefficients, integral
 
 from vibcli.analyses.excitation.decompose import forcing_of
-from vibcli.analyses.excitation.forcing import Forcing, Segment, TooOften
+from vibcli.analyses.excitation.forcing import Forcing, Segment, TooOften, Wave
 from vibcli.analyses.excitation.impulses import nearest
+from vibcli.analyses.excitation.periods import shortest
 from vibcli.analyses.excitation.rounding import Floating
 from vibcli.analyses.excitation.tabulated import TabulatedFunction
 from vibcli.base.errors import PhysicsError
@@ -393,3 +394,8 @@ def test_records_and_their_rates_in_more_digits(text):
         for t in (0.123, 0.47, 0.88):
             assert abs(at(found, t) - exact(node, t)) < 1e-26
             assert float(abs(at(found, t, 1) - at(floats, t, 1))) < 1e-10
+
+
+def test_pieces_of_more_digits_are_compared_where_the_first_rests():
+    pieces = [Segment(mpmath.mpf(0)), Segment(mpmath.mpf(1), (Wave(0, mpmath.mpf(2), 0, 0j),))]
+    assert shortest(pieces, mpmath.mpf(2), mpmath.mpf(0), Fraction(1, 10**12)) == (pieces, 2)
