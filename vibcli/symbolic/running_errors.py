@@ -119,7 +119,7 @@ class RunningErrors:
             values, errors = [number_in(x) for x in args], [error_in(x) for x in args]
             found = plain(*values)
             if name in GENTLE:
-                return Rounded(found, max(errors), self.unit)
+                return Rounded(found, _felt(name, values, errors), self.unit)
             error = 2 * self.unit * abs(found)
             for i, own in enumerate(errors):
                 if own:
@@ -134,3 +134,16 @@ class RunningErrors:
 
         self._duals = self._duals or Duals(self.inner)
         return slope(self._duals.functions[name](*[Dual(x, 1) if i == j else x for j, x in enumerate(values)]))
+
+
+def _felt(name, values, errors):
+    """The error of a GENTLE function: of min, max and ramp that of what may be the smallest or largest."""
+    if name == "abs":
+        return errors[0]
+    if name == "ramp":
+        values, errors = [*values, 0], [*errors, 0]
+    least = -inf
+    sides = [-x if name == "min" else x for x in values]
+    for x, error in zip(sides, errors, strict=True):
+        least = max(least, x - error)
+    return max(error for x, error in zip(sides, errors, strict=True) if not x + error < least)

@@ -45,3 +45,13 @@ def test_a_jump_within_its_error_has_no_bound():
     node = table.call("sign", table.variable("x"))
     assert error_in(evaluate([node], RunningErrors(Floats), {"x": Rounded(1e-9, 1e-8)})[0]) == float("inf")
     assert error_in(evaluate([node], RunningErrors(Floats), {"x": Rounded(1e-9, 1e-10)})[0]) < 1e-15
+
+
+@pytest.mark.parametrize("node, error", [
+    (lambda t, x, y: t.call("max", x, y), 1e-3), (lambda t, x, y: t.call("min", x, y), 1e3),
+    (lambda t, x, y: t.call("max", t.number(1), y + t.number(9e5)), 1e3), (lambda t, x, y: t.call("ramp", y), 0)])
+def test_what_a_maximum_does_not_reach_is_not_felt(node, error):
+    table = new_table()
+    found, = evaluate([node(table, table.variable("x"), table.variable("y"))], RunningErrors(Floats),
+                      {"x": Rounded(1.0, 1e-3), "y": Rounded(-9e5, 1e3)})
+    assert error_in(found) == pytest.approx(error, rel=1e-6)

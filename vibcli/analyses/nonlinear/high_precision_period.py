@@ -79,18 +79,19 @@ class Energies:
 def precise_period(energies: Energies, well: "Well", start: "tuple[Any, Any]",
                    ends: "tuple[TurningPoint, TurningPoint]") -> tuple[float, float] | None:
     """(period, relative error) of the motion from a start (q, v) between turning points that floats know; None where V
-    is not known in letters."""
+    is not known in letters, or the turning points stand for one place in these digits."""
     import mpmath
 
     with mpmath.workdps(DIGITS):
         q, v = map(mpmath.mpf, start)
-        return (float(_period(energies, well, q, v, ends)), ROUNDING) if energies.known_at(q) else None
+        found = _period(energies, well, q, v, ends) if energies.known_at(q) else None
+        return (float(found), ROUNDING) if found else None
 
 
 def period_at_amplitude(energies: Energies, well: "Well", signal: "Node", amplitude: float,
                         ends: "tuple[TurningPoint, TurningPoint]") -> tuple[float, float] | None:
     """The same of the motion in which a signal has an amplitude, its turning points being known about; the error is
-    that of a float for the amplitude, too. None also where turning points stand for one place in these digits."""
+    that of a float for the amplitude, too."""
     import mpmath
 
     with mpmath.workdps(DIGITS):

@@ -8,6 +8,7 @@ import mpmath
 import pytest
 from support.motions import problem
 
+from vibcli import loads
 from vibcli.analyses.nonlinear.period import exact_period
 from vibcli.analyses.nonlinear.period_in_floats import period_between
 from vibcli.analyses.nonlinear.turning_points import turning_point
@@ -189,3 +190,17 @@ forces: {pull: {at: block, force: F}}
         exact = 2 * mpmath.quad(lambda u: mpmath.sqrt(mpmath.mpf("0.65") / left(places[0] + places[1] * mpmath.sin(u))),
                                 [-mpmath.pi / 2, 0, mpmath.pi / 2])
         assert abs(_period(scene, 2.0) / exact - 1) <= 1e-14
+
+
+@pytest.mark.parametrize("limit", ["1e20 m", "1e55 m"])
+def test_a_limit_that_is_never_reached_takes_no_digits(limit):
+    found = loads("""
+        parameters: {k: 520 N/m, y: LIMIT}
+        bodies: {block: {mass: 1.4 kg, slide: x}}
+        springs: {s: {law: "k*max(-y, min(d, y))", between: [ground, block]}}
+        motion: full
+        initial: {x: 3 cm}
+        """.replace("LIMIT", limit))
+    omega = math.sqrt(520 / 1.4)
+    for quantity, exact in (("period(x)", 2 * math.pi / omega), ("backbone[1](x)(15 mm)", omega)):
+        assert found[quantity].value == pytest.approx(exact, rel=1e-12) and 0 < found[quantity].error < 1e-11
