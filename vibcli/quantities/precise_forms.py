@@ -60,8 +60,8 @@ def _extreme(sense, which):
 
 
 def _zero(problem, tree, digits, most):
-    signal = _signal(problem, tree)
-    return signal.precise_zero(signal.zeros(0.0, problem.response.until)[int(tree.indices[0]) - 1], digits)
+    signal, number = _signal(problem, tree), int(tree.indices[0])
+    return signal.precise_zero(signal.first_zeros(problem.response.until, number)[number - 1], digits)
 
 
 def _overshoot(problem, tree, digits, most):

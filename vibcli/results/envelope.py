@@ -65,6 +65,10 @@ class Envelope(Signal):
     def zeros(self, start: float, end: float) -> list[float]:
         return self.found.zeros(start, end)
 
+    def first_zeros(self, end: float, count: int) -> list[float]:
+        """Of beats, which have as many as there is time for, no more than are asked."""
+        return self.found.zeros(0.0, end, count)
+
     def final(self) -> float:
         return self.found.final()
 

@@ -70,6 +70,11 @@ def test_equal_arrows_vanish_where_they_are_opposed():
     assert signal.period == pytest.approx(2 * math.pi) and len(signal.zeros(0, 20)) == 3
 
 
+def test_of_endless_zeros_no_more_than_are_asked_are_listed():
+    scene = problem(PAIR.format(until=1e11, k=[100, 121], c=[0, 0], x=[0.1, 0.1], v=[0, 0]))
+    assert measure(scene, parse("zero[3](envelope(x + y))"))[0] == pytest.approx(5 * math.pi)
+
+
 def test_beats_are_heard_of_frequencies_that_are_nearly_one():
     scene = problem(PAIR.format(until=20, k=[100, 100.000002], c=[0, 0], x=[0.1, 0.1], v=[0, 0]))
     assert measure(scene, parse("beat_period(x + y)"))[0] == pytest.approx(2 * math.pi / 1e-7, rel=1e-7)

@@ -7,7 +7,7 @@ with a, b the lengths of the arrows. E² is a sum of exponentials: its extremes 
 """
 
 from fractions import Fraction
-from math import pi, tau
+from math import inf, pi, tau
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -56,7 +56,7 @@ class Decay:
         best = int(np.argmax(sense * found))
         return float(times[best]), float(found[best])
 
-    def zeros(self, start: float, end: float) -> list[float]:
+    def zeros(self, start: float, end: float, most: float = inf) -> list[float]:
         """None: it dies out, or is 0 for good."""
         return []
 
@@ -118,8 +118,8 @@ class Beats:
         t, square = extreme(self, None, start, end, "max" if sense > 0 else "min", work)
         return t, max(square, 0.0) ** 0.5
 
-    def zeros(self, start: float, end: float) -> list[float]:
-        """The instants of E = 0: where arrows that are equally long are opposed."""
+    def zeros(self, start: float, end: float, most: float = inf) -> list[float]:
+        """The first instants of E = 0, so many at most: where arrows that are equally long are opposed."""
         ratio, rate = float(np.log(abs(self.two.amplitude / self.one.amplitude))), self.one.rate - self.two.rate
         if abs(rate) > UNDYING * self.one.omega:
             t = ratio / rate
@@ -129,7 +129,7 @@ class Beats:
             return []
         speed, turn = abs(self.apart), pi + (self.lag if self.apart > 0 else -self.lag)
         first, last = np.ceil((speed * start - turn) / tau), np.floor((speed * end - turn) / tau)
-        return [(turn + tau * n) / speed for n in range(int(first), int(last) + 1)]
+        return [(turn + tau * n) / speed for n in range(int(first), int(min(last + 1, first + most)))]
 
     def final(self) -> float:
         lasting = [part for part in (self.one, self.two) if not part.rate]
