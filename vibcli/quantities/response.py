@@ -179,9 +179,11 @@ def _zero(problem, tree, args):
     until = problem.response_of(tree).until
     found = signal.first_zeros(until, number)
     if len(found) < number:
-        raise PhysicsError(f"the signal passes through zero {len(found)} times until t = {until:.6g} s",
-                           f"later ones, if there are any, are seen with a later end: find: [{{response: {{until: "
-                           f"{2 * until:.3g} s}}}}]")
+        told = f"the signal passes through zero {len(found)} times until t = {until:.6g} s"
+        if signal.has_died_out(until):
+            raise PhysicsError(told + ", as far as floating-point numbers tell it from zero", "ask for an earlier one")
+        raise PhysicsError(told, f"later ones, if there are any, are seen with a later end: find: [{{response: "
+                                 f"{{until: {2 * until:.3g} s}}}}]")
     instant = float(found[number - 1])
     return instant, lambda: signal.error_of_zero(instant)
 

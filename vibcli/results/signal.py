@@ -59,6 +59,14 @@ class Signal:
         """Instants up to an end at which it passes or touches zero, in order, all or at least the first so many."""
         return self.zeros(0.0, end)
 
+    def has_died_out(self, end: float) -> bool:
+        """Has it come to rest at zero, or is it smaller than floats tell by then?"""
+        import numpy as np
+
+        from vibcli.analyses.transient.zeros import FADED
+
+        return bool(np.abs(self.values(end * np.linspace(0.999, 1.0, 9))).max() <= FADED)
+
     def require_bounded(self, end: float) -> None:
         """PhysicsError where it is infinite at an instant."""
 

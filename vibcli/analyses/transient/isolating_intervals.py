@@ -136,15 +136,20 @@ def instants(timeline: Any, cells: Cells, speed: float) -> np.ndarray:
     return cells.width <= HAIR * EPSILON * np.maximum(timeline.starts[cells.segment] + cells.late, shortest)
 
 
+def opposite(left: np.ndarray, right: np.ndarray) -> np.ndarray:
+    """Where the signs of two values differ, however large or small these are."""
+    return np.sign(left) * np.sign(right) < 0
+
+
 def root(function: "ExponentialSum", derivative: "ExponentialSum", cells: Cells, starts: np.ndarray) -> np.ndarray:
     """The zero of the function in each cell, by Newton's method held within the bracket, until the instant, counted
     from t = 0 with the starts of the segments, is known to a rounding; where it does not change sign, the end where it
     is least."""
     low, high = cells.early.copy(), cells.late.copy()
     left, right = function.at(cells.segment, low), function.at(cells.segment, high)
-    rising, moving = right > left, left * right < 0
+    rising, moving = right > left, opposite(left, right)
     with np.errstate(all="ignore"):
-        tau = np.where(moving, low - left * ((high - low) / (right - left)), np.where(
+        tau = np.where(moving, np.clip(low - left * ((high - low) / (right - left)), low, high), np.where(
             np.abs(left) <= np.abs(right), low, high))
     for _ in range(NEWTON):
         if not moving.any():

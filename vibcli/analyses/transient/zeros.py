@@ -8,7 +8,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from vibcli.analyses.transient.isolating_intervals import EPSILON, LEVELS, MOST, BoundedOutput, Cells, refused, root
+from vibcli.analyses.transient.isolating_intervals import (
+    EPSILON,
+    LEVELS,
+    MOST,
+    BoundedOutput,
+    Cells,
+    opposite,
+    refused,
+    root,
+)
 from vibcli.analyses.transient.segments_held import passing
 
 if TYPE_CHECKING:
@@ -18,6 +27,7 @@ if TYPE_CHECKING:
     from vibcli.base.errors import PhysicsError
     from vibcli.base.work import Task, Work
 
+FADED = 1e-292     # below which values lose digits to the least floats: what has died out so far has no zeros
 CLEAR, SOONER = 64, 2.0 ** np.arange(-60, 1)
 
 
@@ -67,13 +77,13 @@ class PassageSearch:
 
     def _look(self, level, cells):
         curve = self.curve
-        cells = cells.where(curve.bound(cells) > 0)
+        cells = cells.where(curve.bound(cells) > FADED)
         left, right = curve.ends(cells)
         rounding, bend = 4 * EPSILON * curve.bound(cells), curve.bend(cells)
         rise = cells.width * np.maximum(*map(np.abs, curve.ends(cells, slope=True)))
-        jump = (left * right < 0) & curve.instants(cells)
+        jump = opposite(left, right) & curve.instants(cells)
         steep = (rise > bend) & (rise > 4 * rounding) | jump
-        through = (left * right < 0) | (left == 0) | (right == 0)
+        through = opposite(left, right) | (left == 0) | (right == 0)
         single = cells.where(steep & through)
         starts = curve.timeline.starts[single.segment]
         self.found.append(curve.times(single.segment, root(curve.y, curve.slope, single, starts)))

@@ -9,6 +9,7 @@ import pytest
 from support.responses import FREE, STEP, case, chain, one, q, rates, systems, v
 from support.scenes import problem_of
 
+from vibcli import loads
 from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
 from vibcli.analyses.excitation.linear_output import LinearOutput
 from vibcli.analyses.transient import free_vibration
@@ -387,3 +388,19 @@ def test_a_long_chain():
     M, C, K = (matrix.tolist() for matrix in (motion.M, C, K))
     exact = precise_value(M, C, K, motion.forcing, motion.q0, motion.v0, q(7), 9.0, 16)
     assert abs(motion.values(q(7), [9.0])[0] - exact) <= 1e-13
+
+
+def test_zeros_are_counted_down_to_the_least_floats():
+    """Far below the square root of the smallest, where products of two values vanish."""
+    p = loads("""
+        bodies: {b: {mass: 1 kg, slide: x}}
+        springs: {s: {k: 100 N/m, between: [ground, b]}}
+        dampers: {d: {c: 10 N*s/m, between: [ground, b]}}
+        initial: {x: 1 m}
+        find: [{response: {until: 200 s}}]
+        """)
+    rate = math.sqrt(75)
+    for number in (100, 300, 370):
+        assert p[f"zero[{number}](x)"].value == pytest.approx((math.atan2(-rate, 5) + number * math.pi) / rate)
+    with pytest.raises(PhysicsError, match="371 times until t = 200 s, as far as floating-point numbers tell"):
+        p["zero[390](x)"]
