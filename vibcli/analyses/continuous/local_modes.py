@@ -74,6 +74,8 @@ def _pencil(stiff: Any, mass: Any):
         return _precise_pencil(stiff, mass)
     values, basis = np.linalg.eigh(mass)
     kept = values > values.max() * 1e-13
+    if not kept.any():
+        raise np.linalg.LinAlgError
     basis = basis[:, kept] / np.sqrt(values[kept])
     values, vectors = np.linalg.eigh(basis.conj().T @ stiff @ basis)
     return values, basis @ vectors

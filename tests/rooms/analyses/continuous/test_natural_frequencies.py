@@ -253,6 +253,15 @@ def test_a_beam_of_next_to_no_length_is_refused():
         one.modal.modes.first(2)
 
 
+@pytest.mark.parametrize("length", [1e-40, 1e-60])
+def test_a_beam_whose_shapes_are_no_numbers_is_refused(length):
+    one = problem("beams: {arm: {length: %g m, EI: 1e60 N*m^2, mass_per_length: 1e60 kg/m, preload: 5 N, "
+                  "left: clamped}}\n" % length)
+    with pytest.raises(PhysicsError, match="so far apart"):
+        one.modal.modes.first(2)
+
+
+
 def test_what_has_no_inertia_beside_a_member_is_a_mechanism():
     """A bob that is pinned at its own place."""
     one = problem("parameters: {g: 9.81 m/s^2}\ngravity: g\n"
