@@ -255,8 +255,8 @@ def test_a_beam_of_next_to_no_length_is_refused():
 
 @pytest.mark.parametrize("length", [1e-40, 1e-60])
 def test_a_beam_whose_shapes_are_no_numbers_is_refused(length):
-    one = problem("beams: {arm: {length: %g m, EI: 1e60 N*m^2, mass_per_length: 1e60 kg/m, preload: 5 N, "
-                  "left: clamped}}\n" % length)
+    one = problem(f"beams: {{arm: {{length: {length} m, EI: 1e60 N*m^2, mass_per_length: 1e60 kg/m, preload: 5 N, "
+                  "left: clamped}}\n")
     with pytest.raises(PhysicsError, match="so far apart"):
         one.modal.modes.first(2)
 
