@@ -129,7 +129,8 @@ def _ways(problem, names):
 def _scene(problem, root, settings, part):
     """The scene with a part as a mistake takes it, None where it is none."""
     try:
-        found = problem.with_spec(read_changed(*changed(root, part), problem.spec.file, "", settings, True, problem.spec))
+        spec = read_changed(*changed(root, part), problem.spec.file, "", settings, True, problem.spec)
+        found = problem.with_spec(spec)
         found.draw()
     except (SpecError, PhysicsError):
         return None
