@@ -7,6 +7,7 @@ the other's shape gradually, veer (Leissa 1974).
 """
 
 from collections.abc import Callable, Sequence
+from functools import cache
 from math import inf
 
 import numpy as np
@@ -102,6 +103,7 @@ def _veerings(spectra, labels, crossings, between):
     """Where neighbours are nearest, and each has the other's shape beyond."""
     found = []
     known = [(one, label) for one, label in zip(spectra, labels, strict=True) if one is not None]
+    overlap = cache(lambda left, right: _overlap(known[left][0], known[right][0]))
     count = min((len(one.omega) for one, _ in known), default=0)
     for i in range(count - 1):
         gaps = [_gap(one, i) for one, _ in known]
@@ -112,8 +114,8 @@ def _veerings(spectra, labels, crossings, between):
                 crossed = any(left[0].value <= one.value <= right[0].value for one in crossings)
                 if crossed or (left[1] != right[1]).any():
                     continue
-                overlap = _overlap(left[0], right[0])
-                if min(overlap[i, i + 1], overlap[i + 1, i]) >= EXCHANGED:
+                exchanged = overlap(*ends)
+                if min(exchanged[i, i + 1], exchanged[i + 1, i]) >= EXCHANGED:
                     value, gap = _nearest(i, known[k - 1][0].value, known[k + 1][0].value, between)
                     found.append(Meeting(_pair(known[k][1], i, i + 1), value, False, gap))
     return found

@@ -185,6 +185,28 @@ def test_methods_are_tried_in_turns_and_what_would_outgrow_the_time_left_is_not_
         ("odeint", "1", "")]
 
 
+def test_each_is_run_seven_times_by_turns_after_a_warm_up_and_what_takes_over_half_a_second_three(lasting):
+    attempt, begun = lasting
+    found = measured(ANY, [attempt("vibcli", "", 0.02), attempt("eig", "", 0.5), attempt("odeint", "", 0.75)])
+    assert [one.runs for one in found] == [7, 7, 3]
+    assert begun == 4 * ["vibcli", "eig", "odeint"] + 4 * ["vibcli", "eig"]
+    assert [one.seconds for one in found] == [pytest.approx((x, x, x)) for x in (0.02, 0.5, 0.75)]
+
+
+def test_what_is_short_is_repeated_within_one_measurement(lasting):
+    attempt, begun = lasting
+    one, = measured(ANY, [attempt("vibcli", "", 1e-4)])
+    assert one.runs == 7 and begun.count("vibcli") == 1 + 7 * 10
+
+
+@pytest.mark.parametrize("ours, allowed", [(0.01, 5.0), (0.2, 20.0)])
+def test_a_method_may_take_five_seconds_and_a_hundred_times_ours(lasting, monkeypatch, ours, allowed):
+    given = []
+    monkeypatch.setattr(timing, "Deadline", lambda seconds: given.append(seconds))
+    measured(ANY, [lasting[0]("vibcli", "", ours), lasting[0]("odeint", "", 0.1)])
+    assert given[:2] == [5.0, pytest.approx(allowed)] and set(given[2:]) == {math.inf}
+
+
 def test_what_one_leaves_of_the_time_is_for_those_after_it(lasting):
     attempt, _ = lasting
     whole, dear = 24.0, [attempt("odeint", str(k), 4.0) for k in range(3)]      # half of 12 s is enough for one of them

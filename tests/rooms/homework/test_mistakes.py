@@ -9,6 +9,7 @@ import pytest
 import vibcli.homework.mistakes
 from vibcli.api.source import problem_of, text_source
 from vibcli.api.values import quantity_asked
+from vibcli.base.work import Work
 from vibcli.check.verdicts import check
 from vibcli.cli.common import known_mistake
 from vibcli.cli.program import run
@@ -148,6 +149,20 @@ def test_what_mistakes_lead_to(scene, asked, expected):
     found = wrong(scene, asked)
     assert {name: found.get(name) for name in expected} == {
         name: pytest.approx(value, rel=1e-9) for name, value in expected.items()}
+
+
+def test_of_large_scenes_few_mistakes_are_solved(monkeypatch):
+    source, work = text_source(TWO), Work()
+    held = ["coordinate held (x)", "coordinate held (y)"]
+
+    def solved():
+        return [one.name for one in of_catalogue(problem_of(source, work=work), source.node, []) if one.kind == MODEL]
+
+    assert solved() == held
+    monkeypatch.setattr(known, "MOST", 7)
+    assert solved() == held[:1]
+    work.patience = 2
+    assert solved() == held
 
 
 def test_phase_beyond_resonance():

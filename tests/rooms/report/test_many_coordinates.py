@@ -48,3 +48,14 @@ def test_places_that_are_told(count):
     assert told == sorted(set(told))
     assert len(told) == (count if count <= TALL else TOLD)
     assert not count or (told[0], told[-1]) == (0, count - 1)
+
+
+def test_many_shapes_of_many_coordinates_are_told_at_evenly_spread_ones(tmp_path, capsys):
+    file = tmp_path / "chain.yaml"
+    file.write_text(chain(34))
+    assert run(["frequencies", str(file), "--modes", "9"]) == 0
+    _, told = capsys.readouterr().out.split("Mode shapes\n")
+    assert told.startswith("  at x₁, x₄, x₇, x₁₀, x₁₃, x₁₆, x₁₉, x₂₂, x₂₅, x₂₈, x₃₁, x₃₄\n  mode 1: 1 3.97")
+    assert run(["frequencies", str(file), "--modes", "9", "--json"]) == 0
+    shape = json.loads(capsys.readouterr().out)["modes"][0]["shape"]
+    assert " ".join(f"{shape[f'x{i}']:.6g}" for i in range(1, 35, 3)) in " ".join(told.split())

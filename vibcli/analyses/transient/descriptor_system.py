@@ -32,12 +32,12 @@ class Descriptor:
         if still:
             follow = _inverse(K[np.ix_(still, still)])
             self.F[np.ix_(still, still)] = follow
-            self.Q[still, :r] = -follow.dot(K[np.ix_(still, kept)])
-        rates, pushed = K[kept].dot(self.Q), (np.eye(n, dtype=object) - K.dot(self.F))[kept]
+            self.Q[still, :r] = -_product(follow, K[np.ix_(still, kept)])
+        rates, pushed = _product(K[kept], self.Q), np.eye(n, dtype=object)[kept] - _product(K[kept], self.F)
         rates[:, r:] += C[np.ix_(kept, heavy)]
         inverse = _inverse(np.concatenate([C[np.ix_(kept, held)], M[np.ix_(kept, heavy)]], axis=1))
-        self.A = np.concatenate([np.eye(h, r + h, r, dtype=object), -inverse.dot(rates)])
-        self.B = np.concatenate([np.zeros((h, n), object), inverse.dot(pushed)])
+        self.A = np.concatenate([np.eye(h, r + h, r, dtype=object), -_product(inverse, rates)])
+        self.B = np.concatenate([np.zeros((h, n), object), _product(inverse, pushed)])
 
 
 class SummingSystem:
@@ -51,7 +51,20 @@ class SummingSystem:
         self.B = np.concatenate([system.B, np.zeros((count, n), object)])
 
 
+def _product(left, right):
+    """The product of two matrices, the left of which is mostly zeros."""
+    found = np.zeros((len(left), right.shape[1]), object)
+    for row, sums in zip(left, found, strict=True):
+        for k in np.flatnonzero(row):
+            places = np.flatnonzero(right[k])
+            sums[places] += row[k] * right[k, places]
+    return found
+
+
 def _inverse(matrix):
+    diagonal = matrix.diagonal()
+    if len(matrix) and not np.any(matrix - np.diag(diagonal)):
+        return np.diag(mpf(1) / diagonal)
     inverse = mp.matrix(matrix.tolist())**-1 if len(matrix) else matrix
     return np.array(inverse.tolist(), object).reshape(matrix.shape)
 

@@ -201,6 +201,13 @@ class SteadyMotion(LinearMotion):
         """By how much the forces of a wave (s, Q, F) may be off beside a rounding: |δF|; None: not at all."""
         return None
 
+    @cached_property
+    def errors_of_waves(self) -> list[tuple[np.ndarray, np.ndarray]]:
+        """(|δQ|, |δF|) of each wave, which all outputs share."""
+        from vibcli.analyses.transient.steady_errors import of_wave
+
+        return [of_wave(self, wave, self.off(wave)) for wave in self.waves]
+
     def phasors(self, output: "LinearOutput") -> list[tuple[float, complex]]:
         """[(Ω, X)] with Re Σ X e^{iΩt} the output, Ω ascending; a constant has Ω = 0. Not of periodic forcing;
         PhysicsError of an output that grows."""

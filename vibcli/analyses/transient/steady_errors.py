@@ -58,12 +58,18 @@ def of_powers(matrices: Sequence[np.ndarray], data: "DataErrors", powers: list) 
     return [error for _, error in known[:len(powers)]]
 
 
-def of_output(motion: "SteadyMotion", output: "LinearOutput", wave: tuple[complex, np.ndarray, np.ndarray],
-              off: np.ndarray | None = None) -> float:
-    """|δX| of the phasor of an output under a wave (s, Q, F); off: |δF| beside a rounding."""
+def of_wave(motion: "SteadyMotion", wave: tuple[complex, np.ndarray, np.ndarray],
+            off: np.ndarray | None = None) -> tuple[np.ndarray, np.ndarray]:
+    """(|δQ|, |δF| beside a rounding) of a wave (s, Q, F); off: this |δF|, None for nothing."""
     s, Q, F = wave
     n, off = len(Q), np.zeros(len(F)) if off is None else off
-    error = of_phasor(motion.matrices[:3], motion.data_errors, s, Q, F[:n], off[:n])
+    return of_phasor(motion.matrices[:3], motion.data_errors, s, Q, F[:n], off[:n]), off
+
+
+def of_output(output: "LinearOutput", wave: tuple[complex, np.ndarray, np.ndarray], error: np.ndarray,
+              off: np.ndarray) -> float:
+    """|δX| of the phasor of an output under a wave (s, Q, F); error, off: those of the wave."""
+    s, Q, F = wave
     total = 4 * DATA * abs(output.constant) if not s else 0.0
     for coefficients, factor in ((output.q, 1.0), (output.v, abs(s)), (output.a, abs(s)**2)):
         total += sum(abs(x) * factor * (error[i] + 8 * DATA * abs(Q[i])) for i, x in coefficients.items())
@@ -74,9 +80,9 @@ def of_output(motion: "SteadyMotion", output: "LinearOutput", wave: tuple[comple
 def of_waves_in(motion: "SteadyMotion", output: "LinearOutput") -> dict[float, float]:
     """{Ω: |δX|} of the phasors of an output; not of periodic forcing."""
     found: dict[float, float] = {}
-    for wave in motion.waves:
+    for wave, errors in zip(motion.waves, motion.errors_of_waves, strict=True):
         rate = wave[0].imag
-        found[rate] = found.get(rate, 0.0) + of_output(motion, output, wave, motion.off(wave))
+        found[rate] = found.get(rate, 0.0) + of_output(output, wave, *errors)
     if motion.powers:
         found[0.0] = of_powers_in(motion, output)[0]
     return found
@@ -101,4 +107,5 @@ def of_harmonic(motion: "SteadyMotion", output: "LinearOutput", n: int) -> float
     """|δX| of a harmonic under periodic forcing."""
     from vibcli.analyses.transient.steady_state import harmonic, lost_forces
 
-    return of_output(motion, output, harmonic(motion, motion.forcing, n), lost_forces(motion.forcing, n))
+    wave = harmonic(motion, motion.forcing, n)
+    return of_output(output, wave, *of_wave(motion, wave, lost_forces(motion.forcing, n)))

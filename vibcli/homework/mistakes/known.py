@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Collection, Iterator, Sequence
 from importlib import import_module
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError, SpecError, Where
@@ -18,6 +19,8 @@ from vibcli.symbolic.syntax import QuantityRef
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
+
+MOST = 30_000       # scenes with a mistake of the model that are solved, times their coordinates squared
 
 
 class KnownMistake(NamedTuple):
@@ -71,7 +74,7 @@ def of_catalogue(problem: "Problem", root: "Mapping | None", asked: Sequence[Exp
                  settings: dict | None = None, names: Collection[str] | None = None) -> Iterator[KnownMistake]:
     """The mistakes that concern a scene; root: its document, None where it is not at hand: then those of the model are
     left out; settings: {parameter: (tree, text)} that replace values of it; names: of those of the model that are
-    wanted, where not all are."""
+    wanted, where not all are: of all only the first, the fewer the more coordinates the scene has."""
     for name, one in by_kind(READING).items():
         yield KnownMistake(_words(name), READING, one.sentence, reading=one.reading)
     for name, one in by_kind(FORMULA).items():
@@ -83,10 +86,11 @@ def of_catalogue(problem: "Problem", root: "Mapping | None", asked: Sequence[Exp
             yield KnownMistake(_words(name), FORMULA, one.sentence, instead=instead)
     if root is None:
         return
-    for name, one in by_kind(MODEL).items():
-        if names is None or any(wanted.partition(" (")[0] == _words(name) for wanted in names):
-            for concerns, scene in _scenes(problem, root, one, settings, name, names):
-                yield KnownMistake(_words(name, concerns), MODEL, one.sentence, scene, of=concerns)
+    most = MOST * problem.work.patience // max(1, len(problem.scene.coordinates))**2
+    for name, one, concerns, part in islice(_ways(problem, names), most if names is None else None):
+        scene = _scene(problem, root, settings, part)
+        if scene is not None:
+            yield KnownMistake(_words(name, concerns), MODEL, one.sentence, scene, of=concerns)
 
 
 def _words(name, concerns=""):
@@ -108,19 +112,26 @@ def _formulas(spec, one, asked):
     return found
 
 
-def _scenes(problem, root, one, settings, name, names):
-    """(what a mistake of the model concerns, the scene as it takes it) of each way to make it."""
-    try:
-        ways = list(one.model(problem))
-    except (SpecError, PhysicsError):
-        return
-    for concerns, part in ways:
-        if names is not None and _words(name, concerns) not in names:
+def _ways(problem, names):
+    """(name, mistake, what it concerns, the part of the scene as it takes it) of each way to make one of the model."""
+    for name, one in by_kind(MODEL).items():
+        if names is not None and all(wanted.partition(" (")[0] != _words(name) for wanted in names):
             continue
         try:
-            found = problem.with_spec(read_changed(*changed(root, part), problem.spec.file, "", settings, True,
-                                                   problem.spec))
-            found.draw()
+            ways = list(one.model(problem))
         except (SpecError, PhysicsError):
             continue
-        yield concerns, found
+        for concerns, part in ways:
+            if names is None or _words(name, concerns) in names:
+                yield name, one, concerns, part
+
+
+def _scene(problem, root, settings, part):
+    """The scene with a part as a mistake takes it, None where it is none."""
+    try:
+        spec = read_changed(*changed(root, part), problem.spec.file, "", settings, True, problem.spec)
+        found = problem.with_spec(spec)
+        found.draw()
+    except (SpecError, PhysicsError):
+        return None
+    return found

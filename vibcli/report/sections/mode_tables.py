@@ -7,7 +7,7 @@ from math import degrees, floor, log10, tau
 from typing import TYPE_CHECKING
 
 from vibcli.notation.numbers import NEGATIVE, figure, rounded_up
-from vibcli.report.blocks import Name, Paragraph, TableBlock, maths, paragraph
+from vibcli.report.blocks import Name, Paragraph, TableBlock, maths, paragraph, separated
 from vibcli.report.sections.too_long import passed_over, places_told
 
 if TYPE_CHECKING:
@@ -95,12 +95,14 @@ def shapes_told(count: int) -> int:
 def shapes(names: Sequence[str], numbers: Sequence[int], found: Sequence[list[complex]],
            write: Callable = _real) -> list[Paragraph | TableBlock | None]:
     """Blocks of the shapes of modes of these numbers, the first `shapes_told` of them: a column a mode, or a line a
-    mode where there are many."""
+    mode where there are many, of many coordinates at evenly spread ones."""
+    names = list(names)
     if len(numbers) > MANY:
-        return [*(paragraph(f"mode {i}: " + " ".join(write(value) for value in shape[:LONGEST])
-                            + (" …" if len(shape) > LONGEST else ""), hang=None)
+        places = places_told(len(names), LONGEST, LONGEST)
+        spread = ["at ", *separated(maths(Name(names[i])) for i in places)]
+        return [paragraph(*spread) if len(places) < len(names) else None,
+                *(paragraph(f"mode {i}: " + " ".join(write(shape[place]) for place in places), hang=None)
                   for i, shape in zip(numbers[:LONGEST], found, strict=False)),
                 paragraph("…", hang=None) if len(numbers) > LONGEST else None]
-    names = list(names)
     rows = [(maths(Name(names[i])), *(write(shape[i]) for shape in found)) for i in places_told(len(names))]
     return [TableBlock(("", *(f"mode {i}" for i in numbers)), tuple(rows)), passed_over(len(rows), len(names))]

@@ -19,9 +19,10 @@ def brief(node: "Node", whole: str = "; see --json") -> "Node | Words":
     return node if size <= LONGEST else Words(f"(an expression of {size} characters{whole})")
 
 
-def places_told(count: int) -> list[int]:
-    """The numbers of the coordinates that are told of so many: evenly spread ones of very many, both ends included."""
-    return list(range(count)) if count <= TALL else [i * (count - 1) // (TOLD - 1) for i in range(TOLD)]
+def places_told(count: int, most: int = TALL, told: int = TOLD) -> list[int]:
+    """The numbers of the coordinates that are told of so many: `told` evenly spread ones of more than `most`, both ends
+    included."""
+    return list(range(count)) if count <= most else [i * (count - 1) // (told - 1) for i in range(told)]
 
 
 def passed_over(told: int, count: int) -> Paragraph | None:
