@@ -57,6 +57,23 @@ def test_a_free_motion_and_where_it_turns():
         assert close(when.values[0], at, 25) and close(top.values[0], x(at))
 
 
+def test_a_motion_from_where_a_force_lets_go():
+    """F/k at t = 0, and the pendulum that a moment M holds at sin φ = M/(m g L)."""
+    problem = oscillator("forces: {f: {at: b, force: 5 N}}\ninitial: {released: f}")
+    moving = motion.small(problem)
+    found = motion.at_instant(moving, moving.coordinate("x"), Fraction(1, 3), problem.work)
+    with mpmath.workdps(60):
+        w = mpmath.sqrt(24)
+        t = 1 / mpmath.mpf(3)
+        assert close(found.values[0], mpmath.exp(-t) * (mpmath.cos(w * t) + mpmath.sin(w * t) / w) / 5)
+    swinging = problem_of(text_source(PENDULUM.replace("initial: {p: 1}\nmotion: full", "forces: {f: {body: a, moment: "
+                                                       "3 N*m}}\ninitial: {released: f}")))
+    moving = motion.small(swinging)
+    with mpmath.workdps(60):
+        start = mpmath.ldexp(moving.start(300)[0], -300)
+        assert close(start, mpmath.asin(3 / mpmath.mpf("9.81")), 55)
+
+
 def test_the_zeros_of_a_free_motion():
     """x = e^{−t} (cos √24 t + sin √24 t/√24)/4, whose rate begins at zero."""
     problem = oscillator("initial: {x: 25 cm}")

@@ -21,6 +21,7 @@ from vibcli.evidence.reference.features import SignalAlongSteps, extreme, value
 from vibcli.evidence.reference.features import zeros as first_zeros
 from vibcli.evidence.reference.records import PiecesOfRecords, driving_records, strikes
 from vibcli.evidence.reference.settled import TrueValues, settled
+from vibcli.evidence.reference.static_positions import equations
 from vibcli.evidence.reference.taylor_steps import TaylorSteps, bits_of
 from vibcli.mechanics.equations_of_motion import Dynamics
 from vibcli.symbolic.evaluation import multiprecision
@@ -75,7 +76,7 @@ class Motion(NamedTuple):
 
 def small(problem: "Problem") -> Motion:
     """The Motion of small oscillations; PhysicsError where the data are known to floats alone, or there is none."""
-    from vibcli.results.high_precision_response import start
+    from vibcli.results.high_precision_response import given_start
 
     configuration, scene, n = problem.configuration, problem.scene, len(problem.scene.q)
     if configuration.sources[0] is None:
@@ -83,6 +84,7 @@ def small(problem: "Problem") -> Motion:
     if configuration.linear_system.massless:
         raise PhysicsError("no reference is found of motions in which coordinates have no inertia")
     (drive, struck), table, known = without_impulses(scene, _drive(problem)), scene.table, {}
+    let_go = equations(configuration.preloaded) if configuration.preloaded is not None else None
     letters = {(part, i, j): table.parameter(f"{part}[{i};{j}]", positive=False)
                for part in "MCK" for i in range(n) for j in range(n)}
 
@@ -101,7 +103,8 @@ def small(problem: "Problem") -> Motion:
     def deviations(bits):
         with mpmath.workprec(2 * bits):
             rest = {name: numbers(bits)[_rest_of(name)] for name in scene.coordinates}
-            places, speeds = start(problem, numbers(bits), rest)
+            held = rest if let_go is None else let_go.root(numbers(bits))
+            places, speeds = given_start(problem, numbers(bits), held)
             return [fixed_point(places[name] - rest[name], bits) for name in scene.coordinates] + [
                 fixed_point(speeds[name], bits) for name in scene.coordinates]
 
