@@ -28,7 +28,7 @@ KINDS = {"small": "motion", "full": "full motion", STEADY: "steady motion"}
 
 def of_motion(problem: "Problem", tree: QuantityRef) -> Subject:
     """A value, max, min, argmax, argmin or zero of a signal."""
-    if problem.configuration.linear_system.pieces:
+    if problem.scene.pieces:
         return of_member_motion(problem, tree)
     kind, motion = _followed(problem)
     of, feature, keeps_on = tree.args[0], tree.head, getattr(tree.args[0], "head", "") == "steady"
