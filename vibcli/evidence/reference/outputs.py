@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING, Any
 import mpmath
 
 from vibcli.base.errors import PhysicsError
+from vibcli.evidence.reference.forces_along import TrueForces
 from vibcli.evidence.reference.motion import Motion
+from vibcli.language.signals import is_reaction
 from vibcli.mechanics.inputs_outputs.outputs import linear_row
 from vibcli.mechanics.precise_configuration import PreciseConfiguration
 from vibcli.mechanics.signals import moving
@@ -77,13 +79,15 @@ def signal(problem: "Problem", motion: Motion, tree: Any) -> "tuple[Motion, Node
         if motion.rested and not isinstance(part, QuantityRef):
             motion, found = _of_small(problem, motion, name, primes)
             return found
-        if isinstance(part, QuantityRef) or scene is not problem.scene:
+        if isinstance(part, QuantityRef) or (scene is not problem.scene and not is_reaction(problem.spec, name)):
             raise PhysicsError("of this motion a reference is found of coordinates and their rates alone")
+        if is_reaction(problem.spec, name) and not primes:
+            return TrueForces(problem, scene)[name]
         try:
             return moving(problem.system, name, primes)
         except PhysicsError:
-            raise PhysicsError("of full motions a reference is found of coordinates, places, energies, and of the "
-                               "forces of springs and dampers alone") from None
+            raise PhysicsError("of full motions a reference is found of coordinates, places, energies, and of forces "
+                               "alone") from None
 
     node = lower(tree, scene.table, symbol)
     return motion, node

@@ -93,7 +93,8 @@ def true_position(problem: "Problem", static: StaticEquations, node: "Node", siz
         arithmetic = multiprecision()
         known = problem.numeric.values(arithmetic)
         value, = evaluate([node], arithmetic, {**known, **static.root(known)})
-        return [value], max(size, abs(value))
+        nothing = abs(value) <= size * mpmath.mpf(10) ** (-mpmath.mp.dps // 2)
+        return [mpmath.mpf(0) if nothing else value], max(size, abs(value))
 
     return settled(found, limit=LIMIT, sized=True)
 

@@ -82,13 +82,13 @@ def period(problem: "Problem", tree: QuantityRef) -> Subject:
     kind, motion = _followed(problem)
     if problem.scene.timed or len(problem.scene.q) > 1 or not isinstance(tree.args[0], NameRef):
         raise PhysicsError("of periods a reference is found where nothing drives the only coordinate, and of it alone")
-    if motion.parts.gaps or motion.blows:
+    if motion.blows:
         raise PhysicsError("no reference is found of periods of what strikes or is struck")
     about = measure(problem, tree)[0]
     until = Fraction(AHEAD * about)
     try:
-        true = reference.period(motion, until, problem.work)
-        plain = _plain(problem, motion, motion.scene.v[0], until, "period")
+        true = reference.period(motion, tree.args[0].name, until, problem.work)
+        plain = None if motion.parts.gaps else _plain(problem, motion, motion.scene.v[0], until, "period")
     except PhysicsError:            # of what bends or jumps with the motion
         true = swings.period(motion, problem.numeric.size_along(motion.scene.coordinates[0]))
         plain = plain_equations(motion, motion.scene.v[0], float(until), "period")
