@@ -113,7 +113,7 @@ class MotionInSeries:
         """Where the scene rests, of what `initial` leaves open; as drawn, or where `equilibrium:` says, what falls."""
         problem, record = self.problem, self.problem.spec.get("initial")
         configuration, names = problem.configuration, problem.scene.coordinates
-        if record is not None and all(name in record for name in names):
+        if all(record is not None and name in record for name in names):
             return dict.fromkeys(names, 0)
         if configuration.falls:
             drawn = {q.name: node for q, node in problem.scene.drawn.items()} | problem.system.named_start

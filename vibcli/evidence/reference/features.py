@@ -89,14 +89,17 @@ def zeros(signal: SignalAlongSteps, steps: TaylorSteps, number: int) -> list[Any
         if x and not after[1]:          # there where a step ends, from where on it may stay
             found.append(after[0])
         elif x * after[1] < 0:
-            sense = 1 if x > after[1] else -1
-            found.append(passage(lambda at, sense=sense: sense * signal.along(steps, [signal.node], at)[0],
-                                  (t, after[0]), steps))
+            found.append(_zero(signal, steps, (t, after[0]), 1 if x > after[1] else -1))
         elif x and before and before[1] * x > 0 and abs(x) <= min(TOUCH * size, abs(before[1]), abs(after[1])):
             raise PhysicsError("no reference is found of where a signal may touch zero")
     if len(found) < number:
         raise PhysicsError(f"the reference finds {len(found)} zeros")
     return [steps.time(t) for t in found[:number]]
+
+
+def _zero(signal, steps, ends, sense):
+    """The instant between two at which a signal falls (sense 1) or rises through zero."""
+    return passage(lambda at: sense * signal.along(steps, [signal.node], at)[0], ends, steps)
 
 
 def _top(signal, steps, ends, t, sense):

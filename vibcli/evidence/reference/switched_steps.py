@@ -140,7 +140,7 @@ class SwitchedSteps(TaylorSteps):
         return [[row[0] for row in rows] for rows in (found.q, found.v, found.a)]
 
     def _beyond(self, mode, switch, t, state):
-        """The Mode after one that ends."""
+        """The Sides after one that ends."""
         u, sense = switch
         senses = dict(mode.senses)
         if senses[u] != STICKS and self._switches.at_speed(u):

@@ -31,7 +31,7 @@ def bends(scene: "Scene", nodes: "Sequence[Node]") -> "list[Node]":
     return [part for part in bent(nodes) if part.mask & ~scene.time.mask]
 
 
-class Mode(NamedTuple):
+class Sides(NamedTuple):
     """The equations on one side of each bend; senses: {argument: ±1, or that it sticks}; watched: [(argument, the
     sense that it has beyond, what is positive as long as they hold)]; held: {argument: σ where it sticks}."""
 
@@ -42,7 +42,7 @@ class Mode(NamedTuple):
 
 
 class Switches:
-    """The Modes of a motion; `made(parts)`: its SmoothPieces; floats: {parameter: float}; taut: what has to stay
+    """The Sides of a motion; `made(parts)`: its SmoothPieces; floats: {parameter: float}; taut: what has to stay
     positive."""
 
     def __init__(self, scene: "Scene", parts: "Dynamics", made: "Callable[[Dynamics], SmoothPieces]",
@@ -67,7 +67,7 @@ class Switches:
         """Is it a velocity?"""
         return any(v in gradient(argument) for v in self.scene.v)
 
-    def mode(self, senses: Senses) -> Mode:
+    def mode(self, senses: Senses) -> Sides:
         """On these sides."""
         key = tuple(senses[u] for u in self.arguments)
         if key not in self._modes:
@@ -86,7 +86,7 @@ class Switches:
             held[u] = force / limit * self._bounds.get(u, 1)
             watched += [(u, sense, limit - force * sense) for sense in (1, -1)]
         taut = self._resolved(self._taut, senses, held)
-        return Mode(self._made(parts), senses, [*watched, *((None, 0, node) for node in taut)], held)
+        return Sides(self._made(parts), senses, [*watched, *((None, 0, node) for node in taut)], held)
 
     def _on_sides(self, senses):
         return self.parts.made_of(self._resolved(self.parts.nodes(), senses, {}))
@@ -106,7 +106,7 @@ class Switches:
                               bends=[*parts.bends, drift(scene, u)])
         return more, force, limit
 
-    def resolved(self, nodes: "Sequence[Node]", mode: Mode) -> "list[Node]":
+    def resolved(self, nodes: "Sequence[Node]", mode: Sides) -> "list[Node]":
         """Expressions as they are in a mode; what bends elsewhere stays."""
         return self._resolved(nodes, mode.senses, mode.held)
 

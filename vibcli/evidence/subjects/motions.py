@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 SENSES = {"max": 1, "min": -1, "argmax": 1, "argmin": -1}
 AHEAD = 2.05        # periods, in which three turns of a rate are
 STEADY = "steady"
-KINDS = {"small": "motion", "full": "full motion", STEADY: "steady motion"}
+KINDS = {"small": "motion", "full": "full motion", "prescribed": "full motion", STEADY: "steady motion"}
 
 
 def of_motion(problem: "Problem", tree: QuantityRef) -> Subject:
