@@ -2,7 +2,7 @@
 
 METHODS = {
     "ours": (("modes", "damped modes", "motion", "full motion", "steady motion", "response",
-              "peak", "member modes", "member response", "member motion", "static position"),
+              "peak", "member modes", "member response", "member motion", "static position", "vibrations"),
              "vibcli itself, from the element data on"),
     "assembled_modes": (("modes",), "eigh and eig of assembled K and M"),
     "state_eigenvalues": (("damped modes",), "eig of the state matrix and of the pencil that is assembled"),

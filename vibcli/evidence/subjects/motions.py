@@ -12,8 +12,9 @@ from vibcli.evidence.reference import motion as reference
 from vibcli.evidence.reference.outputs import signal
 from vibcli.evidence.reference.taylor_steps import TakesMinutes
 from vibcli.evidence.subject import Subject, of_signal
+from vibcli.evidence.subjects.vibrations import exact, of_envelope
 from vibcli.quantities.expression import measure, number_of
-from vibcli.symbolic.evaluation import evaluate, evaluate_rational, multiprecision
+from vibcli.symbolic.evaluation import evaluate_rational
 from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import NameRef, QuantityRef
 
@@ -30,6 +31,8 @@ def of_motion(problem: "Problem", tree: QuantityRef) -> Subject:
     """A value, max, min, argmax, argmin or zero of a signal."""
     if problem.scene.pieces:
         return of_member_motion(problem, tree)
+    if getattr(tree.args[0], "head", "") == "envelope":
+        return of_envelope(problem, tree)
     kind, motion = _followed(problem)
     of, feature, keeps_on = tree.args[0], tree.head, getattr(tree.args[0], "head", "") == "steady"
     if keeps_on:
@@ -59,22 +62,11 @@ def of_member_motion(problem: "Problem", tree: QuantityRef) -> Subject:
         raise PhysicsError("no reference is found of motions of members that `damping:` damps")
     name = of.name + "'" * of.primes
     if tree.head == "value":
-        true = member_fronts.at_instant(problem, name, _exact_instant(problem, tree.args[1]))
+        true = member_fronts.at_instant(problem, name, exact(problem, tree.args[1]))
     else:
         true = member_fronts.extremes(problem, name, problem.response.until, SENSES[tree.head],
                                       tree.head.startswith("arg"))
     return of_signal("member motion", problem, tree, f"of {problem.response.words}", true, None)
-
-
-def _exact_instant(problem, tree):
-    """An instant at the working precision."""
-    node = lower(tree, problem.scene.table, lambda name, *_: problem.scene.parameters.nodes[name])
-
-    def found():
-        numbers = multiprecision()
-        return evaluate([node], numbers, problem.numeric.values(numbers))[0]
-
-    return found
 
 
 def period(problem: "Problem", tree: QuantityRef) -> Subject:
