@@ -9,7 +9,7 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.results.problem import Problem
 from vibcli.results.stages import STAGES
 
-WITHOUT_MODES = {"static position", "full motion"}
+WITHOUT_MODES = {"static position", "full motion", "matrix entry"}
 DEAR, FEW = ("closed_forms", "equilibria"), 3       # stages, and the coordinates up to which they are measured
 UNMEASURED = f"not measured: of members and of more than {FEW} coordinates they may take minutes"
 
@@ -28,11 +28,13 @@ def stage_costs(problem: Problem, kinds: set[str]) -> list[StageCost]:
     fresh = Problem(problem.spec, problem.numeric.given)
     if "static position" in kinds:
         fresh.configuration.equilibrium  # noqa: B018
+    if "matrix entry" in kinds:
+        fresh.configuration.linear_system  # noqa: B018
     if kinds - WITHOUT_MODES:
         fresh.modal.modes  # noqa: B018
         if problem.modal.damps:
             fresh.modal.damped  # noqa: B018
-    if kinds & {"motion", "full motion"}:
+    if kinds & {"motion", "full motion", "vibrations"}:
         fresh.response  # noqa: B018
     needed = set(fresh.timings)
     return [_cost(fresh, stage, stage in needed) for stage in STAGES]

@@ -13,7 +13,7 @@ import mpmath
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.reference.settled import TrueValues, settled
-from vibcli.mechanics.equations_of_motion import dynamics
+from vibcli.mechanics.equations_of_motion import Dynamics, dynamics
 from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING
 from vibcli.mechanics.linearise import without_time
 from vibcli.mechanics.static_preload import take_over
@@ -31,7 +31,8 @@ LIMIT, STEPS = 240, 60      # digits; steps of Newton's method
 
 class StaticEquations(NamedTuple):
     """r(x) = 0 of x = (q, λ), in the names of these; `near`: q as floats know it, and λ = 0; forces: {signal: node} of
-    constraints, and of supports that are released; still: {symbol: 0} of what does not move."""
+    constraints, and of supports that are released; still: {symbol: 0} of what does not move; parts: the Dynamics of
+    which it is, without loads in time."""
 
     scene: "Scene"
     residuals: "list[Node]"
@@ -39,6 +40,7 @@ class StaticEquations(NamedTuple):
     near: list[float]
     forces: "dict[str, Node]"
     still: "dict[Node, Node]"
+    parts: Dynamics
 
     def root(self, known: Mapping[str, Any]) -> dict[str, Any]:
         """{name: number} of x at the working precision, {parameter: number} being known."""
@@ -60,12 +62,13 @@ def equations(configuration: "Configuration", released: bool = False) -> StaticE
     if released and redundant:
         raise PhysicsError("the scene is supported by more than it needs: no reference is found of its reactions")
     parts, table = dynamics(scene, redundant), scene.table
+    parts = parts._replace(h=[without_time(scene, h) for h in parts.h])
     if not parts.h:
         raise PhysicsError("nothing moves: there is no position to be found")
     still = dict.fromkeys((*scene.v, scene.time, *scene.released), table.zero)
     ties = [table.parameter(f"force[{name}]", positive=False) for name in parts.names]
-    forces = [table.total([without_time(scene, h), *(slope * ties[k] for (k, j), slope in parts.slopes.items()
-                                                     if j == i)]) for i, h in enumerate(parts.h)]
+    forces = [table.total([h, *(slope * ties[k] for (k, j), slope in parts.slopes.items() if j == i)])
+              for i, h in enumerate(parts.h)]
     forces, count = substitute(forces, still), len(scene.q) - len(scene.released)
     signs = {tie.name: (tie.signal, 1 if tie.form in LENGTHENING else -1) for tie in scene.constraints}
     told = {signs[name][0]: tie * signs[name][1] for name, tie in zip(parts.names, ties, strict=True)}
@@ -73,7 +76,7 @@ def equations(configuration: "Configuration", released: bool = False) -> StaticE
     known = {**configuration.at_rest, **configuration.dependent_values}
     near = [float(known[q.name]) for q in scene.q[:count]] + [0.0] * len(ties)
     return StaticEquations(scene, [*forces[:count], *substitute(parts.gaps, still)],
-                           [*(q.name for q in scene.q[:count]), *(tie.name for tie in ties)], near, told, still)
+                           [*(q.name for q in scene.q[:count]), *(tie.name for tie in ties)], near, told, still, parts)
 
 
 def _unloaded(configuration, released):

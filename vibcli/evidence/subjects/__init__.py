@@ -11,6 +11,8 @@ SUBJECTS = {
     "period()": ("motions", "period"), "phase(frf)": ("frequency_responses", "of_part"),
     "decrement[]": DAMPED, "beat_period": ("beats", "between_modes"),
     "decrement": ("vibrations", "of_one"), "time_to": ("vibrations", "of_one"), "cycles_to": ("vibrations", "of_one"),
+    "M": ("matrices", "of_entry"), "C": ("matrices", "of_entry"), "G": ("matrices", "of_entry"),
+    "K": ("matrices", "of_entry"),
     "equilibrium": ("static_positions", "at_rest"),
     "frf": ("frequency_responses", "at_frequency"), "transmissibility": ("frequency_responses", "at_frequency"),
     "re": ("frequency_responses", "of_part"), "im": ("frequency_responses", "of_part"),
