@@ -108,12 +108,23 @@ def test_the_period_of_a_wide_swing():
     assert isinstance(next(subjects(problem, [double])), NotCompared)
 
 
-def test_expanded_equations_are_not_compared_with_those_that_they_are_made_of():
+def test_expanded_equations_are_themselves_followed():
+    """p̈ = −(g/L)(p − p³/6) from p = 1: p̈ starts at −5/6 g/L, T = 4 ∫ dp/√(2 (V(1) − V(p)))."""
     text = PENDULUM.replace("motion: full", "motion: {order: 3}\nfind: [{response: {until: 1 s}}]")
-    problem = problem_of(text_source(text
-                                     + "answers: {period(p): 2 s, p(1 s): 1}\n"))
-    for answer in problem.spec.answers:
-        assert next(subjects(problem, [answer.asked])).why == "no reference is found of this kind of motion"
+    problem = problem_of(text_source(text + "answers: {period(p): 2 s, p''(0 s): 1 rad/s^2}\n"))
+    period, start = subjects(problem, [answer.asked for answer in problem.spec.answers])
+    with mpmath.workdps(40):
+        g = mpmath.mpf("9.81")
+
+        def slowness(s):        # p = 1 − s², near the turn 2 (V(1) − V(p)) = s² g (5/3 + s²/2 − …)
+            p = 1 - s * s
+            return 2 / mpmath.sqrt(g * (1 + p) * (1 - (1 + p * p) / 12))
+
+        assert close(start.true.values[0], -5 * g / 6, 28)
+        assert close(period.true.values[0], 4 * mpmath.quad(slowness, [0, 1]), 28)
+    resting_elsewhere = text.replace("initial:", "forces: {f: {body: a, moment: 3 N*m}}\ninitial:")
+    problem = problem_of(text_source(resting_elsewhere + "answers: {period(p): 2 s}\n"))
+    assert "about a place that is known" in next(subjects(problem, [problem.spec.answers[0].asked])).why
 
 
 def test_where_a_signal_may_touch_zero_there_is_no_reference():

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import mpmath
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.reference.forces_along import TrueForces
 from vibcli.evidence.reference.motion import Motion
 from vibcli.language.signals import is_reaction
@@ -24,6 +25,13 @@ if TYPE_CHECKING:
     from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
+
+
+class Followed(NamedTuple):
+    """A scene with all coordinates that are followed, as a system whose signals are told."""
+
+    spec: Any
+    scene: Any
 
 
 def with_output(problem: "Problem", motion: Motion, text: str) -> "tuple[Motion, Node]":
@@ -79,12 +87,13 @@ def signal(problem: "Problem", motion: Motion, tree: Any) -> "tuple[Motion, Node
         if motion.rested and not isinstance(part, QuantityRef):
             motion, found = _of_small(problem, motion, name, primes)
             return found
-        if isinstance(part, QuantityRef) or (scene is not problem.scene and not is_reaction(problem.spec, name)):
-            raise PhysicsError("of this motion a reference is found of coordinates and their rates alone")
+        if isinstance(part, QuantityRef):
+            raise PhysicsError("of this motion a reference is found of signals alone, and of steady states")
         if is_reaction(problem.spec, name) and not primes:
             return TrueForces(problem, scene)[name]
+        followed: Any = Followed(problem.spec, scene)
         try:
-            return moving(problem.system, name, primes)
+            return moving(followed, name, primes)
         except PhysicsError:
             raise PhysicsError("of full motions a reference is found of coordinates, places, energies, and of forces "
                                "alone") from None

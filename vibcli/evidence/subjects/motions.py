@@ -105,7 +105,12 @@ def _followed(problem):
     from vibcli.results.expanded_response import ExpandedResponse
 
     kind = problem.response.KIND
-    if kind not in KINDS or isinstance(problem.response, ExpandedResponse):
+    if isinstance(problem.response, ExpandedResponse):
+        if not problem.configuration.equilibrium.drawn:
+            raise PhysicsError("these equations are expanded about a place that is known to the digits of floats: no "
+                               "reference is found")
+        return kind, reference.full(problem.about(problem.response.expanded))
+    if kind not in KINDS:
         raise PhysicsError("no reference is found of this kind of motion")
     return kind, (reference.small if kind == "small" else reference.full)(problem)
 
