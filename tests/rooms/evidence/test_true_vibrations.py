@@ -12,7 +12,7 @@ springs: {s: {k: 25 N/m, between: [ground, b]}}
 dampers: {d: {c: 2 N*s/m, between: [ground, b]}}
 initial: {x: 10 cm, x': 0.5 m/s}
 answers: {"amplitude(x)": 0, "phase(x)": 0, "decrement(x)": 0, "time_to[0.1](x)": 0, "cycles_to[0.1](x)": 0,
-  "envelope(x)(0.5 s)": 0, "max(envelope(s.force))": 0, "decrement[1]": 0}
+  "envelope(x)(0.5 s)": 0, "max(envelope(s.force))": 0, "decrement[1]": 0, "re(mode_d[1,x])": 1}
 """
 BEATING = """
 bodies: {b: {mass: 1 kg, slide: x}}

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 
-class Followed(NamedTuple):
+class FollowedScene(NamedTuple):
     """A scene with all coordinates that are followed, as a system whose signals are told."""
 
     spec: Any
@@ -91,7 +91,7 @@ def signal(problem: "Problem", motion: Motion, tree: Any) -> "tuple[Motion, Node
             raise PhysicsError("of this motion a reference is found of signals alone, and of steady states")
         if is_reaction(problem.spec, name) and not primes:
             return TrueForces(problem, scene)[name]
-        followed: Any = Followed(problem.spec, scene)
+        followed: Any = FollowedScene(problem.spec, scene)
         try:
             return moving(followed, name, primes)
         except PhysicsError:

@@ -10,6 +10,7 @@ SUBJECTS = {
     "argmax": ("motions", "of_motion"), "argmin": ("motions", "of_motion"), "zero": ("motions", "of_motion"),
     "period()": ("motions", "period"), "phase(frf)": ("frequency_responses", "of_part"),
     "decrement[]": DAMPED, "beat_period": ("beats", "between_modes"),
+    "final": ("long_after", "limit"),
     "decrement": ("vibrations", "of_one"), "time_to": ("vibrations", "of_one"), "cycles_to": ("vibrations", "of_one"),
     "M": ("matrices", "of_entry"), "C": ("matrices", "of_entry"), "G": ("matrices", "of_entry"),
     "K": ("matrices", "of_entry"),

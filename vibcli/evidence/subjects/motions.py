@@ -12,6 +12,7 @@ from vibcli.evidence.reference import motion as reference
 from vibcli.evidence.reference.outputs import signal
 from vibcli.evidence.reference.taylor_steps import TakesMinutes
 from vibcli.evidence.subject import Subject, of_signal
+from vibcli.evidence.subjects.long_after import steady_value
 from vibcli.evidence.subjects.vibrations import exact, of_envelope
 from vibcli.quantities.expression import measure, number_of
 from vibcli.symbolic.evaluation import evaluate_rational
@@ -36,7 +37,10 @@ def of_motion(problem: "Problem", tree: QuantityRef) -> Subject:
     kind, motion = _followed(problem)
     of, feature, keeps_on = tree.args[0], tree.head, getattr(tree.args[0], "head", "") == "steady"
     if keeps_on:
-        of, motion = of.args[0], _kept_up(kind, motion, problem.work)
+        try:
+            of, motion = of.args[0], _kept_up(kind, motion, problem.work)
+        except PhysicsError as error:           # of loads that do not repeat themselves
+            return _long_after(problem, tree, error)
     motion, node = signal(problem, motion, of)
     if tree.head in SENSES:
         until = Fraction(problem.response.until)
@@ -98,6 +102,16 @@ def _kept_up(kind, motion, work):
     if kind != "small":
         raise PhysicsError("no reference is found of the steady state of a full motion")
     return periodic.steady(motion, work).motion
+
+
+def _long_after(problem, tree, error):
+    """Of loads that are powers of the time; `error` of others."""
+    if tree.head != "value":
+        raise error
+    try:
+        return steady_value(problem, tree)
+    except PhysicsError:
+        raise error from None
 
 
 def _followed(problem):
