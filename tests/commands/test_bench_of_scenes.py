@@ -17,7 +17,7 @@ initial: {x: 2 cm}
 find: [{response: {until: 2 s}}]
 answers:
   omega[1]: 20 rad/s
-  K[x,x]: k
+  stable: true
 cases:
   stiff: {parameters: {k: 8 kN/m}}
 """
@@ -51,7 +51,7 @@ def test_what_the_file_asks_and_what_has_no_other_method(scene, capsys):
     out = out_of(capsys, scene).out
     assert "omega: natural modes, one rate λ = iω" in out and "47 digits alike with 60 and 120" in out
     assert all(name in out for name in ("vibcli", "scipy eigh", "numpy eigh", "numpy eig", "scipy eig"))
-    assert "Not compared\n  K[x,x]: no other method is known here." in out and "eigenvalue:" not in out
+    assert "Not compared\n  stable: no other method is known here." in out and "eigenvalue:" not in out
 
 
 @pytest.mark.parametrize(("quantity", "kind", "others"), [
@@ -152,7 +152,7 @@ def test_without_a_file_options_of_scenes_are_refused(capsys):
 
 def test_what_is_found_by_vibcli_alone_has_no_picture(scene, tmp_path, capsys):
     path = tmp_path / "none.svg"
-    told = out_of(capsys, scene, "--of", "K[x,x]", "-o", str(path))
+    told = out_of(capsys, scene, "--of", "stable", "-o", str(path))
     assert "no other method is known here" in told.out and "no picture is written" in told.err and not path.exists()
 
 

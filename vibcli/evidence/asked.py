@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from vibcli.language.reader import Expression
     from vibcli.results.problem import Problem
 
+PARTS = ("re", "im", "arg")
 ALL_MODES = ("omega", "frequency", "zeta", "omega_d", "eigenvalue")
 
 
@@ -55,6 +56,8 @@ def _makers(problem, asked, or_modes):
 
 
 def _maker(tree: QuantityRef):
+    if tree.head in PARTS and SUBJECTS.get(getattr(tree.args[0], "head", "")) == DAMPED:
+        return DAMPED               # of a shape
     made = declared(tree)
     found = SUBJECTS.get(next((form for form in FORMS if form in SUBJECTS and made is named(form)), tree.head))
     return None if found in (NATURAL, DAMPED) and tree.args else found

@@ -9,6 +9,7 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.results.problem import Problem
 from vibcli.results.stages import STAGES
 
+WITHOUT_MODES = {"static position", "full motion", "matrix entry"}
 DEAR, FEW = ("closed_forms", "equilibria"), 3       # stages, and the coordinates up to which they are measured
 UNMEASURED = f"not measured: of members and of more than {FEW} coordinates they may take minutes"
 
@@ -25,10 +26,15 @@ class StageCost(NamedTuple):
 def stage_costs(problem: Problem, kinds: set[str]) -> list[StageCost]:
     """Of a problem whose subjects are of these kinds; a scene that is built anew."""
     fresh = Problem(problem.spec, problem.numeric.given)
-    fresh.modal.modes  # noqa: B018
-    if "damped modes" in kinds or problem.modal.damps:
-        fresh.modal.damped  # noqa: B018
-    if kinds & {"motion", "full motion"}:
+    if "static position" in kinds:
+        fresh.configuration.equilibrium  # noqa: B018
+    if "matrix entry" in kinds:
+        fresh.configuration.linear_system  # noqa: B018
+    if kinds - WITHOUT_MODES:
+        fresh.modal.modes  # noqa: B018
+        if problem.modal.damps:
+            fresh.modal.damped  # noqa: B018
+    if kinds & {"motion", "full motion", "vibrations"}:
         fresh.response  # noqa: B018
     needed = set(fresh.timings)
     return [_cost(fresh, stage, stage in needed) for stage in STAGES]
@@ -50,7 +56,7 @@ def _touch(stage: str) -> Callable[[Problem], object]:
     """What takes a stage of a Problem."""
     if stage in OF_MODES:
         return lambda problem: problem.modal.result(stage)
-    parts = {"damped": "modal", "energies": "symbolic", "equations": "symbolic", "reactions": "configuration",
-             "linearisation": "system"}
+    parts = {"linearisation": "system", **dict.fromkeys(("equilibrium", "linear_system", "reactions"), "configuration"),
+             **dict.fromkeys(("modes", "damped"), "modal"), **dict.fromkeys(("energies", "equations"), "symbolic")}
     return lambda problem: getattr(getattr(problem, parts[stage]) if stage in parts else problem, stage)
 

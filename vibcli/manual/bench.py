@@ -12,8 +12,12 @@ BENCH = [
          "1e-13, on equations that are compiled beforehand; of small motions also sums of 1 … n undamped modes, "
          "and `lsim`, whose steps have all samples of a record among them where that is possible. Extremes are the "
          "tops of parabolas through 4001 instants, or the steps of `lsim`. The error is relative to the largest value; "
-         "records are straight lines between the samples that are read"),
+         "records are straight lines between the samples that are read; forces that bend or stick are as they are "
+         "written"),
         ("frf[x, F](5 Hz), amplitude(x), rms(x)", "LU of the matrix at that frequency, sums of 1 … n undamped modes"),
+        ("equilibrium[x]", "`root` of SciPy (hybr, lm) on the forces at rest, with those of constraints"),
+        ("K[x,x], M, C, G", "central differences of the forces, at steps 1e-1 … 1e-8; of M the kinetic energies of "
+         "unit velocities"),
         ("omega, frf of members", "1 … 128 finite elements a piece, and `eigh`, or LU at that frequency"),
         ("peak[1](frf[x, F]).value", "grids of 100 … 1,000,000 frequencies, with parabolas and without"),
     ],

@@ -28,14 +28,15 @@ POLISHED = 60
 
 
 class MotionInSeries:
-    """The motion of a Problem; it is followed as far as is asked for."""
+    """The motion of a Problem; it is followed as far as is asked for. taut: is looked after elsewhere that its ropes
+    are?"""
 
-    def __init__(self, problem: "Problem"):
+    def __init__(self, problem: "Problem", taut: bool = False):
         self.problem, self._values, self._until = problem, {}, 0.0
         self._motion: ProvenMotion | None = None
         scene = problem.numeric.scene
         for tie in scene.constraints:
-            if tie.form == "rope":
+            if tie.form == "rope" and not taut:
                 raise PhysicsError(f"the rope '{tie.name}' may go slack: more digits of such a motion are not found",
                                    WITHOUT)
         if scene.loops is not None and problem.system.preloads:
@@ -112,7 +113,7 @@ class MotionInSeries:
         """Where the scene rests, of what `initial` leaves open; as drawn, or where `equilibrium:` says, what falls."""
         problem, record = self.problem, self.problem.spec.get("initial")
         configuration, names = problem.configuration, problem.scene.coordinates
-        if record is not None and all(name in record for name in names):
+        if all(record is not None and name in record for name in names):
             return dict.fromkeys(names, 0)
         if configuration.falls:
             drawn = {q.name: node for q, node in problem.scene.drawn.items()} | problem.system.named_start

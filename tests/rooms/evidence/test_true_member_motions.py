@@ -5,6 +5,7 @@ import mpmath
 import pytest
 from support.scenes import problem
 
+from vibcli.base.errors import PhysicsError
 from vibcli.evidence.reference import member_fronts
 from vibcli.evidence.subjects.motions import of_member_motion
 
@@ -38,3 +39,9 @@ def test_between_fronts(monkeypatch, more, rest, quantity, exact):
         assert abs(found.true.values[0] - exact()) <= mpmath.mpf(10) ** -38 * found.scale
     ours = found.ours()
     assert found.error(ours.values, found.true) <= ours.bound <= 1e-12
+
+
+def test_at_the_start_no_front_has_set_out():
+    one = problem(BAR % ("", LET_GO, "rod.u(1 m)(0 s)"))
+    with pytest.raises(PhysicsError, match="at the start"):
+        of_member_motion(one, one.spec.answers[0].asked.tree)

@@ -57,6 +57,23 @@ def test_a_free_motion_and_where_it_turns():
         assert close(when.values[0], at, 25) and close(top.values[0], x(at))
 
 
+def test_a_motion_from_where_a_force_lets_go():
+    """F/k at t = 0, and the pendulum that a moment M holds at sin φ = M/(m g L)."""
+    problem = oscillator("forces: {f: {at: b, force: 5 N}}\ninitial: {released: f}")
+    moving = motion.small(problem)
+    found = motion.at_instant(moving, moving.coordinate("x"), Fraction(1, 3), problem.work)
+    with mpmath.workdps(60):
+        w = mpmath.sqrt(24)
+        t = 1 / mpmath.mpf(3)
+        assert close(found.values[0], mpmath.exp(-t) * (mpmath.cos(w * t) + mpmath.sin(w * t) / w) / 5)
+    swinging = problem_of(text_source(PENDULUM.replace("initial: {p: 1}\nmotion: full", "forces: {f: {body: a, moment: "
+                                                       "3 N*m}}\ninitial: {released: f}")))
+    moving = motion.small(swinging)
+    with mpmath.workdps(60):
+        start = mpmath.ldexp(moving.start(300)[0], -300)
+        assert close(start, mpmath.asin(3 / mpmath.mpf("9.81")), 55)
+
+
 def test_the_zeros_of_a_free_motion():
     """x = e^{−t} (cos √24 t + sin √24 t/√24)/4, whose rate begins at zero."""
     problem = oscillator("initial: {x: 25 cm}")
@@ -91,12 +108,23 @@ def test_the_period_of_a_wide_swing():
     assert isinstance(next(subjects(problem, [double])), NotCompared)
 
 
-def test_expanded_equations_are_not_compared_with_those_that_they_are_made_of():
+def test_expanded_equations_are_themselves_followed():
+    """p̈ = −(g/L)(p − p³/6) from p = 1: p̈ starts at −5/6 g/L, T = 4 ∫ dp/√(2 (V(1) − V(p)))."""
     text = PENDULUM.replace("motion: full", "motion: {order: 3}\nfind: [{response: {until: 1 s}}]")
-    problem = problem_of(text_source(text
-                                     + "answers: {period(p): 2 s, p(1 s): 1}\n"))
-    for answer in problem.spec.answers:
-        assert next(subjects(problem, [answer.asked])).why == "no reference is found of this kind of motion"
+    problem = problem_of(text_source(text + "answers: {period(p): 2 s, p''(0 s): 1 rad/s^2}\n"))
+    period, start = subjects(problem, [answer.asked for answer in problem.spec.answers])
+    with mpmath.workdps(40):
+        g = mpmath.mpf("9.81")
+
+        def slowness(s):        # p = 1 − s², near the turn 2 (V(1) − V(p)) = s² g (5/3 + s²/2 − …)
+            p = 1 - s * s
+            return 2 / mpmath.sqrt(g * (1 + p) * (1 - (1 + p * p) / 12))
+
+        assert close(start.true.values[0], -5 * g / 6, 28)
+        assert close(period.true.values[0], 4 * mpmath.quad(slowness, [0, 1]), 28)
+    resting_elsewhere = text.replace("initial:", "forces: {f: {body: a, moment: 3 N*m}}\ninitial:")
+    problem = problem_of(text_source(resting_elsewhere + "answers: {period(p): 2 s}\n"))
+    assert "about a place that is known" in next(subjects(problem, [problem.spec.answers[0].asked])).why
 
 
 def test_where_a_signal_may_touch_zero_there_is_no_reference():

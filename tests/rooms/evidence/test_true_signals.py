@@ -92,6 +92,14 @@ def test_what_a_load_enters_itself_is_compared_where_all_is_linear():
         of_motion(one, tree)
 
 
+def test_at_the_start_there_is_nothing_to_integrate():
+    one, (tree,) = asked(ONE % ("(3 N)*cos((17 rad/s)*t)", "x''(0 s): 1 m/s^2"))
+    subject = of_motion(one, tree)
+    (run,) = integrators.attempts(subject)
+    assert not list(held_inputs.attempts(subject))
+    assert run.method == "numpy solve" and run.run(Deadline(1)).values == pytest.approx([-1.5], rel=1e-15)
+
+
 def test_an_rms_value_is_that_of_what_swings_about_where_it_rests():
     one, (tree,) = asked(ONE % ("(3 N)*sin((17 rad/s)*t) + 5 N", "rms(x): 1 cm"))
     found = steady_states.over_a_period(one, tree).true

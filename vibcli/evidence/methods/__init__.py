@@ -2,7 +2,8 @@
 
 METHODS = {
     "ours": (("modes", "damped modes", "motion", "full motion", "steady motion", "response",
-              "peak", "member modes", "member response", "member motion", "static position"),
+              "peak", "member modes", "member response", "member motion", "static position", "vibrations",
+              "matrix entry"),
              "vibcli itself, from the element data on"),
     "assembled_modes": (("modes",), "eigh and eig of assembled K and M"),
     "state_eigenvalues": (("damped modes",), "eig of the state matrix and of the pencil that is assembled"),
@@ -12,5 +13,6 @@ METHODS = {
     "integrators": (("motion", "full motion", "steady motion"), "solve_ivp and odeint at tolerances 1e-3 … 1e-13"),
     "one_frequency": (("response",), "LU at the frequency, and sums of 1 … n undamped modes"),
     "static_positions": (("static position",), "SciPy's root, hybr and lm, of the forces at rest"),
+    "differences": (("matrix entry",), "central differences of the forces, and kinetic energies of unit velocities"),
     "dense_grids": (("peak",), "grids of 100 … 1,000,000 frequencies, with parabolas and without"),
 }

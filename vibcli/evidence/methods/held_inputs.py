@@ -19,7 +19,7 @@ def attempts(subject: Subject) -> Iterator[MethodRun]:
     """With more and more steps; those of a record and parts of them, where one drives."""
     import scipy.signal  # noqa: F401
 
-    if subject.data is None or subject.data.linear is None:
+    if subject.data is None or subject.data.linear is None or not subject.data.times[-1]:
         return
     until = subject.data.times[-1]
     for steps in _steps(subject.data.linear.instants, until):

@@ -11,10 +11,16 @@ MOST = 10**7            # steps of odeint, which the deadline ends before
 
 
 def attempts(subject: Subject) -> Iterator[MethodRun]:
-    """solve_ivp by each of its methods, and odeint; rtol as atol, relative to the largest value."""
+    """solve_ivp by each of its methods, and odeint; rtol as atol, relative to the largest value. At the start there is
+    nothing to integrate."""
     import scipy.integrate  # noqa: F401
 
-    if subject.data is None:        # constraints: no equations of first order
+    plain = subject.data
+    if plain is None:       # constraints: no equations of first order
+        return
+    if not plain.times[-1]:
+        states = plain.start[None].repeat(2, axis=0)
+        yield MethodRun("numpy solve", "", lambda _: MethodAnswer([plain.read(states, plain.times)]))
         return
     for tolerance in TOLERANCES:
         yield MethodRun("odeint", f"{tolerance:.0e}", partial(_by_odeint, subject, tolerance))

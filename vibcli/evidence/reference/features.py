@@ -22,21 +22,25 @@ HALVINGS, SECANTS = 12, 60
 
 class SignalAlongSteps(NamedTuple):
     """A signal along a motion: its expression and that of its rate, of the coordinates that are called `names` (with
-    primes), of the time and of parameters; values(bits): {parameter: number}."""
+    primes), of the time and of parameters; values(bits): {parameter: number}; jerked: does its rate hold third rates of
+    coordinates?"""
 
     node: "Node"
     rate: "Node"
     names: Sequence[str]
     time: str
     values: Callable[[int], Mapping[str, Any]]
+    jerked: bool = False
 
     def along(self, steps: TaylorSteps, which: "Sequence[Node]", t: int) -> list[Any]:
         """The values of expressions at an instant in fixed point."""
         known = {**self.values(steps.bits), self.time: steps.time(t)}
         for primes, row in zip(("", "'", "''"), steps.at(t), strict=True):
             known |= {name + primes: x for name, x in zip(self.names, row, strict=True)}
+        if self.jerked:
+            known |= {name + "'''": x for name, x in zip(self.names, steps.jerks(t), strict=True)}
         with mpmath.workprec(2 * steps.bits):
-            return evaluate(list(which), multiprecision(), known)
+            return evaluate(list(steps.forms(which, t)), multiprecision(), known)
 
 
 def value(signal: SignalAlongSteps, steps: TaylorSteps, time: Fraction) -> tuple[Any, Any]:
@@ -65,31 +69,37 @@ def extreme(signal: SignalAlongSteps, steps: TaylorSteps, sense: int) -> tuple[A
 
 
 def _sampled(signal, steps):
-    """[(instant, value)] at all ends of steps, and between them."""
-    times = [step.start + (step.end - step.start) * k // SAMPLES for step in steps.steps for k in range(SAMPLES)]
-    times.append(steps.steps[-1].end)
-    return [(t, signal.along(steps, [signal.node], t)[0]) for t in times]
+    """[(instant, value)] at all ends of steps, and between them; where it may jump, just before, too."""
+    times = {step.start + (step.end - step.start) * k // SAMPLES for step in steps.steps for k in range(SAMPLES)}
+    times |= {steps.steps[-1].end, *(t - 1 for t in steps.breaks if t)}
+    return [(t, signal.along(steps, [signal.node], t)[0]) for t in sorted(times)]
 
 
 def zeros(signal: SignalAlongSteps, steps: TaylorSteps, number: int) -> list[Any]:
     """The instants of so many zeros, that of a start there among them; PhysicsError where there are fewer, or where the
     signal may touch zero between samples."""
-    sampled, found = _sampled(signal, steps), []
+    sampled = _sampled(signal, steps)
     size = max(abs(x) for _, x in sampled)
-    if abs(sampled[0][1]) <= mpmath.ldexp(size, -steps.accuracy // 2):
-        found, sampled = [sampled[0][0]], sampled[1:]
+    small = mpmath.ldexp(size, -steps.accuracy // 2)
+    sampled = [(t, x if abs(x) > small else 0) for t, x in sampled]
+    found = [] if sampled[0][1] else [sampled[0][0]]
     for before, (t, x), after in zip([None, *sampled], sampled, [*sampled[1:], None], strict=False):
         if after is None or len(found) == number:
             break
-        if x * after[1] <= 0:
-            sense = 1 if x > after[1] else -1
-            found.append(_passage(lambda at, sense=sense: sense * signal.along(steps, [signal.node], at)[0],
-                                  (t, after[0]), steps))
-        elif before and before[1] * x > 0 and abs(x) <= min(TOUCH * size, abs(before[1]), abs(after[1])):
+        if x and not after[1]:          # there where a step ends, from where on it may stay
+            found.append(after[0])
+        elif x * after[1] < 0:
+            found.append(_zero(signal, steps, (t, after[0]), 1 if x > after[1] else -1))
+        elif x and before and before[1] * x > 0 and abs(x) <= min(TOUCH * size, abs(before[1]), abs(after[1])):
             raise PhysicsError("no reference is found of where a signal may touch zero")
     if len(found) < number:
         raise PhysicsError(f"the reference finds {len(found)} zeros")
     return [steps.time(t) for t in found[:number]]
+
+
+def _zero(signal, steps, ends, sense):
+    """The instant between two at which a signal falls (sense 1) or rises through zero."""
+    return passage(lambda at: sense * signal.along(steps, [signal.node], at)[0], ends, steps)
 
 
 def _top(signal, steps, ends, t, sense):
@@ -100,10 +110,10 @@ def _top(signal, steps, ends, t, sense):
 
     if not (rate(ends[0]) > 0 > rate(ends[1])):
         return t
-    return _passage(rate, ends, steps)
+    return passage(rate, ends, steps)
 
 
-def _passage(function, ends, steps):
+def passage(function: Callable[[int], Any], ends: tuple[int, int], steps: TaylorSteps) -> int:
     """The instant between two at which a function falls through zero: by halves, then by secants."""
     low, high = ends
     below, above = function(low), function(high)

@@ -95,7 +95,9 @@ class SignalInFronts:
 
 
 def in_fronts(problem: "Problem", signal: str, until: Any) -> SignalInFronts:
-    """A signal up to an instant, at the working precision; PhysicsError of beams."""
+    """A signal up to an instant, at the working precision; PhysicsError of beams and at the start."""
+    if not until:
+        raise PhysicsError("no reference by fronts is found at the start, when none has set out")
     members = started_members(problem, signal, until)
     if any(placed.piece.order == 4 or not placed.piece.inertia for placed in members.elements.pieces):
         raise PhysicsError("no reference by fronts is found of beams, or of members without inertia")

@@ -5,7 +5,7 @@
 with numbers from the element data and the start as the file gives it; both are followed in Taylor series.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -19,10 +19,15 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.reference.blows import Blows, blows, without_impulses
 from vibcli.evidence.reference.features import SignalAlongSteps, extreme, value
 from vibcli.evidence.reference.features import zeros as first_zeros
+from vibcli.evidence.reference.forces_along import TrueForces
 from vibcli.evidence.reference.records import PiecesOfRecords, driving_records, strikes
 from vibcli.evidence.reference.settled import TrueValues, settled
+from vibcli.evidence.reference.static_positions import equations
+from vibcli.evidence.reference.switched_steps import SwitchedSteps
+from vibcli.evidence.reference.switches import Switches, bends
 from vibcli.evidence.reference.taylor_steps import TaylorSteps, bits_of
 from vibcli.mechanics.equations_of_motion import Dynamics
+from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import multiprecision
 
 if TYPE_CHECKING:
@@ -39,7 +44,7 @@ WORK = 5e7              # products of numbers of one motion, some ten seconds
 class Motion(NamedTuple):
     """The equations of a scene, `values(bits)`: {parameter: number}, `start(bits)`: [q, q̇]; floats:
     {parameter: float}; digits: that have to be alike, and first ones; rested: are coordinates counted from rest?
-    blows(bits): of impulses, None without."""
+    blows(bits): of impulses, None without; taut: forces of ropes, which do not push."""
 
     scene: "Scene"
     parts: Dynamics
@@ -49,6 +54,7 @@ class Motion(NamedTuple):
     digits: tuple[int, int]
     rested: bool
     blows: Callable[[int], Blows] | None = None
+    taut: "Sequence[Node]" = ()
 
     def coordinate(self, name: str, primes: int = 0) -> "Node":
         """A coordinate as it is told, counted from where its equations do not, or a rate of it."""
@@ -57,15 +63,23 @@ class Motion(NamedTuple):
 
     def signal(self, node: "Node") -> SignalAlongSteps:
         """An expression of its coordinates along it."""
-        return SignalAlongSteps(node, self.scene.rate(node), self.scene.coordinates, self.scene.time.name, self.values)
+        scene, slopes = self.scene, gradient(node)
+        jerks = [slopes[a] * scene.table.parameter(a.name + "'", positive=False) for a in scene.a if a in slopes]
+        return SignalAlongSteps(node, scene.table.total([scene.rate(node), *jerks]), scene.coordinates, scene.time.name,
+                                self.values, bool(jerks))
 
     def steps(self, until: Fraction, digits: int, work: Any, spent: float = WORK) -> TaylorSteps:
         """It, followed to an instant."""
         records = driving_records(self.scene, self.parts.nodes())
-        pieces = (partial(PiecesOfRecords, records) if records else SmoothPieces)(
-            self.scene, self.parts, self.values, self.floats, float(until) * (1 + 1e-12), work)
-        return TaylorSteps(pieces, self.start, until, digits, spent, self.blows)
 
+        def pieces(parts):
+            return (partial(PiecesOfRecords, records) if records else SmoothPieces)(
+                self.scene, parts, self.values, self.floats, float(until) * (1 + 1e-12), work)
+
+        if self.taut or bends(self.scene, self.parts.nodes()):
+            switches = Switches(self.scene, self.parts, pieces, self.floats, self.taut)
+            return SwitchedSteps(switches, self.values, self.start, until, digits, spent)
+        return TaylorSteps(pieces(self.parts), self.start, until, digits, spent, self.blows)
 
     def sizes(self, until: Fraction, work: Any) -> list[float]:
         """The largest magnitude of each of q and q̇ until an instant, where they are not all the time 0."""
@@ -75,7 +89,7 @@ class Motion(NamedTuple):
 
 def small(problem: "Problem") -> Motion:
     """The Motion of small oscillations; PhysicsError where the data are known to floats alone, or there is none."""
-    from vibcli.results.high_precision_response import start
+    from vibcli.results.high_precision_response import given_start
 
     configuration, scene, n = problem.configuration, problem.scene, len(problem.scene.q)
     if configuration.sources[0] is None:
@@ -83,6 +97,7 @@ def small(problem: "Problem") -> Motion:
     if configuration.linear_system.massless:
         raise PhysicsError("no reference is found of motions in which coordinates have no inertia")
     (drive, struck), table, known = without_impulses(scene, _drive(problem)), scene.table, {}
+    let_go = equations(configuration.preloaded) if configuration.preloaded is not None else None
     letters = {(part, i, j): table.parameter(f"{part}[{i};{j}]", positive=False)
                for part in "MCK" for i in range(n) for j in range(n)}
 
@@ -101,7 +116,8 @@ def small(problem: "Problem") -> Motion:
     def deviations(bits):
         with mpmath.workprec(2 * bits):
             rest = {name: numbers(bits)[_rest_of(name)] for name in scene.coordinates}
-            places, speeds = start(problem, numbers(bits), rest)
+            held = rest if let_go is None else let_go.root(numbers(bits))
+            places, speeds = given_start(problem, numbers(bits), held)
             return [fixed_point(places[name] - rest[name], bits) for name in scene.coordinates] + [
                 fixed_point(speeds[name], bits) for name in scene.coordinates]
 
@@ -153,10 +169,13 @@ def full(problem: "Problem") -> Motion:
     """The Motion of the full equations."""
     from vibcli.results.motion_in_series import MotionInSeries
 
-    exact = MotionInSeries(problem)
+    exact = MotionInSeries(problem, taut=True)
     if any(map(strikes, driving_records(exact.scene, exact.parts.nodes()))):
         raise PhysicsError("no reference is found of full motions that rates of records strike")
-    return Motion(exact.scene, exact.parts, exact.values, exact.start, problem.numeric.floats, FULL, False)
+    ropes = [tie.signal for tie in problem.scene.constraints if tie.form == "rope"]
+    forces = TrueForces(problem, exact.scene) if ropes else {}
+    return Motion(exact.scene, exact.parts, exact.values, exact.start, problem.numeric.floats, FULL, False,
+                  taut=[forces[rope] for rope in ropes])
 
 
 def at_instant(motion: Motion, node: "Node", time: Fraction, work: Any) -> TrueValues:
@@ -184,10 +203,10 @@ def zeros(motion: Motion, node: "Node", until: Fraction, number: int, work: Any)
         first_zeros(motion.signal(node), steps, number)[-1:], until))
 
 
-def period(motion: Motion, until: Fraction, work: Any) -> TrueValues:
+def period(motion: Motion, name: str, until: Fraction, work: Any) -> TrueValues:
     """The time after which a motion of one coordinate repeats itself: from one turn to the next but one, where of a
     full motion it is in the same place again; about: it, too."""
-    place, rate = motion.scene.q[0], motion.scene.v[0]
+    place, rate = (motion.scene.symbol(name, primes) for primes in (0, 1))
 
     def found(steps):
         first, _, last = first_zeros(motion.signal(rate), steps, 3)

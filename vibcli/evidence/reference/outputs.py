@@ -10,7 +10,10 @@ from typing import TYPE_CHECKING, Any
 import mpmath
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.named_tuple import NamedTuple
+from vibcli.evidence.reference.forces_along import TrueForces
 from vibcli.evidence.reference.motion import Motion
+from vibcli.language.signals import is_reaction
 from vibcli.mechanics.inputs_outputs.outputs import linear_row
 from vibcli.mechanics.precise_configuration import PreciseConfiguration
 from vibcli.mechanics.signals import moving
@@ -22,6 +25,13 @@ if TYPE_CHECKING:
     from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
+
+
+class FollowedScene(NamedTuple):
+    """A scene with all coordinates that are followed, as a system whose signals are told."""
+
+    spec: Any
+    scene: Any
 
 
 def with_output(problem: "Problem", motion: Motion, text: str) -> "tuple[Motion, Node]":
@@ -77,13 +87,16 @@ def signal(problem: "Problem", motion: Motion, tree: Any) -> "tuple[Motion, Node
         if motion.rested and not isinstance(part, QuantityRef):
             motion, found = _of_small(problem, motion, name, primes)
             return found
-        if isinstance(part, QuantityRef) or scene is not problem.scene:
-            raise PhysicsError("of this motion a reference is found of coordinates and their rates alone")
+        if isinstance(part, QuantityRef):
+            raise PhysicsError("of this motion a reference is found of signals alone, and of steady states")
+        if is_reaction(problem.spec, name) and not primes:
+            return TrueForces(problem, scene)[name]
+        followed: Any = FollowedScene(problem.spec, scene)
         try:
-            return moving(problem.system, name, primes)
+            return moving(followed, name, primes)
         except PhysicsError:
-            raise PhysicsError("of full motions a reference is found of coordinates, places, energies, and of the "
-                               "forces of springs and dampers alone") from None
+            raise PhysicsError("of full motions a reference is found of coordinates, places, energies, and of forces "
+                               "alone") from None
 
     node = lower(tree, scene.table, symbol)
     return motion, node

@@ -100,7 +100,7 @@ def _waves(known, nodes, numbers, Omega):
     return found, means
 
 
-def _middles(known):
+def middles(known: HarmonicLoads) -> tuple[Any, Any, Any]:
     """(Ω, phasors, means) of the coordinates: where they rest, moved by K⁻¹ of the mean loads."""
     scene, n = known.motion.scene, len(known.loads)
     numbers = known.motion.values(mpmath.mp.prec)
@@ -127,7 +127,7 @@ def _along(known, node, t, Omega, phasors, means):
 def _over_a_period(known, node, head):
     """(the mean or rms value of a signal, its largest magnitude), by more and more samples until two of their numbers
     give the same: of powers of waves a few are all that it takes."""
-    steady, before = _middles(known), None
+    steady, before = middles(known), None
     period, small = 2 * mpmath.pi / steady[0], mpmath.mpf(10) ** (8 - mpmath.mp.dps)
     for count in SAMPLES:
         values = [_along(known, node, period * k / count, *steady) for k in range(count)]
@@ -142,7 +142,7 @@ def _over_a_period(known, node, head):
 
 def at_the_start(known: HarmonicLoads) -> tuple[float, list[float], list[float]]:
     """(2π/Ω, [q, q̇] of the steady state at t = 0, counted from rest, the largest values of each)."""
-    Omega, phasors, means = _middles(known)
+    Omega, phasors, means = middles(known)
     start = [*(mpmath.re(X) + mean for X, mean in zip(phasors, means, strict=True)),
              *(-Omega * mpmath.im(X) for X in phasors)]
     sizes = [*(abs(X) + abs(mean) for X, mean in zip(phasors, means, strict=True)), *(Omega * abs(X) for X in phasors)]

@@ -17,8 +17,8 @@ from vibcli.base.named_tuple import NamedTuple
 if TYPE_CHECKING:
     import mpmath
 
-    from vibcli.analyses.time_integration.smooth_pieces import SmoothPieces
     from vibcli.evidence.reference.blows import Blows
+    from vibcli.symbolic.node import Node
 
 SPARE = 64              # bits below the digits asked for
 LAST = 3                # coefficients that have to be small
@@ -40,13 +40,14 @@ class TaylorStep(NamedTuple):
 class TaylorSteps:
     """The motion of SmoothPieces from start(bits), [q, q̇] in fixed point, up to `until` s, to about so many digits.
     work: how many products of numbers it may take; PhysicsError of one that takes more; sizes: the largest magnitude of
-    each of q and q̇, as floats. blows(bits): instants at which
+    each of q and q̇, as floats; breaks: instants at which forces may jump. blows(bits): instants at which
     q̇ jumps, and by how much, ascending."""
 
-    def __init__(self, pieces: "SmoothPieces", start: Callable[[int], Sequence[int]], until: Fraction, digits: int,
+    def __init__(self, pieces: Any, start: Callable[[int], Sequence[int]], until: Fraction, digits: int,
                  work: float, blows: "Callable[[int], Blows] | None" = None):
         self.accuracy, self.bits, self.order = ceil(digits * log2(10)), bits_of(digits), ceil(1.3 * digits)
         self.steps: list[TaylorStep] = []
+        self.breaks: list[int] = []
         self.sizes: list[float] = []
         self._price, self._left = pieces.products * self.order**2 * max(1.0, self.bits / 512), work
         self._march(pieces, list(start(self.bits)), max(1, self.fixed(until)), blows(self.bits) if blows else [])
@@ -68,6 +69,8 @@ class TaylorSteps:
             step, state, spare = self._stepped(compute, t, min(scale, longest or scale), state, sizes, min(ends), end)
             self.steps.append(step)
             sizes = [max(size, abs(x)) for size, x in zip(sizes, state, strict=True)]
+            if step.end in ends[1:]:
+                self.breaks.append(step.end)
             t, scale = step.end, int(step.scale * min(LONGER, 2.0 ** (spare / self.order)))
         self.sizes = [x / 2**self.bits for x in sizes]
 
@@ -126,14 +129,30 @@ class TaylorSteps:
             total = (total * s >> self.bits) + coefficient
         return total
 
+    def forms(self, nodes: "Sequence[Node]", _: int) -> "Sequence[Node]":
+        """Expressions as they are at an instant in fixed point."""
+        return nodes
+
     def at(self, t: int) -> "list[list[mpmath.mpf]]":
         """[q], [q̇], [q̈] at an instant in fixed point."""
         import mpmath
 
-        place = max(bisect_right(self.steps, t, key=lambda step: step.start) - 1, 0)
-        step = self.steps[place]
+        step = self.steps[self.place(t)]
         with mpmath.workprec(2 * self.bits):
             return [[mpmath.ldexp(self.summed(row, step, t), -self.bits) for row in rows] for rows in step.rows]
+
+    def jerks(self, t: int) -> "list[mpmath.mpf]":
+        """The rates of q̈ at an instant in fixed point."""
+        import mpmath
+
+        step = self.steps[self.place(t)]
+        with mpmath.workprec(2 * self.bits):
+            rates = ([k * x for k, x in enumerate(row)][1:] for row in step.rows[2])
+            return [mpmath.mpf(self.summed(row, step, t)) / step.scale for row in rates]
+
+    def place(self, t: int) -> int:
+        """The number of the step that an instant lies in."""
+        return max(bisect_right(self.steps, t, key=lambda step: step.start) - 1, 0)
 
     def time(self, t: int) -> "mpmath.mpf":
         """An instant in seconds."""

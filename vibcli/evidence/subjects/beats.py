@@ -8,8 +8,9 @@ from vibcli.base.errors import PhysicsError
 from vibcli.evidence.reference.settled import TrueValues
 from vibcli.evidence.subject import MethodAnswer, Subject
 from vibcli.evidence.subjects.eigenvalues import damped, natural
+from vibcli.evidence.subjects.vibrations import beats
 from vibcli.quantities.expression import measure
-from vibcli.results.signal_features import beating
+from vibcli.results.signal_features import beating, kept_up
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -23,6 +24,8 @@ ALIKE = 1e-8        # relative: frequencies in floats and in more digits
 def between_modes(problem: "Problem", tree: "QuantityRef") -> Subject:
     """Of the two modes that beat, by what finds all of them."""
     measure(problem, tree)          # refused where there are none
+    if kept_up(problem.response.signal(tree.args[0])):
+        return beats(problem, tree)
     subject = (damped if problem.modal.damps else natural)(problem, None)
     pair = beating(problem.response.signal(tree.args[0]))
     true = subject.true.values

@@ -12,8 +12,10 @@ from vibcli.evidence.reference import motion as reference
 from vibcli.evidence.reference.outputs import signal
 from vibcli.evidence.reference.taylor_steps import TakesMinutes
 from vibcli.evidence.subject import Subject, of_signal
+from vibcli.evidence.subjects.long_after import steady_value
+from vibcli.evidence.subjects.vibrations import exact, of_envelope
 from vibcli.quantities.expression import measure, number_of
-from vibcli.symbolic.evaluation import evaluate, evaluate_rational, multiprecision
+from vibcli.symbolic.evaluation import evaluate_rational
 from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import NameRef, QuantityRef
 
@@ -23,17 +25,22 @@ if TYPE_CHECKING:
 SENSES = {"max": 1, "min": -1, "argmax": 1, "argmin": -1}
 AHEAD = 2.05        # periods, in which three turns of a rate are
 STEADY = "steady"
-KINDS = {"small": "motion", "full": "full motion", STEADY: "steady motion"}
+KINDS = {"small": "motion", "full": "full motion", "prescribed": "full motion", STEADY: "steady motion"}
 
 
 def of_motion(problem: "Problem", tree: QuantityRef) -> Subject:
     """A value, max, min, argmax, argmin or zero of a signal."""
-    if problem.configuration.linear_system.pieces:
+    if problem.scene.pieces:
         return of_member_motion(problem, tree)
+    if getattr(tree.args[0], "head", "") == "envelope":
+        return of_envelope(problem, tree)
     kind, motion = _followed(problem)
     of, feature, keeps_on = tree.args[0], tree.head, getattr(tree.args[0], "head", "") == "steady"
     if keeps_on:
-        of, motion = of.args[0], _kept_up(kind, motion, problem.work)
+        try:
+            of, motion = of.args[0], _kept_up(kind, motion, problem.work)
+        except PhysicsError as error:           # of loads that do not repeat themselves
+            return _long_after(problem, tree, error)
     motion, node = signal(problem, motion, of)
     if tree.head in SENSES:
         until = Fraction(problem.response.until)
@@ -59,22 +66,11 @@ def of_member_motion(problem: "Problem", tree: QuantityRef) -> Subject:
         raise PhysicsError("no reference is found of motions of members that `damping:` damps")
     name = of.name + "'" * of.primes
     if tree.head == "value":
-        true = member_fronts.at_instant(problem, name, _exact_instant(problem, tree.args[1]))
+        true = member_fronts.at_instant(problem, name, exact(problem, tree.args[1]))
     else:
         true = member_fronts.extremes(problem, name, problem.response.until, SENSES[tree.head],
                                       tree.head.startswith("arg"))
     return of_signal("member motion", problem, tree, f"of {problem.response.words}", true, None)
-
-
-def _exact_instant(problem, tree):
-    """An instant at the working precision."""
-    node = lower(tree, problem.scene.table, lambda name, *_: problem.scene.parameters.nodes[name])
-
-    def found():
-        numbers = multiprecision()
-        return evaluate([node], numbers, problem.numeric.values(numbers))[0]
-
-    return found
 
 
 def period(problem: "Problem", tree: QuantityRef) -> Subject:
@@ -82,13 +78,13 @@ def period(problem: "Problem", tree: QuantityRef) -> Subject:
     kind, motion = _followed(problem)
     if problem.scene.timed or len(problem.scene.q) > 1 or not isinstance(tree.args[0], NameRef):
         raise PhysicsError("of periods a reference is found where nothing drives the only coordinate, and of it alone")
-    if motion.parts.gaps or motion.blows:
+    if motion.blows:
         raise PhysicsError("no reference is found of periods of what strikes or is struck")
     about = measure(problem, tree)[0]
     until = Fraction(AHEAD * about)
     try:
-        true = reference.period(motion, until, problem.work)
-        plain = _plain(problem, motion, motion.scene.v[0], until, "period")
+        true = reference.period(motion, tree.args[0].name, until, problem.work)
+        plain = None if motion.parts.gaps else _plain(problem, motion, motion.scene.v[0], until, "period")
     except PhysicsError:            # of what bends or jumps with the motion
         true = swings.period(motion, problem.numeric.size_along(motion.scene.coordinates[0]))
         plain = plain_equations(motion, motion.scene.v[0], float(until), "period")
@@ -108,12 +104,27 @@ def _kept_up(kind, motion, work):
     return periodic.steady(motion, work).motion
 
 
+def _long_after(problem, tree, error):
+    """Of loads that are powers of the time; `error` of others."""
+    if tree.head != "value":
+        raise error
+    try:
+        return steady_value(problem, tree)
+    except PhysicsError:
+        raise error from None
+
+
 def _followed(problem):
     """(what kind of motion it is, the Motion of the reference)."""
     from vibcli.results.expanded_response import ExpandedResponse
 
     kind = problem.response.KIND
-    if kind not in KINDS or isinstance(problem.response, ExpandedResponse):
+    if isinstance(problem.response, ExpandedResponse):
+        if not problem.configuration.equilibrium.drawn:
+            raise PhysicsError("these equations are expanded about a place that is known to the digits of floats: no "
+                               "reference is found")
+        return kind, reference.full(problem.about(problem.response.expanded))
+    if kind not in KINDS:
         raise PhysicsError("no reference is found of this kind of motion")
     return kind, (reference.small if kind == "small" else reference.full)(problem)
 

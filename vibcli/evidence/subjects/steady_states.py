@@ -22,6 +22,7 @@ from vibcli.evidence.reference.motion import small
 from vibcli.evidence.reference.outputs import signal
 from vibcli.evidence.reference.settled import relative_error
 from vibcli.evidence.subject import MethodAnswer, Subject, of_signal
+from vibcli.evidence.subjects.vibrations import of_one
 from vibcli.quantities.expression import measure
 from vibcli.symbolic.syntax import NameRef, QuantityRef
 
@@ -38,6 +39,8 @@ def of_wave(problem: "Problem", tree: QuantityRef) -> Subject:
     """amplitude(x) or phase(x) of a linear signal under loads of one frequency."""
     if problem.configuration.linear_system.pieces:
         return _of_members(problem, tree)
+    if not problem.scene.timed:
+        return of_one(problem, tree)
     known, node = _driven(problem, tree)
     true = steady_state.of_wave(known, node, tree.head)
     with mpmath.workdps(30):

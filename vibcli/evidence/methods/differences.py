@@ -1,0 +1,51 @@
+"""Entries of matrices by numbers alone: K and C + G by central differences of the forces, M by the kinetic energies of
+unit velocities, which are quadratic in them."""
+
+from collections.abc import Iterator
+from functools import partial
+
+from vibcli.evidence.subject import Deadline, MethodAnswer, MethodRun, Subject
+
+STEPS = tuple(10.0**-k for k in range(1, 9))        # of the size of a coordinate
+
+
+def attempts(subject: Subject) -> Iterator[MethodRun]:
+    """With shorter and shorter steps; none where loops are closed."""
+    plain = subject.data
+    if plain is None:
+        return
+    if plain.head == "M":
+        yield MethodRun("kinetic energies", "", partial(_energies, plain))
+        return
+    for step in STEPS:
+        yield MethodRun("central differences", f"{step:.0e}", partial(_differences, plain, step))
+
+
+def _energies(plain, _: Deadline) -> MethodAnswer:
+    i, j = plain.pair
+    rest = [0.0] * len(plain.units)
+
+    def energy(*moved):
+        return plain.at(rest, [float(moved.count(k)) for k in range(len(rest))])[0]
+
+    T = (energy(i, j) - energy() if i == j else energy(i, j) + energy() - energy(i) - energy(j))
+    return MethodAnswer([T / 2 if i == j else T])
+
+
+def _differences(plain, step, _: Deadline) -> MethodAnswer:
+    i, j = plain.pair
+    if plain.head == "K":
+        return MethodAnswer([_slope(plain, i, j, step, 0)])
+    one, other = _slope(plain, i, j, step, 1), _slope(plain, j, i, step, 1)
+    return MethodAnswer([(one + other) / 2 if plain.head == "C" else (one - other) / 2])
+
+
+def _slope(plain, i, j, step, rate):
+    """∂hᵢ/∂qⱼ, or by the velocity of that coordinate."""
+    rest = [0.0] * len(plain.units)
+    ends = []
+    for way in (1, -1):
+        moved = rest.copy()
+        moved[j] = way * step * plain.units[j]
+        ends.append(plain.at(*((rest, moved) if rate else (moved, rest)))[1 + i])
+    return (ends[0] - ends[1]) / (2 * step * plain.units[j])
