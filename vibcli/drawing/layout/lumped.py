@@ -125,7 +125,7 @@ def _across(edges):
 
 
 def draw(layout: Layout, moved: Mapping[str, float],
-         gap: Callable[[Any], float | None]) -> tuple[list[Any], dict[str, tuple[Any, ...]]]:
+         gap: Callable[[Any], float | None] = lambda _: None) -> tuple[list[Any], dict[str, tuple[Any, ...]]]:
     """The primitives of a row, and where its elements are; `moved`: {body: displacement in points, or angle},
     gap(record): that of an element in motion."""
     if layout.kind == "frame":
