@@ -267,3 +267,11 @@ def test_a_wall_of_a_spiral_is_where_no_member_is():
     walls = [part for part in figure if isinstance(part, Hatch) and part.points[0][0] > 0]
     top = max(max(y for _, y in part.points) for part in walls)
     assert top > plane.bounds(arm.points)[3]
+
+
+def test_an_arc_begins_at_no_tip_of_another_arrow():
+    drawn = kept_drawing_of(ROOT / "problems/8_continuous/portal_frame.yaml")
+    arrows = [part.points for part in drawn if isinstance(part, Polyline) and part.role == "coordinate"]
+    arcs, shafts = ([points for points in arrows if (len(points) > 2) == arc] for arc in (True, False))
+    assert (len(arcs), len(shafts)) == (2, 8)
+    assert min(plane.distance(arc[0], place) for arc in arcs for shaft in shafts for place in shaft) > 8.0
