@@ -8,7 +8,7 @@ from support.overlaps import cross, crossed, touching
 from support.scenes import kept_drawing_of, problem
 
 from vibcli.drawing.animation import of_positions
-from vibcli.drawing.canvas.primitives import ARROW, Circle, LetterRuns, Polygon, Polyline
+from vibcli.drawing.canvas.primitives import ARROW, Circle, Hatch, LetterRuns, Polygon, Polyline
 from vibcli.drawing.drawing import draw
 from vibcli.drawing.layout import plane
 from vibcli.drawing.layout.lettering import words
@@ -145,3 +145,17 @@ def test_words_keep_clear_of_the_edges_of_thick_lines():
         line = Polyline(((0.0, 0.1), (60.0, 0.1)), "load", thick)
         word = Space([line]).put(words("F0 saw(t)"), [(30.0, 1.2)])
         assert max(word.box[1] - 0.1, 0.1 - word.box[3]) > far
+
+
+@pytest.mark.parametrize(("path", "noted"), [
+    ("9_equivalents_and_corrections/ball_on_a_springboard", []), ("6_two_degrees/wing_section_in_wind", []),
+    ("4_free_damped/crate_let_go_on_a_rough_slope", ["f"]), ("6_two_degrees/unround_shaft", ["first", "second"])])
+def test_a_spring_that_is_said_to_stretch_as_a_body_moves_stands_on_a_wall_behind_it(path, noted):
+    drawn = kept_drawing_of(ROOT / f"problems/{path}.yaml")
+    lines = ["".join(run.text for run in part.runs) for part in drawn if isinstance(part, LetterRuns)]
+    assert [line.split(":")[0] for line in lines if " on " in line] == noted and touching(drawn) == []
+    if not noted:
+        coils = next(part.points for part in drawn if isinstance(part, Polyline) and len(part.points) > 8
+                     and part.role == "spring")
+        wall = max((part for part in drawn if isinstance(part, Hatch)), key=lambda part: -part.points[0][1])
+        assert wall.points[0][1] == pytest.approx(coils[0][1]) and coils[-1][1] > coils[0][1] + 20.0

@@ -44,14 +44,23 @@ def bunches(sketch: Sketch, looks: "Mapping[str, Look]") -> list[Bunch]:
     """The Bunches of all elements that run between two places."""
     found = {}
     for record in sketch.spec.connections:
-        if "between" not in record or "torsion" in record:
-            continue
-        ends = [sketch.attachment(end) for end in record["between"]]
+        ends = _ends(record, sketch)
         if None in ends or plane.distance(ends[0].drawn, ends[1].drawn) < 1e-9:
             continue
         key = tuple(sorted((end.carrier or "", round(end.drawn[0], 3), round(end.drawn[1], 3)) for end in ends))
         found.setdefault(key, (ends, []))[1].append(record)
     return [Bunch(members, *_at_edges(ends, looks)) for ends, members in found.values()]
+
+
+def _ends(record, sketch):
+    """The Attachments of an element, None among them if it has no two places."""
+    if "torsion" in record:
+        return [None]
+    if "between" in record:
+        return [sketch.attachment(end) for end in record["between"]]
+    from vibcli.drawing.layout.props import prop
+
+    return prop(record, sketch) or [None]
 
 
 def _at_edges(ends, looks):

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 GAP, TOUCHING, PLATE, THICK = 12.0, 2.2, 6.0, 2.0   # a clearance as drawn, none; half a plate, its width
 CORD, SLACK, SHORT, WAVE = 24.0, 0.35, 0.7, 5.5     # a cord; what it has to spare and may lose, in parts; its wave
-TAUT, STEPS = 0.1, 24               # the largest wave of a straight cord; what others consist of
+STEPS = 16          # of which a cord consists, slack or taut
 PIN, SLOT, STEM, LEAST = 1.7, 3.4, 5.0, 1.0     # the radius of a pin, half the width of its slot, what that is on; play
 
 
@@ -55,8 +55,7 @@ def _cord(at, moved, free, room, spare):
     stretch = max(moved - spare, min(0.0, moved + SHORT * room))
     near, way = free + stretch, room + moved - stretch
     wave = min(sqrt(way * max(room + spare - way, 0.0)) / pi, WAVE)
-    steps = STEPS if wave > TAUT else 1
-    line = tuple(at(near + way * i / steps, wave * sin(2 * pi * i / steps)) for i in range(steps + 1))
+    line = tuple(at(near + way * i / STEPS, wave * sin(2 * pi * i / STEPS)) for i in range(STEPS + 1))
     return Sign(room, stretch, near + way / 2, [Polyline(line, "rope", 1.4),
                                                 Circle(at(near), 1.3, "ink", "ink", layer=JOINT)])
 
