@@ -85,6 +85,15 @@ def measured(drawn):
             and arrow.role in ARROWS and any(cross(_without_tail(arrow.points), line) for line in lines)]
 
 
+def struck(drawn):
+    """[role of a spring or dashpot that a dimension line, or what leads to it, passes through] of a figure: their
+    coils and cups, not the rods at their ends."""
+    lines = [part.points for part in drawn if isinstance(part, Polyline) and part.role == "measure"]
+    inner = [(part.role, part.points[1:-1] if part.role == "spring" else part.strokes()[0]) for part in drawn
+             if part.role == "oil" or (isinstance(part, Polyline) and part.role == "spring" and len(part.points) > 6)]
+    return [role for role, path in inner if any(cross(path, line) for line in lines)]
+
+
 def cross(path, stroke):
     if not path or any(max(p[k] for p in one) < min(p[k] for p in other)
                        for one, other in ((path, stroke), (stroke, path)) for k in (0, 1)):

@@ -77,20 +77,28 @@ def of_positions(problem: Any, positions: Sequence[dict[str, float]],
                  times: Sequence[float]) -> tuple[list[list[Any]], str, list[str]]:
     """The same of a motion given as {coordinate: value} at each of the times in seconds.
 
-    What could not be seen, and is not driven, is magnified about its mean.
+    What could not be seen, and is not driven, is magnified.
     """
     stage = compose.Scenery(problem.scene)
     sketches, unit, room = response(stage, positions, times)
     if all(one == positions[0] for one in positions) and not problem.scene.driven:
         raise PhysicsError("this scene stays at rest", "say under `initial` how it starts, or give it a load")
-    middle = {name: sum(one[name] for one in positions) / len(positions) for name in positions[0]}
+    middle = _middle(problem, stage, positions)
     factor = 1.0 if problem.scene.driven else magnification(stage, stage.at(middle), sketches)
     if factor > 1:
         positions = [{name: middle[name] + factor * (x - middle[name]) for name, x in one.items()} for one in positions]
         sketches, unit, room = response(stage, positions, times)
+    stage.sketch.numbers["magnified"] = factor
     words = f"{times[0]:.4g} s to {times[-1]:.4g} s" + (f", displacements × {factor:g}" if factor > 1 else "")
     frames = _drawn(problem, len(times), lambda i: mode_shape.frame(stage, sketches[i], unit, room))
     return frames, words, [f"{t:.4g} s" for t in times]
+
+
+def _middle(problem, stage, positions):
+    """The position about which a motion is magnified: its mean, of what has gaps that from which these count."""
+    if any("gap" in record for record in problem.scene.spec.connections):
+        return {name: stage.sketch.values[name] for name in positions[0]}
+    return {name: sum(one[name] for one in positions) / len(positions) for name in positions[0]}
 
 
 def _drawn(problem, count, frame):

@@ -75,7 +75,8 @@ def annotations(stage: Any, found: Any,
             made.append(space.put(runs, places, "driven"))
     for name, (middle, normal, *sides) in where.items():
         beside = [plane.plus(middle, normal, 7.0 * side) for side in sides or (1.0, -1.0)]
-        made.append(space.put(_element(name, sketch), beside))
+        runs, role = _gap(*name, sketch) if isinstance(name, tuple) else (_element(name, sketch), "ink")
+        made += [space.put(runs, beside, role)] if runs else []
     made += _lengths(stage, space)
     put(_gravity(sketch, found + made))
     return made + notes.lines(stage, found + made)
@@ -155,6 +156,13 @@ def _element(name, sketch):
     if record is None:
         return lettering.named(name)
     return captions.quantity(record, connection.symbol(record).NAMED_BY, sketch)
+
+
+def _gap(name, key, sketch):
+    """The runs and the role of what is written beside a gap: none where it is zero or too long a formula."""
+    field = sketch.spec.connection(name)[key]
+    none = captions.raw(field, sketch.scene).is_zero
+    return () if none else captions.expression(field, sketch) or (), "measure"
 
 
 def _bodies(stage):

@@ -1,17 +1,19 @@
 """What bodies without a shape are drawn as: frames about what is in them, storeys, tubes of liquid, cams; `looks`."""
 
+from pathlib import Path
 from textwrap import dedent
 
 import pytest
 from support.overlaps import crossed
-from support.scenes import problem
+from support.scenes import kept_drawing_of, problem
 
 from vibcli.api.load import loads
 from vibcli.base.errors import SpecError
-from vibcli.drawing.canvas.primitives import Circle, Hatch, LetterRuns, Polygon
+from vibcli.drawing.canvas.primitives import Circle, Hatch, LetterRuns, Polygon, Polyline
 from vibcli.drawing.drawing import draw
 from vibcli.drawing.layout import compose, lumped, plane
 
+EXAMPLES = Path(__file__).parents[3] / "vibcli/examples"
 BOX = """
     parameters: {{m: 3 kg, k: 900 N/m}}
     points:
@@ -234,3 +236,18 @@ def test_parts_keep_their_masses():
     """))
     names = ["".join(run.text for run in part.runs) for part in found if isinstance(part, LetterRuns)]
     assert {"M", "n"} <= set(names) and "p" not in names
+
+
+def test_a_cart_has_room_for_what_rolls_on_it():
+    drawn = kept_drawing_of(EXAMPLES / "roller_on_a_cart.yaml")
+    deck, roller = sorted((part.points for part in drawn if isinstance(part, Polygon) and part.fill == "body"), key=len)
+    deck, roller = plane.bounds(deck), plane.bounds(roller)
+    assert deck[0] < roller[0] < roller[2] < deck[2] and roller[1] == pytest.approx(deck[3], abs=0.1)
+
+
+def test_the_name_of_a_block_stands_beside_the_unbalance_in_it():
+    drawn = kept_drawing_of(EXAMPLES / "unbalanced_motor.yaml")
+    block = next(part for part in drawn if isinstance(part, Polygon) and part.fill == "body")
+    arm = next(part.points for part in drawn if isinstance(part, Polyline) and part.role == "load")
+    name = next(part.box for part in drawn if isinstance(part, LetterRuns) and part.runs[0].text == "M")
+    assert plane.bounds(block.points)[0] < name[0] and name[2] < min(x for x, _ in arm) - 2.0

@@ -4,10 +4,10 @@ dimension lines, in all but two of a hundred figures at most; springs lead throu
 from pathlib import Path
 
 import pytest
-from support.overlaps import cross, crossed, grounded, measured, touching
+from support.overlaps import cross, crossed, grounded, measured, struck, touching
 from support.scenes import kept_drawing_of, problem
 
-from vibcli.drawing.canvas.primitives import ARROW, LEADER, SURFACE, Circle, Hatch, LetterRuns, Polygon, Polyline
+from vibcli.drawing.canvas.primitives import ARROW, JOINT, LEADER, SURFACE, Circle, Hatch, LetterRuns, Polygon, Polyline
 from vibcli.drawing.drawing import draw
 from vibcli.drawing.layout import lettering, plane
 from vibcli.drawing.layout.space import Space
@@ -22,7 +22,7 @@ def test_words_and_arrows_of_problems_and_examples_touch_nothing():
     paths = sorted([*ROOT.glob("problems/[1-9]*/*.yaml"), *ROOT.glob("vibcli/examples/*.yaml")])
     figures = {path.stem: kept_drawing_of(path) for path in paths}
     assert len(figures) > 300
-    for check in (touching, crossed, measured):
+    for check in (touching, crossed, measured, struck):
         found = {name: told for name, figure in figures.items() if (told := check(figure))}
         assert len(found) <= MOST * len(paths), found
     assert not [name for name, figure in figures.items() if grounded(figure)]
@@ -224,6 +224,18 @@ def test_lengths_that_find_no_room_stand_further_off_and_radii_at_another_angle(
     assert sorted(told) == lengths and touching(drawn) == measured(drawn) == crossed(drawn) == []
 
 
+@pytest.mark.parametrize("path", [
+    "6_more_degrees/car_with_seat_by_assumed_shapes", "5_forced/seismograph_with_level_boom",
+    "6_two_degrees/disc_on_seesaw", "4_free_damped/sagging_boom", "4_free_damped/seismograph_boom"])
+def test_lines_of_lengths_pass_through_no_spring_dashpot_or_bearing(path):
+    drawn = kept_drawing_of(ROOT / f"problems/{path}.yaml")
+    lines = [part.points for part in drawn if isinstance(part, Polyline) and part.role == "measure"
+             and part.layer == ARROW]
+    bearings = [part for part in drawn if isinstance(part, Polygon) and part.layer == JOINT - 1]
+    assert struck(drawn) == touching(drawn) == []
+    assert not [1 for line in lines for bearing in bearings if cross(line, bearing.strokes()[0])]
+
+
 def test_no_line_crosses_another_between_two_cells():
     one = Polyline(((0.3, 0.2), (40.1, 39.7)), "spring")
     space = Space([one])
@@ -255,3 +267,11 @@ def test_a_wall_of_a_spiral_is_where_no_member_is():
     walls = [part for part in figure if isinstance(part, Hatch) and part.points[0][0] > 0]
     top = max(max(y for _, y in part.points) for part in walls)
     assert top > plane.bounds(arm.points)[3]
+
+
+def test_an_arc_begins_at_no_tip_of_another_arrow():
+    drawn = kept_drawing_of(ROOT / "problems/8_continuous/portal_frame.yaml")
+    arrows = [part.points for part in drawn if isinstance(part, Polyline) and part.role == "coordinate"]
+    arcs, shafts = ([points for points in arrows if (len(points) > 2) == arc] for arc in (True, False))
+    assert (len(arcs), len(shafts)) == (2, 8)
+    assert min(plane.distance(arc[0], place) for arc in arcs for shaft in shafts for place in shaft) > 8.0

@@ -1,6 +1,6 @@
 """Rows of lumped bodies: boxes on a floor, discs on a shaft; springs and dampers between them and walls."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from math import sin
 from typing import TYPE_CHECKING, Any
 
@@ -9,7 +9,7 @@ from vibcli.drawing.layout import captions, gears, lettering, lumped_loads, plan
 from vibcli.drawing.layout.lumped_place import Layout, LumpedPlace
 from vibcli.drawing.layout.rows import LumpedRow, carrier, motion
 from vibcli.drawing.symbols import arrow, support
-from vibcli.drawing.symbols.connection import symbol
+from vibcli.drawing.symbols.connection import between, named, symbol
 from vibcli.drawing.symbols.parts import ROW, offsets, rows, sides
 
 if TYPE_CHECKING:
@@ -124,16 +124,18 @@ def _across(edges):
     return 2 * max(offsets(records, STACK)[0], 0.0) + max(STACK, ROW * rows(records[0])) + named
 
 
-def draw(layout: Layout,
-         moved: Mapping[str, float]) -> tuple[list[Any], dict[str, tuple[Any, ...]]]:
-    """The primitives of a row, and where its elements are; `moved`: {body: displacement in points, or angle}."""
+def draw(layout: Layout, moved: Mapping[str, float],
+         gap: Callable[[Any], float | None] = lambda _: None) -> tuple[list[Any], dict[str, tuple[Any, ...]]]:
+    """The primitives of a row, and where its elements are; `moved`: {body: displacement in points, or angle},
+    gap(record): that of an element in motion."""
     if layout.kind == "frame":
         return storeys.draw(layout, moved)
     if layout.kind == "tube":
         return tube.draw(layout, moved)
     places = {name: place if place.turns else place._replace(middle=plane.plus(place.middle, (moved.get(name, 0.0), 0)))
               for name, place in layout.places.items()}
-    found, where = _walls(layout), {}
+    found: list[Any] = _walls(layout)
+    where: dict[str, tuple[Any, ...]] = {}
     for name, place in places.items():
         found += _disc(place, moved.get(name, 0.0)) if place.turns else _box(place)
         if place.gear == 2:
@@ -142,12 +144,12 @@ def draw(layout: Layout,
         for edge, t in zip(edges, offsets([edge.record for edge in edges], STACK), strict=True):
             start, end = _ends(layout, places, column, t)
             drawn = plane.distance(*_ends(layout, layout.places, column, t))
-            found += symbol(edge.record).between(edge.record, start, end, drawn)
-            where[edge.record.name] = plane.middle(start, end), (0.0, 1.0), *sides(t, edges)
+            found += between(edge.record, start, end, drawn, gap(edge.record))
+            where |= named(edge.record, start, end, (0.0, 1.0), *sides(t, edges))
     for lane, (low, high, edge) in enumerate(layout.row.lanes):
-        lines, middle = _lane(layout, places, low, high, edge, lane)
+        lines, labels = _lane(layout, places, low, high, edge, lane, gap)
         found += lines
-        where[edge.record.name] = middle, (0.0, 1.0)
+        where |= labels
     return found, where
 
 
@@ -159,9 +161,18 @@ def _ends(layout, places, column, t):
     return (start, layout.y + t - layout.sunk), (end, layout.y + t - layout.sunk)
 
 
-def _lane(layout, places, low, high, edge, lane):
-    """An element that runs over the bodies between its ends."""
+def _lane(layout, places, low, high, edge, lane, gap):
+    """An element that runs over the bodies between its ends, and where its names belong."""
     y = layout.y + max(place.height for place in places.values()) + 31 + LANE * lane
+    feet, (left, right) = _feet(layout, places, low, high), _feet(layout, layout.places, low, high)
+    legs = [Polyline(((x, foot), (x, y))) for x, foot in feet if foot is not None]
+    start, end = ((x, y) for x, _ in feet)
+    return (legs + between(edge.record, start, end, right[0] - left[0], gap(edge.record)),
+            named(edge.record, start, end, (0.0, 1.0)))
+
+
+def _feet(layout, places, low, high):
+    """Where an element that runs over bodies stands on them: the heights are None at a wall."""
     bodies, ends = layout.row.bodies, []
     for column, side in ((low, 1), (high, -1)):
         if column < 0 or column == len(bodies):
@@ -169,9 +180,7 @@ def _lane(layout, places, low, high, edge, lane):
         else:
             place = places[bodies[column]]
             ends.append((place.middle[0] + side * _leg(place), layout.y + place.height))
-    (x1, y1), (x2, y2) = ends
-    legs = [Polyline(((x, foot), (x, y))) for x, foot in ((x1, y1), (x2, y2)) if foot is not None]
-    return legs + symbol(edge.record).between(edge.record, (x1, y), (x2, y), x2 - x1), ((x1 + x2) / 2, y)
+    return ends
 
 
 def _leg(place):

@@ -29,7 +29,8 @@ def lines(stage: "Scenery", drawn: Sequence[Any]) -> "list[LetterRuns]":
 def of(stage: "Scenery") -> "list[tuple[Run, ...]]":
     """The runs of each note."""
     spec, scene = stage.scene.spec, stage.scene
-    shown = {cord.record.name for cord in stage.ties.cords} | (_shown(scene) if stage.rows else set())
+    shown = {record.name for bunch in stage.bunches for record in bunch.members}
+    shown |= _shown(scene) if stage.rows else set()
     found = []
     for record in spec.connections:
         if "stretch" in record and record.name not in shown:

@@ -14,7 +14,7 @@ from vibcli.drawing.layout import plane
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
-    from vibcli.language.reader import Expression, Reference
+    from vibcli.language.reader import Expression, Record, Reference
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
@@ -126,6 +126,12 @@ class Sketch:
 
     def length(self, expression: "Expression") -> float:
         return self.number(expression) * self.scale
+
+    def gap(self, record: "Record", unit: float) -> float | None:
+        """The gap of an element on paper, one metre being `unit` points; None of one without, and at rest, where its
+        size is not that of a motion."""
+        factor = self.numbers.get("magnified")
+        return None if factor is None or "gap" not in record else self.number(record["gap"]) * factor * unit
 
     def pair(self, expressions: "Sequence[Expression]") -> tuple[float, float]:
         return self.length(expressions[0]), self.length(expressions[1])

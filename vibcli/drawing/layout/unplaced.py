@@ -87,7 +87,7 @@ def draw(stage: "Scenery", sketch: "Sketch", unit: float,
         for layout in stage.rows:
             moved = {name: sketch.lumped[name] * (1.0 if place.turns else unit)
                      for name, place in layout.places.items()}
-            lines, places = lumped.draw(layout, moved)
+            lines, places = lumped.draw(layout, moved, lambda record: sketch.gap(record, unit))
             found += lines
             where |= places
     if stage.strips:

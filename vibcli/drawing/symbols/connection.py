@@ -34,18 +34,33 @@ def symbol(record: "Record") -> "ModuleType":
     return load(SYMBOLS[record.element.name][0], "drawing.symbols")
 
 
+def between(record: "Record", start: tuple[float, float], end: tuple[float, float], drawn: float,
+            gap: float | None) -> list[Any]:
+    """What joins two places; gap: that of a spring in motion, in points."""
+    return symbol(record).between(record, start, end, drawn, *(() if gap is None else (gap,)))
+
+
 def bunches(sketch: Sketch, looks: "Mapping[str, Look]") -> list[Bunch]:
     """The Bunches of all elements that run between two places."""
     found = {}
     for record in sketch.spec.connections:
-        if "between" not in record or "torsion" in record:
-            continue
-        ends = [sketch.attachment(end) for end in record["between"]]
+        ends = _ends(record, sketch)
         if None in ends or plane.distance(ends[0].drawn, ends[1].drawn) < 1e-9:
             continue
         key = tuple(sorted((end.carrier or "", round(end.drawn[0], 3), round(end.drawn[1], 3)) for end in ends))
         found.setdefault(key, (ends, []))[1].append(record)
     return [Bunch(members, *_at_edges(ends, looks)) for ends, members in found.values()]
+
+
+def _ends(record, sketch):
+    """The Attachments of an element, None among them if it has no two places."""
+    if "torsion" in record:
+        return [None]
+    if "between" in record:
+        return [sketch.attachment(end) for end in record["between"]]
+    from vibcli.drawing.layout.props import prop
+
+    return prop(record, sketch) or [None]
 
 
 def _at_edges(ends, looks):
@@ -91,8 +106,8 @@ def draw(bunch: Bunch, sketch: Sketch) -> tuple[list[Any], dict[str, tuple[Any, 
     sides = parts.offsets(bunch.members, APART)
     for record, t in zip(bunch.members, sides, strict=True):
         start, end = at(bridge, t), at(length - bridge, t)
-        found += symbol(record).between(record, start, end, drawn - 2 * bridge)
-        where[record.name] = plane.middle(start, end), plane.left(plane.unit(plane.minus(b, a))), *parts.sides(t, sides)
+        found += between(record, start, end, drawn - 2 * bridge, sketch.gap(record, sketch.scale))
+        where |= named(record, start, end, plane.left(plane.unit(plane.minus(b, a))), *parts.sides(t, sides))
     for end, place in ((bunch.one, a), (bunch.two, b)):
         if end.carrier is not None and end.carrier not in sketch.moving_points and not end.loose:
             found += support.dot(place)
@@ -101,6 +116,18 @@ def draw(bunch: Bunch, sketch: Sketch) -> tuple[list[Any], dict[str, tuple[Any, 
             (a, at(bridge)), (at(bridge, sides[0]), at(bridge, sides[-1])),
             (at(length - bridge, sides[0]), at(length - bridge, sides[-1])), (at(length - bridge), b))]
     return found, where
+
+
+def named(record: "Record", start: tuple[float, float], end: tuple[float, float],
+          *beside: Any) -> dict[Any, tuple[Any, ...]]:
+    """{its name: (middle, normal, sides)} of what joins two places, for labels; {(name, "gap"): …} of its gap too."""
+    found: dict[Any, tuple[Any, ...]] = {record.name: (plane.middle(start, end), *beside)}
+    if "gap" in record:
+        from vibcli.drawing.symbols.one_sided import sign
+
+        at, length = plane.along(start, end), plane.distance(start, end)
+        found[record.name, "gap"] = at(sign(record, at, length, length).gap), *beside
+    return found
 
 
 def outline(bunch: Bunch, sketch: Sketch) -> list[Any]:

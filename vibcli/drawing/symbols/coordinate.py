@@ -230,6 +230,6 @@ def _round(motion, sketch, looks):
 
 def _arced(centre, radius, start, end):
     parted = start + 0.25 * (end - start)
-    further = end + (4.0 / radius if end > start else -4.0 / radius)
-    path, own = plane.arc(centre, radius, parted, further), plane.arc(centre, radius, start, parted)
+    beyond = 4.0 / radius if end > start else -4.0 / radius
+    path, own = plane.arc(centre, radius, parted, end + beyond), plane.arc(centre, radius, start - beyond, parted)
     return path, lambda role: arrow.round_(centre, radius, start, end, role), own

@@ -17,9 +17,10 @@ if TYPE_CHECKING:
 
 OFFSETS = (15.0, 23.0, 32.0, 42.0, 54.0, 68.0, 84.0)
 FAR = 102.0, 122.0      # of what has no room nearer
-SHORTEST, ROOM, BEYOND, CROWDED, LEG, STRUCK = 24.0, 5.0, 3.0, 4.0, 0.2, 0.4
+SHORTEST, ROOM, BEYOND, CROWDED, CUT, LEG, STRUCK = 24.0, 5.0, 3.0, 4.0, 2.0, 0.4, 0.4
 OWN = 8.0           # points from a place that are still on the body
 STUB, STEP = 2 * BEYOND, 2.0        # of what leads to a dimension line: its least length, by which it is shorter
+TIP = 4.5           # points of a dimension line that may lie on the rod of a dashpot at its end, but not on coils
 
 
 class Length(NamedTuple):
@@ -110,7 +111,7 @@ def ways(length: Length, space: "Space") -> Iterator[Drawn]:
         yield from (drawn for drawn in tried if drawn is not None)
         return
     upright = abs(length.two[1] - length.one[1]) > abs(length.two[0] - length.one[0])
-    for offsets in (OFFSETS, FAR):
+    for offsets in ((*OFFSETS, *FAR), FAR):
         drawn = _straight(length, space, offsets)
         if drawn is not None:
             parts, runs, places = drawn
@@ -147,9 +148,9 @@ def _straight(length, space, offsets):
                     for p, q in ((length.one, a), (length.two, b))]
             struck = sum(space.path([plane.plus(p, n, side * OWN), q]) for p, q in legs)
             over = sum(cost for cost in map(space.path, legs) if cost >= TAKEN)       # they strike no word
-            line = [plane.plus(a, e, 2), plane.plus(b, e, -2)]
+            line, clear = ([plane.plus(a, e, off), plane.plus(b, e, -off)] for off in (2.0, TIP))
             cost = space.path(line) + space.path([label, label]) + over
-            rank = cost > CROWDED, (cost + 0.1 * offset + space.crossings(line) + STRUCK * struck
+            rank = cost > CROWDED, (CUT * cost + 0.1 * offset + space.crossings(clear) + STRUCK * struck
                                     + LEG * sum(map(space.meets, legs)))
             if best is None or rank < best[0]:
                 best = rank, cost, a, b, side, legs
@@ -162,9 +163,11 @@ def _straight(length, space, offsets):
 
 
 def _leg(start, end, space):
-    """What leads from a place to the line of a dimension; only behind a word that is between them."""
+    """What leads from a place to the line of a dimension; only behind a word that is between them, and behind a spring,
+    a rope or an arrow along which it would run from there."""
     length, at = plane.distance(start, end), plane.along(start, end)
-    while length > STUB and space.path([start, end]) >= TAKEN:
+    whole = length
+    while length > STUB and (space.path([start, end]) >= TAKEN or space.meets([start, at(whole - length + STUB)])):
         length -= STEP
-        start = at(plane.distance(at(0.0), end) - length)
+        start = at(whole - length)
     return start, end

@@ -6,7 +6,7 @@ from vibcli.drawing.canvas.primitives import Polygon
 from vibcli.drawing.layout import plane
 from vibcli.drawing.symbols.look import Look
 from vibcli.drawing.symbols.sliding import BAR, BLOCK
-from vibcli.drawing.symbols.tracks import contacts, curve_points, free_side, straight, sunk
+from vibcli.drawing.symbols.tracks import MARGIN, contacts, curve_points, free_side, straight, sunk
 
 if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
@@ -26,10 +26,11 @@ def resting(place: tuple[float, float], surface: "Record", sketch: "Sketch") -> 
 
 
 def platform(body: Any, sketch: Any, surface: Any) -> Look:
-    """A plank under the surface that it carries, away from what is on it; so thick that it holds its centre. A wedge
-    where it slides on level ground and the surface leans."""
-    a, b = straight(surface, contacts(surface.name, sketch), sketch)
-    side = free_side(a, b, contacts(surface.name, sketch))
+    """A plank under the surface that it carries, away from what is on it, with room for what rolls there; so thick that
+    it holds its centre. A wedge where it slides on level ground and the surface leans."""
+    used = contacts(surface.name, sketch)
+    a, b = straight(surface, used, sketch)
+    side = free_side(a, b, used)
     if side < 0:
         a, b = b, a
     e = plane.unit(plane.minus(b, a))
@@ -37,7 +38,10 @@ def platform(body: Any, sketch: Any, surface: Any) -> Look:
     offset = plane.minus(sketch.centre(body.name), a)
     depth, s = plane.dot(offset, down), plane.dot(offset, e)
     thick = max(DECK, depth + 8) if depth < DEEP else DECK
-    a, b = plane.plus(a, e, min(0.0, s - DECK)), plane.plus(a, e, max(plane.distance(a, b), s + DECK))
+    on = [(plane.dot(plane.minus(place, a), e), room) for place, room in used if (room or 0.0) > MARGIN]     # it rolls
+    ends = min([0.0, s - DECK, *(x - room for x, room in on)]), max([plane.distance(a, b), s + DECK,
+                                                                     *(x + room for x, room in on)])
+    a, b = (plane.plus(a, e, end) for end in ends)
     along = body.record["slide"].get("along") if "slide" in body.record else None
     level = "slide" in body.record and (along is None or abs(sketch.pair(along)[1]) < FLAT_ENOUGH)
     if level and down[1] < 0 and FLAT_ENOUGH < abs(e[1]) < 1 - FLAT_ENOUGH:

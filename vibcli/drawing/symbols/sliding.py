@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from vibcli.elements.rigid_body import Body
 
 BLOCK, FLAT, BAR = (36.0, 25.0), (22.0, 13.0), (26.0, 5.0)
+ROTOR = 46.0, 30.0          # a block with room for its name beside an unbalance
 
 
 def block(body: "Body", centre: tuple[float, float], sketch: "Sketch", ties: "Ties") -> Look:
@@ -29,7 +30,8 @@ def block(body: "Body", centre: tuple[float, float], sketch: "Sketch", ties: "Ti
     upright = abs(direction[1]) > abs(direction[0])
     if massless and upright:
         return _holder(body, centre, ties)
-    width, height = FLAT if massless else (30.0, BLOCK[1]) if upright else BLOCK
+    width, height = (FLAT if massless else ROTOR if _turns_a_rotor(body, sketch) else
+                     (30.0, BLOCK[1]) if upright else BLOCK)
     shrink = min(1.0, max(0.5, 1.3 * (room or width) / width))
     width, height = width * shrink, height * shrink
     hook = _hook(body, centre, sketch)
@@ -45,6 +47,12 @@ def block(body: "Body", centre: tuple[float, float], sketch: "Sketch", ties: "Ti
         corners = plane.box(middle, width, height)
     hanger = [Polyline((centre, plane.plus(centre, (0.0, -1.0), hook)), width=1.4, layer=JOINT)] if hook else []
     return Look([*hanger, Polygon(tuple(corners))], "block", corners, angle, width, height)
+
+
+def _turns_a_rotor(body, sketch):
+    """Does an unbalance act on a body?"""
+    return any("unbalance" in record and getattr(record.get("at"), "text", None) == body.name
+               for record in (sketch.spec.get("forces") or {}).values())
 
 
 def _holder(body, centre, ties):

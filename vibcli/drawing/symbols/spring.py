@@ -13,17 +13,23 @@ if TYPE_CHECKING:
 
 WIDTH, COIL, LEAD, MOST = 5.0, 6.5, 7.0, 16     # half the width of a zigzag, a coil, a straight end; coils
 NAMED_BY = "k", "torsion"
-PLAY, TOUCHING, STEM, PLATE, SLOT = 12.0, 2.5, 5.0, 5.5, 2.0      # a gap as drawn, none, what is beyond, half a plate
 SHAFT, SPIRAL = 2.4, 12.5      # half the thickness of a shaft, the radius of a spiral
 
 
 def between(record: "Record", start: tuple[float, float], end: tuple[float, float],
-            drawn: float) -> list[Polygon | Polyline]:
-    """A zigzag, with its gap; an elastic shaft from the side where it is twisted; its parts, if it has any."""
+            drawn: float, gap: float | None = None) -> list[Polygon | Polyline]:
+    """A zigzag, with its gap, which in motion is so many points wide; an elastic shaft from the side where it is
+    twisted; its parts, if it has any."""
     if "torsion" in record:
         return _shaft(start, end)
-    single = _one_sided(record, drawn) if "acts" in record or "gap" in record else _zigzag
-    return parts.between(record, start, end, drawn, "spring", single)
+    if "acts" not in record and "gap" not in record:
+        return parts.between(record, start, end, drawn, "spring", _zigzag)
+    from vibcli.drawing.symbols.one_sided import sign
+
+    at = plane.along(start, end)
+    shown = sign(record, at, plane.distance(start, end), drawn, gap)
+    free = drawn - shown.room
+    return shown.parts + parts.between(record, start, at(free + shown.stretch), free, "spring", _zigzag)
 
 
 def about(_record: Any,
@@ -55,28 +61,6 @@ def _zigzag(start, end, drawn, scale=1.0):
     for i in range(coils):
         points += [at(lead + (i + 0.25) * step, scale * WIDTH), at(lead + (i + 0.75) * step, -scale * WIDTH)]
     return [Polyline((*points, at(length - lead), end), "spring")]
-
-
-def _one_sided(record, whole):
-    """A zigzag that takes hold beyond its gap: it ends in a plate before another where it pushes, else in a frame about
-    a head, which stands in the middle where there is play to both sides."""
-    pushes, apart = record.get("acts") == "compression", "gap" in record
-    play = min(PLAY if apart or not pushes else TOUCHING, 0.2 * whole)
-    head = play * (0.5 if "acts" not in record else 0.35 if apart else 0.75)
-
-    def single(start, end, drawn, scale=1.0):
-        at, plate = plane.along(start, end), scale * PLATE
-        far = plane.distance(start, end) - STEM
-        near = far - play
-        lines: list[tuple[Any, ...]] = [((far if pushes else near + head, 0.0), (far + STEM, 0.0))]
-        if pushes:
-            lines += [((s, plate), (s, -plate)) for s in (near, far)]
-        else:
-            lines.append(((near + head, plate - SLOT), (near + head, SLOT - plate)))
-            lines += [((near, 0.0), (near, side * plate), (far, side * plate), (far, side * SLOT)) for side in (1, -1)]
-        return _zigzag(start, at(near), drawn - STEM - play, scale) + [
-            Polyline(tuple(at(*place) for place in line), "spring") for line in lines]
-    return single
 
 
 def _spiral(centre, from_angle, to_angle, radius):
