@@ -73,9 +73,9 @@ def test_what_nothing_holds_carries_its_load_in_the_mean():
     compared(scene, {"abs(frf[rod.force(0.3 m), load](0 Hz))": 0.3}, 1e-13)
     with pytest.raises(PhysicsError, match="a steady input drives a motion that nothing holds"):
         asked(scene, "abs(frf[rod.u(0.3 m), load](0 Hz))")
-    for text in ("mean(rod.u(L) - rod.u(0 m))", "mean(rod.u(L))"):
-        with pytest.raises(PhysicsError, match="nothing holds"):
-            asked(scene, text)
+    compared(scene, {"mean(rod.u(L) - rod.u(0 m))": 0.025}, 1e-13)
+    with pytest.raises(PhysicsError, match="nothing holds"):
+        asked(scene, "mean(rod.u(L))")
     pulse = problem(BAR.replace(", %s}", "}") % "F*(step(t) - step(t - 0.07 s))")
     compared(pulse, {"mean(rod.u(L) - rod.u(0 m))": 0.0})
     balanced = problem(BAR.replace(", %s}", "}").replace("at: L}}", "at: L}, root: {body: rod, at: 0 m}}").replace(

@@ -21,6 +21,7 @@ from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.member_damping import MemberDamping
+    from vibcli.analyses.frequency_response.beside_rigid_motions import AtRest
     from vibcli.analyses.frequency_response.member_response import MemberTransfer
     from vibcli.analyses.modal.mode_sequence import Modes
 
@@ -92,6 +93,12 @@ class DampedMemberTransfer(FrequencyResponseFunction):
             self._sum = DampedSum(self.damping, self._modes, self._by_supports if self.driven else self._by_loads)
         found = self._sum.at(s)
         return turned * (self._static - s * s * found if self.driven else found)
+
+    @property
+    def drifting(self) -> "AtRest | None":
+        """What its output has at s = 0 where a steady input drives what nothing holds, which ratios of modes
+        leave as it is; None where that is not found."""
+        return self.still.drifting if self.damping.ratios and not self.driven else None
 
     def _at_rest(self):
         values, _, resonant = self.still.at(np.zeros(1, complex))

@@ -74,6 +74,10 @@ class DampersBesideRatios(DampedMemberTransfer):
         whole = np.eye(len(self._C)) + s[:, None, None] * (self._C @ shared)
         return np.linalg.solve(whole, (forced @ self._C.T + self._g)[:, :, None])[:, :, 0]
 
+    @property
+    def drifting(self) -> None:
+        """It is not found."""
+
     def poles(self, low: float = 0.0, high: float = math.inf) -> np.ndarray:
         """The damped modes; where these are not told those of the modes without dampers that C couples, polished where
         Newton's method settles."""
