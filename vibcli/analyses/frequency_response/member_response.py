@@ -134,6 +134,10 @@ class MemberTransfer(FrequencyResponseFunction):
             step[near[better]], excess[near[better]] = other[better], least[better]
         return step
 
+    def counts(self, what: str) -> bool:
+        scene = self.marks.scene
+        return super().counts(what) and (what != "poles" or scene is None or scene.counts(what))
+
     def poles(self, low: float = 0.0, high: float = math.inf) -> np.ndarray:
         scene = self.marks.scene
         return self._found(member_marks.poles, low, high) if scene is None else scene.poles(low, high)
