@@ -159,6 +159,9 @@ class DampedMemberTransfer(FrequencyResponseFunction):
         sine = math.sqrt(1 - self._sum.zeta**2)
         return [Omega * complex(self._sum.zeta, sine), complex(Omega)], [2 / sine, 2 * self._sum.zeta]
 
+    def noise(self, Omega: np.ndarray) -> np.ndarray:
+        return self.errors(Omega)
+
     def error_of_pole(self, Omega: float) -> float:
         return self.still.error_of_pole(Omega)
 

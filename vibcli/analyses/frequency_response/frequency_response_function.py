@@ -67,6 +67,10 @@ class FrequencyResponseFunction:
         """The same at many frequencies."""
         return np.array([self.error(at) for at in Omega.tolist()])
 
+    def noise(self, Omega: np.ndarray) -> np.ndarray:
+        """What rounding may leave of an H that is 0 at frequencies."""
+        return np.zeros(len(Omega))
+
     def error_of_pole(self, Omega: float) -> float:
         """A bound of |δΩ| of an undamped natural frequency."""
         raise NotImplementedError

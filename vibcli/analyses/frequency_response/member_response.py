@@ -169,6 +169,9 @@ class MemberTransfer(FrequencyResponseFunction):
             return 0.0 if self.order else self._at_rest.error
         return of_value(self, Omega)
 
+    def noise(self, Omega: np.ndarray) -> np.ndarray:
+        return self.errors(Omega)
+
     def error_of_pole(self, Omega: float) -> float:
         return Omega * error_of(self.marks.natural(0.5 * Omega, 1.5 * Omega), Omega)
 

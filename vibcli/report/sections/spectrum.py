@@ -165,7 +165,7 @@ def _proved(modes, found, in_letters):
     told = f"{region.count} eigenvalues, conjugates counted, have {size} < {region.radius:.8g} 1/s"
     if region.below:
         told += f", {region.below} of them {size} < {region.inner:.8g} 1/s"
-    rest = "" if any(mode.eigenvalue.real for mode in found) else "; those above leave all dampers at rest"
+    rest = "" if any(mode.eigenvalue.real for mode in found) else "; nothing damps those above"
     rest = "; whether more grow is left open" if found[-1].growth_rate is not None else rest
     return paragraph(f"{told}, by the argument principle: none is missing{rest}")
 
