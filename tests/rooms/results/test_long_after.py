@@ -153,3 +153,15 @@ def test_what_grows_has_neither_limit_nor_mean():
     scene = problem(BEAM % ("left: clamped, preload: -250 N", STEP))
     with pytest.raises(PhysicsError, match="free motion grows"):
         asked(scene, "mean(rod.u(L))")
+
+
+def test_what_dies_out_ever_more_slowly_is_not_said_to_vibrate_on():
+    """A dashpot at a body damps every mode of the bar that it ends, those far up hardly."""
+    scene = problem("""\
+        bodies: {c: {mass: 1 kg, slide: x}}
+        bars: {rod: {length: 1 m, EA: 5 kN, mass_per_length: 1 kg/m, left: clamped, right: {pinned: c}}}
+        dampers: {d: {between: [ground, c], c: 30 N*s/m}}
+        forces: {f: {at: c, force: 1 N*step(t)}}
+        """)
+    with pytest.raises(PhysicsError, match="whether it has a limit is not told"):
+        asked(scene, "final(x)")
