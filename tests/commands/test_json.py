@@ -33,6 +33,13 @@ bodies: {a: {mass: m, slide: x}, b: {mass: m, slide: y}}
 springs: {s: {k: k, between: [a, b]}}
 dampers: {d: {c: c, between: [a, b]}}
 """
+CREEPING = """
+parameters: {L: 1 m, EI: 20 N*m^2, mu: 1 kg/m, F: 1 N}
+beams: {arm: {length: L, EI: EI, mass_per_length: mu, left: clamped, attached: [{at: L/2, c: 2 N*s/m}]}}
+points: {p: {body: arm, at: L}}
+forces: {f: {at: p, force: F}}
+damping: {caughey: {1: 1 %, 2: 2 %, 3: 8 %}}
+"""
 SYMBOLS = SCENE.replace("m: 2 kg, k: 800 N/m, c: 3 N*s/m", "m: , k: , c: ")
 UPRIGHT = """
 parameters: {m: 2 kg, L: 0.5 m, g: 9.81 m/s^2}
@@ -166,6 +173,12 @@ def test_frequency_responses(ask):
     assert peak["value"] == pytest.approx(0.5 / (3 * math.sqrt(800 - 1.5**2)), rel=1e-12)
     assert peak["quality"] == pytest.approx(math.sqrt(800) / 3, rel=1e-2)
     assert stretch["antiresonances"] == [] and x["signal"] == "x"
+    assert stretch["peaks_counted"] and stretch["antiresonances_counted"]
+
+
+def test_frequency_responses_that_are_not_counted(ask):
+    creeping, = ask(CREEPING, "frf", "--of", "arm.u(L)")["frequency_response"]
+    assert creeping["peaks_counted"] and not creeping["antiresonances_counted"]
 
 
 @pytest.mark.parametrize("asked, key", [("{response: {until: 2 s}}", "response"),

@@ -38,7 +38,8 @@ def along(function: Callable[[np.ndarray], np.ndarray],
 
     def sampled(start, width):
         s = start[:, None] + width[:, None] * at
-        return s, function(s.ravel()).reshape(s.shape) * weights * width[:, None]
+        with np.errstate(invalid="ignore"):
+            return s, function(s.ravel()).reshape(s.shape) * weights * width[:, None]
 
     s, values = sampled(start, width)
     lost = set()

@@ -62,9 +62,14 @@ class LongAfter:
     @property
     def _drifts(self):
         """Does it see a motion that nothing holds?"""
-        if isinstance(self.tree, NameRef) and signal_name(self.tree.name).kind in INNER:
+        if self._steady or (isinstance(self.tree, NameRef) and signal_name(self.tree.name).kind in INNER):
             return False
         return _drifts(self._by_modes)
+
+    @property
+    def _steady(self):
+        """Is only the steady state of a signal asked?"""
+        return getattr(self.tree, "head", "") == "steady"
 
     @property
     def _by_modes(self):
@@ -87,9 +92,12 @@ class LongAfter:
         """(its limit, how far that may be off); PhysicsError where it vibrates on."""
         value, error = self.still
         left = self._left
-        if left is None:
+        if left is None and not 0 < len(self._decays) == len(self._pairs):
             raise PhysicsError("what vibrates in this signal does not die out: it has no limit",
                                "ask for mean(x), or damp what vibrates")
+        if left is None:
+            raise PhysicsError("what vibrates in this signal has not died out long after modes far down have: whether "
+                               "it has a limit is not told", "ask for mean(x), or damp where it vibrates")
         return value, error + left
 
     @cached_property
@@ -161,6 +169,8 @@ class LongAfter:
     @property
     def _square(self):
         """(mean square about the mean, how far it may be off)."""
+        if self._steady:
+            return 0.0, 0.0
         repeats = self.repeating
         if repeats is not None:
             return repeats.mean_square(self.still[0])
@@ -230,6 +240,7 @@ def _dies_out(signal):
     if not isinstance(signal, ModalSignal):
         return False
     modes, rates = signal.modal.modes, signal.modal.states.rates
+    rates = rates[rates != 0]       # what nothing holds is seen to apart
     least = 0.0 if isinstance(modes, RealModes) else ALIKE * abs(rates)     # others are found, not given
     return modes.fading < 0 and bool((rates.real < -least).all())
 

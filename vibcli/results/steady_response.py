@@ -9,6 +9,7 @@ from vibcli.analyses.excitation.linear_output import LinearOutput
 from vibcli.analyses.transient.steady_state import harmonic_forces, lost_forces, resonance, steady_forcing
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signal_names import signal_name
+from vibcli.results.moved_on import require_alike
 from vibcli.results.responses import SmallResponse
 from vibcli.results.steady_features import common
 from vibcli.symbolic.syntax import QuantityRef
@@ -36,6 +37,7 @@ class SteadyResponse(SmallResponse):
         self.reason, self.only = reason, only
         self._channels: dict[str, int] = {}
         self._harmonics: list[Harmonic] = []
+        self._drifts: dict[int, tuple[tuple[complex, float], ...]] = {}     # of channels, of t and t²/2
 
     @property
     def start(self) -> tuple[dict[str, float], dict[str, float]]:
@@ -117,17 +119,34 @@ class SteadyResponse(SmallResponse):
         if drifting:
             (H, error, lost), = self._answered(text, drifting, np.zeros(1))
             if lost:
-                raise resonance(0j)
+                H, error = self._drifting(text, channel, drifting)
             found.append(Harmonic(channel, 0.0, complex(H), error))
         return found
+
+    def _drifting(self, text, channel, weights):
+        """(what a signal has beside the motion that nothing holds, how far that may be off); that motion is kept."""
+        rest = self._curve(text, weights).drifting
+        if rest is None:
+            raise resonance(0j)
+        self._drifts[channel] = rest.drift
+        return rest.value, rest.error
+
+    def _linear(self, constant, terms, source=()):
+        """Of signals that together do not see what drifts."""
+        require_alike(((factor, self._drifts.get(i)) for factor, (output, _) in terms for i in output.channels))
+        return super()._linear(constant, terms, source)
+
+    def _curve(self, text, weights):
+        from vibcli.analyses.frequency_response.member_system import MemberInput
+        from vibcli.analyses.frequency_response.member_transfer import transfer_to
+
+        return transfer_to(self.configuration, signal_name(text), MemberInput(weights), 0, self.problem.modal)
 
     def _answered(self, text, weights, Omega):
         """[(H, how far it may be off, whether there is a pole)] of a signal to some inputs at once."""
         from vibcli.analyses.frequency_response.evaluate import sampled
-        from vibcli.analyses.frequency_response.member_system import MemberInput
-        from vibcli.analyses.frequency_response.member_transfer import transfer_to
 
-        curve = transfer_to(self.configuration, signal_name(text), MemberInput(weights), 0, self.problem.modal)
+        curve = self._curve(text, weights)
         with self.problem.work.task("steady states at the frequencies of loads", MOST):
             values, resonant = sampled(curve, Omega)
             return [(H, 0.0 if lost else curve.error(one), lost)

@@ -63,3 +63,37 @@ def test_what_grows_has_no_steady_state():
         """))
     with pytest.raises(PhysicsError, match="no steady state"):
         number(scene, "amplitude(arm.u(L/2))")
+
+
+FREE = dedent("""\
+    parameters: {k: 2 kN/m, m: 1 kg, L: 1 m, F: 3 N, W: 70 rad/s, A: 5 kN}
+    bars:
+      a: {length: L, EA: 3 kN, mass_per_length: 1 kg/m}
+      b: {length: L, EA: A, mass_per_length: 1 kg/m, right: {pinned: c}}
+    bodies: {c: {mass: m, slide: x}}
+    points: {p: {body: a, at: L}, q: {body: b, at: 0 m}}
+    springs: {s: {between: [p, q], k: k}}
+    forces: {f: {at: c, force: F*(LOAD)}}
+    """)
+
+
+@pytest.mark.parametrize("load, damper", [("step(t)", ""), ("step(t) + cos(W*t)", "\ndampers: {d: {between: [p, q], c: "
+                                          "30 N*s/m}}"), ("1 + square(W*t)", "")], ids=["step", "cosine", "square"])
+def test_what_a_constant_force_drives_off_is_bent_as_it_is_drawn_along(load, damper):
+    scene = problem(FREE.replace("LOAD", load).replace(", W: 70 rad/s", ", W: 70 rad/s" * ("W" in load)) + damper)
+    assert number(scene, "mean(s.force)") == pytest.approx(1.0, rel=1e-11)
+    assert number(scene, "mean(a.u(L) - b.u(0 m))") == pytest.approx(-1 / 2000, rel=1e-11)
+    assert number(scene, "mean(2*x - 2*a.u(L))") == pytest.approx(2 * (1 / 2000 + 1.5 / 5000), rel=1e-11)
+    assert number(scene, "mean(a.u'(L) - x')") == pytest.approx(0.0, abs=1e-15)
+    for seen in ("a.u(L)", "x'", "x + a.u(L)"):
+        with pytest.raises(PhysicsError, match="nothing holds"):
+            number(scene, f"mean({seen})")
+    if damper:
+        assert number(scene, "max(steady(s.force))") > 1
+        assert number(scene, "rms(s.force)") == pytest.approx(2000 * number(scene, "rms(a.u(L) - b.u(0 m))"), rel=1e-10)
+
+
+def test_the_mean_of_what_loads_keep_still_is_that():
+    scene = problem(FREE.replace("LOAD", "step(t)").replace(", W: 70 rad/s", ""))
+    for which in ("mean", "rms", "max"):
+        assert number(scene, f"{which}(steady(s.force))") == pytest.approx(1.0, rel=1e-11)

@@ -12,6 +12,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.notation.latex import latex
 from vibcli.notation.plain import plain
 from vibcli.report.formats.formula import formula
+from vibcli.report.sections.members import carried, of_what_is_no_member
 from vibcli.report.steps.ends import Ends
 from vibcli.report.steps.worked import worked
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -317,3 +318,41 @@ initial: {girder.u: a*sin(pi*x/L)}
 answers: {girder.u(L/2)(0 s): 3 mm}
 """)))
     assert "p₁(0) = 0.003 m" in text and "Q₃ = −F·cos(W·t)" in text and not any("p₃(0)" in line for line in text)
+
+
+def test_what_carries_a_member_has_its_balance_once():
+    text = told(worked(problem("""
+        parameters: {L: 0.9 m, EI: 60 N*m^2, mu: 0.6 kg/m, m: 2 kg, k: 900 N/m}
+        bodies: {cart: {mass: m, at: [0, 0], move: [x, 0, 0]}}
+        beams: {mast: {from: [0, 0], to: [0, L], EI: EI, mass_per_length: mu, left: {clamped: cart}}}
+        springs: {s: {between: [[-0.3 m, 0], cart], k: k}}
+        """)))
+    assert [line for line in text if "k·x" in line] == ["what it is held to:  m·ẍ + k·x = EI·∂³u/∂ξ³ of mast at ξ = 0"]
+
+
+def test_a_motion_that_symmetry_leaves_at_rest_is_0():
+    text = told(worked(problem("""
+        parameters: {L: 6 m, EI: 6.4 MN*m^2, mu: 60 kg/m, k: 20 MN/m^2, c: 40 kN*s/m^2, F: 100 kN}
+        beams: {rail: {length: L, EI: EI, mass_per_length: mu, foundation: k, drag: c}}
+        points: {w: {body: rail, at: L/2}}
+        forces: {wheel: {at: w, force: -F*cos((300 rad/s)*t)}}
+        answers: {amplitude(rail.u(L/2)): 2.5017 mm}
+        """)))
+    assert any("U₄ = 0 rad,  |U₄| = 0 rad" in line for line in text), text
+
+
+def test_gyroscopic_terms_stand_in_the_balance_of_what_members_are_held_to():
+    """In the steps, and in the report's equations."""
+    scene = problem("""
+        parameters: {L: 1 m, GIo: 90 N*m^2, j: 1 kg*m, h: 0.4 N*m*s, J: 0.02 kg*m^2}
+        bodies: {d: {inertia: J, turn: a}, e: {inertia: J, turn: b}}
+        shafts:
+          one: {length: L, GIo: GIo, inertia_per_length: j, left: clamped, right: {clamped: d}}
+          two: {length: L, GIo: GIo, inertia_per_length: 2*j, left: clamped, right: {clamped: e}}
+        matrices: {C: [[0, h], [-h, 0]]}
+        """)
+    held = [line for line in told(worked(scene)) if line.startswith("what it is held to")]
+    assert [line.partition(":  ")[2].partition(" =")[0] for line in held] == ["J·ä + h·ḃ", "J·b̈ − h·ȧ"]
+    of_joints = [formula(carried(i, scene.symbolic.linearisation.pieces, of_what_is_no_member(scene),
+                                 scene.scene).parts, plain) for i in range(2)]
+    assert [line.partition(" =")[0] for line in of_joints] == ["J·ä + h·ḃ", "J·b̈ − h·ȧ"]

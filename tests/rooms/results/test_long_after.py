@@ -73,9 +73,9 @@ def test_what_nothing_holds_carries_its_load_in_the_mean():
     compared(scene, {"abs(frf[rod.force(0.3 m), load](0 Hz))": 0.3}, 1e-13)
     with pytest.raises(PhysicsError, match="a steady input drives a motion that nothing holds"):
         asked(scene, "abs(frf[rod.u(0.3 m), load](0 Hz))")
-    for text in ("mean(rod.u(L) - rod.u(0 m))", "mean(rod.u(L))"):
-        with pytest.raises(PhysicsError, match="nothing holds"):
-            asked(scene, text)
+    compared(scene, {"mean(rod.u(L) - rod.u(0 m))": 0.025}, 1e-13)
+    with pytest.raises(PhysicsError, match="nothing holds"):
+        asked(scene, "mean(rod.u(L))")
     pulse = problem(BAR.replace(", %s}", "}") % "F*(step(t) - step(t - 0.07 s))")
     compared(pulse, {"mean(rod.u(L) - rod.u(0 m))": 0.0})
     balanced = problem(BAR.replace(", %s}", "}").replace("at: L}}", "at: L}, root: {body: rod, at: 0 m}}").replace(
@@ -153,3 +153,15 @@ def test_what_grows_has_neither_limit_nor_mean():
     scene = problem(BEAM % ("left: clamped, preload: -250 N", STEP))
     with pytest.raises(PhysicsError, match="free motion grows"):
         asked(scene, "mean(rod.u(L))")
+
+
+def test_what_dies_out_ever_more_slowly_is_not_said_to_vibrate_on():
+    """A dashpot at a body damps every mode of the bar that it ends, those far up hardly."""
+    scene = problem("""\
+        bodies: {c: {mass: 1 kg, slide: x}}
+        bars: {rod: {length: 1 m, EA: 5 kN, mass_per_length: 1 kg/m, left: clamped, right: {pinned: c}}}
+        dampers: {d: {between: [ground, c], c: 30 N*s/m}}
+        forces: {f: {at: c, force: 1 N*step(t)}}
+        """)
+    with pytest.raises(PhysicsError, match="whether it has a limit is not told"):
+        asked(scene, "final(x)")

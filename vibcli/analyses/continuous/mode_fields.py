@@ -119,15 +119,16 @@ class ModeFields:
         return shape_along(self.in_floats(member), places)[:, 0]
 
     def largest(self, member: str) -> tuple[Any, Any]:
-        """(x, u) where a member moves furthest, the leftmost of equal ones."""
+        """(x, u) where a member moves furthest, the leftmost of equal antinodes."""
         return self._kept(self._furthest, member)
 
     def _furthest(self, member):
-        ends, places, u, _ = self._kept(self._tops, member)
+        ends, places, u, antinodes = self._kept(self._tops, member)
         sizes = np.abs(u)
         if not np.isfinite(sizes).all():
             raise PhysicsError(f"the shape of a mode along '{member}' is not found", "ask for its frequency alone")
-        top = int(np.flatnonzero(sizes >= sizes.max() * (1 - SAME))[0])
+        tops = np.flatnonzero(sizes >= sizes.max() * (1 - SAME)).tolist()
+        top = next((k for k in tops if places[k] in antinodes), tops[0])
         if self.number is float:
             return places[top], u[top].item()
         x = places[top] if places[top] in ends else self._polished(member, places[top], 1)

@@ -86,9 +86,19 @@ def antinodes_and_displacements(pieces: Sequence[Moved], turning: Sequence[float
     u = shape_along(pieces, np.append(looked_at, at))[:, 0]
     size, left, right = np.abs(u[:looked_at.size].real).reshape(looked_at.shape)
     moves = size > MOVES * size.max()
-    above = [(size > (1 + ROUNDING) * beside) | (places == end) for beside, end in (
-        (left, places[0]), (right, places[-1]))]
+    above = [(size > (1 + ROUNDING) * beside) | (places == end) | (abs(size - beside) <= ROUNDING * size) & told
+             for (beside, end), told in zip(((left, places[0]), (right, places[-1])), _by_slopes(pieces, places),
+                                            strict=True)]
     return places[moves & above[0] & above[1]].tolist(), u[looked_at.size:]
+
+
+def _by_slopes(pieces, places):
+    """(whether |u| falls towards the left of each turning place, and towards the right), as slopes tell at ends."""
+    u, slope, bend = _with_slopes(pieces, places)[:, :3].T
+    falls = u * bend < 0
+    left, right = falls.copy(), falls
+    left[-1], right[0] = u[-1] * slope[-1] > 0, u[0] * slope[0] < 0
+    return left, right
 
 
 def _narrowed(pieces, of, ends, values, slopes):

@@ -19,12 +19,19 @@ ALIKE, SEEN = 1e-9, 1e-8    # of the largest H on a circle: how closely two agre
 
 
 class AtRest(NamedTuple):
-    """H(0) and H′(0), whether there is a pole, and a bound of the error of H(0)."""
+    """H(0) and H′(0), whether there is a pole, and a bound of the error of H(0). At a pole value is what the Laurent
+    series has besides (c, how far that may be off) of 1/s and 1/s², drift."""
 
     value: complex
     slope: complex
     resonant: bool
     error: float
+    drift: tuple[tuple[complex, float], ...] = ()
+
+    def of_rate(self, order: int) -> "AtRest":
+        """Of sᵒʳᵈᵉʳ H beside a pole."""
+        terms = [*[(0j, 0.0)] * order, *self.drift[::-1], (self.value, self.error)][:3]
+        return AtRest(terms[2][0], 0.0, self.resonant, terms[2][1], (terms[1], terms[0]))
 
 
 def next_to_zero(modal: "ModalAnalysis") -> float | None:
@@ -45,12 +52,14 @@ def at_rest(response: "FrequencyResponseFunction", next_pole: float,
     circles = [NEAR * next_pole * part * np.exp(2j * np.pi * (np.arange(PLACES) + 0.5) / PLACES) for part in (1, 0.5)]
     one, other = (response.at(s)[0] for s in circles)
     s, size = circles[0], float(np.abs(one).max())
-    value, driven = one.mean(), max(abs((one * s**k).mean()) / abs(s[0])**k for k in (1, 2))
-    if driven > SEEN * size:
-        return AtRest(0.0, 0.0, True, 0.0)
+    value, drift = one.mean(), [(one * s**k).mean() for k in (1, 2)]
     apart = float(abs(other.mean() - value))
-    if apart > ALIKE * size:
+    driven = any(abs(c) > SEEN * size * abs(s[0])**k for k, c in enumerate(drift, 1))
+    if apart > ALIKE * size and not driven:
         raise PhysicsError("what this scene, which nothing holds, answers to steady forces is not found",
                            "hold it with a spring, or ask at a time")
-    error = apart + bound(s)
-    return AtRest(value.real if abs(value.imag) <= error else value, (one / s).mean(), False, error)
+    off = bound(s)
+    value = value.real if abs(value.imag) <= apart + off else value
+    if driven:
+        return AtRest(value, 0.0, True, apart + off, tuple((c, off * abs(s[0])**k) for k, c in enumerate(drift, 1)))
+    return AtRest(value, (one / s).mean(), False, apart + off)

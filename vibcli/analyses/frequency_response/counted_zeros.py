@@ -6,6 +6,7 @@ from which all zeros within follow, to be polished by Newton's method. That no p
 tells: its zeros are those of the scene, its poles the s at which pieces vibrate with their ends held.
 """
 
+from contextlib import suppress
 from functools import partial
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
@@ -33,6 +34,7 @@ WHOLE = 0.02        # how far a count is from a whole number at most
 MOST, DEEPEST = 6, 6    # zeros that are found together, and how often rectangles are cut
 SMALL = 1e-3, 1e-5, 1e-7, 1e-9      # of a pole: how near to it H is looked at for the zero next to it
 FURTHER = 2.0       # times a frequency: pieces with their ends held that swing so fast may decay beside it
+UNDER = 0.5         # of the first pole: from where zeros are counted that are not certain from 0 on
 ALIKE = 1e-11       # relative: poles that are one but for rounding
 
 
@@ -99,7 +101,13 @@ class CountedPoles(NamedTuple):
 def counted_poles(response: "MemberTransfer", known: np.ndarray, low: float, high: float) -> CountedPoles:
     """Those of the scene of a response; known: where they may be. PhysicsError where the count does not tell."""
     held = _held(response, high)
-    scene = CountedRoots(lambda s: _of_matrix(response, s), [response.to_pole, response.to_pole_within], held, known)
+    return counted_among(CountedRoots(lambda s: _of_matrix(response, s), [response.to_pole, response.to_pole_within],
+                                      held, known), known, low, high)
+
+
+def counted_among(scene: CountedRoots, known: np.ndarray, low: float, high: float) -> CountedPoles:
+    """The zeros of a determinant, the poles of a scene; known: where they may be. PhysicsError where the count does not
+    tell."""
     for share in SECTIONS:
         parts = _divided(known, low, high, share, (1 + share) * high / (len(known) + 1))
         around = _around(scene.slope, parts)
@@ -113,7 +121,8 @@ def counted_poles(response: "MemberTransfer", known: np.ndarray, low: float, hig
 
 def zeros_beside(response: "FrequencyResponseFunction", known: CountedPoles | None,
                  still: "FrequencyResponseFunction", low: float, high: float) -> np.ndarray:
-    """The counted zeros; where they are not certain those to which the ones without damping lead."""
+    """The counted zeros; where they are not certain those to which the ones without damping lead, and the ones that are
+    counted away from the real axis, near which modes may creep without end."""
     try:
         if known is None:
             raise uncertain(low, high)
@@ -121,8 +130,18 @@ def zeros_beside(response: "FrequencyResponseFunction", known: CountedPoles | No
     except PhysicsError:
         if not still.undamped:
             raise
-        response.leave_uncounted()
-        return distinct(followed(lambda s: to_zero(response, s), still.zeros(low, high)))
+        response.leave_uncounted("zeros")
+        led_to = followed(lambda s: to_zero(response, s), still.zeros(low, high))
+        return distinct(np.concatenate([led_to, *_further(response, known, low, high)]))
+
+
+def _further(response, known, low, high):
+    """The counted zeros from some way below the first pole on, where they are certain."""
+    away = UNDER * known.poles.imag.min(initial=np.inf) if known is not None else np.inf
+    if low < away < high:
+        with suppress(PhysicsError):
+            return [counted_zeros(response, known, away, high)]
+    return []
 
 
 def counted_zeros(response: "FrequencyResponseFunction", known: CountedPoles, low: float, high: float) -> np.ndarray:

@@ -21,6 +21,7 @@ from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.member_damping import MemberDamping
+    from vibcli.analyses.frequency_response.beside_rigid_motions import AtRest
     from vibcli.analyses.frequency_response.member_response import MemberTransfer
     from vibcli.analyses.modal.mode_sequence import Modes
 
@@ -93,6 +94,12 @@ class DampedMemberTransfer(FrequencyResponseFunction):
         found = self._sum.at(s)
         return turned * (self._static - s * s * found if self.driven else found)
 
+    @property
+    def drifting(self) -> "AtRest | None":
+        """What its output has at s = 0 where a steady input drives what nothing holds, which ratios of modes
+        leave as it is; None where that is not found."""
+        return self.still.drifting if self.damping.ratios and not self.driven else None
+
     def _at_rest(self):
         values, _, resonant = self.still.at(np.zeros(1, complex))
         if resonant[0]:
@@ -151,6 +158,9 @@ class DampedMemberTransfer(FrequencyResponseFunction):
             return [Omega * self._sum.zeta**k for k in (-1, 0, 1)], [1 / SHARE] * 3
         sine = math.sqrt(1 - self._sum.zeta**2)
         return [Omega * complex(self._sum.zeta, sine), complex(Omega)], [2 / sine, 2 * self._sum.zeta]
+
+    def noise(self, Omega: np.ndarray) -> np.ndarray:
+        return self.errors(Omega)
 
     def error_of_pole(self, Omega: float) -> float:
         return self.still.error_of_pole(Omega)

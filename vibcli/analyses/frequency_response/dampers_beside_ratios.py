@@ -12,8 +12,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix
+from vibcli.analyses.frequency_response.counted_zeros import CountedRoots, counted_among
 from vibcli.analyses.frequency_response.damped_member_response import BEYOND, DampedMemberTransfer
-from vibcli.analyses.frequency_response.member_poles_and_zeros import distinct, followed
+from vibcli.analyses.frequency_response.member_poles_and_zeros import ABOVE, LOWEST, distinct, followed
 from vibcli.analyses.frequency_response.member_response import MemberTransfer
 from vibcli.analyses.frequency_response.member_system import MemberInput, MemberOutput, MemberSystem
 from vibcli.base.errors import PhysicsError
@@ -30,12 +31,12 @@ COUPLED, FEWEST = 4.0, 64       # times a frequency: modes up to there move with
 class DampersBesideRatios(DampedMemberTransfer):
     """still: the MemberTransfer with dampers and without ratios; counted: the damped modes."""
 
-    __slots__ = ("_C", "_counted", "_forced", "_g", "_held", "_plain", "_read", "_shared")
+    __slots__ = ("_C", "_counted", "_forced", "_g", "_held", "_kept", "_plain", "_read", "_shared")
 
     def __init__(self, still: MemberTransfer, modes: "Modes", damping: "MemberDamping", driven: bool, turns: int,
                  counted: "Modes"):
         super().__init__(still.without_damping, modes, damping, driven, turns)
-        self._counted = counted
+        self._counted, self._kept = counted, {}
         system = still.system
         C, free, inputs = system.matrix.polynomial[1], system.free, system.driven
         held = np.array([i for i in free if C[i, free].any() or C[free, i].any() or C[i, inputs].any()], int)
@@ -74,13 +75,18 @@ class DampersBesideRatios(DampedMemberTransfer):
         whole = np.eye(len(self._C)) + s[:, None, None] * (self._C @ shared)
         return np.linalg.solve(whole, (forced @ self._C.T + self._g)[:, :, None])[:, :, 0]
 
+    @property
+    def drifting(self) -> None:
+        """It is not found."""
+
     def poles(self, low: float = 0.0, high: float = math.inf) -> np.ndarray:
         """The damped modes; where these are not told those of the modes without dampers that C couples, polished where
         Newton's method settles."""
         high = high if math.isfinite(high) else self.end
         found = self._told(high) if math.isfinite(high) else np.zeros(0, complex)
         if found is None:
-            found = self._followed(high)
+            counted = self._counted_up_to(high)
+            found = self._followed(high) if counted is None else counted.poles
         return found[(found.imag >= low) & (found.imag <= high)]
 
     def _told(self, high):
@@ -91,6 +97,23 @@ class DampersBesideRatios(DampedMemberTransfer):
             return None
         found = np.array([mode.eigenvalue for mode in modes if mode.omega_d], complex)
         return found[np.argsort(found.imag)]
+
+    def _told_up_to(self, high):
+        top = ABOVE * high
+        return self._counted_up_to(top) if self._told(top) is None else super()._told_up_to(high)
+
+    def _counted_up_to(self, high):
+        """The CountedPoles as zeros of det(1 + s C H₀[T, T]), whose poles are those without dampers; None where the
+        count does not tell."""
+        if high not in self._kept:
+            own, known = super().poles(0.0, BEYOND * high), self._followed(high)
+            roots = CountedRoots(self._steepness, [self._to_pole], own, known)
+            try:
+                self._kept[high] = counted_among(roots, known, LOWEST * self.pace, high)
+            except PhysicsError:
+                self._kept[high] = None
+                self.leave_uncounted("poles")
+        return self._kept[high]
 
     def _followed(self, high):
         estimates = self._coupled(high)
@@ -107,8 +130,12 @@ class DampersBesideRatios(DampedMemberTransfer):
         return found[(found.imag > 0) & (found.imag <= BEYOND * high)]
 
     def _to_pole(self, s):
+        return -1 / self._steepness(s)
+
+    def _steepness(self, s):
+        """f′/f of f = det(1 + s C H₀[T, T])."""
         ahead, behind = (self._determinant(s * (1 + side * ASIDE)) for side in (1, -1))
-        return -self._determinant(s) * 2 * ASIDE * s / (ahead - behind)
+        return (ahead - behind) / (2 * ASIDE * s * self._determinant(s))
 
     def _determinant(self, s):
         """det(1 + s C H₀[T, T])."""

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 SPREAD = np.array([0.0, 0.03, 0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 20.0])     # places about a pole, in widths
 COARSE, FEW = np.array([0.0, 0.25, 1.0, 5.0]), 40                       # where there are more poles and zeros
+ASIDE = 1 + 1e-6    # times a pole: where what is tied to it however weakly is seen
 NARROWEST, WIDE = 1e-9, 1e4
 ANYWHERE = np.array([0.37, 1.19, 3.1])  # times a typical frequency
 BESIDE, ENDLESS = 1e-9, 3e3     # a peak that is so much higher than beside it has a damping ratio below 3e-13: none
@@ -35,7 +36,7 @@ class Extreme(NamedTuple):
 def extremes(system: "FrequencyResponseFunction", start: float = 0.0, end: float = math.inf) -> list[Extreme]:
     """The Extremes of |H(iΩ)| for Ω > 0 from start to end, ascending; none where the input does not reach the
     output."""
-    if not _reaches(system, start, end):
+    if not reaches(system, start, end):
         return []
     (low, high), steep = _brackets(system, start, end)
     maximum = steep[0] > 0
@@ -57,12 +58,19 @@ def extremes(system: "FrequencyResponseFunction", start: float = 0.0, end: float
             for at, size, lost, top in zip(Omega, np.abs(values), resonant, maximum, strict=True)]
 
 
-def _reaches(system, start, end):
+def reaches(system: "FrequencyResponseFunction", start: float = 0.0, end: float = math.inf) -> bool:
     """Does the input reach the output? Far above all poles H may be smaller than any float."""
-    if sampled(system, system.pace * ANYWHERE)[0].any():
+    if _seen(system, system.pace * ANYWHERE):
         return True
-    near = np.abs(system.poles(start, end))
-    return len(near) > 0 and bool(sampled(system, near.min() * ANYWHERE)[0].any())
+    near = ascending(np.abs(system.poles(start, end)))
+    return len(near) > 0 and (_seen(system, near[0] * ANYWHERE) or _seen(system, near[:FEW] * ASIDE))
+
+
+def _seen(system, Omega):
+    """Is H more than rounding at one of these frequencies?"""
+    values, resonant = sampled(system, Omega)
+    values, Omega = values[~resonant], Omega[~resonant]
+    return bool(values.any() and (abs(values) > system.noise(Omega)).any())
 
 
 def _extreme(Omega, size, maximum):

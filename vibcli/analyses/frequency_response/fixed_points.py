@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from vibcli.analyses.frequency_response.evaluate import sampled
-from vibcli.analyses.frequency_response.extremes import places
+from vibcli.analyses.frequency_response.extremes import places, reaches
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.ascending import ascending
 from vibcli.numerics.bracketing import zeros_between
@@ -30,6 +30,8 @@ class FixedPoint(NamedTuple):
 def fixed_points(without: "FrequencyResponseFunction",
                  with_one: "FrequencyResponseFunction") -> list[FixedPoint]:
     """The FixedPoints with Ω > 0, ascending, from the responses with c = 0 and c = 1 (in any unit)."""
+    if not reaches(with_one):
+        return []
     typical = without.felt(with_one)
     systems = [without, *(without.with_damper(with_one, typical * share) for share in (1.0, 2.0, STRONG))]
     Omega = ascending(np.concatenate([places(system) for system in systems]))

@@ -11,17 +11,22 @@ class FrequencyResponseFunction:
     state: amplitude |H|, lag θ = −arg H.
 
     order: how often the output is differentiated (receptance 0, mobility 1, accelerance 2). Poles and zeros are those
-    of the output itself. counted: is none of the zeros that were told missing for sure?
+    of the output itself.
     """
 
-    __slots__ = ("counted", "order")
+    __slots__ = ("_uncounted", "order")
 
     def __init__(self, order: int = 0):
-        self.order, self.counted = order, True
+        self.order = order
+        self._uncounted: set[str] = set()
 
-    def leave_uncounted(self) -> None:
-        """Some of the zeros that are told from now on may be missing."""
-        self.counted = False
+    def leave_uncounted(self, what: str) -> None:
+        """Some of the poles, or zeros, that are told from now on may be missing."""
+        self._uncounted.add(what)
+
+    def counts(self, what: str) -> bool:
+        """Is none of the poles, or zeros, that were told missing for sure?"""
+        return what not in self._uncounted
 
     @property
     def undamped(self) -> bool:
@@ -61,6 +66,10 @@ class FrequencyResponseFunction:
     def errors(self, Omega: np.ndarray) -> np.ndarray:
         """The same at many frequencies."""
         return np.array([self.error(at) for at in Omega.tolist()])
+
+    def noise(self, Omega: np.ndarray) -> np.ndarray:
+        """What rounding may leave of an H that is 0 at frequencies."""
+        return np.zeros(len(Omega))
 
     def error_of_pole(self, Omega: float) -> float:
         """A bound of |δΩ| of an undamped natural frequency."""

@@ -99,6 +99,8 @@ def poles(response: "MemberTransfer", low: float, high: float) -> np.ndarray:
     if response.moves_by_modes or not math.isfinite(high):
         return 1j * np.array([mode.omega for mode in response.marks.natural(low, high)])
     counted = None if low else _counted(response, high)
+    if not low and counted is None:
+        response.leave_uncounted("poles")
     found = _looked_for(response, low, high) if counted is None else counted.poles
     return found[(found.imag >= low) & (found.imag <= high)]
 

@@ -18,6 +18,7 @@ from vibcli.numerics.ascending import ascending, median
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from vibcli.analyses.frequency_response.beside_rigid_motions import AtRest
     from vibcli.analyses.frequency_response.member_marks import Marks
     from vibcli.analyses.frequency_response.member_system import MemberSystem
 
@@ -86,11 +87,17 @@ class MemberTransfer(FrequencyResponseFunction):
                 of_value_at(self, complex(at)) for at in s[:len(s) // 2]))
         return self._kept["rest"]
 
+    @property
+    def drifting(self) -> "AtRest | None":
+        """What its output has at s = 0 where a steady input drives what nothing holds; None where that is not found."""
+        rest = self._at_rest
+        return None if rest is None or not rest.resonant else rest.of_rate(self.order)
+
     def _put_at_rest(self, found, k):
         rest = self._at_rest
         if rest is None:
             raise self._lost_digits
-        found.values[k], found.resonant[k] = rest.value, rest.resonant
+        found.values[k], found.resonant[k] = 0.0 if rest.resonant else rest.value, rest.resonant
         if found.slopes is not None:
             found.slopes[k] = rest.slope
 
@@ -127,6 +134,10 @@ class MemberTransfer(FrequencyResponseFunction):
             step[near[better]], excess[near[better]] = other[better], least[better]
         return step
 
+    def counts(self, what: str) -> bool:
+        scene = self.marks.scene
+        return super().counts(what) and (what != "poles" or scene is None or scene.counts(what))
+
     def poles(self, low: float = 0.0, high: float = math.inf) -> np.ndarray:
         scene = self.marks.scene
         return self._found(member_marks.poles, low, high) if scene is None else scene.poles(low, high)
@@ -157,6 +168,9 @@ class MemberTransfer(FrequencyResponseFunction):
         if not Omega and self.marks.next_to_zero is not None and self._at_rest is not None:
             return 0.0 if self.order else self._at_rest.error
         return of_value(self, Omega)
+
+    def noise(self, Omega: np.ndarray) -> np.ndarray:
+        return self.errors(Omega)
 
     def error_of_pole(self, Omega: float) -> float:
         return Omega * error_of(self.marks.natural(0.5 * Omega, 1.5 * Omega), Omega)

@@ -25,7 +25,7 @@ def peaks(system: "FrequencyResponseFunction", known: Sequence[Extreme] | None =
     them."""
     known = extremes(system, 0.0, end) if known is None else known
     tops = [one for one in known if one.maximum and not (system.undamped and one.value is not None)]
-    return _made_by(system.poles(0.0, end), tops, [one.Omega for one in known if not one.maximum])
+    return _made_by(system.poles(0.0, end), tops, [one.Omega for one in known if not one.maximum]) if tops else []
 
 
 def antiresonances(system: "FrequencyResponseFunction", known: Sequence[Extreme] | None = None,
@@ -33,7 +33,7 @@ def antiresonances(system: "FrequencyResponseFunction", known: Sequence[Extreme]
     """The Extremes up to a frequency that are antiresonances, ascending."""
     known = extremes(system, 0.0, end) if known is None else known
     dips = [one for one in known if not one.maximum and not (system.undamped and one.value)]
-    return _made_by(system.zeros(0.0, end), dips, [one.Omega for one in known if one.maximum])
+    return _made_by(system.zeros(0.0, end), dips, [one.Omega for one in known if one.maximum]) if dips else []
 
 
 def _made_by(marks, found, between):

@@ -17,13 +17,15 @@ ALONG = {"first": "the first coordinate that moves is 1, those of members aside,
                   "displacement of the first member that moves",
          "largest": "the largest displacement is 1", "mass": "φᵀMφ = 1"}
 
-OF_ROWS = {"first": "the first of these that moves is 1", "largest": "the largest of these amplitudes is 1",
-           "mass": "φᵀMφ = 1"}
+OF_ROWS = {"first": "the first of these that moves is 1", "largest": "the largest of these amplitudes is 1"}
+COMPLEX = "φᴴMφ = 1, φᴴ being φᵀ with the conjugate amplitudes"
 
 
 def words(how: str, members: Any = (), damped: bool = False) -> str:
     """What a normalisation is, in words, of scenes with or without members, of whose damped modes what is printed is
     all that counts."""
+    if damped and how == "mass":
+        return COMPLEX
     return ((OF_ROWS if damped else ALONG) if members else WORDS)[how]
 
 

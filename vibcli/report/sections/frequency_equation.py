@@ -44,8 +44,9 @@ def frequency_equation(problem: "Problem", report: "Report") -> Iterator[Section
         return
     if problem.scene.loops is not None or not problem.symbolic.linearisable:
         known = not problem.numeric.has_free_symbols
+        system = problem.configuration.linear_system if known else None
         yield from section("Frequency equation", equations(
-            _determinant(problem.configuration.linear_system.n, None))) if known else ()
+            _determinant(system.n, system.G, None))) if system else ()
         return
     blocks = [equations(own_letters(problem.scene).lines(lines)) for lines in _equations(problem, partial(
         shapes_in_numbers, problem, report.normalise))]
@@ -92,26 +93,27 @@ def _equations(problem, shapes):
 
 def _unwritten(problem, shapes, members, size, label):
     """What is solved, and the shapes."""
-    yield from _determinant(size, label)
+    yield from _determinant(size, problem.symbolic.discrete_matrices[2], label)
     if any(placed.owner in members and not (placed.piece.bending.is_zero or placed.piece.gradient.is_zero)
            for placed in problem.symbolic.linearisation.pieces):
         yield line(Words(SERIES), inset=2)
     yield from shapes(members)
 
 
-def _determinant(size, label):
+def _determinant(size, G, label):
     """What is solved where nothing shorter is told."""
     if not size:
         yield line(Words("not written out: the frequencies are those of the member between what holds it"), label=label)
         return
-    yield line("det D(ω) = 0", Words(f",  {size} × {size}: K − ω²M and the dynamic stiffness of each part; "
+    lumped = "K + iωG − ω²M" if G else "K − ω²M"
+    yield line("det D(ω) = 0", Words(f",  {size} × {size}: {lumped} and the dynamic stiffness of each part; "
                                      "not written out"), label=label)
 
 
 def _long(problem, shapes, found, label):
     """What is solved, and the orthogonality."""
     moving = {i for placed in found.pieces for row in placed.rows for i in row}
-    yield from _determinant(len(moving) + len(found.hung), label)
+    yield from _determinant(len(moving) + len(found.hung), problem.symbolic.discrete_matrices[2], label)
     yield from shapes(found.members)
     yield from orthogonality(problem, found)
 

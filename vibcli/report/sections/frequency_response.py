@@ -75,7 +75,9 @@ def _in_numbers(problem, name, driver, unit):
     head = ("", "Ω [rad/s]", "f [Hz]", f"|H| [{unit}]", "Ω₁ [rad/s]", "Ω₂ [rad/s]", "Q")
     yield _static(curve, unit)
     yield TableBlock(head, tuple(rows)) if rows else paragraph("no resonance")
-    if not curve.transfer.counted:
+    if not curve.transfer.counts("poles"):
+        yield paragraph("(poles are looked for from many places and not counted: peaks may be missing)")
+    if not curve.transfer.counts("zeros"):
         yield paragraph("(antiresonances are followed from those without damping and not counted: some may be missing)")
     yield from _fixed_points(problem, curve, unit)
     if any(isfinite(value) for _, value in curve.peaks):
@@ -152,12 +154,15 @@ FREQUENCY_RESPONSE = Key(
             Key("Omega", "where it is"),
             Key("value", "amplitude there; null where it has no bound"),
             Key("quality", "Omega over the distance of the half-power points; null where one is missing"))),
-        Key("antiresonances", "the Omega of zeros, or of minima where it is damped")))
+        Key("antiresonances", "the Omega of zeros, or of minima where it is damped"),
+        Key("peaks_counted", "false where poles are not counted, so that peaks may be missing"),
+        Key("antiresonances_counted", "false where zeros are not counted, so that antiresonances may be missing")))
 
 
 def frequency_response_data(problem: "Problem",
                             wanted: "Wanted") -> list[dict[str, list[dict[Any, Any] | float] | str]]:
     """The frequency responses asked for, as data."""
     found = [(asked, problem.frequency_response(*asked[:2])) for asked in curves_asked(problem, wanted)]
-    return [data(FREQUENCY_RESPONSE.each, FREQUENCY_RESPONSE.row(*asked, _peaks(curve), curve.antiresonances))
-            for asked, curve in found]
+    return [data(FREQUENCY_RESPONSE.each, FREQUENCY_RESPONSE.row(
+        *asked, list(_peaks(curve)), curve.antiresonances, *map(curve.transfer.counts, ("poles", "zeros"))))
+        for asked, curve in found]

@@ -26,7 +26,7 @@ def member_equations(problem: "Problem") -> Iterator[Section]:
         yield from section("Equations of free vibration", paragraph("not found in letters, as the equilibrium is not"))
         return
     form, scene = problem.symbolic.linearisation, problem.scene
-    M, C, _, K = problem.symbolic.discrete_matrices
+    matrices = of_what_is_no_member(problem)
     blocks: list = []
     own: dict = {}
     remark, letters = REMARK, own_letters(scene)
@@ -35,7 +35,7 @@ def member_equations(problem: "Problem") -> Iterator[Section]:
         own |= {scene.q.index(node): (member, part) for station in member.stations
                 for part, node in enumerate(member.motions(station)) if _is_own(node, member, scene)}
         if pieces:
-            conditions = list(station_conditions(member, form.pieces, (M, C, K), scene))
+            conditions = list(station_conditions(member, form.pieces, matrices, scene))
             told = [part for one in conditions for part in one.parts if type(part) is str]
             for mark, words in (("[", JUMPS), (RIGHT, SIDES)):
                 if words not in remark and any(mark in part for part in told):
@@ -45,7 +45,7 @@ def member_equations(problem: "Problem") -> Iterator[Section]:
     others = [i for i in range(len(scene.q)) if i not in own]
     if others:
         blocks += [Heading("what they carry:"), equations(letters.lines(
-            carried(i, form.pieces, (M, C, K), scene) for i in others))]
+            carried(i, form.pieces, matrices, scene) for i in others))]
     yield from section("Equations of free vibration", *blocks, paragraph(letters.words(remark), hang=4),
                        paragraph(DAMPED) if problem.spec.get("damping") is not None else None)
 
@@ -169,6 +169,12 @@ def _forces(placed, end, u):
         return [[(tension, f"∂{u}/∂x")]]
     bending = textbook(piece.bending)
     return [[(bending, f"∂³{u}/∂x³"), (-tension, f"∂{u}/∂x")], [(bending, f"∂²{u}/∂x²")]]
+
+
+def of_what_is_no_member(problem: "Problem") -> tuple:
+    """M, C + G, K of what is no member."""
+    M, C, G, K = problem.symbolic.discrete_matrices
+    return M, {pair: (C[pair] + G[pair] if pair in C else G[pair]) if pair in G else C[pair] for pair in C | G}, K
 
 
 def carried(i: int, pieces: "Sequence[Any]", matrices: Any, scene: Any) -> Line:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
 WITHOUT_DAMPERS = "without its dampers nothing would hold what has no inertia in this scene"
 OF_DAMPED = "with the eigenvalue λ: ω = |λ|, ζ = −Re λ/|λ|, decay −Re λ = ζω, logarithmic decrement 2πζ/√(1−ζ²)"
+OF_OVERDAMPED = "; with the two of an over-damped mode ω = √(λ₁λ₂), ζ = −(λ₁ + λ₂)/(2ω)"
 
 
 def frequencies(problem: "Problem", report: "Report") -> Iterator[Section]:
@@ -27,7 +28,8 @@ def frequencies(problem: "Problem", report: "Report") -> Iterator[Section]:
         return
     modal = problem.modal
     found = shown(problem, report.wanted)
-    same = repeated(found)
+    before = [modal.modes.alone(found[0].index - 1)] if found and found[0].index > 1 and not modal.modes.finite else []
+    same = repeated([*before, *found])
     zero = modal.zero_modes
     if problem.scene.pieces:
         from vibcli.analyses.modal.modes import chosen_at_limit
@@ -149,7 +151,8 @@ def damping(problem: "Problem", report: "Report") -> Iterator[Section]:
     told = _letters(problem).text if problem.scene.pieces else str
     table = TableBlock(tuple(map(told, head)), tuple(map(damped_row, found)))
     yield from section("Damped modes", without_empty(table, "–"), paragraph(
-        f"no other: {ended}") if ended else _proved(problem.modal.damped, found, told), note(told(OF_DAMPED)))
+        f"no other: {ended}") if ended else _proved(problem.modal.damped, found, told), note(told(
+            OF_DAMPED + OF_OVERDAMPED * any(one.zeta is not None and one.zeta > 1 for one in found))))
 
 
 def _damps(problem):
@@ -165,7 +168,7 @@ def _proved(modes, found, in_letters):
     told = f"{region.count} eigenvalues, conjugates counted, have {size} < {region.radius:.8g} 1/s"
     if region.below:
         told += f", {region.below} of them {size} < {region.inner:.8g} 1/s"
-    rest = "" if any(mode.eigenvalue.real for mode in found) else "; those above leave all dampers at rest"
+    rest = "" if any(mode.eigenvalue.real for mode in found) else "; nothing damps those above"
     rest = "; whether more grow is left open" if found[-1].growth_rate is not None else rest
     return paragraph(f"{told}, by the argument principle: none is missing{rest}")
 

@@ -11,7 +11,7 @@ from vibcli.analyses.closed_form.steady_state import waves_of_all
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.report.blocks import Name, Words
-from vibcli.report.steps.complex_numbers import cleared, complex_told
+from vibcli.report.steps.complex_numbers import SMALL, cleared, complex_told
 from vibcli.report.steps.coupled_members import tell_coupled_steady
 from vibcli.report.steps.step import WorkedSolution, number, told
 from vibcli.symbolic.derivatives import gradient
@@ -114,12 +114,16 @@ class _SteadyMembers:
         self.problem, self.sheet, self.loads = problem, sheet, loads
         self.pieces = in_floats(problem.configuration.linear_system.pieces)
         self.names, self.table = problem.scene.coordinates, problem.scene.table
+        self.units = ["m" if problem.system.dimension(name) else "rad" for name in self.names]
         M, C, K = response.matrices
         self.undamped = not C.any() and not any(one.piece.drag or one.retardation for one in self.pieces) and (
             not loads.forces.imag.any())
         D = DynamicMatrix(np.array([K, C, M]), self.pieces).at(np.array([1j * loads.Omega])).D[:, :, 0]
         self.D = np.array([[cleared(complex(x)) for x in row] for row in D])
-        self.U = [cleared(complex(x)) for x in np.linalg.solve(self.D, loads.forces)]
+        U = np.linalg.solve(self.D, loads.forces)
+        most = {unit: max(abs(x) for x, own in zip(U, self.units, strict=True) if own == unit) for unit in self.units}
+        self.U = [cleared(complex(x)) if abs(x) > SMALL * most[unit] else 0j
+                  for x, unit in zip(U, self.units, strict=True)]
 
     def write(self) -> None:
         """Write down all of them; nothing where the engine finds other amplitudes."""
@@ -184,7 +188,7 @@ class _SteadyMembers:
         """The lines of U of each motion."""
         for i, name in enumerate(self.names):
             letter = self.table.parameter(self.sheet.letter(f"U{i + 1}"))
-            unit = "m" if self.problem.system.dimension(name) else "rad"
+            unit = self.units[i]
             value, row = (self.U[i].real, self._row(i)) if self.undamped else (abs(self.U[i]), None)
             told = [Words("so  ")] * (not i) + [letter, *([] if self.undamped else [
                 f" = {complex_told(self.U[i])}", Words(f" {unit},  "), "|", letter, "|"]), *number(value, unit)]

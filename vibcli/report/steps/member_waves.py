@@ -82,9 +82,9 @@ class WavesOfMember:
         """An end by what acts on it; None of one that has mass or a spring, or moves with other things."""
         if not row:
             return ReflectingEnd(-self.table.one)
-        M, C, _, K = self.problem.symbolic.discrete_matrices
+        M, C, G, K = self.problem.symbolic.discrete_matrices
         i, *more = row
-        if more or row[i] is not self.table.one or any(i in pair for pair in (*M, *K)) or any(
+        if more or row[i] is not self.table.one or any(i in pair for pair in (*M, *G, *K)) or any(
                 i in pair and pair != (i, i) for pair in C):
             return None
         if (i, i) not in C:

@@ -16,7 +16,7 @@ from vibcli.report.blocks import Factor, Name, WithNumbers, Words, factors
 from vibcli.report.own_letters import own_letters
 from vibcli.report.sections.frequency_equation import SIMPLE, whose
 from vibcli.report.sections.hanging_string import hanging_alone
-from vibcli.report.sections.members import carried, differential, station_conditions
+from vibcli.report.sections.members import carried, differential, of_what_is_no_member, station_conditions
 from vibcli.report.steps.ends import Ends
 from vibcli.report.steps.hanging import general_solution
 from vibcli.report.steps.held import HINT
@@ -48,9 +48,9 @@ class MemberSteps:
         if not problem.symbolic.linearisable:
             raise PhysicsError(UNKNOWN, HINT)
         self.form = problem.symbolic.linearisation
-        M, C, _, K = problem.symbolic.discrete_matrices
-        self.matrices = M, C, K
-        self.damped = bool(C) or any(not one.piece.drag.is_zero for one in self.form.pieces)
+        self.matrices = of_what_is_no_member(problem)
+        self.damped = bool(problem.symbolic.discrete_matrices[1]) or any(
+            not one.piece.drag.is_zero for one in self.form.pieces)
 
     def write(self) -> None:
         """Write down all steps."""
@@ -92,7 +92,8 @@ class MemberSteps:
             raise PhysicsError(WITHOUT, HINT)
         lines = [line for name in self.scene.members for first, held in [self._conditions(name)]
                  for line in (first, *held)]
-        lines += [*map(self._carried, others), *self._bound(self.scene.members)]
+        tied = self._tied(self.scene.members)
+        lines += [*(self._carried(i) for i in others if i not in tied), *self._bound(self.scene.members)]
         words = ", without what damps," if self.damped else ""
         told = f"they hold{words} at frequencies that a search finds, which misses none"
         self._searched(self.sheet.write(Words(told), settles="frequencies", uses=lines))
@@ -106,10 +107,14 @@ class MemberSteps:
                                  settles=f"omega[{mode.index}]", value=omega, unit="rad/s", uses=[line])
 
     def _bound(self, names):
-        """The equations of what members are held to, of coordinates that no member has of its own."""
+        """The equations of what members are held to."""
+        return [self._carried(i, "what it is held to:  ") for i in self._tied(names)]
+
+    def _tied(self, names):
+        """Which coordinates move members that have them not of their own."""
         members = [self.scene.members[name] for name in names]
         tied = reachable([node for one in members for station in one.stations for node in one.motions(station)])
-        return [self._carried(i, "what it is held to:  ") for i, q in enumerate(self.scene.q) if q in tied
+        return [i for i, q in enumerate(self.scene.q) if q in tied
                 and not any(member.has_coordinate(q.name) for member in self.scene.members.values())]
 
     def _carried(self, i, words="what it carries:  "):
@@ -162,7 +167,7 @@ class MemberSteps:
         left, right = sides(named)
         words = ", without what damps" if self.damped else ""
         how = f"so the frequency equation{words}:  " if asked else (
-            f"the conditions leave constants other than zero{words} if  ")
+            f"the conditions leave constants other than zero{words + ',' * bool(words)} if  ")
         free = bool(unstrained(found))
         alike = [Words(",  and "), found.wave_number, Words(" = 0, as all of it may move alike")] * free
         line = self.sheet.write(Words(how), left, " = ", right, *alike, *(

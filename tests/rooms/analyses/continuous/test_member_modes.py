@@ -156,6 +156,18 @@ def test_two_alike_are_counted_together():
     assert "repeated to 15 digits" in text and "J = 6 just above ω₅ ≈ ω₆: none is missing" in text
 
 
+def test_the_first_of_some_may_be_alike_to_one_that_is_not_told():
+    beam = "{length: 1 m, EI: 10 N*m^2, mass_per_length: 1 kg/m, left: clamped}"
+    text = told(problem(f"beams: {{one: {beam}, two: {beam}}}\nfind: [{{modes: [2, 3]}}]"), "frequencies")
+    assert "repeated" in next(line for line in text.splitlines() if line.strip().startswith("2 "))
+
+
+def test_the_two_eigenvalues_of_an_over_damped_mode_are_told_as_such():
+    beam = "beams: {one: {length: 1 m, EI: 10 N*m^2, mass_per_length: 1 kg/m, left: clamped}}\ndamping: {modal: %s}"
+    texts = [told(problem(beam % ratio), "damping") for ratio in ("200 %", "50 %")]
+    assert ["of an over-damped mode ω = √(λ₁λ₂)" in text for text in texts] == [True, False]
+
+
 def test_coordinates_of_the_file_come_first():
     scene = problem("""
         bodies: {block: {mass: 3 kg, slide: x}}

@@ -3,6 +3,7 @@
 import mpmath
 import numpy as np
 import pytest
+from support.scenes import problem
 
 from tests.support.moved_pieces import moved_pieces
 from tests.support.random_members import at_rest, random_members
@@ -66,6 +67,15 @@ def test_a_node_is_found_wherever_it_falls(order):
             BEAM, [-np.sin(k / 2), slope, np.sin(k / 2), slope])
         moved = Moved(0.0, piece, -k**order, np.array(ends), False)
         assert resting_and_turning([moved])[0] == pytest.approx([0.5], abs=1e-12)
+
+
+def test_an_antinode_next_to_an_end_is_told():
+    """u = cos βx falls off by (βδ)²/2 alone between 1 − δ, where it turns, and the end, which a weak spring holds."""
+    bar = problem("bars: {rod: {length: 1 m, EA: 1 N, mass_per_length: 1 kg/m, right: {k: 1e-4 N/m}}}")
+    mode = bar.modal.modes.first(2)[1]
+    turns = np.pi / float(mode.omega)
+    assert 1 - 2e-5 < turns < 1 - 1e-6
+    assert bar.modal.fields(mode).antinode_places("rod") == pytest.approx([0.0, turns], rel=1e-12)
 
 
 def test_where_a_bar_moves_least_is_no_antinode():

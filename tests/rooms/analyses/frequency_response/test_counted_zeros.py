@@ -70,6 +70,28 @@ def test_none_is_missing_beside_the_axis(dampers, turning):
         response = solved.frequency_response(name, "drive").transfer
         found, known = response.zeros(0.0, HIGH), zeros_of_elements(place, dampers, turning)
         beside = known[abs(known.real) < 0.5 * HIGH / (len(response.natural()) + 6)]
-        assert response.counted and len(found)
+        assert response.counts("zeros") and len(found)
         assert all(abs(found - s).min() < 1e-7 * abs(s) for s in beside)
         assert all(abs(known - s).min() < 1e-7 * abs(s) for s in found)
+
+
+RATED = """\
+    parameters: {L: 1 m, EI: 20 N*m^2, mu: 1 kg/m, F: 1 N}
+    beams: {arm: {length: L, EI: EI, mass_per_length: mu, left: clamped, attached: [{at: L/2, c: 2 N*s/m}]}}
+    points: {p: {body: arm, at: L}}
+    forces: {f: {at: p, force: F}}
+    damping: {%s}
+    """
+
+
+def test_poles_beside_ratios_and_dampers_are_counted():
+    """As damped modes where these are told, and else by det(1 + s C H₀)."""
+    told = problem(RATED % "modal: [1 %, 2 %]").frequency_response("arm.u(L)", "f").transfer
+    poles = told.poles(0.0, HIGH)
+    counted = told._counted_up_to(HIGH)
+    assert told.counts("poles") and len(poles) == 3
+    near = counted.poles[abs(counted.poles.real) < counted.width]
+    assert near == pytest.approx(poles, rel=1e-9)
+    creeping = problem(RATED % "caughey: {1: 1 %, 2: 2 %, 3: 8 %}").frequency_response("arm.u(L)", "f")
+    assert len(creeping.peaks) == 3 and len(creeping.antiresonances) == 2
+    assert creeping.transfer.counts("poles") and not creeping.transfer.counts("zeros")

@@ -34,6 +34,16 @@ FIRST = 1.875104068711961166**2 * ROOT
 HELD = 4.730040744862704**2 * ROOT      # of the piece held at both ends, where D has a pole
 
 
+TRUSS = """
+    parameters: {a: 1 m, EA: 5 MN, mu: 2 kg/m}
+    bodies: {top: {mass: 10 kg, at: [a/2, a], move: [x, y, 0]}}
+    bars:
+      l: {from: [0, 0], to: [a/2, a], EA: EA, mass_per_length: mu, left: clamped, right: {pinned: top}}
+      r: {from: [a, 0], to: [a/2, a], EA: EA, mass_per_length: mu, left: clamped, right: {pinned: top}}
+    dampers: {d: {between: [[a/2, 0], top], c: 20 N*s/m}}
+    """
+
+
 def curve(text, signal="arm.u(L)", driver="drive"):
     return problem(text).frequency_response(signal, driver)
 
@@ -267,3 +277,13 @@ def test_a_pole_that_turning_forces_alone_make():
     first, = found.transfer.poles(1.0, 3.0)
     assert first == pytest.approx(1j * exact, rel=1e-11)
     assert found.transfer.at(np.array([first.imag * 1j]))[2].all()
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("text", [TRUSS, TRUSS.split("dampers")[0]], ids=["damped", "undamped"])
+def test_what_symmetry_leaves_at_rest_has_no_peaks(text):
+    """Of rounding neither resonances nor antiresonances are told; what is tied however weakly has them."""
+    found = curve(text, "y", "x")
+    assert found.peaks == [] and found.antiresonances == [] and found.transfer.counts("zeros")
+    assert not found.undamped or len(curve(text.replace("to: [a/2, a], EA: EA", "to: [a/2, a], EA: (1 + 1e-10)*EA", 1),
+                                           "y", "x").peaks) == 6
