@@ -157,7 +157,7 @@ def _by_series(nu, chi, xi, near, numbers, weights=None):
         powers.append(nu * powers[k] - chi * powers[k - 1])
 
     def pairs(x, weights):
-        share, square, even, odd = numbers.array(1) + x * 0, x * x, 0, 0
+        share, square, even, odd = numbers.array(1) + x * 0, x * x, 0 * powers[0], 0 * powers[0]
         for k, power in enumerate(powers):
             share = share * square / (2 * k * (2 * k - 1)) if k else share
             evenly, oddly = (share, share) if weights is None else (
