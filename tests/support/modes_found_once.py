@@ -13,9 +13,10 @@ from vibcli.analyses.continuous.mode_source import NaturalModes
 def modes_found_once():
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(NaturalModes, "numbered", _once(NaturalModes.numbered, lambda modes: (
-            [getattr(modes.elements, part) for part in modes.elements.__slots__], modes.digits)))
+            [getattr(modes.elements, part) for part in modes.elements.__slots__], modes.digits,
+            modes.ground.growing, modes.ground.resting)))
         patch.setattr(DampedPart, "series", _once(DampedPart.series, lambda part: (
-            part.matrix.polynomial.tolist(), part.matrix.pieces, part.matrix.kept, list(part.coordinates))))
+            part.matrix.polynomial.tolist(), part.matrix.pieces, part.matrix.kept, part.coordinates, part.n)))
         yield
 
 
