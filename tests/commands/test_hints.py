@@ -23,15 +23,17 @@ PACKAGE = Path(vibcli.__file__).parent
 FILES = sorted(path for path in PACKAGE.rglob("*.py") if "bench" not in path.parts)
 OPTION = re.compile(r"(?<![\w(-])--[a-z][a-z-]*(?!:)\b")
 COMMAND = re.compile(r"\bvibcli ([a-z]+)\b([^`;,]*)")
+NAMING = re.compile(r"--[a-z]|vibcli[ \"']")        # in the text of a file in which something may be named
 PROSE = {"derives", "alone", "itself"}        # vibcli derives …, which is no command line
 
 
 @cache
 def read(path):
     """((line, text) of every string of a file, {…} standing for what is filled in; the lines on which keys of --json
-    are described: the manual alone prints what they say)."""
+    are described: the manual alone prints what they say); none of a file that names neither options nor commands."""
     found, parts, described = [], set(), set()
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    source = path.read_text(encoding="utf-8")
+    for node in ast.walk(ast.parse(source)) if NAMING.search(source) else ():
         if isinstance(node, ast.Call) and getattr(node.func, "id", None) == "Key":
             described |= {text.lineno for text in node.args[:2]}
         elif isinstance(node, ast.JoinedStr):

@@ -63,7 +63,13 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 sys.argv = {argv}
 sys.meta_path.insert(0, Finder())
 sys.settrace(trace)
-{start}
+try:
+    {start}
+except SystemExit as error:
+    if os.getpid() != us:       # as `main` leaves where nothing but Python has begun it
+        sys.stderr.flush()
+        os._exit(error.code)
+    raise
 """
 
 

@@ -38,25 +38,19 @@ def ran(course, *args):
 
 
 @pytest.mark.sweep
-def test_each_answer_is_a_test(course):
+def test_each_answer_is_a_test_and_the_last_failures_are_known(course):
     found = ran(course, "-v")
     found.assert_outcomes(passed=6, failed=2)
     found.stdout.fnmatch_lines(["*right.yaml::twice: omega[[]1] PASSED*", "*wrong.yaml::omega[[]1] FAILED*",
                                 "slip.yaml:1: scene-invalid: *did you mean 'mass'*",
                                 "wrong.yaml:4: answer-differs: omega[[]1]: expected 3, found 2*"])
+    ran(course, "--lf").assert_outcomes(failed=2)
 
 
 @pytest.mark.sweep
 def test_some_are_chosen_and_the_first_failure_ends_it(course):
     ran(course, "-k", "twice").assert_outcomes(passed=2, deselected=6)
-    ran(course, "-x", "wrong.yaml").assert_outcomes(failed=1)
-    ran(course, "right.yaml::K[x,x]").assert_outcomes(passed=1)
-
-
-@pytest.mark.sweep
-def test_the_last_failures(course):
-    ran(course)
-    ran(course, "--lf").assert_outcomes(failed=2)
+    ran(course, "-x", "right.yaml::K[x,x]", "wrong.yaml").assert_outcomes(passed=1, failed=1)
 
 
 @pytest.mark.sweep

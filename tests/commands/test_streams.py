@@ -4,14 +4,12 @@ import json
 import os
 import subprocess
 import sys
-from contextlib import chdir, redirect_stderr, redirect_stdout
-from io import StringIO
 from pathlib import Path
 
 import pytest
+from support.standard_streams import imported
 
-from vibcli.cli import COMMANDS, streams
-from vibcli.cli.program import run
+from vibcli.cli import COMMANDS
 from vibcli.homework.manifest import seal
 
 ROOT = Path(__file__).parents[2]
@@ -38,27 +36,19 @@ MANIFEST = """{"form": "vibcli homework 1", "title": "set", "course": "", "due":
 "variants": [{"variant": 1, "values": {"k": "4 N/m"}, "keys": [{"quantity": "omega[1]", "unit": "rad/s", "points": 1,
 "value": 2, "error": 0, "figures": 4, "band": 0.01, "mistakes": []}]}]}],
 "students": [{"id": "1", "name": "", "sheets": [{"problem": "scene", "variant": 1}]}]}"""
-pytestmark = pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning")
 
 
-@pytest.fixture(scope="module", autouse=True)
-def imported(tmp_path_factory):
-    """What the commands import, once for all processes."""
+@pytest.fixture(scope="module")
+def called(tmp_path_factory):
+    """What runs a command in a process that has imported what they all need."""
     folder = tmp_path_factory.mktemp("once")
-    with pytest.MonkeyPatch.context() as patch:         # a compiler with threads does not survive a fork: pages do
-        patch.setattr("vibcli.homework.paper.find_spec", lambda name: None)
-        _import_all(folder)
-        yield
-
-
-def _import_all(folder):
     beside(folder)
-    scene = folder / "scene.yaml"
-    scene.write_text(SCENE.replace("NUMBER", "1").replace("RATE", "2"))
-    with chdir(folder), redirect_stdout(StringIO()), redirect_stderr(StringIO()):
-        for command in ENDING:
-            files = ["-o", str(folder / f"{command}.{'gif' if command == 'animate' else 'png'}")] * (command in SILENT)
-            assert run([command, *CALLS.get(command, [str(scene)]), *MORE.get(command, []), *files]) == 0
+    (folder / "scene.yaml").write_text(SCENE.replace("NUMBER", "1").replace("RATE", "2"))
+    runs = [(folder, [command, *CALLS.get(command, ["scene.yaml"]), *MORE.get(command, []),
+                      *(["-o", f"{command}.{'gif' if command == 'animate' else 'png'}"] * (command in SILENT))])
+            for command in ENDING]
+    with imported(runs) as call:
+        yield call
 
 
 def beside(folder):
@@ -69,49 +59,20 @@ def beside(folder):
 
 
 @pytest.fixture
-def call(tmp_path, monkeypatch):
+def call(called, tmp_path):
     """call(arguments, how stdout is, how stderr is) -> (exit code, stdout, stderr) of a process of its own."""
-    monkeypatch.chdir(tmp_path)
     for name, number, rate in (("right", 1, 2), ("wrong", 1, 3), ("refused", 2, 3)):
         text = SCENE.replace("NUMBER", str(number)).replace("RATE", str(rate))
         (tmp_path / f"{name}.yaml").write_text(text)
     beside(tmp_path)
 
-    def called(args, stdout="file", stderr="file"):
+    def of(args, stdout="file", stderr="file"):
         files = [tmp_path / "out.txt", tmp_path / "err.txt"]
-        pid = os.fork()
-        if not pid:
-            code = 99
-            try:
-                for number, (how, file) in enumerate(zip((stdout, stderr), files, strict=True), 1):
-                    _put(number, how, file)
-                streams.provide()
-                code = run(args)
-                sys.stdout.flush()
-            finally:
-                os._exit(code)
-        code = os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1])
+        code = called(tmp_path, args, stdout, stderr)
         for picture in (*tmp_path.glob("*.png"), *tmp_path.glob("*.gif")):
             picture.unlink()
         return code, *(file.read_text() if file.exists() else "" for file in files)
-    return called
-
-
-def _put(number, how, file):
-    """Let a standard stream of this process be a file, full, closed, or a pipe that nobody reads."""
-    os.close(number)
-    name = ("stdout", "stderr")[number - 1]
-    if how == "closed":
-        setattr(sys, name, None)
-        return
-    if how == "left":
-        reader, writer = os.pipe()
-        os.close(reader if reader != number else os.dup2(writer, number))
-        os.dup2(writer, number)
-    else:
-        opened = os.open("/dev/full" if how == "full" else file, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
-        os.dup2(opened, number)
-    setattr(sys, name, os.fdopen(number, "w", closefd=False))
+    return of
 
 
 @pytest.mark.sweep

@@ -1,14 +1,23 @@
 """`vibcli stress`: what is told of families, what is drawn, exit codes."""
 
 import json
+from functools import cache
 
 import pytest
 
 from vibcli.cli.program import run
-from vibcli.evidence.stress import claims
+from vibcli.evidence.stress import claims, sweep
+
+kept = cache(sweep.measured)      # points that several runs tell
+
+
+@pytest.fixture
+def measured_once(monkeypatch):
+    monkeypatch.setattr(sweep, "measured", kept)
 
 
 @pytest.mark.sweep
+@pytest.mark.usefixtures("measured_once")
 def test_a_family_is_a_table_and_a_sentence(capsys):
     assert run(["stress", "--family", "mass_ratio"]) == 0
     out = capsys.readouterr().out
@@ -17,6 +26,7 @@ def test_a_family_is_a_table_and_a_sentence(capsys):
 
 
 @pytest.mark.sweep
+@pytest.mark.usefixtures("measured_once")
 def test_as_data_what_is_not_finite_is_null(capsys):
     assert run(["stress", "--family", "double_eigenvalue", "--family", "mass_ratio", "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
@@ -25,6 +35,7 @@ def test_as_data_what_is_not_finite_is_null(capsys):
 
 
 @pytest.mark.sweep
+@pytest.mark.usefixtures("measured_once")
 def test_pictures_stand_in_their_folder_and_are_not_replaced(tmp_path, capsys):
     folder = tmp_path / "new" / "pictures"
     assert run(["stress", "--family", "mass_ratio", "-o", str(folder)]) == 0

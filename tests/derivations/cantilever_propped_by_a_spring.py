@@ -18,9 +18,9 @@ def answers(p):
         return expm(A * length)
 
     def whole(w):
-        jump = np.eye(4)
+        jump, half = np.eye(4), along(w, L / 2)
         jump[3, 0] = -k
-        return along(w, L / 2) @ jump @ along(w, L / 2)
+        return half @ jump @ half
 
     def missed(w):
         """The determinant of moment and shear at the tip."""

@@ -25,7 +25,7 @@ def test_a_problem_is_in_the_same_part_for_all():
 
 
 def test_files_that_fork_come_first():
-    files = "commands/test_streams.py", "commands/test_check_jobs.py", "rooms/homework/test_parts.py"
+    files = "commands/test_processes.py", "commands/test_check_jobs.py", "rooms/homework/test_parts.py"
     assert {unit_of(f"tests/{file}::test_it") for file in files} == {FORKS}
     scheduling, node = Together.__new__(Together), Mock()
     scheduling.workqueue = OrderedDict({"problems 0": {"a": False}, FORKS: {"b": False}, "house": {"c": False}})

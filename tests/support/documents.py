@@ -1,6 +1,10 @@
 """A scene file with one of everything that a reader meets, and what is read as plain lists and mappings."""
 
+import yaml
+
 from vibcli.language.document.document import Scalar, Sequence
+
+LOADER = getattr(yaml, "CBaseLoader", yaml.BaseLoader)      # of texts alone; in C where PyYAML has it
 
 SCENE = """\
 title: "Mass: on a spring"

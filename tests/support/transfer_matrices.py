@@ -4,7 +4,7 @@ Of bars, shafts and strings the state is (u, S u'), of beams (u, u', EI u'', -EI
 shear force on the part to the right. Digits are many, so that nothing is lost by exponentials (Pestel & Leckie 1963).
 """
 
-from mpmath import cos, cosh, det, findroot, matrix, mpf, sin, sinh, sqrt
+from mpmath import cos, cos_sin, det, exp, findroot, matrix, mpf, sin, sqrt
 
 
 def bar(length, stiffness, inertia):
@@ -23,13 +23,14 @@ def beam(length, EI, mu):
     def at(w):
         b = sqrt(w * sqrt(mu / EI))
         z = b * length
-        one, two = (cosh(z) + cos(z)) / 2, (sinh(z) + sin(z)) / (2 * b)
-        three, four = (cosh(z) - cos(z)) / (2 * b**2), (sinh(z) - sin(z)) / (2 * b**3)
+        (c, s), grown = cos_sin(z), exp(z)
+        ch, sh = (grown + 1 / grown) / 2, (grown - 1 / grown) / 2
+        one, two = (ch + c) / 2, (sh + s) / (2 * b)
+        three, four = (ch - c) / (2 * b**2), (sh - s) / (2 * b**3)
         k = b**4
-        u = matrix([[one, two, three, four], [k * four, one, two, three],
-                    [k * three, k * four, one, two], [k * two, k * three, k * four, one]])
-        unit = (mpf(1), mpf(1), EI, -EI)
-        return matrix([[u[i, j] * unit[i] / unit[j] for j in range(4)] for i in range(4)])
+        kfour, kthree = k * four, k * three
+        return matrix([[one, two, three / EI, -four / EI], [kfour, one, two / EI, -three / EI],
+                       [kthree * EI, kfour * EI, one, -two], [-k * two * EI, -kthree * EI, -kfour, one]])
     return at
 
 

@@ -1,6 +1,5 @@
 """Drawings: every scene is drawn, no word lies over another, the same bytes, nothing is overwritten."""
 
-import json
 import math
 import os
 import re
@@ -13,6 +12,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+from support.imported import imported
 from support.scenes import kept_drawing_of, kept_problem_of, problem, problem_of
 
 from vibcli.base.errors import PhysicsError
@@ -464,14 +464,6 @@ def test_hostile_names_make_plain_files(tmp_path, monkeypatch, capsys):
     assert "&lt;/script&gt;" in (tmp_path / "a.html").read_text()
 
 
-RUN = """
-import json, sys
-from vibcli.cli.program import run
-code = run(sys.argv[1:])
-print(json.dumps([code, sorted(sys.modules)]))
-"""
-
-
 @pytest.mark.sweep
 @pytest.mark.parametrize(("args", "unwanted"), [
     (["draw", "-o", "a.png"], ()), (["draw", "-o", "a.svg"], ("matplotlib", "numpy", "PIL", "html")),
@@ -480,11 +472,10 @@ print(json.dumps([code, sorted(sys.modules)]))
     (["animate", "-o", "a.gif"], ("matplotlib",)),
     (["solve", "--pictures", "-o", "a.html"], ("matplotlib", "PIL"))],
     ids=["png", "svg", "mode", "mode-svg", "html", "moving", "gif", "report"])
-def test_what_a_picture_imports(args, unwanted, tmp_path):
-    done = subprocess.run([sys.executable, "-c", RUN, args[0], str(CART), *args[1:]], capture_output=True, text=True,
-                          timeout=120, cwd=tmp_path, env={**os.environ, "PYTHONPATH": str(ROOT)})
-    code, names = json.loads(done.stdout.splitlines()[-1])
-    assert code == 0
+def test_what_a_picture_imports(args, unwanted, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    code, names = imported(args[0], str(CART.resolve()), *args[1:])
+    assert code == 0 and (tmp_path / args[-1]).exists()
     assert not {"matplotlib.pyplot", "scipy", "sympy", *unwanted} & set(names)
 
 

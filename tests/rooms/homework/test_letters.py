@@ -2,6 +2,7 @@
 
 import json
 import random
+from functools import cache
 from math import pi, sqrt
 
 import pytest
@@ -243,9 +244,14 @@ HOSTILE = ["__import__('os').system('ls')", "9^9^9^9^9^9", "(" * 200, "k" * 400,
            "=1+1", "k,m", "lambda: 0", "√", "", "k" + "+k" * 200, "exp(exp(exp(exp(k/m))))", "phi'''", "\x00", "k = m"]
 
 
+@cache
+def marker_of(out):
+    return Marker(read_manifest(str(out / "instructor" / "manifest.json")))
+
+
 def verdicts(out, **answers):
     """{quantity: (verdict, mistake)} of the student's answers."""
-    marker = Marker(read_manifest(str(out / "instructor" / "manifest.json")))
+    marker = marker_of(out)
     named = {"omega": "omega[1]", "equation": next(
         key for key in ("equation[phi]", "equation[x]") if key in marker_quantities(out)), "T": "T"}
     found = marker.marks("s1", "scene", {named[name]: text for name, text in answers.items()})

@@ -7,6 +7,7 @@ from pathlib import Path
 import mpmath
 import pytest
 import yaml
+from support.documents import LOADER
 from support.scenes import problem
 
 from vibcli.base.errors import SpecError
@@ -62,7 +63,7 @@ def stripped(node, key=None):
 
 def scene(path, close=False):
     """The Problem of a scene without its units; `close`: with answers that agree to half a percent."""
-    found = stripped(yaml.load(path.read_text(encoding="utf-8"), Loader=yaml.BaseLoader))
+    found = stripped(yaml.load(path.read_text(encoding="utf-8"), Loader=LOADER))
     for part in (found, *found.get("cases", {}).values()) if close else ():
         for asked, value in part.get("answers", {}).items():
             if isinstance(value, str) and "=" not in value and value not in ("true", "false"):

@@ -4,6 +4,7 @@ functions, u = Σ c J₀(z √(s/L)) cos ωt, s the height above the lower end, 
 import numpy as np
 import pytest
 from scipy.special import j0, j1, jn_zeros
+from support.modes_found_once import modes_found_once  # noqa: F401
 
 import vibcli
 from vibcli.base.errors import NoBound
@@ -15,6 +16,7 @@ gravity: {G} m/s^2
 strings: {{c: {{from: [0, 0], to: [0 m, -{LENGTH} m], mass_per_length: 2 kg/m, left: pinned}}}}
 initial: {{%s}}
 """
+pytestmark = pytest.mark.usefixtures("modes_found_once")
 
 
 @pytest.fixture(scope="module")

@@ -4,6 +4,7 @@ from math import factorial
 
 import numpy as np
 import pytest
+from support.modes_found_once import modes_found_once  # noqa: F401
 from support.scenes import problem
 
 from vibcli.analyses.continuous import damped_series
@@ -19,6 +20,7 @@ from vibcli.symbolic.parser import parse
 TIMES = np.array([0.03, 0.37, 1.93, 4.1])
 BEAM = "parameters: {L: 1 m, EI: 1 N*m^2, mu: 1 kg/m}\nbeams:\n  arm: {length: L, EI: EI, mass_per_length: mu, %s}\n"
 TIP = BEAM % "left: clamped, right: {c: 0.7 N*s/m}" + "points: {tip: {body: arm, at: L}}\n"
+pytestmark = pytest.mark.usefixtures("modes_found_once")
 
 
 def signal(response, scene, text):

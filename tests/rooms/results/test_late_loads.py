@@ -5,11 +5,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 from mpmath import mp
+from support.modes_found_once import modes_found_once  # noqa: F401
 
 import vibcli
 from vibcli.analyses.excitation.load_times import load_times
 from vibcli.base.errors import PhysicsError
 
+pytestmark = pytest.mark.usefixtures("modes_found_once")
 TRIALS = Path(__file__).parents[2] / "trials"
 TIP = "points: {tip: {body: b, at: 2 m}}\nforces: {f: {at: tip, force: 10 N*%s}}\n"
 BAR = "bars: {b: {length: 2 m, EA: 4 MN, mass_per_length: 3 kg/m, left: clamped}}\n" + TIP

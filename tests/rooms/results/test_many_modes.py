@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from support.modes_found_once import modes_found_once  # noqa: F401
 
 import vibcli
 from vibcli.analyses.continuous.remainder import remainder
@@ -29,6 +30,7 @@ MANY = 40_000
 BARE = "", 0.0, 0.0, 1.875, 0.5
 MASS = ", attached: [{at: L, mass: 0.5 kg}]", 0.5, 0.0, 1.41996, 0.75
 DAMPER = ", attached: [{at: L, c: 0.5 N*s/m}]", 0.0, 0.5, 1.875, 0.5
+pytestmark = pytest.mark.usefixtures("modes_found_once")
 
 
 def _parts(b):

@@ -4,12 +4,14 @@ the loads last, held against sums over modes with the steady part in closed form
 import numpy as np
 import pytest
 from mpmath import findroot, mp
+from support.modes_found_once import modes_found_once  # noqa: F401
 
 import vibcli
 from vibcli.analyses.continuous import travelling_waves_march
 from vibcli.base.errors import PhysicsError
 from vibcli.results import modal_response
 
+pytestmark = pytest.mark.usefixtures("modes_found_once")
 TIP = "points: {tip: {body: b, at: 2 m}}\nforces: {f: {at: tip, force: 10 N*%s}}\n"
 BAR = "bars: {b: {length: 2 m, EA: 4 MN, mass_per_length: 3 kg/m, left: clamped}}\n" + TIP
 BEAM = "beams: {b: {length: 2 m, EI: 4 kN*m^2, mass_per_length: 3 kg/m, left: clamped}}\n" + TIP

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 import yaml
+from support.documents import LOADER
 from support.scenes import problem, problem_of
 
 from vibcli.check.verdicts import check
@@ -55,7 +56,7 @@ def places(spec):
 
 @pytest.mark.parametrize("path", SCENES[::2], ids=lambda path: path.stem)
 def test_every_place_may_have_a_name(path):
-    scene = yaml.load(path.read_text(encoding="utf-8"), Loader=yaml.BaseLoader)
+    scene = yaml.load(path.read_text(encoding="utf-8"), Loader=LOADER)
     if not named(scene):
         return
     node, diagnostics = read(json.dumps(scene, indent=1).replace(': ""', ': ').encode(), str(path))

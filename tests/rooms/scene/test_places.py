@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 import yaml
+from support.documents import LOADER
 
 from vibcli.base.errors import SpecError
 from vibcli.language.document.document import read
@@ -22,7 +23,6 @@ FILES = sorted([*(ROOT / "problems").glob("*/*.yaml"), *(ROOT / "vibcli" / "exam
                 *(ROOT / "tests" / "trials").glob("*.yaml")])
 random.Random(5).shuffle(FILES)
 MOST = 60       # files of a way
-LOADER = getattr(yaml, "CBaseLoader", yaml.BaseLoader)
 
 
 class Dumper(yaml.SafeDumper):

@@ -36,27 +36,26 @@ class PieceStack:
     {coordinate: component} of the end values of piece p, of short ones of u₀, θ₀, w, ψ; numbers[p]: its place among all
     pieces; beta: retardations."""
 
-    __slots__ = ("beta", "ends", "numbers", "piece", "short")
+    __slots__ = ("beta", "ends", "numbers", "piece", "retarded", "short")
 
     def __init__(self, placed: "Sequence[PlacedPiece]", numbers: "Sequence[int]", ends: "Sequence[tuple]", short: bool):
         self.ends, self.numbers, self.short = list(ends), list(numbers), short
         self.piece = Piece(*(np.array([[float(getattr(one.piece, name))] for one in placed]) for name in Piece._fields))
         self.beta = np.array([[float(one.retardation)] for one in placed])
+        self.retarded = bool(self.beta.any())
 
     def stiffness(self, s: np.ndarray, steep: bool, bent: bool = True) -> tuple[np.ndarray, np.ndarray | None]:
         """(d, dd/ds if it is `steep`), each (m, m, pieces, N); real where s is imaginary and nothing drags; not `bent`:
         without what bends short pieces as cantilevers."""
-        piece, factor = self.piece, (1 + self.beta * s) if self.beta.any() else 1.0
+        piece, factor = self.piece, (1 + self.beta * s) if self.retarded else 1.0
         kappa = retarded_reaction(piece, s, self.beta)
         if not steep and not self.short:
             return np.moveaxis(stiffness(piece, kappa), (-2, -1), (0, 1)) * factor, None
         found = stiffness_and_slope(piece, kappa)
         found = in_relative_motions(piece, kappa, *found, bent) if self.short else found
         d, slope = (np.moveaxis(part, (-2, -1), (0, 1)) for part in found)
-        if not steep:
-            return d * factor, None
-        slope = slope * reaction_rate(piece, s, self.beta) * factor
-        return d * factor, slope + self.beta * d if self.beta.any() else slope
+        slope = slope * reaction_rate(piece, s, self.beta) * factor if steep else None
+        return d * factor, slope + self.beta * d if steep and self.retarded else slope
 
     def excess(self, d: np.ndarray, s: np.ndarray) -> np.ndarray:
         """How many times larger d is than a wave of its length would make it, the most of all pieces: (N,)."""
@@ -112,7 +111,7 @@ class DynamicMatrix:
     def conservative(self) -> bool:
         """Does nothing damp, though gyroscopic terms may act?"""
         return bool((self.polynomial[1] == -self.polynomial[1].T).all()) and not any(
-            stack.piece.drag.any() or stack.beta.any() for stack in self.stacks)
+            stack.piece.drag.any() or stack.retarded for stack in self.stacks)
 
     @property
     def retardation(self) -> float:

@@ -120,6 +120,16 @@ def _integrals(part, one):
         numbers = arithmetic_of(*cut, part.kappa)
         y, weights = panel_rule(cut, part.kappa[at], one.pace, numbers)
         x = one.start + length * y
-        phi = fields(piece, part.kappa[at], part.ends[at], (x - part.start)[:, None])[..., 0]
-        found[at] = (weights * one.at(x, numbers) * length) @ phi
+        found[at] = _summed(part, at, x - part.start, weights * one.at(x, numbers) * length, numbers)
     return found
+
+
+def _summed(part, modes, x, weights, numbers):
+    """Σ weights · φ over places x of a piece: of strings of varying tension by the fields that have one end value 1
+    each."""
+    kappa, ends = part.kappa[modes], part.ends[modes]
+    if part.piece.gradient and part.piece.order == 2:
+        from vibcli.numerics.pieces.graded import graded_integrals
+
+        return (ends * graded_integrals(part.piece, kappa, x, weights, numbers)).sum(axis=-1)
+    return weights @ fields(part.piece, kappa, ends, x[:, None])[..., 0]

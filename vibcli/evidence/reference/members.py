@@ -7,6 +7,7 @@ begun from finite elements, and kept where they are as many and as near.
 """
 
 from collections.abc import Sequence
+from math import perm
 from typing import TYPE_CHECKING, Any
 
 import mpmath
@@ -39,7 +40,13 @@ def squares(elements: Elements, count: int) -> TrueValues:
     if any(b - a <= APART * abs(b) for a, b in zip(near[free:], near[free + 1:], strict=False)):
         raise PhysicsError("two frequencies are so close that no reference is found of them")
     near[:free] = [0.0] * min(free, len(near))
-    return settled(lambda: (_roots(elements(mpmath.mp.dps), near), None), DIGITS + 1, START)
+    last: list = list(near)
+
+    def found():
+        last[:] = _roots(elements(mpmath.mp.dps), near, last)
+        return list(last), None
+
+    return settled(found, DIGITS + 1, START)
 
 
 def require_plain(elements: "FactoredSystem") -> None:
@@ -82,22 +89,23 @@ def _zeros(elements):
         return int(mpmath.nint(mpmath.log(abs(two / one), 2)))
 
 
-def _roots(elements, near):
+def _roots(elements, near, starts):
+    """Those near by, from where secants start: what fewer digits found."""
     found = []
-    for z in near:
+    for z, start in zip(near, starts, strict=True):
         if not z:
             found.append(mpmath.mpf(0))
             continue
-        root = _root(elements, z)
+        root = _root(elements, start)
         if abs(root - z) > NEAR * abs(z) or any(abs(root - other) <= APART * abs(root) for other in found):
             raise DoesNotSettle("the reference does not settle: a root lies elsewhere than finite elements have it")
         found.append(root)
     return found
 
 
-def _root(elements, near):
+def _root(elements, start):
     """By secants."""
-    x, y = mpmath.mpf(near), mpmath.mpf(near) * (1 - mpmath.mpf(STEP))
+    x, y = mpmath.mpf(start), mpmath.mpf(start) * (1 - mpmath.mpf(STEP))
     at_x, at_y = determinant(elements, x), determinant(elements, y)
     for _ in range(STEPS):
         if at_x == at_y:
@@ -175,27 +183,24 @@ def derivatives(piece: Piece, z: Any, s: Any, number: int | None, load: Sequence
     """[u, u′, u″, u‴] at the far end of the solution that begins with xⁿᵘᵐᵇᵉʳ, or with nothing under a load per length
     with coefficients of (x/L)ᵏ: of the coefficients aₖ of (x/L)ᵏ."""
     order, L = piece.order, piece.length
-    N, n, kappa = piece.tension, piece.gradient * L, (piece.foundation + piece.drag * s - piece.inertia * z) * L**2
+    square, N, n = L**2, piece.tension, piece.gradient * L
+    kappa, stiff = (piece.foundation + piece.drag * s - piece.inertia * z) * square, piece.bending / square
     a = [mpmath.mpf(0)] * order
     if number is not None:
         a[number] = L**number
     k, small, largest = 0, 0, max(map(abs, a))
     while small <= 2 * order or k < len(load):
-        right = L**2 * load[k] if k < len(load) else mpmath.mpf(0)
+        right = square * load[k] if k < len(load) else mpmath.mpf(0)
+        right -= kappa * a[k] if a[k] else 0
+        right += n * ((k + 1) ** 2 * a[k + 1]) if n and a[k + 1] else 0
         if order == 4:      # B/L² (k+4)(k+3)(k+2)(k+1) aₖ₊₄ = N (k+2)(k+1) aₖ₊₂ + n (k+1)² aₖ₊₁ − κ aₖ + L² pₖ
-            right += N * (k + 2) * (k + 1) * a[k + 2] + n * (k + 1) ** 2 * a[k + 1] - kappa * a[k]
-            a.append(right / (piece.bending / L**2 * (k + 4) * (k + 3) * (k + 2) * (k + 1)))
+            right += N * ((k + 2) * (k + 1) * a[k + 2]) if N and a[k + 2] else 0
+            a.append(right / (stiff * ((k + 4) * (k + 3) * (k + 2) * (k + 1))) if right else right)
         else:               # N (k+2)(k+1) aₖ₊₂ = κ aₖ − n (k+1)² aₖ₊₁ − L² pₖ
-            a.append((kappa * a[k] - n * (k + 1) ** 2 * a[k + 1] - right) / (N * (k + 2) * (k + 1)))
+            a.append(-right / (N * ((k + 2) * (k + 1))) if right else right)
         k += 1
-        largest = max(largest, abs(a[-1]))
-        small = small + 1 if abs(a[-1]) * k**3 <= mpmath.eps * largest else 0
-    return [sum(_falling(j, i) * x for j, x in enumerate(a)) / L**i for i in range(4)]
-
-
-def _falling(j, i):
-    """j (j − 1) … of i factors."""
-    result = 1
-    for k in range(i):
-        result *= j - k
-    return result
+        size = abs(a[-1])
+        largest = max(largest, size)
+        small = small + 1 if not size or size * k**3 <= mpmath.eps * largest else 0
+    own = [(j, x) for j, x in enumerate(a) if x]
+    return [sum((perm(j, i) * x for j, x in own if j >= i), mpmath.mpf(0)) / L**i for i in range(4)]

@@ -92,7 +92,7 @@ def graded_count(piece: "Piece", kappa: np.ndarray, numbers: "Arithmetic") -> np
     piece, found = _settled(piece), []
     order, portions = _portions(piece, kappa)
     for some in portions:
-        tree = graded_tree(piece, some, numbers)
+        tree = graded_tree(piece, some, numbers, False)
         found.append(sum(_negative(tree, i, numbers) for i in range(len(tree.levels) - 1)) + np.zeros(len(some), int))
     return np.concatenate(found)[order]
 
@@ -128,7 +128,7 @@ def graded_integrals(piece: "Piece", kappa: np.ndarray, x: np.ndarray, weights: 
 
 
 def _integrals(piece, kappa, x, weights, numbers):
-    tree, order = graded_tree(piece, kappa, numbers), piece.order
+    tree, order = graded_tree(piece, kappa, numbers, False), piece.order
     of, unit = np.repeat(np.arange(len(kappa)), order), numbers.array(np.tile(np.eye(order), (len(kappa), 1)))
     ends, places = _part_ends(piece, tree, of, unit, numbers), numbers.array(tree.cuts)
     c, half = tree.series.numbers(tree.series.c), tree.series.half
@@ -191,7 +191,7 @@ def _fields(piece, kappa, ends, x, numbers):
     at, own = _distinct(kappa)
     first, field = _distinct(np.stack([own, *(_distinct(column)[1] for column in ends.T)], axis=-1))
     values, of = kappa[at], own[first]
-    tree = graded_tree(piece, values, numbers)
+    tree = graded_tree(piece, values, numbers, False)
     parts = _part_ends(piece, tree, of, ends[first], numbers)
     found, index = _within(piece, tree, (of, field), parts, x, numbers)
     if piece.order == 2 and is_slack(piece) and (index == 0).any():

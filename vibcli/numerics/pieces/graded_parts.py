@@ -73,23 +73,26 @@ def is_slack(piece: "Piece") -> bool:
 
 
 def part_stiffness(piece: "Piece", cuts: list, kappa: np.ndarray, series: "Series",
-                   numbers: "Arithmetic") -> tuple[np.ndarray, np.ndarray]:
-    """(d, ∂d/∂κ) of all parts, (parts, κ, m, m), from their `coefficients`."""
-    ends, forces, slopes, force_slopes = _end_values(piece, cuts, series, numbers)
+                   numbers: "Arithmetic") -> tuple[np.ndarray, np.ndarray | None]:
+    """(d, ∂d/∂κ or None) of all parts, (parts, κ, m, m), from their `coefficients`."""
+    ends, forces, *slopes = _end_values(piece, cuts, series, numbers)
     inverse = numbers.inverse(ends)
-    stiffness = forces @ inverse
-    slope = (force_slopes - stiffness @ slopes) @ inverse
+    found = [forces @ inverse]
+    if slopes:
+        found.append((slopes[1] - found[0] @ slopes[0]) @ inverse)
     if piece.order == 2 and is_slack(piece):
-        stiffness[0], slope[0] = _slack(piece, cuts[1], kappa, numbers)
-    return tuple((values + values.swapaxes(-1, -2)) / 2 for values in (stiffness, slope))
+        for values, next_to_slack in zip(found, _slack(piece, cuts[1], kappa, numbers), strict=False):
+            values[0] = next_to_slack
+    found = [(values + values.swapaxes(-1, -2)) / 2 for values in found]
+    return found[0], found[1] if slopes else None
 
 
 class Series(NamedTuple):
-    """c_k and ∂c_k/∂χ of all parts, (terms, parts, κ, m), a column for each first coefficient; ∂χ/∂κ and h, (parts, 1,
-    1). bits: the c are integers, multiples of 2^−bits; None where they are numbers."""
+    """c_k and ∂c_k/∂χ (or None) of all parts, (terms, parts, κ, m), a column for each first coefficient; ∂χ/∂κ and h,
+    (parts, 1, 1). bits: the c are integers, multiples of 2^−bits; None where they are numbers."""
 
     c: np.ndarray
-    slope: np.ndarray
+    slope: np.ndarray | None
     scale: np.ndarray
     half: np.ndarray
     bits: int | None
@@ -103,7 +106,7 @@ class Series(NamedTuple):
         return np.frompyfunc(lambda value: mp.ldexp(value, -self.bits), 1, 1)(values)
 
 
-def coefficients(piece: "Piece", cuts: list, kappa: np.ndarray, numbers: "Arithmetic") -> Series:
+def coefficients(piece: "Piece", cuts: list, kappa: np.ndarray, numbers: "Arithmetic", steep: bool = True) -> Series:
     """The Series of a piece: as no coefficient is large, those of real numbers of mpmath are found in integers."""
     cuts_array, order = numbers.array(cuts), piece.order
     half = ((cuts_array[1:] - cuts_array[:-1]) / 2)[:, None, None]
@@ -119,26 +122,27 @@ def coefficients(piece: "Piece", cuts: list, kappa: np.ndarray, numbers: "Arithm
         bits = mp.prec + GUARD
         one, whole = 1 << bits, np.frompyfunc(lambda value: int(mp.ldexp(value, bits)), 1, 1)
         shares = [whole(share) for share in shares]
-    both = np.zeros((numbers.terms(order) + order, 2, len(half), len(kappa), order), shares[0].dtype)
+    both = np.zeros((numbers.terms(order) + order, 1 + steep, len(half), len(kappa), order), shares[0].dtype)
     for i in range(order):
         both[i, 0, ..., i] = one
     _continued(both, shares, one, bits is not None)
-    return Series(both[:, 0], both[:, 1], scale, half, bits)
+    return Series(both[:, 0], both[:, 1] if steep else None, scale, half, bits)
 
 
 def _continued(both, shares, one, whole):
-    """All further c_k and ∂c_k/∂χ, (terms, 2, …), from the first; shares: χ and γ, ν or χ and ρ, multiples of 1/one."""
+    """All further c_k, and ∂c_k/∂χ where it stands beside them, (terms, 1 or 2, …), from the first; shares: χ and γ, ν
+    or χ and ρ, multiples of 1/one."""
     chi, gamma, *nu = shares
     order = 4 if nu else 2
     for k in range(len(both) - order):
         below = (k + 2) * (k + 1)
         if nu:
             found = nu[0] * below * both[k + 2] + gamma * (k + 1) ** 2 * both[k + 1] - chi * both[k]
-            found[1] -= one * both[k, 0]
+            found[1:] -= one * both[k, :1]
             below *= (k + 4) * (k + 3)
         else:
             found = chi * both[k] - gamma * (k + 1) ** 2 * both[k + 1]
-            found[1] += one * both[k, 0]
+            found[1:] += one * both[k, :1]
         both[k + order] = found // (below * one) if whole else found / below
 
 
@@ -183,10 +187,11 @@ def slack_series(piece: "Piece", x: Any, kappa: np.ndarray, numbers: "Arithmetic
 
 
 def _end_values(piece, cuts, series, numbers):
-    """End values and end forces of the solutions, rows, and their derivatives by κ: arrays (parts, κ, m, m)."""
+    """End values and end forces of the solutions, rows, and their derivatives by κ if there are slopes: arrays (parts,
+    κ, m, m)."""
     places, half = numbers.array(cuts), series.half
     found = []
-    for c, scale in ((series.c, 1), (series.slope, series.scale)):
+    for c, scale in ((series.c, 1), (series.slope, series.scale))[:1 if series.slope is None else 2]:
         values, forces = [], []
         at_ends = series.numbers(end_derivatives(c, piece.order)) * scale
         for eta, place, sums_at in zip((-1, 1), (places[:-1], places[1:]), at_ends, strict=True):

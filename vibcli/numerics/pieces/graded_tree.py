@@ -30,12 +30,12 @@ class GradedTree(NamedTuple):
     series: Series
 
 
-def graded_tree(piece: "Piece", kappa: np.ndarray, numbers: "Arithmetic") -> GradedTree:
-    """The GradedTree of one piece at flat κ."""
+def graded_tree(piece: "Piece", kappa: np.ndarray, numbers: "Arithmetic", steep: bool = True) -> GradedTree:
+    """The GradedTree of one piece at flat κ; `steep`: with slopes by κ, which those that are kept always have."""
     if numbers.number is not None:      # as for the stiffness and for the count at the same frequencies
         tree = _grown_precisely(tuple(piece), tuple(kappa.tolist()), numbers.eps)
     elif len(kappa) > ALIKE:
-        tree = _grown(piece, kappa, numbers)
+        tree = _grown(piece, kappa, numbers, steep)
     else:       # as at one frequency of all places along a piece, and at those of a count
         tree = _grown_again(Piece(*map(float, piece)), kappa.dtype.str, kappa.tobytes())
     counted((len(tree.cuts) - 1) * len(kappa) * piece.order**2 * STEP)
@@ -53,11 +53,11 @@ def _grown_precisely(piece, kappa, eps):
     return _grown(Piece(*piece), np.array(kappa, object), arithmetic_of(*piece, *kappa))
 
 
-def _grown(piece, kappa, numbers):
+def _grown(piece, kappa, numbers, steep=True):
     cuts = parts_of(piece, max(float(abs(value)) for value in kappa))
     scale = _scale(piece, cuts, kappa, numbers)
     ports = np.concatenate([scale[:-1], scale[1:]], axis=-1)
-    series = coefficients(piece, cuts, kappa, numbers)
+    series = coefficients(piece, cuts, kappa, numbers, steep)
     levels = [scattered(*part_stiffness(piece, cuts, kappa, series, numbers), ports, numbers)]
     while len(levels[-1].s) > 1:
         levels.append(joined(levels[-1], numbers))

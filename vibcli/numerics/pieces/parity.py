@@ -53,11 +53,12 @@ def parity_functions(nu: np.ndarray, chi: np.ndarray, numbers: "Arithmetic", ste
         apart |= chi < 0        # one is positive, the other negative: no complex numbers
     found = None if len(nu) else [part for parts in _by_roots(nu, chi, numbers, steep) for part in parts]
     for chosen, form in ((small, _series), (~small & apart, _by_roots), (~small & ~apart, _by_sums)):
-        if chosen.any():
-            found_here, slopes = form(nu[chosen], chi[chosen], numbers, steep)
+        if count := np.count_nonzero(chosen):
+            every = count == len(nu)
+            found_here, slopes = form(*((nu, chi) if every else (nu[chosen], chi[chosen])), numbers, steep)
             part = [*found_here, *slopes]
             part = [numbers.real(values) for values in part] if real else part
-            found = part if chosen.all() else _put(found, part, chosen)
+            found = part if every else _put(found, part, chosen)
     return Parity(*found[:VALUES], tuple(found[VALUES:]))
 
 

@@ -34,11 +34,23 @@ def _functions() -> list[np.ndarray]:
     return shapes
 
 
+@cache
+def _derived(order: int) -> np.ndarray:
+    """The same of their order-th derivatives by ξ, (coefficients, functions)."""
+    from numpy.polynomial import legendre
+
+    series = [2**order * legendre.legder(c, order) for c in _functions()]
+    found = np.zeros((max(map(len, series)), len(series)))
+    for k, own in enumerate(series):
+        found[:len(own), k] = own
+    return found
+
+
 def _values(t, order):
     """The order-th derivatives by ξ of all functions, (functions, …)."""
     from numpy.polynomial import legendre
 
-    return np.array([2**order * legendre.legval(t, legendre.legder(c, order)) for c in _functions()])
+    return legendre.legval(t, _derived(order))
 
 
 @cache

@@ -15,26 +15,27 @@ if TYPE_CHECKING:
 
 
 class Level(NamedTuple):
-    """S and ∂S/∂κ of some parts, (parts, κ, m, m), m/2 values at either end."""
+    """S and ∂S/∂κ of some parts, (parts, κ, m, m), m/2 values at either end; None where no slope is asked for."""
 
     s: np.ndarray
-    slope: np.ndarray
+    slope: np.ndarray | None
 
 
-def scattered(stiffness: np.ndarray, slope: np.ndarray, scale: np.ndarray, numbers: "Arithmetic") -> Level:
+def scattered(stiffness: np.ndarray, slope: np.ndarray | None, scale: np.ndarray, numbers: "Arithmetic") -> Level:
     """S of d with Z, (parts, κ, m): S = 1 − 2i (d̂ + i)⁻¹."""
     both = scale[..., :, None] * scale[..., None, :]
     one, i = _unit(stiffness, numbers)
     inverse = numbers.inverse(stiffness * both + i)
-    return Level(one - 2 * i @ inverse, 2 * i @ inverse @ (slope * both) @ inverse)
+    return Level(one - 2 * i @ inverse, None if slope is None else 2 * i @ inverse @ (slope * both) @ inverse)
 
 
-def stiffness_again(level: Level, scale: np.ndarray, numbers: "Arithmetic") -> tuple[np.ndarray, np.ndarray]:
+def stiffness_again(level: Level, scale: np.ndarray, numbers: "Arithmetic") -> tuple[np.ndarray, np.ndarray | None]:
     """(d, ∂d/∂κ) of S: d̂ = 2i (1 − S)⁻¹ − i."""
     one, i = _unit(level.s, numbers)
     inverse = numbers.inverse(one - level.s)
     both = scale[..., :, None] * scale[..., None, :]
-    return (2 * i @ inverse - i) / both, 2 * i @ inverse @ level.slope @ inverse / both
+    return (2 * i @ inverse - i) / both, (
+        None if level.slope is None else 2 * i @ inverse @ level.slope @ inverse / both)
 
 
 def _unit(values, numbers):
@@ -45,9 +46,9 @@ def _unit(values, numbers):
 def joined(level: Level, numbers: "Arithmetic") -> Level:
     """Neighbours in pairs; a last one without partner stays."""
     pairs = len(level.s) // 2
-    left, right = (Level(*(values[j:2 * pairs:2] for values in level)) for j in range(2))
-    (s, slope), rest = _star(left, right, numbers), [values[2 * pairs:] for values in level]
-    return Level(np.concatenate([s, rest[0]]), np.concatenate([slope, rest[1]]))
+    left, right = (Level(*(None if values is None else values[j:2 * pairs:2] for values in level)) for j in range(2))
+    return Level(*(None if found is None else np.concatenate([found, values[2 * pairs:]])
+                   for found, values in zip(_star(left, right, numbers), level, strict=True)))
 
 
 def _blocks(values):
@@ -55,25 +56,30 @@ def _blocks(values):
     return values[..., :h, :h], values[..., :h, h:], values[..., h:, :h], values[..., h:, h:]
 
 
+def _whole(one, two, three, four):
+    return np.concatenate([np.concatenate(part, axis=-1) for part in ((one, two), (three, four))], axis=-2)
+
+
 def _star(left, right, numbers):
-    """S of two in a row (Redheffer's product with f and −f at the joint)."""
+    """S of two in a row (Redheffer's product with f and −f at the joint), and ∂S/∂κ where it is found of both."""
     l11, l12, l21, l22 = _blocks(left.s)
     r11, r12, r21, r22 = _blocks(right.s)
-    d11, d12, d21, d22 = _blocks(left.slope)
-    e11, e12, e21, e22 = _blocks(right.slope)
     one = numbers.array(np.eye(l11.shape[-1]))
     p = numbers.inverse(one - l22 @ r11)
+    a, b = r11 @ p, p @ l22
+    through = one + a @ l22
+    s = _whole(l11 + l12 @ a @ l21, -l12 @ through @ r12, -r21 @ p @ l21, r22 + r21 @ b @ r12)
+    if left.slope is None:
+        return s, None
+    d11, d12, d21, d22 = _blocks(left.slope)
+    e11, e12, e21, e22 = _blocks(right.slope)
     dp = p @ (d22 @ r11 + l22 @ e11) @ p
-    a, da = r11 @ p, e11 @ p + r11 @ dp
-    b, db = p @ l22, dp @ l22 + p @ d22
-    through, slope = one + a @ l22, da @ l22 + a @ d22
-    s = [l11 + l12 @ a @ l21, -l12 @ through @ r12, -r21 @ p @ l21, r22 + r21 @ b @ r12]
-    ds = [d11 + d12 @ a @ l21 + l12 @ da @ l21 + l12 @ a @ d21,
-          -(d12 @ through @ r12 + l12 @ slope @ r12 + l12 @ through @ e12),
-          -(e21 @ p @ l21 + r21 @ dp @ l21 + r21 @ p @ d21),
-          e22 + e21 @ b @ r12 + r21 @ db @ r12 + r21 @ b @ e12]
-    return tuple(np.concatenate([np.concatenate(part[:2], axis=-1), np.concatenate(part[2:], axis=-1)], axis=-2)
-                 for part in (s, ds))
+    da, db = e11 @ p + r11 @ dp, dp @ l22 + p @ d22
+    slope = da @ l22 + a @ d22
+    return s, _whole(d11 + d12 @ a @ l21 + l12 @ da @ l21 + l12 @ a @ d21,
+                     -(d12 @ through @ r12 + l12 @ slope @ r12 + l12 @ through @ e12),
+                     -(e21 @ p @ l21 + r21 @ dp @ l21 + r21 @ p @ d21),
+                     e22 + e21 @ b @ r12 + r21 @ db @ r12 + r21 @ b @ e12)
 
 
 def divided(s: np.ndarray, inward: np.ndarray, numbers: "Arithmetic") -> np.ndarray:

@@ -78,10 +78,12 @@ def fourth_order_integrals(xi: np.ndarray, near: np.ndarray, weights: np.ndarray
     found = np.zeros((*chi.shape, 4), np.result_type(chi, nu, xi, weights))
     for chosen, form in _forms(nu, chi, numbers):
         if chosen.any():
-            parts = form(nu[chosen][:, None], chi[chosen][:, None], xi, near, numbers)
-            (c, s), (d, sigma), cross = parts.own, parts.rest, parts.cross
-            even, odd = (_Pair(*((value * weights).sum(axis=-1, keepdims=True) for value in pair))
-                         for pair in (parts.even, parts.odd))
+            summed = (weights,) if form is _by_series else ()
+            parts = form(nu[chosen][:, None], chi[chosen][:, None], xi, near, numbers, *summed)
+            (c, s), (d, sigma), cross, even, odd = parts.own, parts.rest, parts.cross, parts.even, parts.odd
+            if not summed:
+                even, odd = (_Pair(*((value * weights).sum(axis=-1, keepdims=True) for value in pair))
+                             for pair in (even, odd))
             u, t = cross(parts.times(s), even) / d / 2, -cross(c, even) / d / 2 * half
             v, w = cross(c, odd) / sigma / 2, -cross(s, odd) / sigma / 2 * half
             values = np.concatenate([u - v, w - t, u + v, w + t], axis=-1)
@@ -147,24 +149,26 @@ def _by_means(nu, chi, xi, near, numbers):
     return _Form(even, odd, *_of_means(nu, chi), (c, s), rest)
 
 
-def _by_series(nu, chi, xi, near, numbers):
-    """Means and divided differences of Pᵏ by their recurrence."""
+def _by_series(nu, chi, xi, near, numbers, weights=None):
+    """Means and divided differences of Pᵏ by their recurrence; of `weights`, sums of what is told over places ξ."""
     zero = nu * chi * 0
     powers = [np.array([zero + 1, zero]), np.array([zero + nu / 2, zero + 1])]      # means, differences
     for k in range(1, terms(ALIKE, numbers)):
         powers.append(nu * powers[k] - chi * powers[k - 1])
 
-    def pairs(square):
-        weights = [numbers.array(1) + square * 0]
-        for k in range(1, len(powers)):
-            weights.append(weights[-1] * square / (2 * k * (2 * k - 1)))
-        parts = np.array([weight * power for weight, power in zip(weights, powers, strict=True)])
-        odd = (2 * np.arange(len(parts)) + 1).reshape(-1, *[1] * (parts.ndim - 1))
-        return _Pair(*parts.cumsum(axis=0)[-1]), _Pair(*(parts / odd).cumsum(axis=0)[-1])
+    def pairs(x, weights):
+        share, square, even, odd = numbers.array(1) + x * 0, x * x, 0 * powers[0], 0 * powers[0]
+        for k, power in enumerate(powers):
+            share = share * square / (2 * k * (2 * k - 1)) if k else share
+            evenly, oddly = (share, share) if weights is None else (
+                (part * weights).sum(axis=-1, keepdims=True) for part in (share, share * x))
+            even, odd = even + evenly * power, odd + oddly * power / (2 * k + 1)
+        lean = x if weights is None else 1
+        return _Pair(*even), _Pair(*(part * lean for part in odd))
 
-    (c, s), (even, odd) = pairs(nu * 0 + 1), pairs(xi * xi)
+    (c, s), (even, odd) = pairs(nu * 0 + 1, None), pairs(xi, weights)
     times, cross = _of_means(nu, chi)
-    return _Form(even, _Pair(xi * odd.one, xi * odd.other), times, cross, (c, s), (cross(times(s), c), cross(c, s)))
+    return _Form(even, odd, times, cross, (c, s), (cross(times(s), c), cross(c, s)))
 
 
 def _of_means(nu, chi):
