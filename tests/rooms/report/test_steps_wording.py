@@ -3,8 +3,9 @@
 from pathlib import Path
 
 import pytest
-from support.scenes import kept_problem_of, problem
+from support.scenes import kept_problem_of, kept_settled_of, problem
 
+from vibcli.inverse import settled
 from vibcli.notation.plain import plain
 from vibcli.report.formats.formula import formula
 from vibcli.report.steps.worked import worked
@@ -20,8 +21,7 @@ def told(scene):
 
 def of(name, case=None):
     found, = Path("problems").glob(f"*/{name}.yaml")
-    scene = kept_problem_of(found)
-    return told(scene.case(case) if case else scene)
+    return told(settled(kept_problem_of(found).case(case)) if case else kept_settled_of(found))
 
 
 @pytest.mark.parametrize(("name", "case", "wanted"), [
@@ -39,6 +39,18 @@ def of(name, case=None):
         "Φ_snow = m·μ·g·cos α·|ṡ|", "sledge.reaction.x = −m·g·cos α·sin α",
         "sledge.reaction.y = m·g·cos² α"]),
     ("drum_on_a_slope_with_a_cord", None, ["∂V/∂s = (4·k₁ + k₂)·s"]),
+    ("gear_pair_and_rack", None, ["ω_two = −r₁·φ̇/r₂, T_two = J₂·ω_two²/2 = J₂·r₁²·φ̇²/(2·r₂²)"]),
+    ("press_with_two_blows", None, ["at rest ∂V/∂y = 2·N_left·b₁ + m·g = 0"]),
+    ("pointer_lags_behind_a_ramp", None, ["(under-damped, δ′ < ω)"]),
+    ("pointer_lags_behind_a_ramp", "largest damping", ["c·w/k = δ"]),
+    ("car_enters_the_foot_of_a_hill", None, ["the form of the load gives z = a·t²/2 − a·(m₁ + m₂)/k₂"]),
+    ("trailer_for_a_ratio", None, ["others: 1451.04 kg)"]),
+    ("three_discs_on_fixed_shaft", None, ["u·K·u = 9516.14 N·m", "u·M·u = 2.15662 kg·m²"]),
+    ("scale_pan_on_a_hardening_spring", None, ["x: displacement of pan, downwards, zero as drawn"]),
+    ("spool_on_driven_plank", None, ["s: rolling of spool, to the right, zero as drawn"]),
+    ("planet_between_sun_and_ring", None, [
+        "rolling of planet φ = (r₁/2 + r₂)·γ/r₂ − r₁·α/(2·r₂) (by the constraints)"]),
+    ("four_bar_with_springs", None, ["and by the closed loop ψ: turn of the coupler, χ: turn of the rocker"]),
     ("unround_shaft", None, ["V0_disc = −m·Ω²·u²/2 − m·Ω²·v²/2"]),
 ])
 def test_lines_of_problems(name, case, wanted):

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 CLOSE = 1e-9        # relative: of a number by the lines and the engine's
 MOST = 4            # coordinates, beyond which K is not inverted in letters
+OF_LENGTHS, OF_TURNS = ("N/m", "kg"), ("N·m", "kg·m²")      # units of uᵀKu and uᵀMu
 SHORT = 20          # letters of the frequency of an inertia alone that is written out
 
 
@@ -39,8 +40,10 @@ class LowestFrequency:
         if abs((sizes[0] / sizes[1]) ** 0.5 / self.found.rayleigh - 1) > CLOSE:
             return
         u = Name(self.sheet.letter("u"))
-        forms = [part for matrix, value in zip("KM", sizes, strict=True) for part in (
-            Words(",  "), u, "·", Name(self.sheet.matrix(matrix)), "·", u, *number(value))]
+        kinds = {bool(self.about.problem.system.dimension(name)) for name in self.about.scene.coordinates}
+        units = ("", "") if len(kinds) > 1 else OF_LENGTHS if True in kinds else OF_TURNS
+        forms = [part for matrix, value, unit in zip("KM", sizes, units, strict=True) for part in (
+            Words(",  "), u, "·", Name(self.sheet.matrix(matrix)), "·", u, *number(value, unit))]
         deflection = f" = ({', '.join(map(told, shape))})"
         line = self.sheet.write(Words("Rayleigh, with the static deflection  "), u, deflection, *forms,
                                 settles="deflection", uses=self.uses)
