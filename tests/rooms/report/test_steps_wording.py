@@ -51,6 +51,9 @@ def of(name, case=None):
     ("planet_between_sun_and_ring", None, [
         "rolling of planet φ = (r₁/2 + r₂)·γ/r₂ − r₁·α/(2·r₂) (by the constraints)"]),
     ("four_bar_with_springs", None, ["and by the closed loop ψ: turn of the coupler, χ: turn of the rocker"]),
+    ("spring_of_a_power_law", None, ["V = 0 + … (second order: it has no such term)", "to the first order: m·ẍ = 0",
+                                     "m·ẋ²/2 + 2·a·|x|^(5/2)/5 = E"]),
+    ("bead_on_a_turning_hoop", None, ["θ: zero as drawn"]),
     ("unround_shaft", None, ["V0_disc = −m·Ω²·u²/2 − m·Ω²·v²/2"]),
 ])
 def test_lines_of_problems(name, case, wanted):

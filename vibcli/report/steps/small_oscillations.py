@@ -184,7 +184,8 @@ class Derivation:
             if len(self.names) == 1:
                 self._derivatives(i, name, M, C, K, uses, driven, at_once)
             node = left(self.scene, (M, C, G, K), i)
-            head = () if len(self.names) == 1 else (Name(name), Words(":  "))
+            limp = [Words("to the first order:  ")] if self.scene.laws and not K else []
+            head = [*limp, *([] if len(self.names) == 1 else [Name(name), Words(":  ")])]
             lines.append(self.sheet.write(*head, node, " = ", drive.get(i, self.scene.table.zero),
                                           settles=f"equation[{name}]", node=node, uses=uses))
         return SmallEquations(M, C, G, K, drive, lines)
