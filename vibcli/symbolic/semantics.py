@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
 from vibcli.base.named_tuple import NamedTuple
+from vibcli.symbolic.node import rooted_square
 from vibcli.symbolic.parser import FUNCTIONS
 from vibcli.symbolic.rationals import HALF, ONE
 from vibcli.symbolic.syntax import ExpressionError, Number, Sum, UnitPower, whole_literal
@@ -179,14 +180,21 @@ def lower(tree: Any, table: "Table", symbol: Callable) -> "Node":
                 raise ZeroDivisionError
             return table.product(*factors)
         if tree.kind == "power":
-            return table.power(lower(tree.base, table, symbol), lower(tree.exponent, table, symbol))
+            return _raised(lower(tree.base, table, symbol), lower(tree.exponent, table, symbol))
         if tree.kind == "equation":
             return lower(tree.left, table, symbol) - lower(tree.right, table, symbol)
         args = [lower(arg, table, symbol) for arg in tree.args]
-        return table.sqrt(args[0]) if tree.name == "sqrt" else table.call(tree.name, *args)
+        return _raised(args[0], table.number(HALF)) if tree.name == "sqrt" else table.call(tree.name, *args)
     except ZeroDivisionError:
         raise ExpressionError(tree.start, tree.end - tree.start, "this divides by zero",
                               "look for a difference that vanishes") from None
+
+
+def _raised(base, exponent):
+    """base^exponent, |x| for √(x²), which has a slope at x = 0 on both sides."""
+    if base.mask and exponent.op == "number":
+        return base.table.power(*rooted_square(base, exponent.coefficient))
+    return base.table.power(base, exponent)
 
 
 def _literal(tree, table):
