@@ -8,6 +8,7 @@ from support.scenes import kept_problem_of, kept_settled_of, problem
 from vibcli.inverse import settled
 from vibcli.notation.plain import plain
 from vibcli.report.formats.formula import formula
+from vibcli.report.sections.steps import SI, steps
 from vibcli.report.steps.worked import worked
 
 
@@ -54,6 +55,13 @@ def of(name, case=None):
     ("spring_of_a_power_law", None, ["V = 0 + … (second order: it has no such term)", "to the first order: m·ẍ = 0",
                                      "m·ẋ²/2 + 2·a·|x|^(5/2)/5 = E"]),
     ("bead_on_a_turning_hoop", None, ["θ: zero as drawn"]),
+    ("cart_with_pendulum", None, ["φ = −(5.33333 rad/m)·p₂",
+                                  "(−5.33333 rad/m)·2·m₂·L + (−5.33333 rad/m)²·m₂·L² = 24 kg"]),
+    ("pointer_lags_behind_a_ramp", None, ["final(shaft.angle − φ): c·w/k", "final(hair.force): −c·w"]),
+    ("half_power_of_a_braked_lever", None, ["tan θ = Ω·√(m·k)/(4·(k − m·Ω²))",
+                                            "amplitude(low.x): 16·F₀/√(16·k² − m·Ω²·(31·k − 16·m·Ω²))"]),
+    ("two_inclined_springs_as_a_pair", None, [
+        "ω₁ = √((k₁ + k₂ − √(k₁² + 2·k₁·k₂ − 4·k₁·k₂·sin²(a − b) + k₂²))/(2·m))"]),
     ("unround_shaft", None, ["V0_disc = −m·Ω²·u²/2 − m·Ω²·v²/2"]),
 ])
 def test_lines_of_problems(name, case, wanted):
@@ -61,6 +69,15 @@ def test_lines_of_problems(name, case, wanted):
     for text in wanted:
         assert any(line.endswith(text) or text + "," in line for line in lines), (text, lines)
     assert not any(" = 0 = 0" in line for line in lines)
+
+
+@pytest.mark.parametrize(("name", "noted"), [("shelter_under_a_blast", True), ("garland_of_power_springs", True),
+                                             ("scale_pan_on_a_hardening_spring", True), ("gear_pair_and_rack", False),
+                                             ("quarter_car_damped", False), ("lever_on_shaking_floor", False)])
+def test_it_is_noted_where_numbers_without_their_units_stand_beside_letters(name, noted):
+    found, = Path("problems").glob(f"*/{name}.yaml")
+    (section,) = steps(kept_problem_of(found), None)
+    assert (SI in str(section.blocks[-1])) is noted
 
 
 def test_a_condition_that_gives_a_coordinate_is_told_once():

@@ -9,7 +9,7 @@ from vibcli.quantities.expression import lowered, value_of
 from vibcli.quantities.in_letters import quantity_in_letters
 from vibcli.quantities.quantity import OF_STATE, is_choice, quantity_of
 from vibcli.report.blocks import Words
-from vibcli.report.steps.agreement import samples_of
+from vibcli.report.steps.agreement import same, samples_of
 from vibcli.report.steps.characteristic import LONG
 from vibcli.report.steps.directions import tell_direction
 from vibcli.report.steps.free_vibration import tell_of_free
@@ -19,7 +19,8 @@ from vibcli.report.steps.small import tidy
 from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.nested_form import letters
-from vibcli.symbolic.radicals import without_bars
+from vibcli.symbolic.radicals import root, without_bars
+from vibcli.symbolic.rationals import ONE
 from vibcli.symbolic.syntax import QuantityRef
 
 if TYPE_CHECKING:
@@ -53,12 +54,11 @@ def _tell_in_letters(problem, sheet):
     samples, known = samples_of(problem, {}), problem.scene.parameters.values(Floats)
     settled = {line.settles for line in sheet.steps}
     for asked in [one.asked for one in problem.spec.answers if _untold(problem.spec, one.asked)]:
-        if isinstance(asked.tree, QuantityRef):
-            with suppress(PhysicsError, SpecError):
-                _ = asked.text in settled or tell_instant(problem, sheet, asked)
-            continue
         with suppress(PhysicsError, SpecError):
-            node = tidy(_of_quantities(problem, asked), samples)
+            alone = isinstance(asked.tree, QuantityRef)
+            if alone and (asked.text in settled or tell_instant(problem, sheet, asked)):
+                continue
+            node = short_quantity(problem, asked.tree) if alone else tidy(_of_quantities(problem, asked), samples)
             value, unit = None, unit_told(problem.spec, asked)
             with suppress(KeyError):
                 value, = evaluate([node], Floats, known)
@@ -129,4 +129,15 @@ def short_quantity(problem: "Problem", tree: Any) -> "Node":
     """A quantity in letters, in its shortest form; NotInLetters where it is found in numbers."""
     samples = samples_of(problem, {})
     found = without_bars(quantity_in_letters(problem, tree), samples)
-    return min(tidy(found, samples), found, key=letters)
+    shortest = min(tidy(found, samples), found, key=letters)
+    return min(_rooted(shortest, samples), shortest, key=letters)
+
+
+def _rooted(node, samples):
+    """The same with what is a square taken out of the roots among its factors."""
+    if node.op != "product" or not any(e.denominator == 2 for _, e in node.args):
+        return node
+    table = node.table
+    found = table.product((table.number(node.coefficient), ONE), *(
+        (root(base, samples), 2 * e) if e.denominator == 2 else (base, e) for base, e in node.args))
+    return found if same(found, node, samples) else node
