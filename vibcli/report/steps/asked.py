@@ -9,13 +9,12 @@ from vibcli.quantities.expression import lowered, value_of
 from vibcli.quantities.in_letters import quantity_in_letters
 from vibcli.quantities.quantity import OF_STATE, is_choice, quantity_of
 from vibcli.report.blocks import Words
-from vibcli.report.steps.agreement import same, samples_of
+from vibcli.report.steps.agreement import same, samples_of, tidy
 from vibcli.report.steps.characteristic import LONG
 from vibcli.report.steps.directions import tell_direction
 from vibcli.report.steps.free_vibration import tell_of_free
 from vibcli.report.steps.instants import tell_instant
 from vibcli.report.steps.place_of_rest import as_counted
-from vibcli.report.steps.small import tidy
 from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.nested_form import letters

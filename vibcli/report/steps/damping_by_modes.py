@@ -11,6 +11,7 @@ from vibcli.mechanics.symbolic_matrices import matrices_in_letters
 from vibcli.notation.names import lowered
 from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.held import HINT, UNTOLD, SmallEquations, Untold
+from vibcli.report.steps.matrix_units import unit_of_entry
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -79,9 +80,11 @@ class _Damping:
     def _entry(self, i, j, node, first=False, twice=False, words=""):
         """The letter of an entry, which is written down."""
         name, value = self.sheet.letter(f"{self.letter}{i + 1}{j + 1}"), self.about.value(node)
+        unit = unit_of_entry(self.about.problem, i, j, "C") if j < self.n else ""
         twin = f" = {self.letter}{lowered(j + 1)}{lowered(i + 1)}" if twice else ""
-        self.sheet.write(Words(words), f"{self.letter}{lowered(i + 1)}{lowered(j + 1)}{twin}", *number(value),
-                         settles=name, node=node, value=value, uses=[self.line], joined=not first, letter=name)
+        self.sheet.write(Words(words), f"{self.letter}{lowered(i + 1)}{lowered(j + 1)}{twin}", *number(value, unit),
+                         settles=name, node=node, value=value, unit=unit, uses=[self.line], joined=not first,
+                         letter=name)
         letter = self.about.letter(name)
         self.about.know(letter, value)
         return letter

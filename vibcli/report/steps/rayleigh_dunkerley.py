@@ -47,7 +47,7 @@ class LowestFrequency:
         deflection = f" = ({', '.join(map(told, shape))})"
         line = self.sheet.write(Words("Rayleigh, with the static deflection  "), u, deflection, *forms,
                                 settles="deflection", uses=self.uses)
-        node = self._quotient(shape, sizes, line)
+        node = self._quotient(shape, zip(sizes, units, strict=True), line)
         self.sheet.write(Words("the root of their quotient:  "), "ω = " + told(self.found.rayleigh), Words(
             " rad/s   (an upper bound)"), settles="rayleigh", node=node, value=float(self.found.rayleigh), unit="rad/s",
             uses=[line])
@@ -59,9 +59,9 @@ class LowestFrequency:
         u = [self._letter(f"u{i + 1}") for i in range(self.n)]
         self._deflection(shape, u, line)
         found = [self._letter(f"u{matrix}u") for matrix in "KM"]
-        for letter, matrix, value in zip(found, (self.K, self.M), sizes, strict=True):
+        for letter, matrix, (value, unit) in zip(found, (self.K, self.M), sizes, strict=True):
             node = self.table.total([entry * u[i] * u[j] for (i, j), entry in matrix.items()])
-            self.sheet.write(settles=letter.name, letter=letter.name, node=node, value=value, joined=True)
+            self.sheet.write(settles=letter.name, letter=letter.name, node=node, value=value, unit=unit, joined=True)
         return self.table.sqrt(found[0] / found[1])
 
     def _deflection(self, shape, u, line):
