@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 
 BY_LETTERS = tell_direction, tell_instant, tell_of_free      # that have lines of their own
 CLOSE = 1e-9        # relative: of an expression and the engine's number
+OF_LETTERS = "period", "decay", "zeta", "stiffness", "damping"        # told in letters, where no line settles them
 BESIDE = "frequency", "period", "period_d", "eigenvalue"      # told beside another number of the mode
 
 
@@ -52,7 +53,8 @@ def _tell_in_letters(problem, sheet):
     one."""
     samples, known = samples_of(problem, {}), problem.scene.parameters.values(Floats)
     settled = {line.settles for line in sheet.steps}
-    for asked in [one.asked for one in problem.spec.answers if _untold(problem.spec, one.asked)]:
+    for asked in [one.asked for one in problem.spec.answers if _untold(problem.spec, one.asked)
+                  or getattr(one.asked.tree, "head", "") in OF_LETTERS]:
         with suppress(PhysicsError, SpecError):
             alone = isinstance(asked.tree, QuantityRef)
             if alone and (asked.text in settled or tell_instant(problem, sheet, asked)):
