@@ -169,7 +169,7 @@ class Table:
                 coefficient = self._gather(node, exponent, coefficient, collected)
         args = [(base, e if e.__class__ is int else exact(e)) for base, e in collected.items() if e]
         if not (args and coefficient):
-            return self.number(coefficient)
+            return self.number(coefficient) if coefficient else self.zero
         if not self.called.isdisjoint(BARS) and (plainer := without_bars(collected)) is not None:
             return self.product((self.number(coefficient), ONE), *plainer)
         if coefficient != 1 and bits(coefficient) > BITS:
