@@ -191,7 +191,7 @@ def lower(tree: Any, table: "Table", symbol: Callable) -> "Node":
 
 def _raised(base, exponent):
     """base^exponent, |x| for √(x²), which has a slope at x = 0 on both sides."""
-    known = exponent.coefficient if isinstance(exponent, Node) and exponent.op == "number" else exponent
+    known: Any = exponent.coefficient if isinstance(exponent, Node) and exponent.op == "number" else exponent
     if base.mask and not isinstance(known, Node):
         return base.table.power(*rooted_square(base, known))
     return base.table.power(base, exponent)
