@@ -14,11 +14,14 @@ to Σ P ∇²s unless it is steady, as where they turn with what they act on.
 """
 
 from collections.abc import Iterable, Mapping
+from itertools import compress, product
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.linearisation import Linearisation
 from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.node import BARS
 from vibcli.symbolic.normal_form import TooLong, collected, expanded, reduced, textbook
 from vibcli.symbolic.rationals import ONE
 
@@ -36,9 +39,12 @@ def linearise(scene: Any, still: bool = False) -> Linearisation:
     number = {node: i for i, node in enumerate(scene.q)}
     inertias = scene.at_still("inertias") if still else scene.inertias
     dampers = scene.at_still("dampers")
-    moving, damping, springs, curved = _rows(inertias, number), _rows(dampers, number), [], []
+    (inertias_on, inertias_about), (dampers_on, dampers_about) = (_by_sense(scene, terms) for terms in (
+        inertias, dampers))
+    moving, damping, springs, curved = _rows(inertias_on, number), _rows(dampers_on, number), [], []
     elastic: list = []
-    for term in scene.at_still("springs"):
+    steady, turning = _by_sense(scene, scene.at_still("springs"))
+    for term in steady:
         row = row_of(term.s, number)
         (elastic if hasattr(term, "of_piece") else springs).append((term.weight, row))
         curved.append((term.force(scene), slopes_of(row, number), row))
@@ -47,6 +53,14 @@ def linearise(scene: Any, still: bool = False) -> Linearisation:
         curved.append((term.weight, slopes_of(row, number), row))
     found = Linearisation(len(scene.q), scene.table, moving, springs, damping, curved, *_written_out(scene, number),
                           _pieces(scene, number, elastic))
+    for matrix, terms in ((found.M, inertias_about), (found.C, dampers_about)):
+        for weight, row in _rows(terms, number):
+            for i, j in product(row, repeat=2):
+                matrix[i, j] = matrix.get((i, j), scene.table.zero) + weight * row[i] * row[j]
+    for term in turning:
+        slopes = row_of(term.potential(scene), number)
+        found.residual.append(slopes)
+        found.K.append(slopes_of(slopes, number))
     _loads(scene, found, number, scene.loads_at_still(), still)
     slips: dict = {}
     if scene.timed:
@@ -55,6 +69,15 @@ def linearise(scene: Any, still: bool = False) -> Linearisation:
                 _driven(scene, found, number, term, kind, slips)
     _split(found, slips, found.G)
     return found
+
+
+def _by_sense(scene, terms):
+    """Terms (whose s has slopes, whose s turns about, as |u| does: of ½ k s² that is not seen)."""
+    if BARS.isdisjoint(scene.table.called):
+        return terms, ()
+    turns = [any(part.op == "call" and part.name == "sign" for part in reachable(list(gradient(term.s).values())))
+             for term in terms]
+    return list(compress(terms, (not one for one in turns))), list(compress(terms, turns))
 
 
 def _pieces(scene, number, elastic):

@@ -29,14 +29,22 @@ def require_smooth(configuration: "Configuration") -> None:
     if configuration.equilibrium.jumps is not None:
         raise Kinked("a force jumps in the equilibrium and holds the scene there as hard as it has to: there are no "
                      "small oscillations about it", HINT)
-    terms = (*scene.inertias, *scene.springs, *scene.dampers, *scene.weights)
-    V = scene.energies["V"]
-    bends = [second for slope in gradient(V).values() for second in gradient(slope).values()]
-    for node in [term.s for term in terms] + [term.weight for term in scene.forces] + list(scene.energies.values()):
-        for part in (node, *gradient(node).values(), *(bends if node is V else ())):
-            if jumps(configuration, part):
-                raise Kinked("abs, sign, min, max, step or ramp has a kink in the equilibrium: there are no small "
-                             "oscillations about it", HINT)
+    if any(jumps(configuration, part) for part in _that_must_not_jump(scene)):
+        raise Kinked("abs, sign, min, max, step or ramp has a kink in the equilibrium: there are no small "
+                     "oscillations about it", HINT)
+
+
+def _that_must_not_jump(scene):
+    """What small oscillations are made of: V to its second slopes, loads to their first, of ½ w ṡ² the products of the
+    slopes of s, so that s = |u| is as good as u."""
+    for term in (*scene.inertias, *scene.dampers):
+        slopes = list(gradient(term.s).values())
+        yield from (term.s, *(one * other for i, one in enumerate(slopes) for other in slopes[:i + 1]))
+    for V in (scene.energies["V"], *(term.potential(scene) for term in (*scene.springs, *scene.weights))):
+        slopes = list(gradient(V).values())
+        yield from (V, *slopes, *(second for slope in slopes for second in gradient(slope).values()))
+    for node in [term.weight for term in scene.forces] + list(scene.energies.values()):
+        yield from (node, *gradient(node).values())
 
 
 def require_unheld(system: "MechanicalSystem") -> None:
@@ -46,7 +54,8 @@ def require_unheld(system: "MechanicalSystem") -> None:
 
 
 def jumps(configuration: "Configuration", node: "Node") -> bool:
-    """Has an expression two values at the equilibrium, one to each side of a vanishing argument of sign or step?"""
+    """Has an expression two values at the equilibrium, one to each side of a vanishing argument of sign or step, or
+    another between them?"""
     time = configuration.scene.time.mask
     turns = [part for part in reachable([node]) if part.name in SIDES and part.mask & ~time]
     if not turns:
@@ -57,20 +66,18 @@ def jumps(configuration: "Configuration", node: "Node") -> bool:
     number = configuration.scene.table.number
     try:
         sides = [substitute([node], {part: number(SIDES[part.name][side]) for part in turns})[0] for side in (0, 1)]
-        left, right = evaluate(sides, Floats, at)
+        left, right, between = evaluate([*sides, node], Floats, at)
     except ZeroDivisionError:
         return True         # one of them has no bound
-    return abs(left - right) > SAME * max(abs(left), abs(right))
+    return max(abs(left - right), abs(left - between)) > SAME * max(map(abs, (left, right, between)))
 
 
 def without_slope(form: "Linearisation", scene: "Scene") -> NoReturn:
-    """Refuse small oscillations where the slope of a force is infinite as drawn, as of ∛d at d = 0, or that of a
-    displacement divides by zero, as of √(u²) at u = 0; ZeroDivisionError where the energies themselves are not defined
-    there."""
+    """Refuse small oscillations where a force or its slope is infinite as drawn, as of ∛d at d = 0, or that of a
+    displacement divides by zero; ZeroDivisionError where the energies themselves are not defined there."""
     from vibcli.mechanics.energies import kinetic, potential
 
-    V = potential(scene)
-    substitute([kinetic(scene), V, *gradient(V).values()], scene.drawn_position)
+    substitute([kinetic(scene), potential(scene)], scene.drawn_position)
     residual_as_drawn(form, scene)
     raise Kinked("the slope of a force is infinite as drawn: there are no small oscillations about that", HINT)
 

@@ -26,8 +26,11 @@ def told_matrices(configuration: "Configuration") -> "Sequence[Mapping[tuple[int
     doubted = [_doubted(matrix) for matrix in found]
     if not any(doubted) or configuration.sources[0] is None:
         return found
+    import mpmath
+
     try:
-        finer = configuration.precise_system(DIGITS).matrices()
+        with mpmath.workdps(DIGITS):
+            finer = configuration.precise_system(DIGITS).matrices()
     except PhysicsError:
         return found
     return tuple(_without(matrix, {pair for pair, size in small.items() if abs(more.get(pair, 0)) <= NOTHING * size})

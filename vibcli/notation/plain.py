@@ -171,7 +171,9 @@ class Notation:
             angled = base.name in ("sin", "cos", "tan", "sinh", "cosh", "tanh")
             if angled and exponent.denominator == 1:
                 return self.call(base.name, base.args[0], exponent)
-            if angled or base.name in ("abs", "sign") or self.bare(base):      # exp φ² is exp(φ²)
+            if base.name == "abs":
+                return self.power(self.write(base, 0), self.number(exponent))
+            if angled or base.name == "sign" or self.bare(base):      # exp φ² is exp(φ²)
                 return self.power(self.brackets(self.write(base, 0)), self.number(exponent))
         if exponent == 1:
             return self.write(base, 0 if alone else 1)

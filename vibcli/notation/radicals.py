@@ -20,6 +20,9 @@ def split(value: Fraction | int, factors: "Sequence[tuple[Node, Any]]") -> tuple
     """(value, above, below, under the root above, under it below) of value·Π base^e: lists of (node, exponent > 0)."""
     above, below, root_above, root_below, inside, powers = [], [], [], [], ONE, []
     for base, exponent in (rooted_square(*pair) for pair in factors):
+        if base.name == "abs" and exponent.denominator > 1 and abs(exponent) != HALF:
+            (above if exponent > 0 else below).append((base, abs(exponent)))
+            continue
         if exponent.denominator == 4:
             (root_above if exponent > 0 else root_below).append((base, 2 * abs(exponent)))
             continue

@@ -2,6 +2,7 @@
 number alone, as in 2·(L + 0.5 m); where a number may be the factor of some of them alone, none is told: 300·x + 2 of a
 spring of 300 N/m are newtons."""
 
+from collections.abc import Callable
 from functools import reduce
 from typing import TYPE_CHECKING
 
@@ -23,7 +24,7 @@ def unit_beside(node: "Node") -> str:
 def _of_sum(node, dimension) -> dict | None:
     """The dimension that all terms of letters have; None where they differ, one has none that is known, or each has a
     factor that may have a unit."""
-    found = [_of(part, dimension) for part, _ in node.args]
+    found = [dimension_of(part, dimension) for part, _ in node.args]
     factors = [c * part.coefficient if part.op == "product" else c for part, c in node.args]
     if not any(_is_pure(node.table.hidden, factor) for factor in factors):
         return None
@@ -43,16 +44,17 @@ def _of_twos_and_threes(c):
     return 6**64 % c.numerator == 0 == 6**64 % c.denominator
 
 
-def _of(node, dimension) -> dict | None:
+def dimension_of(node: "Node", dimension: Callable) -> dict | None:
+    """That of an expression by those of its letters; None where they do not tell it."""
     if node.op == "symbol":
         known = None if node.name.endswith("'") else dimension(node.name)
         return None if known is None or any(base.startswith("?") for base in known) else known
     if node.op == "product":
-        parts = [(_of(base, dimension), exponent) for base, exponent in node.args]
+        parts = [(dimension_of(base, dimension), exponent) for base, exponent in node.args]
         if any(part is None for part, _ in parts):
             return None
         return reduce(lambda whole, part: units.times(whole, *part), parts, units.NONE)
     if node.op == "sum":
         return _of_sum(node, dimension)
-    pure = not node.table.hidden if node.op == "pi" else node.op == "call" and node.name in PURE
+    pure = not node.table.hidden if node.op in ("pi", "number") else node.op == "call" and node.name in PURE
     return units.NONE if pure else None

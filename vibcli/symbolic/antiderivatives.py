@@ -2,7 +2,7 @@
 
     xⁿ, max(u, 0), min(u, 0) and their products, u = a x + b:  u f/((n + 1) a), n being the degree of f in u
     what begins at u = 0, max(u, 0)ⁿ, ramp(u)ⁿ, step(u) |u|ⁿ:  max(u, 0)ⁿ⁺¹/((n + 1) a), whose slopes are defined at 0
-    |u|ⁿ sign u:  |u|ⁿ⁺¹/((n + 1) a)     |u|ⁿ:  sign u |u|ⁿ⁺¹/((n + 1) a)
+    |u|ⁿ sign u:  |u|ⁿ⁺¹/((n + 1) a)     |u|ⁿ:  u |u|ⁿ/((n + 1) a)
     sin u, cos u, tan u, exp u, sinh u, cosh u, tanh u:  F(u)/a            1/u:  log|u|/a
 """
 
@@ -98,7 +98,11 @@ def _homogeneous(factors, x):
     if odd is not None:
         power = table.power(table.call("abs", u), degree + 1) / ((degree + 1) * _slope(u, x)) if not is_zero(
             degree + 1) else None
-        return power if odd or power is None else table.call("sign", u) * power
+        if odd or power is None:
+            return power
+        if degree.op == "number" and degree.coefficient >= 1:
+            return u * table.power(table.call("abs", u), degree) / ((degree + 1) * _slope(u, x))
+        return table.call("sign", u) * power
     if is_zero(degree + 1):
         return table.call("log", table.call("abs", u)) / _slope(u, x) if len(factors) == 1 else None
     if _begins(factors, u):

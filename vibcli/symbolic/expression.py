@@ -10,7 +10,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.exact_values import folded
-from vibcli.symbolic.node import Node, one_variable, union
+from vibcli.symbolic.node import BARS, Node, one_variable, union, without_bars
 from vibcli.symbolic.rationals import BITS, HALF, ONE, ZERO, bits, exact, rational_power, square_part
 
 if TYPE_CHECKING:
@@ -159,8 +159,7 @@ class Table:
         """Π nodeᵢ^eᵢ of (node, rational e) pairs; products are flattened and equal bases collected."""
         coefficient, collected = ONE, {}
         for node, exponent in factors:
-            if exponent.__class__ is not int:
-                exponent = exact(exponent)
+            exponent = exponent if exponent.__class__ is int else exact(exponent)
             if node.op in ("symbol", "call"):
                 collected[node] = collected[node] + exponent if node in collected else exponent
             elif node.op == "number" and exponent == 1 and node not in collected and (
@@ -169,13 +168,13 @@ class Table:
             else:
                 coefficient = self._gather(node, exponent, coefficient, collected)
         args = [(base, e if e.__class__ is int else exact(e)) for base, e in collected.items() if e]
-        if not coefficient:
-            return self.zero
+        if not (args and coefficient):
+            return self.number(coefficient) if coefficient else self.zero
+        if not self.called.isdisjoint(BARS) and (plainer := without_bars(collected)) is not None:
+            return self.product((self.number(coefficient), ONE), *plainer)
         if coefficient != 1 and bits(coefficient) > BITS:
             args.append((self.number(coefficient), ONE))
             coefficient = ONE
-        if not args:
-            return self.number(coefficient)
         if len(args) == 1 and args[0][1] == 1:
             base = args[0][0]
             if coefficient == 1:

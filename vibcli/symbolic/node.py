@@ -7,7 +7,7 @@ A node is one of
     call     a function of nodes                   pi
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import wraps
 from typing import TYPE_CHECKING, Any, TypeVar, cast
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.variable_sets import VariableSet
 
 OfNode = TypeVar("OfNode", bound=Callable[..., Any])
+BARS = {"abs", "sign"}
 FEW = 4096      # variables that ints tell apart, a bit for each
 
 
@@ -135,6 +136,24 @@ def rooted_square(base: Node, exponent: Fraction) -> tuple[Node, Fraction]:
         inner = base.table.product((base.table.number(size), ONE), *((one, e * HALF) for one, e in base.args))
         return base.table.call("abs", inner), 2 * exponent
     return base, exponent
+
+
+def without_bars(factors: "Mapping[Node, Fraction | int]") -> "list[tuple[Node, Fraction | int]] | None":
+    """(base, exponent) of factors {base: exponent} with x² for |x|², x for |x| sign x and without sign² x; None where
+    there are none of these."""
+    odd = {(base.name, base.args[0]): e % 2 == 1 for base, e in factors.items() if base.op == "call"
+           and base.name in BARS and e.denominator == 1}
+    found = []
+    for base, e in factors.items():
+        key = base.name, base.args[0] if base.op == "call" else None
+        both = odd.get(("abs", key[1])) and odd.get(("sign", key[1]))
+        if key not in odd or (odd[key] and not both and (base.name == "abs" or e == 1)):
+            found.append((base, e))
+        elif base.name == "abs":
+            found.append((key[1], e))
+        elif odd[key] and not both:
+            found.append((base, ONE))
+    return found if found != list(factors.items()) else None
 
 
 def times(a: Sequence[tuple[Node, Fraction | int]], b: Any,

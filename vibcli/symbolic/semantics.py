@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
 from vibcli.base.named_tuple import NamedTuple
+from vibcli.symbolic.node import Node, rooted_square
 from vibcli.symbolic.parser import FUNCTIONS
 from vibcli.symbolic.rationals import HALF, ONE
 from vibcli.symbolic.syntax import ExpressionError, Number, Sum, UnitPower, whole_literal
@@ -14,7 +15,6 @@ from vibcli.symbolic.syntax import ExpressionError, Number, Sum, UnitPower, whol
 if TYPE_CHECKING:
     from vibcli.base.units import Unit
     from vibcli.symbolic.expression import Table
-    from vibcli.symbolic.node import Node
 
 ALL_NUMBERS = "all"
 ANY = None          # the dimension of what fits everywhere: 0, and bare numbers in a scene without units
@@ -179,14 +179,22 @@ def lower(tree: Any, table: "Table", symbol: Callable) -> "Node":
                 raise ZeroDivisionError
             return table.product(*factors)
         if tree.kind == "power":
-            return table.power(lower(tree.base, table, symbol), lower(tree.exponent, table, symbol))
+            return _raised(lower(tree.base, table, symbol), lower(tree.exponent, table, symbol))
         if tree.kind == "equation":
             return lower(tree.left, table, symbol) - lower(tree.right, table, symbol)
         args = [lower(arg, table, symbol) for arg in tree.args]
-        return table.sqrt(args[0]) if tree.name == "sqrt" else table.call(tree.name, *args)
+        return _raised(args[0], HALF) if tree.name == "sqrt" else table.call(tree.name, *args)
     except ZeroDivisionError:
         raise ExpressionError(tree.start, tree.end - tree.start, "this divides by zero",
                               "look for a difference that vanishes") from None
+
+
+def _raised(base, exponent):
+    """base^exponent, |x| for √(x²), which has a slope at x = 0 on both sides."""
+    known: Any = exponent.coefficient if isinstance(exponent, Node) and exponent.op == "number" else exponent
+    if base.mask and not isinstance(known, Node):
+        return base.table.power(*rooted_square(base, known))
+    return base.table.power(base, exponent)
 
 
 def _literal(tree, table):

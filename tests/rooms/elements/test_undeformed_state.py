@@ -3,7 +3,7 @@
 import random
 from fractions import Fraction
 from itertools import pairwise
-from math import sqrt
+from math import cos, sin, sqrt
 
 import mpmath
 import pytest
@@ -132,13 +132,44 @@ def test_an_equilibrium_at_an_infinite_slope_is_refused():
 
 
 def test_a_displacement_whose_slope_divides_by_zero_as_drawn_is_refused():
-    scene = problem("parameters: {m: , k: , a: , N: , w: }\ncoordinates: {u: to the right, v: up}\npoints:\n"
-                    "  A: {body: disc, at: [a, 0]}\n  B: {body: disc, at: [-a, 0]}\nbodies:\n"
-                    "  disc: {at: [0, 0], pin: {by: w*t}}\n"
-                    "  p: {mass: m, at: [0, 0], move: {by: [sqrt(u^2), v, 0], carrier: disc}}\nsprings:\n"
-                    "  s: {k: k, between: [p, A], preload: N}\n  t: {k: k, between: [p, B], preload: N}\n")
+    """V = N √|x| + ½ k |x| is known at x = 0, its slope is none."""
+    scene = problem(SLIDE + "springs: {s: {k: 50 N/m, preload: 3 N, stretch: sqrt((1 m)*abs(x))}}\n")
     with pytest.raises(Kinked, match="a force, or the slope of a displacement, divides by zero as drawn"):
         scene.system.drawn_residual  # noqa: B018
+    with pytest.raises(Kinked, match="there are no small oscillations about that"):
+        value(scene, "omega[1]")
+
+
+MIRRORED = ("bodies: {{p: {{mass: 2 kg, slide: u}}}}\nsprings: {{s: {{{}, stretch: {}}}}}\n"
+            "initial: {{u: 1 cm, u': -1 m/s}}\nmotion: full\n")
+
+
+@pytest.mark.parametrize("stretch", ["abs(u)", "sqrt(u^2)", "(4*u^2)^0.5/2", "sign(2*u)*u", "sqrt((2*u - u)^2)"])
+@pytest.mark.parametrize("of", ["k: 50 N/m", "law: (50 N/m)*d"])
+def test_a_stretch_that_is_a_magnitude_has_the_small_oscillations_of_its_square(of, stretch):
+    """½ k |u|² = ½ k u²: ω = √(50/2) = 5; the tension k |u| pulls on both sides."""
+    scene = problem(MIRRORED.format(of, stretch))
+    assert value(scene, "omega[1]") == pytest.approx(5, rel=1e-14)
+    u = value(scene, "u(0.2 s)")
+    assert u == pytest.approx(0.01 * cos(1) - 0.2 * sin(1), rel=1e-11) and u < 0
+    assert value(scene, "s.force(0.2 s)") == pytest.approx(-50 * u, rel=1e-11)
+
+
+def test_inertia_and_damping_along_a_magnitude_are_those_of_its_square():
+    scene = problem("bodies: {p: {mass: 2 kg, at: [0 m, 0 m], move: {by: [abs(u), 0, 0]}}}\ncoordinates: {u: }\n"
+                    "springs: {s: {k: 50 N/m, stretch: u}}\ndampers: {d: {c: 3 N*s/m, stretch: abs(u)}}\n")
+    assert [value(scene, name) for name in ("M[u,u]", "C[u,u]", "omega[1]")] == pytest.approx([2, 3, 5], rel=1e-14)
+
+
+@pytest.mark.parametrize("stretch", ["abs(u)", "sqrt(u^2)"])
+def test_a_preload_on_a_magnitude_is_a_kink(stretch):
+    """V = N |u| + ½ k u² rests at u = 0, where its force jumps; it falls back in full motion."""
+    scene = problem(MIRRORED.format("k: 50 N/m, preload: 3 N", stretch))
+    with pytest.raises(Kinked, match="has a kink in the equilibrium"):
+        value(scene, "omega[1]")
+    assert value(scene, "equilibrium[u]") == 0
+    u, v = value(scene, "u(0.2 s)"), value(scene, "u'(0.2 s)")
+    assert u < 0 and v**2 + 3 * abs(u) + 25 * u**2 == pytest.approx(1 + 0.03 + 0.0025, rel=1e-9)
 
 
 def test_a_particle_moves_by_two_displacements():

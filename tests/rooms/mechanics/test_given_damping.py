@@ -110,6 +110,14 @@ def test_a_series_through_all_modes_has_their_ratios():
     assert matrix(one, row.n) == pytest.approx(matrix(two, row.n), rel=1e-9)
 
 
+def test_of_a_series_of_three_terms_no_rounding_is_told_where_it_has_no_entries():
+    """C = M Σ aₖ (M⁻¹K)ᵏ, k ≤ 2, of a row joins no masses farther apart than two."""
+    row = next(row for row in map(Row, range(20)) if row.n == 5)
+    row.m, row.k = [2.0, 2.6, 3.2, 3.8, 4.4], [1600.0, 2400.0, 800.0, 1600.0, 2400.0]
+    C = problem(row.text("caughey: {1: 1 %, 3: 1 %, 5: 1 %}")).configuration.told_matrices[1]
+    assert {pair for pair, x in C.items() if x} == {(i, j) for i in range(5) for j in range(5) if abs(i - j) <= 2}
+
+
 def test_dampers_add():
     row = Row(5)
     plain, more = (problem(row.text("modal: 4 %", extra)) for extra in (

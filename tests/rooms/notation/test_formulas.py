@@ -148,6 +148,15 @@ def test_a_sum_of_negative_terms_gives_its_sign_away(exponent, wanted):
     assert plain(-node).startswith("−") == (exponent == 2)
 
 
+@pytest.mark.parametrize(("exponent", "wanted"), [
+    ((2, 1), "c·x²"), ((3, 1), "c·|x|³"), ((1, 2), "c·√(|x|)"), ((5, 2), "c·|x|^(5/2)"), ((-3, 2), "c/|x|^(3/2)"),
+    ((4, 3), "c·|x|^(4/3)"), ((1, 4), "c·|x|^(1/4)")])
+def test_powers_of_a_magnitude_are_one_power(exponent, wanted):
+    table = Table()
+    size = table.call("abs", table.variable("x"))
+    assert plain(table.product((size, Fraction(*exponent)), (table.parameter("c"), 1))) == wanted
+
+
 def test_the_root_of_a_square_is_written_as_a_magnitude():
     table = Table()
     x, y = table.parameter("x", positive=False), table.parameter("y", positive=False)

@@ -3,30 +3,26 @@ have none."""
 
 import json
 import math
-import random
 import re
 from functools import cache
-from itertools import pairwise
 from pathlib import Path
 
 import pytest
 from support.renderings import FORMATS, faults
 from support.scenes import kept_problem_of, problem
+from support.worked_lines import Checked
 
 import vibcli
 from vibcli.base.errors import PhysicsError
 from vibcli.cli.program import run
-from vibcli.language.parameter_samples import sample_values
 from vibcli.notation.plain import plain
-from vibcli.report.blocks import Document, Factor, Name, SumOfTerms, WithNumbers, Words
+from vibcli.report.blocks import Document, Words
 from vibcli.report.formats.formula import formula
 from vibcli.report.formats.text import running
 from vibcli.report.json_keys import KEYS
 from vibcli.report.sections.parameters import tied
 from vibcli.report.sections.steps import section_of
 from vibcli.report.steps.worked import asks_in_full, worked
-from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.expression_graph import reachable
 
 PROBLEMS = sorted(Path("problems").glob("[1-79]_*/*.yaml"))
 ROD = """
@@ -62,7 +58,6 @@ PRINTED = """\
 """
 CART = Path("problems/2_lagrange/pendulum_on_sprung_cart.yaml")
 MOST = {1: 25, 2: 60}       # lines to so many coordinates
-SMALL = 1e-4        # of angles in radians, lengths in metres: how far from rest expansions are looked at
 
 
 def test_the_lines_of_a_damped_rod(tmp_path, capsys):
@@ -117,102 +112,6 @@ def test_what_lines_do_not_tell_is_no_option_beside_them(tmp_path, capsys, optio
 def kept_lines(path):
     """The lines of a problem, for all tests of a process."""
     return worked(kept_problem_of(path))
-
-
-class Checked:
-    """The lines of a scene at values of its letters: how many equalities hold, and those that do not."""
-
-    def __init__(self, scene, lines=None):
-        self.problem, self.lines, self.count, self.wrong = scene, lines or worked(scene), 0, []
-        numeric, self.values = scene.numeric, {}
-        draw = random.Random(7)
-        parameters = numeric.floats if not numeric.has_free_symbols else scene.scene.parameters.values(
-            Floats, sample_values(scene.scene.parameters.free, 60))
-        small = {}
-        for one in (scene.scene, *([scene.system.scene_with_multipliers] if asks_in_full(scene) else [])):
-            for node in (*one.q, *one.v, *one.a):
-                small.setdefault(node.name, SMALL * draw.uniform(0.5, 1))
-        self.values = {**parameters, scene.scene.time.name: 0.3, **small}
-        self.defined = {}
-        for one in self.lines:
-            self.each(one)
-            self.valued(one)
-            if one.node is not None and re.fullmatch(r"\w+[′]*", one.settles) and one.settles not in small:
-                self.defined[one.settles] = one.node
-            if one.value is not None and (mode := re.fullmatch(r"omega\[(\d+)\]", one.settles)):
-                self.values[f"omega{mode[1]}"] = one.value
-            if one.value is not None and one.settles not in self.values and one.node is None:
-                self.values[one.settles] = one.value
-
-    def value(self, node):
-        """The value of an expression, its letters by the lines that define them; None where one has none."""
-        known = dict(self.values)
-        for part in reachable([node]):
-            if part.op == "symbol" and part.name not in known:
-                name = part.name.rstrip("'")
-                found = self.defined.get(part.name) or self.defined.get(name)
-                if found is None:
-                    return None
-                value = self.value(found)
-                if value is None:
-                    return None
-                known[part.name] = value
-        return evaluate([node], Floats, known)[0]
-
-    def valued(self, line):
-        """The value of a line by its expression, in the letters of the lines before."""
-        found = None if line.node is None or line.value is None else self.value(line.node)
-        if found is not None:
-            self.count += 1
-            if not math.isclose(found, line.value, rel_tol=1e-9, abs_tol=1e-12):
-                self.wrong.append((line.number, found, line.value))
-
-    def each(self, line):
-        """Every equality of a line between expressions, those that motions alone fulfil apart."""
-        if line.settles.startswith(("equation[", "motion[")):
-            return
-        sides, rough = [[]], False
-        for part in line.parts:
-            if isinstance(part, Words):
-                rough |= "order" in part.text
-        for part in (*line.parts, Words(",  ")):
-            if isinstance(part, Words) and (",  " in part.text or "being deflected" in part.text or ":" in part.text):
-                self.compared(line, sides, rough)
-                sides = [[]]
-            elif isinstance(part, str) and " = " in part:
-                sides.append([])
-                if part.removeprefix(" = ").strip():
-                    sides[-2:] = [[None], [part]]
-            elif not isinstance(part, Words):
-                sides[-1].append(part)
-
-    def letter(self, sides):
-        """A letter, or its square, that is defined by the side behind it."""
-        (head, *_), (node, *_) = sides[0] or [None], sides[-1] or [None]
-        if not (hasattr(head, "op") and hasattr(node, "op")) or head is node:
-            return
-        symbol, square = (head.args[0][0], True) if head.op == "product" and len(head.args) == 1 else (head, False)
-        if symbol.op == "symbol" and symbol.name not in {**self.values, **self.defined}:
-            self.defined[symbol.name] = node.table.sqrt(node) if square else node
-
-    def compared(self, line, sides, rough):
-        self.letter(sides)
-        values = []
-        for side in sides:
-            if len(side) == 1 and not isinstance(side[0], (str, type(None))):
-                node = side[0].node if isinstance(side[0], (WithNumbers, Factor)) else side[0]
-                if isinstance(node, SumOfTerms):
-                    node = node.nodes[0].table.total(node.nodes)
-                if isinstance(node, Name):
-                    found = self.defined.get(node.text)
-                    node = found if found is not None and node.text != line.settles else None
-                value = None if node is None or not hasattr(node, "op") else self.value(node)
-                if value is not None:
-                    values.append(value)
-        for one, other in pairwise(value for value in values if math.isfinite(value)):
-            self.count += 1
-            if not math.isclose(one, other, rel_tol=2e-2 if rough else 1e-9, abs_tol=1e-13 if rough else 1e-17):
-                self.wrong.append((line.number, one, other))
 
 
 def test_what_is_alike_is_told_once():

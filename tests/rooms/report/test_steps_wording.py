@@ -3,10 +3,12 @@
 from pathlib import Path
 
 import pytest
-from support.scenes import kept_problem_of, problem
+from support.scenes import kept_problem_of, kept_settled_of, problem
 
+from vibcli.inverse import settled
 from vibcli.notation.plain import plain
 from vibcli.report.formats.formula import formula
+from vibcli.report.sections.steps import SI, steps
 from vibcli.report.steps.worked import worked
 
 
@@ -20,8 +22,7 @@ def told(scene):
 
 def of(name, case=None):
     found, = Path("problems").glob(f"*/{name}.yaml")
-    scene = kept_problem_of(found)
-    return told(scene.case(case) if case else scene)
+    return told(settled(kept_problem_of(found).case(case)) if case else kept_settled_of(found))
 
 
 @pytest.mark.parametrize(("name", "case", "wanted"), [
@@ -39,6 +40,31 @@ def of(name, case=None):
         "Φ_snow = m·μ·g·cos α·|ṡ|", "sledge.reaction.x = −m·g·cos α·sin α",
         "sledge.reaction.y = m·g·cos² α"]),
     ("drum_on_a_slope_with_a_cord", None, ["∂V/∂s = (4·k₁ + k₂)·s"]),
+    ("gear_pair_and_rack", None, ["ω_two = −r₁·φ̇/r₂, T_two = J₂·ω_two²/2 = J₂·r₁²·φ̇²/(2·r₂²)"]),
+    ("press_with_two_blows", None, ["at rest ∂V/∂y = 2·N_left·b₁ + m·g = 0"]),
+    ("pointer_lags_behind_a_ramp", None, ["(under-damped, δ′ < ω)"]),
+    ("pointer_lags_behind_a_ramp", "largest damping", ["c·w/k = δ"]),
+    ("car_enters_the_foot_of_a_hill", None, ["the form of the load gives z = a·t²/2 − a·(m₁ + m₂)/k₂"]),
+    ("trailer_for_a_ratio", None, ["others: 1451.04 kg)"]),
+    ("three_discs_on_fixed_shaft", None, ["u·K·u = 9516.14 N·m", "u·M·u = 2.15662 kg·m²"]),
+    ("scale_pan_on_a_hardening_spring", None, ["x: displacement of pan, downwards, zero as drawn"]),
+    ("spool_on_driven_plank", None, ["s: rolling of spool, to the right, zero as drawn"]),
+    ("planet_between_sun_and_ring", None, [
+        "rolling of planet φ = (r₁/2 + r₂)·γ/r₂ − r₁·α/(2·r₂) (by the constraints)"]),
+    ("four_bar_with_springs", None, ["and by the closed loop ψ: turn of the coupler, χ: turn of the rocker"]),
+    ("spring_of_a_power_law", None, ["V = 0 + … (second order: it has no such term)", "to the first order: m·ẍ = 0",
+                                     "m·ẋ²/2 + 2·a·|x|^(5/2)/5 = E"]),
+    ("bead_on_a_turning_hoop", None, ["θ: zero as drawn"]),
+    ("cart_with_pendulum", None, ["φ = −(5.33333 rad/m)·p₂",
+                                  "(−5.33333 rad/m)·2·m₂·L + (−5.33333 rad/m)²·m₂·L² = 24 kg"]),
+    ("pointer_lags_behind_a_ramp", None, ["final(shaft.angle − φ): c·w/k", "final(hair.force): −c·w"]),
+    ("half_power_of_a_braked_lever", None, ["tan θ = Ω·√(m·k)/(4·(k − m·Ω²))",
+                                            "amplitude(low.x): 16·F₀/√(16·k² − m·Ω²·(31·k − 16·m·Ω²))"]),
+    ("two_inclined_springs_as_a_pair", None, [
+        "ω₁ = √((k₁ + k₂ − √(k₁² + 2·k₁·k₂ − 4·k₁·k₂·sin²(a − b) + k₂²))/(2·m))",
+        "stiffness[bead].max: (k₁ + k₂ + √(k₁² + 2·k₁·k₂·cos(2·a − 2·b) + k₂²))/2"]),
+    ("press_with_two_blows", None, ["√(b² + 6·b·y₀/5 + y₀²)) = 1.31915 1/m"]),
+    ("three_storeys_on_shaking_ground", None, ["C₁₁ = 56874 N·s/m", "C₁₄ = −36495.9 N·s/m"]),
     ("unround_shaft", None, ["V0_disc = −m·Ω²·u²/2 − m·Ω²·v²/2"]),
 ])
 def test_lines_of_problems(name, case, wanted):
@@ -46,6 +72,15 @@ def test_lines_of_problems(name, case, wanted):
     for text in wanted:
         assert any(line.endswith(text) or text + "," in line for line in lines), (text, lines)
     assert not any(" = 0 = 0" in line for line in lines)
+
+
+@pytest.mark.parametrize(("name", "noted"), [("shelter_under_a_blast", True), ("garland_of_power_springs", True),
+                                             ("scale_pan_on_a_hardening_spring", True), ("gear_pair_and_rack", False),
+                                             ("quarter_car_damped", False), ("lever_on_shaking_floor", False)])
+def test_it_is_noted_where_numbers_without_their_units_stand_beside_letters(name, noted):
+    found, = Path("problems").glob(f"*/{name}.yaml")
+    (section,) = steps(kept_problem_of(found), None)
+    assert (SI in str(section.blocks[-1])) is noted
 
 
 def test_a_condition_that_gives_a_coordinate_is_told_once():

@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.symbolic_linear import coefficients
-from vibcli.symbolic.common_denominator import shorter
+from vibcli.symbolic.common_denominator import shorter, single
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.expression import Table
 from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import TooLong, expanded, textbook
 from vibcli.symbolic.radicals import root
 from vibcli.symbolic.rationals import ONE, ZERO
@@ -115,7 +116,8 @@ class Formula:
             above, below = _simple(above), _simple(below) if self.short else below
         if below.is_zero:
             return None
-        return self.Omega * above / below
+        found = self.Omega * above / below
+        return min(found, single(found), key=letters) if self.numerator[1].is_zero else found
 
 
 def formula(symbolic: "SymbolicSystem", signal: Any, driven_by: str, frequency: "str | Node" = "Omega",

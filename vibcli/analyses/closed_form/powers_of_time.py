@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import NotInLetters
 from vibcli.mechanics.static_preload import solve_linear
 from vibcli.mechanics.symbolic_linear import outputs
+from vibcli.symbolic.common_denominator import shorter
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import TooLong, expanded, textbook
@@ -40,8 +41,8 @@ def following(symbolic: "SymbolicSystem", signal: "str | Tree") -> "Node":
         nodes = copied(list(part.values()), scene.table)
         waves[-1] = waves[-1] + scene.table.sum(*((x * waves[i], ONE) for i, x in zip(part, nodes, strict=True)))
         waves[:-1] = [_slope(scene, node) for node in waves[:-1]]
-    _powers(scene, waves[-1])
-    return textbook(waves[-1])
+    found = {k: shorter(textbook(node)) for k, node in _powers(scene, waves[-1]).items()}
+    return scene.table.total([node * scene.time**k if k else node for k, node in found.items()])
 
 
 def require_damped(symbolic: "SymbolicSystem") -> None:

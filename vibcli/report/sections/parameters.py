@@ -108,9 +108,10 @@ def coordinates(problem: "Problem", _: "Report") -> Iterator[Section]:
 
 
 def words_of(problem: "Problem", name: str) -> str:
-    """What a coordinate is, in words."""
+    """What a coordinate is, in words; a unit that stands in their place tells nothing beside that of the coordinate."""
     record = problem.spec.coordinates.get(name)
-    return (record and record.get("about")) or _moves(problem).get(name) or _on_member(name)
+    about = record and record.get("about")
+    return (about if about not in units.UNITS else "") or _moves(problem).get(name) or _on_member(name)
 
 
 def _on_member(name):

@@ -1,10 +1,11 @@
 """The worked solution: numbered lines from the figure to what is asked."""
 
+import re
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.report import blocks
-from vibcli.report.blocks import Section, Words, line, section
+from vibcli.report.blocks import Section, Words, line, paragraph, section
 from vibcli.report.keys import Key
 
 if TYPE_CHECKING:
@@ -13,14 +14,40 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 
+BARE = re.compile(r"(?<![\w.^√])(\d+\.\d+|\d{3,})·(?!i\b)[^\W\d]")        # halves and thirds have no unit
+JOINS, FACTORS = ("springs", "dampers"), ("mass", "inertia", "k", "c", "torsion")
+PUT_IN = re.compile(r"to order|expanded|^balance\[")        # what lines settle in which numbers stand for letters
+SI = "Numbers that stand beside letters without a unit are in SI units."
+
+
 def steps(problem: "Problem", _: "Report") -> Iterator[Section]:
     from vibcli.report.steps.worked import worked
 
-    yield from section_of(worked(problem))
+    found = worked(problem)
+    yield from section_of(found, SI if _has_bare_numbers(problem, found) else None)
 
 
-def section_of(found: "Sequence[WorkedLine]") -> tuple[Section, ...]:
-    """The lines as a section."""
+def _has_bare_numbers(problem, found):
+    """Do numbers stand beside letters whose units are not told: those of literals in the file, or of letters that these
+    are put in for?"""
+    from vibcli.notation.plain import plain
+    from vibcli.report.formats.formula import formula
+
+    hidden = () if problem.scene.pieces else problem.scene.table.hidden
+    if 1 in hidden and any(_is_literal(record.get(key)) for kind in ("bodies", *JOINS) for record in (
+            problem.spec.get(kind) or {}).values() for key in FACTORS):
+        return True         # 1 kg is not seen at all
+    lines = found if hidden else [one for one in found if PUT_IN.search(one.settles)]
+    return any(BARE.search(formula([part for part in one.parts if not isinstance(part, blocks.WithNumbers)], plain))
+               for one in lines)
+
+
+def _is_literal(field):
+    return getattr(getattr(field, "tree", None), "kind", "") == "number"
+
+
+def section_of(found: "Sequence[WorkedLine]", note: str | None = None) -> tuple[Section, ...]:
+    """The lines as a section, and a note below them."""
     told: dict = {}
     for one in found:
         if one.number not in told:
@@ -29,8 +56,8 @@ def section_of(found: "Sequence[WorkedLine]") -> tuple[Section, ...]:
             told[one.number] = [*told[one.number], Words(",  "), *one.parts]
     digits = len(str(len(told)))
     heads = {number: Words(f"{number:\u00a0>{digits}}\u00a0\u00a0") for number in told}
-    return section("Steps", blocks.equations(
-        line(heads[number], *parts, hang=digits + 2) for number, parts in told.items()))
+    lines = blocks.equations(line(heads[number], *parts, hang=digits + 2) for number, parts in told.items())
+    return section("Steps", lines, paragraph(note) if note else None)
 
 
 def _data(problem):

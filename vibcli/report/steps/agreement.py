@@ -7,9 +7,12 @@ from random import Random
 from typing import TYPE_CHECKING
 
 from vibcli.language.parameter_samples import sample_values
+from vibcli.symbolic.common_denominator import shorter
 from vibcli.symbolic.discontinuous_functions import PULSES
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.normal_form import is_zero, textbook
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
@@ -39,6 +42,16 @@ def same(one: "Node", other: "Node", samples: "Sequence[Mapping[str, float]]") -
         if not abs(a - b) <= ALIKE * max(abs(a), abs(b)):
             return False
     return True
+
+
+def tidy(node: "Node", samples: "Sequence[Mapping[str, float]]") -> "Node":
+    """The simplest form of an expression without coordinates; itself where the simpler one is not the same."""
+    found = textbook(node)
+    if is_zero(found):
+        return node.table.zero
+    shortened = shorter(found)
+    best = shortened if letters(shortened) < letters(found) else found
+    return best if same(best, node, samples) else node
 
 
 def agree_in_motion(scene: "Scene", samples: "Sequence[Mapping[str, float]]", one: "Sequence[Node]",

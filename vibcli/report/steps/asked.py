@@ -9,17 +9,17 @@ from vibcli.quantities.expression import lowered, value_of
 from vibcli.quantities.in_letters import quantity_in_letters
 from vibcli.quantities.quantity import OF_STATE, is_choice, quantity_of
 from vibcli.report.blocks import Words
-from vibcli.report.steps.agreement import samples_of
+from vibcli.report.steps.agreement import same, samples_of, tidy
 from vibcli.report.steps.characteristic import LONG
 from vibcli.report.steps.directions import tell_direction
 from vibcli.report.steps.free_vibration import tell_of_free
 from vibcli.report.steps.instants import tell_instant
 from vibcli.report.steps.place_of_rest import as_counted
-from vibcli.report.steps.small import tidy
 from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.nested_form import letters
-from vibcli.symbolic.radicals import without_bars
+from vibcli.symbolic.radicals import root, without_bars
+from vibcli.symbolic.rationals import ONE
 from vibcli.symbolic.syntax import QuantityRef
 
 if TYPE_CHECKING:
@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 
 BY_LETTERS = tell_direction, tell_instant, tell_of_free      # that have lines of their own
 CLOSE = 1e-9        # relative: of an expression and the engine's number
+OF_LETTERS = "period", "decay", "zeta", "stiffness", "damping"        # told in letters, where no line settles them
 BESIDE = "frequency", "period", "period_d", "eigenvalue"      # told beside another number of the mode
 
 
@@ -52,13 +53,13 @@ def _tell_in_letters(problem, sheet):
     one."""
     samples, known = samples_of(problem, {}), problem.scene.parameters.values(Floats)
     settled = {line.settles for line in sheet.steps}
-    for asked in [one.asked for one in problem.spec.answers if _untold(problem.spec, one.asked)]:
-        if isinstance(asked.tree, QuantityRef):
-            with suppress(PhysicsError, SpecError):
-                _ = asked.text in settled or tell_instant(problem, sheet, asked)
-            continue
+    for asked in [one.asked for one in problem.spec.answers if _untold(problem.spec, one.asked)
+                  or getattr(one.asked.tree, "head", "") in OF_LETTERS]:
         with suppress(PhysicsError, SpecError):
-            node = tidy(_of_quantities(problem, asked), samples)
+            alone = isinstance(asked.tree, QuantityRef)
+            if alone and (asked.text in settled or tell_instant(problem, sheet, asked)):
+                continue
+            node = short_quantity(problem, asked.tree) if alone else tidy(_of_quantities(problem, asked), samples)
             value, unit = None, unit_told(problem.spec, asked)
             with suppress(KeyError):
                 value, = evaluate([node], Floats, known)
@@ -129,4 +130,15 @@ def short_quantity(problem: "Problem", tree: Any) -> "Node":
     """A quantity in letters, in its shortest form; NotInLetters where it is found in numbers."""
     samples = samples_of(problem, {})
     found = without_bars(quantity_in_letters(problem, tree), samples)
-    return min(tidy(found, samples), found, key=letters)
+    shortest = min(tidy(found, samples), found, key=letters)
+    return min(_rooted(shortest, samples), shortest, key=letters)
+
+
+def _rooted(node, samples):
+    """The same with what is a square taken out of the roots among its factors."""
+    if node.op != "product" or not any(e.denominator == 2 for _, e in node.args):
+        return node
+    table = node.table
+    found = table.product((table.number(node.coefficient), ONE), *(
+        (root(base, samples), 2 * e) if e.denominator == 2 else (base, e) for base, e in node.args))
+    return found if same(found, node, samples) else node

@@ -198,12 +198,15 @@ class Bodies:
         return self.sheet.write(Words(f"mass centre of {body.name}:  "), "C = (", x, ", ", y, ")")
 
     def _of_terms(self, name, terms):
-        """½ w ṡ² of what has no place."""
+        """½ w ṡ² of what has no place; of a body v or ω first, where that is more than the rate of a coordinate."""
         about = self.about
         parts = [(term.weight, about.small(term.s)) for term in terms]
         (weight, small), *others = parts
-        rate = about.rate(small)
-        return self._energy(name, parts, None, [] if others else [weight * rate ** 2 / 2])
+        rate, body, speed = about.rate(small), self.scene.bodies.get(name), []
+        if body is not None and not others and rate.op != "symbol":
+            moves = about.letter(self.sheet.letter("omega" if weight is body.inertia else "v", name))
+            rate, speed = moves, [moves, " = ", rate, Words(",  ")]
+        return self._energy(name, parts, None, [] if others else [weight * rate ** 2 / 2], before=speed)
 
     def _energy(self, name, parts, line, formula, lines=(), before=()):
         """A line T = formula = the same with what it stands for."""

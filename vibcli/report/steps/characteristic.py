@@ -17,6 +17,7 @@ from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import is_zero
+from vibcli.symbolic.radicals import root
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
@@ -97,11 +98,25 @@ def tell_roots(about: AboutRest, sheet: WorkedSolution, found: SmallEquations, u
         uses = [*uses, *_factors(about, sheet, coefficients(about, found), [mode.omega for mode in modes], uses)]
     for mode in modes:
         letter = about.letter(sheet.letter(f"omega{mode.index}"))
-        parts = [letter, " = ", mode.omega]
+        omega = _by_coefficients(about, found, mode)
+        parts = [letter, " = ", omega]
         if mode.readable and not mode.turns:
             parts += [Words(",  "), *[part for name in about.scene.coordinates for part in (" : ", Name(name))][1:]]
             parts += [" = ", *[part for x in mode.shape for part in (" : ", x)][1:]]
-        sheet.write(*parts, settles=f"omega[{mode.index}]", node=mode.omega, uses=uses)
+        sheet.write(*parts, settles=f"omega[{mode.index}]", node=omega, uses=uses)
+
+
+def _by_coefficients(about, found, mode):
+    """The frequency of a mode, of two by the formula of the roots where that is shorter."""
+    if len(about.scene.q) != 2 or found.G or mode.index > 2:
+        return mode.omega
+    a2, a1, a0 = coefficients(about, found)
+    if a2.is_zero:
+        return mode.omega
+    b1, b0 = about.tidy(a1 / a2), about.tidy(a0 / a2)
+    spread = root(about.tidy(b1 * b1 - 4 * b0), about.samples)
+    node = root(about.tidy((b1 - spread if mode.index == 1 else b1 + spread) / 2), about.samples)
+    return node if letters(node) < letters(mode.omega) and about.same(node, mode.omega) else mode.omega
 
 
 def _factors(about, sheet, known, omegas, uses):

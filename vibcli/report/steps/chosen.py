@@ -45,7 +45,7 @@ def tell_chosen(problem: "Problem", sheet: WorkedSolution) -> None:
         counts = [part for one in first.counts for part in (Words(",  "), *condition_parts(one))][1:]
         parts += [Words("   for "), *counts] if counts else []
         left = "" if form is not None else f"   (by a search; what is left is {figure(first.residual, digits=2)})"
-        more = [figure(float(one.values[name])) for one in others if one.values[name] is not None]
+        more = [f"{figure(float(one.values[name]))}{unit}" for one in others if one.values[name] is not None]
         left += f"   (the first of the solutions; others: {', '.join(more)})" if more else ""
         uses = [line.number for line in sheet.steps if line.settles and line.settles in condition]
         told = f"so that {condition_told(condition, names_of(problem))}:  "
@@ -62,7 +62,7 @@ def _written_out(problem, sheet, condition) -> list[Any]:
     if any(line.settles == asked.text for line in sheet.steps):
         return []
     with suppress(PhysicsError, SpecError):
-        node = at_instant(problem, sheet, asked) or short_quantity(problem, asked.tree)
+        node = at_instant(problem, sheet, asked) or short_quantity(with_letters(problem), asked.tree)
         if letters(node) <= LONG and node.op != "number":
             told = as_given(condition.right, names_of(problem))
             return [node, " = ", *([Words(told)] if isinstance(told, str) else told.parts), Words(",  ")]

@@ -29,6 +29,7 @@ AT_ONCE = 4         # letters of a stretch or speed, up to which its energy stan
 AT_SIGHT = 12       # letters of a potential of weights, up to which it is told unexpanded as well
 FIRST = "   (first order: it bears nothing at rest)"
 SECOND = "   (second order: its force at rest counts)"
+LIMP = "   (second order: it has no such term)"
 SLOPES = {("k", "N"): "N/m", ("k", "N·m"): "N·m/rad", ("c", "N"): "N·s/m", ("c", "N·m"): "N·m·s/rad"}
 STRAIGHT = "   (second order, as its force at rest counts: there is no such term)"
 
@@ -113,8 +114,9 @@ class Connections:
         node = shown * moves + square
         letter = about.letter(delta)
         formula = shown * letter + k * letter ** 2 / 2
-        line = sheet.write(Name(V), *([] if formula.is_zero else [" = ", formula]), " = ", node, settles=V, node=node,
-                           uses=[told], joined=exact and letters(moves) <= AT_ONCE)
+        more = [" + …", Words(LIMP)] if node.is_zero and not hasattr(term, "weight") else []
+        line = sheet.write(Name(V), *([] if formula.is_zero else [" = ", formula]), " = ", node, *more, settles=V,
+                           node=node, uses=[told], joined=exact and letters(moves) <= AT_ONCE)
         kept = shown if loaded and about.know(shown, about.value(tension)) else tension
         found = EnergyPart(V, node, line), Acting(term.owner, tension, shown, k, small, line, hasattr(term, "weight"),
                                                   kept)

@@ -16,9 +16,13 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.scene.scene import Scene
 
+    Ways = dict[tuple[int, float | None], str]
 
 TIED = "by the constraints"      # why coordinates follow from others; of scenes with constraints of one form:
 WHY = {"rope": "as ropes keep their length", "gear": "as wheels roll on each other", "belt": "as belts do not slip"}
+STRAIGHT: "Ways" = {(0, 1): "to the right", (0, -1): "to the left", (1, 1): "upwards", (1, -1): "downwards"}
+TURNS: "Ways" = {(2, 1): "counter-clockwise", (2, -1): "clockwise"}     # by (x, y or angle; its slope)
+WAYS = {"displacement": STRAIGHT, "rotation": TURNS, "rolling": {**STRAIGHT, **TURNS}}
 SHORT = 8           # letters of what a constraint leaves of a coordinate, up to which several stand in a line
 
 
@@ -32,26 +36,38 @@ def tell_coordinates(problem: "Problem", scene: "Scene", sheet: WorkedSolution) 
         told = [word for word in (what, _sense(scene, name, what), "zero as drawn" * at.is_zero) if word]
         drawn = [] if at.is_zero else [Words(",  as drawn " if told else "as drawn "), Name(name), " = ", at]
         sheet.write(Name(name), Words(":  " + ",  ".join(told)), *drawn, settles=name)
+    looped = problem.scene.loops.names if problem.scene.loops is not None else ()
+    follows = {name: what for name in looped if name not in scene.coordinates and (what := words_of(problem, name))}
+    for i, (name, what) in enumerate(follows.items()):
+        sheet.write(Words("and by the closed loop  " * (not i)), Name(name), Words(f":  {what}"), joined=True)
 
 
 def _sense(scene, name, what):
-    """Which way a body turns where its angle grows; '' of other coordinates."""
-    body = scene.bodies.get(what.removeprefix("rotation of "))
-    if body is None or body.frame is None:
+    """Which way a body moves or turns where its coordinate grows; '' where that is no such direction."""
+    kind, _, owner = what.partition(" of ")
+    body, q, zero = scene.bodies.get(owner), scene.symbol(name), scene.table.zero
+    if kind not in WAYS or body is None or body.frame is None:
         return ""
-    slope = textbook(gradient(body.frame.angle).get(scene.symbol(name), scene.table.zero))
-    return "counter-clockwise" if slope.op == "number" and slope.coefficient > 0 else ""
+    slopes = [textbook(gradient(node).get(q, zero)) for node in (*body.frame.place, body.frame.angle)]
+    steady = [float(slope.coefficient) if slope.op == "number" else None for slope in slopes]
+    ways = () if kind == "displacement" and None in steady else enumerate(steady)
+    return next(filter(None, (WAYS[kind].get(way) for way in ways)), "")
 
 
-def tell_constraints(scene: "Scene", sheet: WorkedSolution) -> None:
+def tell_constraints(problem: "Problem", sheet: WorkedSolution) -> None:
     """What constraints that close no loop leave of the other coordinates; short ones in a line."""
+    from vibcli.report.sections.parameters import words_of
+
+    scene = problem.scene
     loops = scene.loops.names if scene.loops is not None else ()
     forms = {constraint.form for constraint in scene.constraints}
     why = WHY.get(forms.pop(), TIED) if len(forms) == 1 else TIED
     known = {name: short_form(node) for name, node in scene.dependent.items() if name not in loops}
     short = {name: node for name, node in known.items() if letters(node) <= SHORT}
     for group in ([short] if short else []) + [{name: node} for name, node in known.items() if name not in short]:
-        told = [part for name, node in group.items() for part in (Words(",  "), Name(name), " = ", node)][1:]
+        about = {name: f"{what}  " if (what := words_of(problem, name)) else "" for name in group}
+        told = [part for name, node in group.items() for part in (
+            Words(",  "), Words(about[name]), Name(name), " = ", node)][1:]
         sheet.write(*told, Words(f"   ({why})"), settles=", ".join(group),
                     node=next(iter(group.values())) if len(group) == 1 else None)
 

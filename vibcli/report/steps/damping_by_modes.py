@@ -4,13 +4,17 @@ section 12-3), driven displacements d leaving the modes at −K⁻¹K_d d:
     C = Σ 2ζω r rᵀ/(uᵀr),   C_d = Σ (2ζ/ω) r uᵀK_d/(uᵀr),   r = Mu.
 """
 
+from vibcli.base import units
 from vibcli.mechanics.given_damping_in_letters import excitation_by_damping, proportional
 from vibcli.mechanics.linearisation import at_position
 from vibcli.mechanics.symbolic_linear import place_in_letters
 from vibcli.mechanics.symbolic_matrices import matrices_in_letters
 from vibcli.notation.names import lowered
+from vibcli.quantities.matrices import entry_dimension
+from vibcli.quantities.signal_dimensions import input_dimension
 from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.held import HINT, UNTOLD, SmallEquations, Untold
+from vibcli.report.steps.matrix_units import unit_of_entry
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -76,12 +80,19 @@ class _Damping:
         lines = [*self.found.lines, self.line]
         return self.found._replace(C=C, drive=self._drive(), lines=[*lines, sheet.last])
 
-    def _entry(self, i, j, node, first=False, twice=False, words=""):
+    def _unit_of_driven(self, i, name):
+        """That of the factor of the speed of what is driven."""
+        known, q = input_dimension(self.about.problem.spec, name), self.about.scene.coordinates[i]
+        return "" if known is None else units.text(entry_dimension("C", self.about.problem.system.dimension(q), known))
+
+    def _entry(self, i, j, node, first=False, twice=False, words="", driven=""):
         """The letter of an entry, which is written down."""
         name, value = self.sheet.letter(f"{self.letter}{i + 1}{j + 1}"), self.about.value(node)
+        unit = unit_of_entry(self.about.problem, i, j, "C") if j < self.n else self._unit_of_driven(i, driven)
         twin = f" = {self.letter}{lowered(j + 1)}{lowered(i + 1)}" if twice else ""
-        self.sheet.write(Words(words), f"{self.letter}{lowered(i + 1)}{lowered(j + 1)}{twin}", *number(value),
-                         settles=name, node=node, value=value, uses=[self.line], joined=not first, letter=name)
+        self.sheet.write(Words(words), f"{self.letter}{lowered(i + 1)}{lowered(j + 1)}{twin}", *number(value, unit),
+                         settles=name, node=node, value=value, unit=unit, uses=[self.line], joined=not first,
+                         letter=name)
         letter = self.about.letter(name)
         self.about.know(letter, value)
         return letter
@@ -102,7 +113,8 @@ class _Damping:
                     [u[k] * K[k, j] for k in range(self.n) if (k, j) in K] or [self.table.zero])
                     for zeta, omega, row, u, mass in self.modes])
                 if not node.is_zero:
-                    entry = self._entry(i, j, node, words="" if i else f"and before the speed of {one.name}  ")
+                    entry = self._entry(i, j, node, words="" if i else f"and before the speed of {one.name}  ",
+                                        driven=one.name)
                     drive[i] = drive.get(i, self.table.zero) - entry * rate
         self._require(drive)
         return drive

@@ -12,8 +12,8 @@ from vibcli.quantities.equivalents import SECTIONS
 from vibcli.quantities.expression import value_of
 from vibcli.quantities.in_letters import quantity_in_letters
 from vibcli.report.blocks import Words
+from vibcli.report.steps.agreement import tidy
 from vibcli.report.steps.characteristic import LONG
-from vibcli.report.steps.small import tidy
 from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.nested_form import letters

@@ -68,7 +68,7 @@ def _growing(degree):
         node = degree.problem.symbolic_following(degree.name)
     except PhysicsError:
         return
-    degree.sheet.write(Words("of the form of the load, tried in the equation, is  "), Name(degree.name), " = ", node,
+    degree.sheet.write(Words("tried in the equation, the form of the load gives  "), Name(degree.name), " = ", node,
                        settles=f"following({degree.name})", node=node, uses=degree.found.lines)
 
 

@@ -14,5 +14,5 @@ def tell_growing(about: AboutRest, sheet: WorkedSolution, found: SmallEquations)
             node = about.problem.symbolic_following(name)
         except PhysicsError:
             return
-        sheet.write(Words("of the form of the load, tried in the equations, is  "), Name(name), " = ", node,
+        sheet.write(Words("tried in the equations, the form of the load gives  "), Name(name), " = ", node,
                     settles=f"following({name})", node=node, uses=found.lines)

@@ -4,8 +4,8 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.report.steps.agreement import agree_in_motion, samples_of
-from vibcli.report.steps.small import tidy, value_of
+from vibcli.report.steps.agreement import agree_in_motion, samples_of, tidy
+from vibcli.report.steps.small import value_of
 from vibcli.symbolic.common_denominator import shorter
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.nested_form import letters

@@ -114,7 +114,7 @@ class OneDegree:
         omega_d = damped_frequency(self.M, self.C, self.K, self.about.samples)
         parts = [self.omega_d, " = ", self.about.table.sqrt(self.omega ** 2 - self.delta ** 2)]
         return self.degree.settled(parts, omega_d, "rad/s", "omega_d[1]", uses, more=[] if known else [
-            Words("   (under-damped, δ < ω)")])
+            Words("   (under-damped, "), self.delta, " < ", self.omega, Words(")")])
 
     def _free_motion(self, uses):
         """The constants of the free motion from the start that the file gives."""

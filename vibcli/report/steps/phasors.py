@@ -63,9 +63,11 @@ class Phasors:
             if not steady.undamped:
                 rows.append(self.table.total([z[0] * x[1] + z[1] * x[0] for z, x in zip(Z, X, strict=True)]) - F[1])
         given = {steady.Omega: steady.given} if steady.Omega is not steady.given else {}
-        for letter, value, row in zip(self.letters, self.values, substitute(rows, given), strict=True):
+        for i, (letter, value, row) in enumerate(zip(self.letters, self.values, substitute(rows, given), strict=True)):
             self.about.know(letter, value)
-            self.sheet.write(settles=letter.name, letter=letter.name, value=value, vanishes=row, joined=True)
+            name = self.about.scene.coordinates[i // len(self.parts)]
+            self.sheet.write(settles=letter.name, letter=letter.name, value=value, vanishes=row, joined=True,
+                             unit="m" if self.about.problem.system.dimension(name) else "rad")
 
     def size(self, k: int) -> "Node | None":
         """|X| of a coordinate; None where the parts have no letters."""

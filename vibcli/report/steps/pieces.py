@@ -17,6 +17,7 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.degree import Degree
 from vibcli.report.steps.extremes import Swing, tell_extremes
+from vibcli.report.steps.matrix_units import unit_of_entry
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.normal_form import TooLong, expanded, is_zero, textbook
 from vibcli.symbolic.rationals import ONE
@@ -164,11 +165,12 @@ def _resistances(degree, pieces):
         Omega = degree.about.letter(degree.sheet.letter("Omega"))
         lines = [degree.settled([Omega], rate, "rad/s", "Omega of the load", degree.found.lines)]
         degree.about.know(Omega, degree.about.value(rate))
+    unit = unit_of_entry(degree.problem, 0, 0)
     nodes = {"R": degree.K - degree.M * Omega ** 2, "S": degree.C * Omega}
     for letter, node in nodes.items():
         if not node.is_zero:
             symbol = degree.about.letter(degree.sheet.letter(letter))
-            lines.append(degree.settled([symbol], node, "", letter, [*lines, *degree.found.lines],
+            lines.append(degree.settled([symbol], node, unit, letter, [*lines, *degree.found.lines],
                                         joined=letter == "S"))
     return Omega, lines
 

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 CLOSE = 1e-9        # relative: of a number by the lines and the engine's
 MOST = 4            # coordinates, beyond which K is not inverted in letters
+OF_LENGTHS, OF_TURNS = ("N/m", "kg"), ("N·m", "kg·m²")      # units of uᵀKu and uᵀMu
 SHORT = 20          # letters of the frequency of an inertia alone that is written out
 
 
@@ -39,12 +40,14 @@ class LowestFrequency:
         if abs((sizes[0] / sizes[1]) ** 0.5 / self.found.rayleigh - 1) > CLOSE:
             return
         u = Name(self.sheet.letter("u"))
-        forms = [part for matrix, value in zip("KM", sizes, strict=True) for part in (
-            Words(",  "), u, "·", Name(self.sheet.matrix(matrix)), "·", u, *number(value))]
+        kinds = {bool(self.about.problem.system.dimension(name)) for name in self.about.scene.coordinates}
+        units = ("", "") if len(kinds) > 1 else OF_LENGTHS if True in kinds else OF_TURNS
+        forms = [part for matrix, value, unit in zip("KM", sizes, units, strict=True) for part in (
+            Words(",  "), u, "·", Name(self.sheet.matrix(matrix)), "·", u, *number(value, unit))]
         deflection = f" = ({', '.join(map(told, shape))})"
         line = self.sheet.write(Words("Rayleigh, with the static deflection  "), u, deflection, *forms,
                                 settles="deflection", uses=self.uses)
-        node = self._quotient(shape, sizes, line)
+        node = self._quotient(shape, zip(sizes, units, strict=True), line)
         self.sheet.write(Words("the root of their quotient:  "), "ω = " + told(self.found.rayleigh), Words(
             " rad/s   (an upper bound)"), settles="rayleigh", node=node, value=float(self.found.rayleigh), unit="rad/s",
             uses=[line])
@@ -56,9 +59,9 @@ class LowestFrequency:
         u = [self._letter(f"u{i + 1}") for i in range(self.n)]
         self._deflection(shape, u, line)
         found = [self._letter(f"u{matrix}u") for matrix in "KM"]
-        for letter, matrix, value in zip(found, (self.K, self.M), sizes, strict=True):
+        for letter, matrix, (value, unit) in zip(found, (self.K, self.M), sizes, strict=True):
             node = self.table.total([entry * u[i] * u[j] for (i, j), entry in matrix.items()])
-            self.sheet.write(settles=letter.name, letter=letter.name, node=node, value=value, joined=True)
+            self.sheet.write(settles=letter.name, letter=letter.name, node=node, value=value, unit=unit, joined=True)
         return self.table.sqrt(found[0] / found[1])
 
     def _deflection(self, shape, u, line):

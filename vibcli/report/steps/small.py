@@ -9,16 +9,17 @@ from contextlib import suppress
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+from vibcli.base import units
 from vibcli.mechanics.linearise import row_of, slopes_of
+from vibcli.notation.units_in_sums import dimension_of
 from vibcli.report.blocks import Name, Words
-from vibcli.report.steps.agreement import LEFT, agree_in_motion, same, samples_of
-from vibcli.report.steps.step import WorkedSolution, told
-from vibcli.symbolic.common_denominator import shorter
+from vibcli.report.steps.agreement import LEFT, agree_in_motion, same, samples_of, tidy
+from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters
-from vibcli.symbolic.normal_form import is_zero, root_of_square, textbook
+from vibcli.symbolic.normal_form import root_of_square, textbook
 from vibcli.symbolic.radicals import without_bars
 from vibcli.symbolic.rationals import HALF, ONE
 
@@ -87,7 +88,7 @@ class AboutRest:
         self.place = {**place, **dict.fromkeys((*scene.v, *scene.a), zero), **dict(zip(drives, begun, strict=True))}
         self.undriven = {one.s: other.s for kind, terms in scene.shaken.items()
                          for one, other in zip(getattr(scene, kind), terms, strict=True)}
-        self._known, self._sheet, self._named = dict(values), sheet, {}
+        self._known, self._sheet, self._named, self._dimensions = dict(values), sheet, {}, {}
         self._searched = bool(values)
         self.index = {q: i for i, q in enumerate(self.scene.q)}
         self.samples = samples_of(problem, self._known)
@@ -175,11 +176,20 @@ class AboutRest:
             name, value = self._sheet.letter(f"b{len(self._named) + 1}"), self.value(node)
             shown = [" = ", node] if letters(node) <= SHOWN else []
             words = [] if self._sheet.opened else [Words("with " if self._searched else "for short:  ")]
-            self._sheet.write(*words, Name(name), *shown, " = " + told(value), settles=name, node=node, value=value,
-                              opens=True)
+            self._dimensions[name] = dimension_of(node, self._dimension)
+            unit = units.text(self._dimensions[name] or units.NONE)
+            self._sheet.write(*words, Name(name), *shown, *number(value, unit), settles=name, node=node, value=value,
+                              unit=unit, opens=True)
             self._named[node] = self.table.parameter(name, positive=False)
             self.know(self._named[node], value)
         return self._named[node]
+
+    def _dimension(self, name):
+        """That of a letter of the scene, of a place or of one of its own."""
+        if name in self._dimensions:
+            return self._dimensions[name]
+        q = next((q for q, at in self.place.items() if getattr(at, "name", None) == name), None)
+        return self.table.dimension(name) if q is None else self.problem.system.dimension(q.name)
 
     def _rounded_away(self, node):
         terms = [part * c for part, c in node.args] if node.op == "sum" else [node]
@@ -286,13 +296,3 @@ def value_of(problem: "Problem", node: "Node", known: Mapping[str, float]) -> fl
     if problem.numeric.has_free_symbols:
         return None
     return evaluate([node], Floats, {**problem.numeric.floats, **known})[0]
-
-
-def tidy(node: "Node", samples: "Sequence[Mapping[str, float]]") -> "Node":
-    """The simplest form of an expression without coordinates; itself where the simpler one is not the same."""
-    found = textbook(node)
-    if is_zero(found):
-        return node.table.zero
-    shortened = shorter(found)
-    best = shortened if letters(shortened) < letters(found) else found
-    return best if same(best, node, samples) else node

@@ -120,7 +120,7 @@ class Derivation:
         line = None
         loaded = [one for one in acting if not one.tension.is_zero]
         for i, name in enumerate(self.names):
-            terms = [one.shown * one.s.slopes[i] for one in loaded if i in one.s.slopes]
+            terms = self._together([one for one in loaded if i in one.s.slopes], i)
             if not self.about.cancel([one.tension * one.s.slopes[i] for one in loaded if i in one.s.slopes]):
                 raise Untold(UNTOLD, HINT)
             if terms:
@@ -129,6 +129,15 @@ class Derivation:
         for i, shown in enumerate(dict.fromkeys(one.shown for one in loaded if one.k is not None)):
             self._tension(next(one for one in loaded if one.shown is shown), line, joined=i > 0)
         return line
+
+    def _together(self, acting, i):
+        """What each force at rest adds to the balance of a coordinate, those of like springs together where they do
+        not cancel."""
+        slopes: dict = {}
+        for one in acting:
+            slopes.setdefault(one.shown, []).append(one.s.slopes[i])
+        found = [shown * self.about.tidy(self.scene.table.total(several)) for shown, several in slopes.items()]
+        return found if any(not term.is_zero for term in found) else [one.shown * one.s.slopes[i] for one in acting]
 
     def _tension(self, one, line, joined):
         """The tension of a spring at rest: what the balance leaves for it, or what its law gives there."""
@@ -175,7 +184,8 @@ class Derivation:
             if len(self.names) == 1:
                 self._derivatives(i, name, M, C, K, uses, driven, at_once)
             node = left(self.scene, (M, C, G, K), i)
-            head = () if len(self.names) == 1 else (Name(name), Words(":  "))
+            limp = [Words("to the first order:  ")] if self.scene.laws and not K else []
+            head = [*limp, *([] if len(self.names) == 1 else [Name(name), Words(":  ")])]
             lines.append(self.sheet.write(*head, node, " = ", drive.get(i, self.scene.table.zero),
                                           settles=f"equation[{name}]", node=node, uses=uses))
         return SmallEquations(M, C, G, K, drive, lines)

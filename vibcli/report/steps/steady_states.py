@@ -175,7 +175,7 @@ class SteadyState:
             sheet.write(*([] if joined else head), letter, more, " = ", *shown, settles=letter.name, uses=uses,
                         joined=joined, unit=unit * (value is not None), **(
                             {"node": parts[0], "value": self.about.value(parts[0])} if parts[1].is_zero else {}))
-            self.parts[letter] = tuple(self._part(letter, part, name, parts[1].is_zero)
+            self.parts[letter] = tuple(self._part((letter, unit), part, name, parts[1].is_zero)
                                        for part, name in zip(parts, ("re", "im"), strict=True))
         node, value = determinant(self.Z), complex(det(self._rows(self.about.numbers())[0])) if self.numeric else None
         self.D = self.about.letter(sheet.letter("D"))
@@ -183,13 +183,14 @@ class SteadyState:
             " = " + complex_told(value), Words(f" {unit_of_determinant(self.about.problem)}"))),
                                         settles=self.D.name, uses=[sheet.last])]
 
-    def _part(self, letter, node, name, real):
-        """The letter of the real or the imaginary part of one that is told; of zero itself."""
+    def _part(self, told, node, name, real):
+        """The letter of the real or the imaginary part of one that is told, (letter, unit); of zero itself."""
+        letter, unit = told
         if node.is_zero or real:
             return node if node.is_zero else letter
-        own = self.about.letter(self.sheet.letter(letter.name, name))
-        self.sheet.write(settles=own.name, letter=own.name, node=node, value=self.about.value(node), joined=True)
-        self.about.know(own, self.about.value(node))
+        own, value = self.about.letter(self.sheet.letter(letter.name, name)), self.about.value(node)
+        self.sheet.write(settles=own.name, letter=own.name, node=node, value=value, unit=unit, joined=True)
+        self.about.know(own, value)
         return own
 
     def told(self, i: int, j: int | None = None) -> "tuple[Node, Node]":

@@ -171,8 +171,14 @@ class TwoDegrees:
         told: list[Any] = []
         for i, name in enumerate(self.names):
             terms = [(u[i], letter) for u, letter in zip(shapes, letters, strict=True) if abs(u[i]) > NOTHING]
-            told += [Words(",  " * bool(told)), Name(name), " = ", *_sum(terms)]
+            told += [Words(",  " * bool(told)), Name(name), " = ", *_sum(terms, self._unit * bool(i))]
         self.sheet.write(Words("normal coordinates:  "), *told, settles="normal coordinates", uses=lines)
+
+    @property
+    def _unit(self):
+        """That of a ratio of amplitudes, '' where both are of one kind."""
+        first, second = ("m" if self.about.problem.system.dimension(name) else "rad" for name in self.names)
+        return "" if first == second else f"\u00a0{second}/{first}"
 
     def _modal_mass(self, k, u, unit, uses):
         """Σ Mᵢⱼ uᵢ uⱼ."""
@@ -181,26 +187,28 @@ class TwoDegrees:
         entries = [self.entry("M", i, j) * (1 if i == j else 2) for i, j in pairs]
         value = sum((self.about.value(node) or 0.0) * u[i] * u[j] for node, (i, j) in zip(entries, pairs, strict=True))
         terms = [part for node, (i, j) in zip(entries, pairs, strict=True)
-                 for part in (" + ", *_weighted(node, u[i] * u[j] if i != j else u[i], i == j))]
+                 for part in (" + ", *_weighted(node, u[i] * u[j] if i != j else u[i], i == j, self._unit * bool(j)))]
         return self.sheet.write(Words(f"modal mass of mode {k}:  "), *terms[1:], *number(value, unit),
                                 settles=f"modal_mass[{k}]", value=value, unit=unit, uses=uses)
 
 
-def _weighted(node, value, squared):
-    """Parts of node·value, or node·value²; of the node alone where that is 1."""
-    return [node] if value == 1 else [_bracketed(value) + "²" * squared + "·", Factor(node)]
-
-
-def _bracketed(value):
+def _weighted(node, value, squared, unit):
+    """Parts of node·value, or node·value², the value having a unit; of the node alone where that is 1."""
     text = told(value)
-    return f"({text})" if value < 0 or "e" in text else text
+    if value == 1 and not unit:
+        return [node]
+    if unit:
+        return ["(" + text, Words(unit), ")" + "²" * squared + "·", Factor(node)]
+    bracketed = f"({text})" if value < 0 or "e" in text else text
+    return [bracketed + "²" * squared + "·", Factor(node)]
 
 
-def _sum(terms):
-    """Parts of Σ value·letter."""
+def _sum(terms, unit):
+    """Parts of Σ value·letter, the values having a unit."""
     parts: list = []
     for value, letter in terms:
         sign = (" − " if value < 0 else " + ") if parts else "−" if value < 0 else ""
-        size = "" if abs(value) == 1 else f"{told(abs(value))}·"
-        parts += [sign + size, Name(letter)] if sign + size else [Name(letter)]
+        text = told(abs(value))
+        size = ["(" + text, Words(unit), ")·"] if unit else [] if abs(value) == 1 else [text + "·"]
+        parts += [*([sign] if sign else []), *size, Name(letter)]
     return parts

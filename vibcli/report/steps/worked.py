@@ -82,7 +82,7 @@ def _small(problem):
     _require_small(problem)
     sheet = _sheet(problem)
     tell_coordinates(problem, problem.scene, sheet)
-    tell_constraints(problem.scene, sheet)
+    tell_constraints(problem, sheet)
     conditions = tell_conditions(problem, sheet)
     about = about_rest(problem, sheet)
     tell_loops(about, sheet, conditions)
@@ -94,7 +94,7 @@ def _in_full(problem):
     """The equations of motion, and what follows for small oscillations where there are any."""
     sheet, loose = _sheet(problem), problem.system.scene_with_multipliers
     tell_coordinates(problem, loose, sheet)
-    tell_constraints(problem.scene, sheet)
+    tell_constraints(problem, sheet)
     conditions = tell_conditions(problem, sheet)
     lines = FullEquations(problem, sheet).write(conditions)
     tell_accelerations(problem, sheet, lines)

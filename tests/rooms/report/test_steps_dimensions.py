@@ -1,0 +1,46 @@
+"""Lines of worked solutions are homogeneous: with other units of mass, length and time both sides of each equality are
+as much greater as what they measure, and what a line settles as the unit that it has."""
+
+import math
+import re
+from pathlib import Path
+
+import pytest
+from support.scenes import kept_problem_of, problem
+from support.worked_lines import InOtherUnits
+
+from vibcli.base.errors import PhysicsError
+from vibcli.report.steps.worked import worked
+
+PROBLEMS = sorted(Path("problems").glob("[1-9]_*/*.yaml"))
+LONG = {"ladder_on_tie_rod"}        # with ratios such as 15 to 16, which might have units
+AT_NUMBER = re.compile(r"\d (s|Hz)\b")     # asked at an instant or frequency in numbers
+BAR = """
+parameters: {L: 2 m, EA: 3 MN, mu: 2 kg/m, M: 5 kg}
+bars: {b: {length: L, EA: EA, mass_per_length: mu, left: clamped, attached: [{mass: M, at: L}]}}
+"""
+
+
+@pytest.mark.parametrize("path", PROBLEMS, ids=lambda path: path.stem)
+def test_lines_of_problems_are_homogeneous(path):
+    found = kept_problem_of(path)
+    if found.spec.choices or found.spec.get("matrices"):
+        pytest.skip("its parameters are chosen, or its matrices given as numbers")
+    try:
+        lines = worked(found)
+    except PhysicsError as refusal:
+        pytest.skip(refusal.message)
+    if found.scene.table.hidden or found.scene.table.records or path.stem in LONG:
+        pytest.skip("numbers of the file, in SI units, stand beside its letters")
+    if any(base.startswith("?") for name in found.spec.parameters for base in found.spec.dimensions.of(name)):
+        pytest.skip("letters of any dimension")
+    assert not InOtherUnits(found, [one for one in lines if not AT_NUMBER.search(one.settles)]).wrong
+
+
+def test_a_line_without_its_unit_and_one_of_other_terms_are_found():
+    scene = problem(BAR)
+    lines = worked(scene)
+    assert not InOtherUnits(scene, lines).wrong and sum(one.value is not None for one in lines) >= 3
+    at, wave = next((i, one) for i, one in enumerate(lines) if one.settles == "omega[1]")
+    for other in (wave._replace(unit=""), wave._replace(node=wave.node + 1, value=wave.value + 1)):
+        assert math.isfinite(other.value) and InOtherUnits(scene, [*lines[:at], other, *lines[at + 1:]]).wrong
