@@ -10,7 +10,7 @@ from vibcli.drawing.canvas.primitives import ARROW, BODY, LEADER, Circle, Letter
 from vibcli.drawing.layout import lettering
 
 CELL, TAKEN, FILLED, CLEAR = 2.5, 1000.0, 0.02, 1.6
-COLUMN = 1_000_003                          # the cell in row j of column i is i * COLUMN + j; odd, so that hashes differ
+COLUMN = 1_000_003                          # the cell in row j of column i is i * COLUMN + j; odd: hashes differ
 FOREIGN = 0.3                               # the cost of a cell inside a body for the name of another
 REACHES = (2.0, 4.0, 7.0, 11.0, 16.0, 22.0, 30.0, 40.0, 55.0, 75.0, 100.0, 140.0, 200.0, 280.0)
 DIRECTIONS = [(cos(pi * i / 8), sin(pi * i / 8)) for i in (4, 0, 12, 8, 2, 6, 14, 10, 1, 3, 5, 7, 9, 11, 13, 15)]
