@@ -6,6 +6,7 @@ import gc
 import os
 import sys
 from contextlib import suppress
+from importlib import import_module
 
 YOUNG = 1_000_000   # objects, some 100 MB beside arrays, between searches for garbage: imports are none
 
@@ -16,22 +17,25 @@ def main() -> None:
     gc.set_threshold(YOUNG)
     sys.unraisablehook = _raised_anew
     try:
-        from signal import SIG_DFL, SIG_IGN, SIGINT, getsignal, signal
-
         from vibcli.cli.program import run
         from vibcli.cli.streams import provide
 
         provide()
         code = run()
-        if getsignal(SIGINT) is not SIG_IGN:
-            signal(SIGINT, SIG_DFL)
+        signals = _signals()
+        if signals.getsignal(signals.SIGINT) is not signals.SIG_IGN:
+            signals.signal(signals.SIGINT, signals.SIG_DFL)
     except KeyboardInterrupt:
-        from signal import SIG_DFL, SIGINT, signal
-
-        signal(SIGINT, SIG_DFL)
+        signals = _signals()
+        signals.signal(signals.SIGINT, signals.SIG_DFL)
         sys.stderr.write("interrupted\n")
         code = 130
     _leave(code)
+
+
+def _signals():
+    """What `signal` gives, without its enumerations."""
+    return import_module("_signal")
 
 
 def _leave(code):

@@ -1,7 +1,8 @@
-"""Named tuples as those of `typing`, made several times faster: a command makes a hundred of them before it works.
+"""Named tuples as those of `typing`, made many times faster: a command makes a hundred of them before it works.
 
 `typing` compiles each annotation, then a constructor for each class. Here annotations stay as they are written, and
-one constructor is compiled for all classes of as many fields: each takes its code, with the names of its own fields.
+one constructor serves all classes of as many fields: each takes its code, with the names of its own fields. Those of
+up to eleven are compiled with this file.
 """
 
 from typing import TYPE_CHECKING, Any
@@ -35,8 +36,25 @@ else:
 
     @cache
     def _of_as_many(number: int) -> FunctionType:
+        if 0 < number <= len(_MODELS):
+            return _MODELS[number - 1]
         values = "".join(f"_{index}, " for index in range(number))
-        return eval(f"lambda _cls, {values}: new(_cls, ({values}))", {"new": tuple.__new__})
+        return eval(f"lambda _cls, {values}: new(_cls, ({values}))", {"new": new})
+
+    new = tuple.__new__
+    _MODELS = (
+        lambda _cls, a: new(_cls, (a,)),
+        lambda _cls, a, b: new(_cls, (a, b)),
+        lambda _cls, a, b, c: new(_cls, (a, b, c)),
+        lambda _cls, a, b, c, d: new(_cls, (a, b, c, d)),
+        lambda _cls, a, b, c, d, e: new(_cls, (a, b, c, d, e)),
+        lambda _cls, a, b, c, d, e, f: new(_cls, (a, b, c, d, e, f)),
+        lambda _cls, a, b, c, d, e, f, g: new(_cls, (a, b, c, d, e, f, g)),
+        lambda _cls, a, b, c, d, e, f, g, h: new(_cls, (a, b, c, d, e, f, g, h)),
+        lambda _cls, a, b, c, d, e, f, g, h, i: new(_cls, (a, b, c, d, e, f, g, h, i)),
+        lambda _cls, a, b, c, d, e, f, g, h, i, j: new(_cls, (a, b, c, d, e, f, g, h, i, j)),
+        lambda _cls, a, b, c, d, e, f, g, h, i, j, k: new(_cls, (a, b, c, d, e, f, g, h, i, j, k)),
+    )
 
     class _Named(tuple):
         __slots__ = ()

@@ -1,6 +1,7 @@
 """Numbers on a sheet that by chance are keys of it, of the same problem or another: who would get them gets another
 variant."""
 
+import re
 import unicodedata
 from typing import TYPE_CHECKING
 
@@ -36,7 +37,7 @@ class Coincidences:
             spec, variant = handout.base.spec, handout.variants[number]
             given = {name: record["value"].text for name, record in spec.parameters.items() if "value" in record}
             given |= {name: value.text for name, value in variant.values.items()}
-            words = QUOTE.sub(" ", f"{handout.title} {spec.get('question', '')}")
+            words = re.sub(QUOTE, " ", f"{handout.title} {spec.get('question', '')}")
             self._known[handout.name, number] = _numbers(f"{words} {' ; '.join(given.values())}"), tuple(
                 key.value for key in variant.keys if key.value is not None)
         return self._known[handout.name, number]

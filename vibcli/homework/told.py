@@ -30,7 +30,7 @@ def untold(problem: "Problem", keys: "Sequence[AnswerKey]") -> list[str]:
 
 def told(problem: "Problem") -> set[str]:
     """The parameters that the question quotes or the figure letters."""
-    quoted = {plain_name(found.group(1)) for found in QUOTE.finditer(problem.spec.get("question", ""))}
+    quoted = {plain_name(found.group(1)) for found in re.finditer(QUOTE, problem.spec.get("question", ""))}
     return quoted | lettered(problem)
 
 

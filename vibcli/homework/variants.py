@@ -1,5 +1,6 @@
 """All variants of a problem: every candidate solved once, passed through the gates, and held against a second way."""
 
+import re
 from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -152,7 +153,7 @@ def _given(spec):
     written = {name: number_and_unit(record["value"]) for name, record in spec.parameters.items() if "value" in record}
     numbers = {name: (float(found[0]), found[1]) for name, found in written.items() if found is not None}
     return numbers | {f"number {said} of the question": (value, None)
-                      for value, _, said in numbers_in(QUOTE.sub(" ", spec.get("question", "")))}
+                      for value, _, said in numbers_in(re.sub(QUOTE, " ", spec.get("question", "")))}
 
 
 def _of_keys(rules, keys, bands, one, told, given):

@@ -2,9 +2,8 @@
 
 from typing import TYPE_CHECKING
 
-from vibcli.base.units import UNITS
-from vibcli.quantities.cycle_count import count_of_unit, cycles, known_dimension
-from vibcli.symbolic.cycles import CYCLE, agree, fits_both, left_over
+from vibcli.quantities.cycle_count import cycles, known_dimension
+from vibcli.symbolic.cycles import agree, fits_both, left_over
 from vibcli.symbolic.syntax import ExpressionError
 
 if TYPE_CHECKING:
@@ -12,22 +11,6 @@ if TYPE_CHECKING:
 
     from vibcli.language.reader import Expression, Reader
     from vibcli.language.spec import Spec
-
-OF_CYCLES = frozenset(name for name, unit in UNITS.items() if unit.cycles)
-
-
-def uses_cycles(spec: "Spec", reader: "Reader") -> bool:
-    """Does anything in the file count cycles?"""
-    values = [record["value"] for record in spec.parameters.values() if "value" in record]
-    if any(part.unit in OF_CYCLES for expression in (*reader.expressions.values(), *values)
-           for number in expression.parts.numbers for part in number.units):
-        return True
-    records = (*spec.parameters.values(), *(spec.get("records") or {}).values())
-    if any(count_of_unit(record).get(CYCLE) for record in records):
-        return True
-    asked = [answer.asked for answer in spec.answers]
-    asked += [side for record in spec.choices.values() for side in record["so"].sides]
-    return any(tree.head == "frequency" for expression in asked for tree in expression.parts.quantities)
 
 
 def check_radians(spec: "Spec", reader: "Reader", expression: "Expression") -> None:

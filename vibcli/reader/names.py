@@ -9,6 +9,7 @@ from vibcli.language.reader import Expression, Reader, Record
 from vibcli.language.record_calls import own
 from vibcli.language.spec import MEMBERS
 from vibcli.quantities.dimensions import asked_dimension
+from vibcli.reader.cycles_used import uses_cycles
 from vibcli.reader.references import check_references
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.semantics import DimensionCheck, constant
@@ -99,9 +100,8 @@ def _asked(spec, reader, before):
 
 def _cycles(spec, reader, apart):
     """Cycles (Hz) stand nowhere where radians are due; the expressions in `apart` are no such places, or come later."""
-    from vibcli.reader.cycle_check import check_radians, check_terms, uses_cycles
-
     if uses_cycles(spec, reader):
+        from vibcli.reader.cycle_check import check_radians, check_terms
         values = [record["value"] for record in spec.parameters.values() if "value" in record]
         bounds = [record[key] for record in spec.choices.values() for key in ("from", "to") if key in record]
         for expression in (*values, *bounds):

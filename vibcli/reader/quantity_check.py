@@ -8,11 +8,9 @@ from vibcli.base.diagnostics import quoted
 from vibcli.base.spelling import nearest
 from vibcli.language.dimension_check import applied
 from vibcli.quantities import FAMILIES
-from vibcli.quantities.cycle_count import cycles
 from vibcli.quantities.dimensions import checker
 from vibcli.quantities.index_kinds import INDICES
 from vibcli.quantities.quantity import ALL, COMPLEX, OF_SIGNAL, about_which, declared, is_choice, named, usage, usage_of
-from vibcli.symbolic.cycles import left_over
 from vibcli.symbolic.parser import VALUE
 from vibcli.symbolic.semantics import ALL_NUMBERS
 from vibcli.symbolic.syntax import ExpressionError, NameRef, QuantityRef, parts_of
@@ -284,6 +282,9 @@ def _wanted(spec, reader, expression, kind, tree):
 def _counted(spec, reader, expression, kind, arg):
     """Can the cycles be counted? An instant is no number of cycles, and a frequency one in rad/s or Hz. Reports where
     they stand for radians."""
+    from vibcli.quantities.cycle_count import cycles
+    from vibcli.symbolic.cycles import left_over
+
     try:
         counter = cycles(spec, expression.text)
         count = counter.count(arg)

@@ -26,7 +26,7 @@ from vibcli.symbolic.parser import plain_name
 MOST_CASES = 100
 FEW_RADIANS = 6
 
-QUOTE = re.compile(r"\{\s*([^{}]*?)\s*\}")        # a parameter quoted in a question
+QUOTE = r"\{\s*([^{}]*?)\s*\}"      # a parameter quoted in a question, compiled where one may be
 
 
 class _Cases(Kind):
@@ -247,7 +247,8 @@ def _with_settings(spec, reader, settings):
 
 
 def _question(spec, root, reader):
-    for quote in QUOTE.finditer(spec.get("question", "")):
+    question = spec.get("question", "")
+    for quote in re.finditer(QUOTE, question) if "{" in question else ():
         name = quote.group(1)
         if plain_name(name) not in spec.named.get("parameters", ()):
             place = root.entries["question"][1].place(quote.start(), len(quote.group()))

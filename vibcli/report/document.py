@@ -77,7 +77,7 @@ def _quoting(spec, text):
     """The words of a question, its quoted parameters as their values or symbols."""
     from vibcli.report.sections.parameters import as_given
 
-    words = QUOTE.split(text)
+    words = re.split(QUOTE, text)
     for i, part in enumerate(words):
         if i % 2 == 0:
             part = re.sub(r"\s+", " ", part)

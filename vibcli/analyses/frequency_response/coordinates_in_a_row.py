@@ -22,6 +22,7 @@ from vibcli.numerics.fixed_point import MILLION
 
 BLOCK = 2.0**14         # frequencies times coordinates that are eliminated at once
 PRODUCTS = 24           # for a frequency and a coordinate
+KEPT = 2**25 - 2**16    # bytes
 
 
 def in_a_row(system: Any) -> tuple[int, int] | None:
@@ -44,6 +45,7 @@ class Row:
 
     def __init__(self, system: Any, ends: tuple[int, int], otherwise: Any):
         self.ends, self.otherwise = ends, otherwise
+        _keep_memory()
         self.diagonal, self.above, self.below = (
             np.stack([np.diagonal(part, k) for part in (system.K, system.C, system.M)]) for k in (0, 1, -1))
         if (self.above == self.below).all():
@@ -100,6 +102,12 @@ class Row:
         return pivots, ~(near.min(axis=0) > 64 * SINGULAR * len(near))
 
 
+def _keep_memory():
+    """Let arrays take the place of those before them: glibc hands the memory of large ones back, so that every page of
+    the next is a new one, unless one has gone that is larger than they are (mallopt(3), M_MMAP_THRESHOLD)."""
+    np.empty(KEPT, np.uint8)
+
+
 def _entries(parts, s):
     """K + sC + s²M of so many entries, (m, N), or (m, 1) where they do not change."""
     K, C, M = parts[:, :, None]
@@ -126,17 +134,15 @@ class Pivots(NamedTuple):
 
 def _eliminated(diagonal, above, below):
     """The Pivots from D's diagonal, (n, N), and from what is above and below it; not finite beyond one that is zero."""
-    products, n = above * below, len(diagonal)
-    both = np.stack([diagonal, diagonal[::-1]], axis=1)
-    between = np.stack(np.broadcast_arrays(products, products[::-1]), axis=1)
-    less = np.empty_like(both[0])
+    both, between = (np.stack([part, part[::-1]], axis=1) for part in (diagonal, above * below))
+    less = np.empty_like(both[1:])
     with np.errstate(all="ignore"):
-        for i in range(1, n):
-            np.divide(between[i - 1], both[i - 1], out=less)
-            both[i] -= less
-        ahead, back = both[:, 0], both[::-1, 1]
-        inverse = ahead.copy()
-        inverse[:-1] -= products / back[1:]
+        for product, pivot, rest, following in zip(between, both[:-1], less, both[1:], strict=True):
+            np.divide(product, pivot, rest)
+            np.subtract(following, rest, following)
+    ahead, back = both[:, 0], both[::-1, 1]
+    inverse = ahead.copy()
+    inverse[:-1] -= less[::-1, 1]
     return Pivots(above, below, ahead, back, inverse)
 
 

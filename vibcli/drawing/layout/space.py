@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from functools import lru_cache
-from itertools import pairwise, product
+from itertools import pairwise
 from math import ceil, cos, floor, hypot, inf, pi, sin
 from typing import Any
 
@@ -10,6 +10,7 @@ from vibcli.drawing.canvas.primitives import ARROW, BODY, LEADER, Circle, Letter
 from vibcli.drawing.layout import lettering
 
 CELL, TAKEN, FILLED, CLEAR = 2.5, 1000.0, 0.02, 1.6
+COLUMN = 1_000_003                          # the cell in row j of column i is i * COLUMN + j; odd: hashes differ
 FOREIGN = 0.3                               # the cost of a cell inside a body for the name of another
 REACHES = (2.0, 4.0, 7.0, 11.0, 16.0, 22.0, 30.0, 40.0, 55.0, 75.0, 100.0, 140.0, 200.0, 280.0)
 DIRECTIONS = [(cos(pi * i / 8), sin(pi * i / 8)) for i in (4, 0, 12, 8, 2, 6, 14, 10, 1, 3, 5, 7, 9, 11, 13, 15)]
@@ -67,32 +68,30 @@ class Space:
     def reserve(self, box: Sequence[float]) -> None:
         """Take a box for good."""
         left, bottom, right, top = box
-        self.beside.update(self._cells((left - APART, bottom, right + APART, top)))
-        for key in self._cells(box, CLEAR):
-            self.cells[key] = TAKEN
-
-    def _cells(self, box, margin=0.0):
-        left, bottom, right, top = box
-        return product(range(floor((left - margin) / CELL), floor((right + margin) / CELL) + 1),
-                       range(floor((bottom - margin) / CELL), floor((top + margin) / CELL) + 1))
+        for _, column in _columns((left - APART, bottom, right + APART, top)):
+            self.beside.update(column)
+        for _, column in _columns((left - CLEAR, bottom - CLEAR, right + CLEAR, top + CLEAR)):
+            self.cells.update(dict.fromkeys(column, TAKEN))
 
     def cost(self, box: Sequence[float], least: float = 0.0, most: float = inf, own: "set[Any] | None" = None) -> float:
         """The cost of writing in a box, as far as it is at `most` that; on the body that is named strokes alone count,
         which cost at `least` 1; beside it, `own` are the cells inside it and inside what it lies on."""
-        get, beside, total = self.cells.get, self.beside, 0.0
+        get, beside, total, least = self.cells.get, self.beside, 0.0, least * MARGIN
         left, right = floor(box[0] / CELL), floor(box[2] / CELL)
-        for key in self._cells((box[0] - SIDE, box[1], box[2] + SIDE, box[3])):
-            cost = get(key, 0.0)
-            if not left <= key[0] <= right:
-                cost *= MARGIN
-            elif cost < NEAR and key in beside:
-                cost = NEAR
-            if cost >= least * MARGIN:
-                total += cost
-            if own is not None and cost == FILLED and key not in own:
-                total += FOREIGN
-            if total > most:
-                break
+        for i, column in _columns((box[0] - SIDE, box[1], box[2] + SIDE, box[3])):
+            within = left <= i <= right
+            for key in column:
+                cost = get(key, 0.0)
+                if not within:
+                    cost *= MARGIN
+                elif cost < NEAR and key in beside:
+                    cost = NEAR
+                if cost >= least:
+                    total += cost
+                    if total > most:
+                        return total
+                if own is not None and cost == FILLED and key not in own:
+                    total += FOREIGN
         return total
 
     def path(self, points: Sequence[tuple[float, float]]) -> float:
@@ -149,6 +148,14 @@ class Space:
         return lettering.text(runs, best[1][0], best[1][1], role)
 
 
+def _columns(box):
+    """(i, its cells in a box) of each column i."""
+    left, bottom, right, top = box
+    first, last = floor(bottom / CELL), floor(top / CELL) + 1
+    for i in range(floor(left / CELL), floor(right / CELL) + 1):
+        yield i, range(i * COLUMN + first, i * COLUMN + last)
+
+
 def _beside(stroke, distance):
     """A straight line as far on the left of another."""
     (ax, ay), (bx, by) = stroke
@@ -164,18 +171,22 @@ def _cells_of(points):
     for (ax, ay), (bx, by) in pairwise(points):
         dx, dy = bx - ax, by - ay
         steps = max(1, ceil(hypot(dx, dy) / CELL))
-        found += [(floor((ax + dx * i / steps) / CELL), floor((ay + dy * i / steps) / CELL)) for i in range(steps + 1)]
+        found += [floor((ax + dx * i / steps) / CELL) * COLUMN + floor((ay + dy * i / steps) / CELL)
+                  for i in range(steps + 1)]
     return found
 
 
 def _cells_through(points):
     """All cells that a polyline passes: none that crosses it does so between two of them."""
-    found = set()
-    for (ax, ay), (bx, by) in pairwise(points):
+    ends = [floor(x / CELL) * COLUMN + floor(y / CELL) for x, y in points]
+    found = set(ends)
+    for i, ((ax, ay), (bx, by)) in enumerate(pairwise(points)):
+        if ends[i] == ends[i + 1]:
+            continue
         cuts = sorted((0.0, 1.0, *_cuts(ax / CELL, bx / CELL), *_cuts(ay / CELL, by / CELL)))
         for first, last in pairwise(cuts):
             t = (first + last) / 2
-            found.add((floor((ax + (bx - ax) * t) / CELL), floor((ay + (by - ay) * t) / CELL)))
+            found.add(floor((ax + (bx - ax) * t) / CELL) * COLUMN + floor((ay + (by - ay) * t) / CELL))
     return found
 
 
@@ -197,5 +208,5 @@ def _cells_within(points):
     for j, xs in crossed.items():
         xs.sort()
         for left, right in zip(xs[::2], xs[1::2], strict=False):
-            found += [(i, j) for i in range(ceil(left / CELL), floor(right / CELL))]
+            found += range(ceil(left / CELL) * COLUMN + j, floor(right / CELL) * COLUMN + j, COLUMN)
     return found

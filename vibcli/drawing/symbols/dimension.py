@@ -139,24 +139,27 @@ def _straight(length, space, offsets):
     n = plane.left(e)
     best = None
     for offset in offsets:
-        if best is not None and best[0] <= (False, 0.1 * offset):
+        if best is not None and best[0] <= 0.1 * offset:
             break
         for side in (-1, 1):
             a, b = plane.plus(length.one, n, side * offset), plane.plus(length.two, n, side * offset)
             label = plane.plus(plane.middle(a, b), n, side * 7.0)
+            line, clear = ([plane.plus(a, e, off), plane.plus(b, e, -off)] for off in (2.0, TIP))
+            cost = space.path(line) + space.path([label, label])
+            rank = CUT * cost + 0.1 * offset + space.crossings(clear)
+            if cost > CROWDED or (best is not None and rank >= best[0]):
+                continue
             legs = [_leg(plane.plus(p, n, side * (ROD + 2)), plane.plus(q, n, side * BEYOND), space)
                     for p, q in ((length.one, a), (length.two, b))]
+            if max(map(space.path, legs)) >= TAKEN:     # they strike no word
+                continue
             struck = sum(space.path([plane.plus(p, n, side * OWN), q]) for p, q in legs)
-            over = sum(cost for cost in map(space.path, legs) if cost >= TAKEN)       # they strike no word
-            line, clear = ([plane.plus(a, e, off), plane.plus(b, e, -off)] for off in (2.0, TIP))
-            cost = space.path(line) + space.path([label, label]) + over
-            rank = cost > CROWDED, (CUT * cost + 0.1 * offset + space.crossings(clear) + STRUCK * struck
-                                    + LEG * sum(map(space.meets, legs)))
+            rank += STRUCK * struck + LEG * sum(map(space.meets, legs))
             if best is None or rank < best[0]:
-                best = rank, cost, a, b, side, legs
-    _, cost, a, b, side, legs = best
-    if cost > CROWDED:
+                best = rank, a, b, side, legs
+    if best is None:
         return None
+    _, a, b, side, legs = best
     legs = [Polyline(leg, "measure", 0.6, layer=LEADER) for leg in legs]
     parts = [part._replace(width=min(part.width, 0.7)) for part in arrow.straight(a, b, "measure", 0.7, both=True)]
     return [*legs, *parts], length.runs, [plane.plus(plane.middle(a, b), n, sign * 1.5) for sign in (side, -side)]
