@@ -24,6 +24,7 @@ PUSHED = "forces: {pull: {at: end, force: (500 N)*sin((300 rad/s)*t)}}"
     ("", LET_GO, "rod.force(0 m)(3 ms)", lambda: -500),
     ("", LET_GO, "rod.force(0 m)(1 ms)", lambda: 500),
     ("", LET_GO, "argmax(rod.force(0 m))", lambda: 0),
+    ("", LET_GO, "rod.u(1 m)(0 s)", lambda: mpmath.mpf("5e-4")),
     ("", LET_GO, "argmin(rod.u(1 m))", lambda: mpmath.mpf("0.004")),
     (DAMPER, LET_GO, "rod.u(1 m)(5 ms)", lambda: 0),
     (MASS, "initial: {rod.u: '(1 mm)*x/(1 m)'}", "rod.u(1 m)(2 ms)", lambda: (1 - mpmath.exp(-1)) / 1000),
