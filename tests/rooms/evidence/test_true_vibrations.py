@@ -5,7 +5,7 @@ import mpmath
 import pytest
 from support.scenes import problem
 
-from vibcli.evidence.reference import member_pole_sums, member_poles, member_vibrations
+from vibcli.evidence.reference import member_pole_sums, member_poles, member_residues, member_vibrations
 from vibcli.evidence.subjects.motions import of_member_motion
 
 BEAM = """
@@ -50,7 +50,7 @@ def test_after_a_step(monkeypatch):
     many digits are true as are stated."""
     for module, name, value in ((member_poles, "BLOCK", 64), (member_vibrations, "DIGITS", 44),
                                 (member_vibrations, "LEAST", 4), (member_pole_sums, "MOST", 1),
-                                (member_pole_sums, "MANY", 8)):
+                                (member_residues, "MANY", 8)):
         monkeypatch.setattr(module, name, value)
     one = problem(BEAM % ("", STEP, f"bridge.u(1.5 m)(pi/({OMEGA}))"))
     true = of_member_motion(one, one.spec.answers[0].asked.tree).true

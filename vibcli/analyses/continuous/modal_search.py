@@ -59,8 +59,8 @@ def first_top(curve: "Callable[[np.ndarray], np.ndarray]", cells: np.ndarray, to
 
 
 def _about(cells, number, i):
-    """From where to where a top is looked for: in a cell and those beside it in its run, as the largest value at ends is
-    one of two cells."""
+    """From where to where a top is looked for: in a cell and those beside it in its run, as the highest end is one of
+    two cells."""
     ends = [k for k in (i - 1, i + 1) if 0 <= k < len(cells) and number[k] == number[i]]
     return min(cells[k, 0] for k in (i, *ends)), max(cells[k, 1] for k in (i, *ends))
 

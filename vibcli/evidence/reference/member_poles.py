@@ -155,15 +155,15 @@ class PoleSearch:
         v, w = null_vectors(scaled) * columns, null_vectors(np.swapaxes(scaled, -1, -2)) * rows
         return p - _form(w, A, v) / _form(w, _slope(members, p, apart), v), v, w
 
-    def with_residues(self, number: int, members: StartedMembers, rights: Any) -> tuple:
+    def with_residues(self, number: int, members: StartedMembers, sources: Any) -> tuple:
         """(p in longer floats, residues of the signal of `members`, each source a row, what rounding may leave of them)
-        of a block; rights: of members and images, the right sides of these."""
+        of a block; sources: of MemberImages, [(right side, fields)]."""
         p, v, w, apart = self.block(number)
         longer = p.astype(np.clongdouble)
         rise = _form(w, _slope(self.finest, longer, apart), v)
         images = MemberImages(members, p, np)
         seen = images.signal(v.T) / rise
-        terms = [[w[:, i] * x for i, x in enumerate(right)] for right in rights(members, images)]
+        terms = [[w[:, i] * x for i, x in enumerate(right)] for right, _ in sources(images)]
         sizes = [sum(map(np.abs, part)) * np.maximum.accumulate(np.abs(seen)) for part in terms]
         rounding = UNIT * (number * BLOCK + 1 + np.arange(len(p))) * np.array(sizes, float)
         return (longer - _form(w, arrays(self.finest, longer), v) / rise,
