@@ -80,7 +80,7 @@ class SignalInPoles:
         few = found.few + self._circles([x for x, _ in found.few])
         self.sources = [PoleTerms(start, [(x, values[k]) for x, values in few], p, c[k])
                         for k, start in enumerate(starts)]
-        self._require_all(abs(few[0][0]), float(abs(p[-1])))
+        self._require_all(abs(few[0][0]), float(abs(p[-1] if len(p) else found.few[-1][0])))
 
     def doubled(self) -> None:
         """Take twice as many poles."""

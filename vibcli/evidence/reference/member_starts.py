@@ -87,7 +87,7 @@ def started_members(problem: "Problem", signal: str, until: Any) -> StartedMembe
     if near.preloaded is not None:
         from vibcli.evidence.reference.member_responses import driven_members
 
-        held, _ = driven_members(problem, signal, configuration).at(0, {
+        held, _ = driven_members(problem, signal, configuration, True).at(0, {
             i: -one[0].function.at(0) for i, one in moves.items() if _lets_go(problem, opened, i)})
     start = _start(problem, opened, elements, fields, moves)
     return StartedMembers(elements, opened.n, opened.elements.n, moves, spread, start, fields, row, place,

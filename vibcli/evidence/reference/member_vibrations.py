@@ -9,6 +9,7 @@ import numpy as np
 
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.reference.member_pole_sums import DIGITS, SignalInPoles, signal_in_poles
+from vibcli.evidence.reference.rated_members import RatedSignal
 from vibcli.evidence.reference.settled import DoesNotSettle, TrueValues
 
 if TYPE_CHECKING:
@@ -26,7 +27,7 @@ def at_instant(problem: "Problem", signal: str, t: Callable[[], Any]) -> TrueVal
     """The value of a signal at t(), an instant; about: its largest size until then."""
     with mpmath.workdps(DIGITS):
         instant = t()
-        along = signal_in_poles(problem, signal, max(instant, mpmath.mpf(problem.response.until)))
+        along = _along(problem, signal, max(instant, mpmath.mpf(problem.response.until)))
         if not instant:
             value = along.members.at_first()
             return TrueValues([value], DIGITS // 2, DIGITS, DIGITS // 2, abs(value) or mpmath.mpf(1))
@@ -38,7 +39,7 @@ def extremes(problem: "Problem", signal: str, until: float, sense: int, instant:
     """The largest or smallest value of a signal until an instant, or where it has it; about: its largest size, or
     `until`."""
     with mpmath.workdps(DIGITS):
-        along = signal_in_poles(problem, signal, mpmath.mpf(until))
+        along = _along(problem, signal, mpmath.mpf(until))
         samples = _sampled(along)
         size = max(abs(y) for _, y in samples)
         tops = _highest(along, samples, sense, size)
@@ -47,7 +48,14 @@ def extremes(problem: "Problem", signal: str, until: float, sense: int, instant:
         return _settled(along, lambda count: _top(along, tops, sense, count)[1], size, size)
 
 
-def _settled(along: SignalInPoles, found: Callable[[int | None], Any], size: Any, about: Any) -> TrueValues:
+def _along(problem, signal, until):
+    if problem.spec.get("damping") is None:
+        return signal_in_poles(problem, signal, until)
+    return RatedSignal(problem, signal, until)
+
+
+def _settled(along: SignalInPoles | RatedSignal, found: Callable[[int | None], Any], size: Any,
+             about: Any) -> TrueValues:
     """What all poles give, with as many digits as parts of them give, too."""
     while True:
         count, value = len(along.sources[0].p), found(None)

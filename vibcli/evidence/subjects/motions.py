@@ -55,10 +55,9 @@ def of_member_motion(problem: "Problem", tree: QuantityRef) -> Subject:
     of = tree.args[0]
     if not isinstance(of, NameRef) or tree.head not in (*SENSES, "value"):
         raise PhysicsError("of motions of members a reference is found of values and extremes of single signals")
-    if problem.spec.get("damping") is not None:
-        raise PhysicsError("no reference is found of motions of members that `damping:` damps")
     name = of.name + "'" * of.primes
-    bends = any(placed.piece.order == 4 for placed in problem.configuration.linear_system.pieces)
+    bends = problem.spec.get("damping") is not None or any(
+        placed.piece.order == 4 for placed in problem.configuration.linear_system.pieces)
     if tree.head == "value":
         true = (member_vibrations.at_instant if bends else member_fronts.at_instant)(
             problem, name, _exact_instant(problem, tree.args[1]))
