@@ -76,7 +76,8 @@ class SignalInPoles:
         starts = [start for start, _ in sources(members, MemberImages(members, mpmath.mpc(1)))]
         self._residues = found = PoleResidues(
             members, search, lambda images: [one for _, one in sources(images.members, images)])
-        p, c, self._rounding = found.rest
+        p, c, rounding = found.rest
+        self._rounding = float(rounding.sum())
         few = found.few + self._circles([x for x, _ in found.few])
         self.sources = [PoleTerms(start, [(x, values[k]) for x, values in few], p, c[k])
                         for k, start in enumerate(starts)]
@@ -96,9 +97,9 @@ class SignalInPoles:
         """Are there as many as are worth their time?"""
         return self._blocks >= MOST
 
-    def left(self) -> Any:
+    def left(self, t: Any) -> Any:
         """What rounding may leave of those that few digits count of: of their residues, and of p t."""
-        turned = float(np.finfo(np.longdouble).eps) * np.abs(self.sources[0].p) * float(self.until)
+        turned = float(np.finfo(np.longdouble).eps) * np.abs(self.sources[0].p) * float(t)
         return mpmath.mpf(self._rounding + sum(float((np.abs(part.c) * turned).sum()) for part in self.sources))
 
     def _circles(self, poles):

@@ -25,7 +25,7 @@ class PoleResidues:
         large = np.flatnonzero((rounding > LARGE * np.abs(c).max(axis=1, keepdims=True)).any(axis=0))
         first = min(int(large[-1]) + 1 if len(large) else 1, MANY)
         self.few = [self._exact(exactly(x.real) + 1j * exactly(x.imag)) for x in p[:first]]
-        self.rest = p[first:], c[:, first:], rounding[:, first:].sum()
+        self.rest = p[first:], c[:, first:], rounding[:, first:].sum(axis=0)
 
     def block(self, number: int) -> tuple:
         """(p, residues, what rounding may leave of these) of a block of poles in longer floats."""

@@ -8,9 +8,9 @@ import mpmath
 import numpy as np
 
 from vibcli.base.errors import PhysicsError
-from vibcli.evidence.reference.member_pole_sums import DIGITS, SignalInPoles, signal_in_poles
+from vibcli.evidence.reference.member_pole_sums import DIGITS, signal_in_poles
 from vibcli.evidence.reference.rated_members import RatedSignal
-from vibcli.evidence.reference.settled import DoesNotSettle, TrueValues
+from vibcli.evidence.reference.settled import LOST, DoesNotSettle, TrueValues
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
@@ -32,7 +32,7 @@ def at_instant(problem: "Problem", signal: str, t: Callable[[], Any]) -> TrueVal
             value = along.members.at_first()
             return TrueValues([value], DIGITS // 2, DIGITS, DIGITS // 2, abs(value) or mpmath.mpf(1))
         size = max(abs(y) for _, y in _sampled(along))
-        return _settled(along, lambda count: along.at(instant, count=count), size, size)
+        return _settled(along, instant, lambda count: along.at(instant, count=count), size)
 
 
 def extremes(problem: "Problem", signal: str, until: float, sense: int, instant: bool) -> TrueValues:
@@ -43,23 +43,25 @@ def extremes(problem: "Problem", signal: str, until: float, sense: int, instant:
         samples = _sampled(along)
         size = max(abs(y) for _, y in samples)
         tops = _highest(along, samples, sense, size)
-        if instant:
-            return _settled(along, lambda count: _top(along, tops, sense, count)[0], along.until, along.until)
-        return _settled(along, lambda count: _top(along, tops, sense, count)[1], size, size)
+        size = along.until if instant else size
+        return _settled(along, tops[0][0], lambda count: _top(along, tops, sense, count)[0 if instant else 1], size)
 
 
 def _along(problem, signal, until):
-    if problem.spec.get("damping") is None:
-        return signal_in_poles(problem, signal, until)
-    return RatedSignal(problem, signal, until)
+    try:
+        if problem.spec.get("damping") is None:
+            return signal_in_poles(problem, signal, until)
+        return RatedSignal(problem, signal, until)
+    except (*LOST, np.linalg.LinAlgError) as error:
+        raise DoesNotSettle("the reference does not settle: the poles of these members are not found",
+                            "leave this quantity out of the comparison") from error
 
 
-def _settled(along: SignalInPoles | RatedSignal, found: Callable[[int | None], Any], size: Any,
-             about: Any) -> TrueValues:
+def _settled(along: Any, t: Any, found: Callable[[int | None], Any], size: Any) -> TrueValues:
     """What all poles give, with as many digits as parts of them give, too."""
     while True:
         count, value = len(along.sources[0].p), found(None)
-        rounded, cut = along.left(), max(abs(found(count * p // q) - value) for p, q in TAKEN)
+        rounded, cut = along.left(t), max(abs(found(count * p // q) - value) for p, q in TAKEN)
         left = rounded + cut
         digits = DIGITS // 2 if not left else min(int(-mpmath.log10(left / size)), DIGITS // 2)
         if digits >= ENOUGH or cut <= rounded or along.many:
@@ -68,7 +70,7 @@ def _settled(along: SignalInPoles | RatedSignal, found: Callable[[int | None], A
     if digits < LEAST:
         raise DoesNotSettle(f"the reference does not settle: {LEAST} digits of it are not found by {count} poles",
                             "leave this quantity out of the comparison")
-    return TrueValues([value], digits, DIGITS, DIGITS, about)
+    return TrueValues([value], digits, DIGITS, DIGITS, size)
 
 
 def _sampled(along):

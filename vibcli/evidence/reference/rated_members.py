@@ -203,9 +203,15 @@ class RatedSignal:
         self.members, self.until = self._rated.members, until
         self.held, self.sources = self.members.held, self._rated.terms()
 
-    def left(self) -> Any:
-        """What rounding may leave of modes that few digits count of."""
-        return mpmath.mpf(float(self._rated.rest[2]))
+    def left(self, t: Any) -> Any:
+        """What rounding may leave of modes that few digits count of, as they have died out since the last change, and
+        the integral of what loads hold up."""
+        held = sum(abs(x) for part in self.sources for p, x in part.few if not mpmath.re(p))
+        since = min((float(t - part.start) for part in self.sources if t > part.start), default=0.0)
+        p, _, rounding = self._rated.rest
+        c = self._rated.damping.of(p.imag, np.arange(len(p)) + len(self._rated.few))
+        slowest = np.where(c < 2 * p.imag, c / 2, p.imag**2 / np.maximum(c, p.imag))
+        return mpmath.mpf(10) ** (LOST - REACH) * held + float((rounding * np.exp(-slowest * since)).sum())
 
     def at(self, t: Any, primes: int = 0, count: Any = None) -> Any:
         """y, or its rate, by all modes or fewer of those that few digits count of."""
