@@ -33,7 +33,7 @@ DIGITS = 80             # with which the first poles are found
 CIRCLE, GROWTH = 0.25, 30       # radius of a circle: of the distance to the next pole, of what e^{rt} becomes on it
 OCTAVES = 4             # between the places at which the sum is tested
 AT_FIRST, ALL = 1e-18, 1e-6     # how near it is to be at the first of them, and at the others, of what it is summed of
-MOST = 32               # blocks of poles
+MOST, WORK = 32, 1.2e8      # blocks of poles, and entries of matrices for them
 LAST = 16               # poles by which those beyond are judged
 
 
@@ -72,7 +72,8 @@ class SignalInPoles:
     """A signal up to an instant, at the working precision."""
 
     def __init__(self, members: StartedMembers, search: PoleSearch, until: Any):
-        self.members, self.held, self.until, self._blocks = members, members.held, until, 1
+        self.members, self.held, self.until = members, members.held, until
+        self._blocks, self._cost = 1, search.cost
         starts = [start for start, _ in sources(members, MemberImages(members, mpmath.mpc(1)))]
         self._residues = found = PoleResidues(
             members, search, lambda images: [one for _, one in sources(images.members, images)])
@@ -95,7 +96,7 @@ class SignalInPoles:
     @property
     def many(self) -> bool:
         """Are there as many as are worth their time?"""
-        return self._blocks >= MOST
+        return self._blocks >= MOST or 2 * self._blocks * self._cost > WORK
 
     def left(self, t: Any) -> Any:
         """What rounding may leave of those that few digits count of: of their residues, and of p t."""

@@ -89,6 +89,13 @@ class PoleSearch:
         self._pieces = [placed.piece for placed in self.members.elements.pieces]
         self._known: dict[int, NearPoles] = {}
 
+    @property
+    def cost(self) -> int:
+        """Of a block, in entries of matrices."""
+        elements = self.members.elements
+        size = elements.n + sum(piece.order for piece in self._pieces)
+        return BLOCK * size**2 * (FINE + 4 * (LAST + STEPS * (PARTS - 1) * bool(elements.damps)))
+
     def waves(self, omega: np.ndarray) -> np.ndarray:
         """How many half waves fit into the pieces: about as many frequencies are below."""
         images = MemberImages(self._plain, 1j * omega, np)
