@@ -39,6 +39,7 @@ def turned(t, zeta=0):
 @pytest.mark.parametrize(("more", "rest", "quantity", "exact"), [
     ("", FIELD, "bridge.u(1.5 m)(0 s)", lambda: mpmath.mpf("0.001")),
     ("", FIELD, "bridge.u(1.5 m)(70 ms)", lambda: turned(mpmath.mpf("0.07")) / 1000),
+    ("", FIELD, "bridge.u(1.5 m)(20 s)", lambda: turned(mpmath.mpf(20)) / 1000),
     ("", FIELD, "bridge.moment(1.5 m)(70 ms)", lambda: -40 * turned(mpmath.mpf("0.07")) * (mpmath.pi / 3) ** 2),
     (DAMPED, FIELD, "bridge.u(0.75 m)(70 ms)", lambda: turned(mpmath.mpf("0.07"), 1) / 1000 / mpmath.sqrt(2)),
     ("", FIELD + RATED, "bridge.u(0.75 m)(70 ms)", lambda: turned(mpmath.mpf("0.07"), 1) / 1000 / mpmath.sqrt(2)),

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 DIGITS = 80             # with which the first poles are found
-CIRCLE, GROWTH = 0.25, 30       # radius of a circle: of the distance to the next pole, of what e^{rt} becomes on it
+CIRCLE, GROWTH = 0.25, 10       # radius of a circle: of the distance to the next pole, of what e^{rt} becomes on it
 OCTAVES = 4             # between the places at which the sum is tested
 AT_FIRST, ALL = 1e-18, 1e-6     # how near it is to be at the first of them, and at the others, of what it is summed of
 MOST, WORK = 32, 1.2e8      # blocks of poles, and entries of matrices for them
@@ -112,6 +112,8 @@ class SignalInPoles:
             others = [abs(p - centre) for p in (*poles, *map(mpmath.conj, poles), *rates) if p != centre]
             radius = min(CIRCLE * min(others), GROWTH / self.until)
             points = 4 * int(mpmath.mp.dps / mpmath.log10(min(others) / radius) / 4 + 1)
+            while (radius * self.until) ** points / mpmath.factorial(points) > mpmath.eps:     # of e^{sτ}
+                points += 4
             for m in range(points if mpmath.im(centre) else points // 2):
                 s = centre + radius * mpmath.expjpi(mpmath.mpf(2 * m + 1) / points)
                 found.append((s, [x * (s - centre) / points for x in self._residues.images(s)]))

@@ -12,6 +12,7 @@ from vibcli.evidence.reference.member_poles import PoleSearch, in_floats
 from vibcli.evidence.reference.member_starts import StartedMembers
 
 LARGE, MANY = 1e-22, 150    # rounding, of the largest residue, with which these need all digits, and how many may
+FEWEST, WORK = 8, 2e5       # of them in any case, and products that eliminations may take
 SECANTS = 8
 CLOSE = 1e-25           # distance of places at which residues are read, relative
 
@@ -23,7 +24,8 @@ class PoleResidues:
         self.members, self._search, self._sources, self._floats = members, search, sources, in_floats(members)
         p, c, rounding = self.block(0)
         large = np.flatnonzero((rounding > LARGE * np.abs(c).max(axis=1, keepdims=True)).any(axis=0))
-        first = min(int(large[-1]) + 1 if len(large) else 1, MANY)
+        size = MemberImages(members, mpmath.mpc(1)).size
+        first = min(int(large[-1]) + 1 if len(large) else 1, MANY, max(FEWEST, int(WORK / size**3)))
         self.few = [self._exact(exactly(x.real) + 1j * exactly(x.imag)) for x in p[:first]]
         self.rest = p[first:], c[:, first:], rounding[:, first:].sum(axis=0)
 
