@@ -52,10 +52,17 @@ def first_top(curve: "Callable[[np.ndarray], np.ndarray]", cells: np.ndarray, to
     best = order[np.append(True, np.diff(number[order]) > 0)]           # the best of each run
     likely = best[(tops + room)[best] >= tops.max()][:RUNS]
     chosen = np.union1d(likely, best[np.argsort(-tops[best])[:TOPS]])
-    times = np.array([top_between(curve, low, high) for low, high in cells[chosen]])
+    times = np.array([top_between(curve, *_about(cells, number, i)) for i in chosen])
     found = curve(times)
     first = int(np.argmax(found >= found.max() - LEVEL * np.abs(found).max()))
     return float(times[first]), float(found[first])
+
+
+def _about(cells, number, i):
+    """From where to where a top is looked for: in a cell and those beside it in its run, as the highest end is one of
+    two cells."""
+    ends = [k for k in (i - 1, i + 1) if 0 <= k < len(cells) and number[k] == number[i]]
+    return min(cells[k, 0] for k in (i, *ends)), max(cells[k, 1] for k in (i, *ends))
 
 
 def candidates(motion: "ModalMotion", output: "LinearOutput", start: float, end: float, sense: int) -> np.ndarray:

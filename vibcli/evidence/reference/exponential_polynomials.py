@@ -29,13 +29,18 @@ MOST = 400              # half turns of square waves
 REFUSED = "a reference in time is found of what sums, products, sines, exponentials and steps are made of alone"
 
 
+def is_some(x: Any) -> bool:
+    """Is a number other than zero, or one of an array?"""
+    return bool(x.any() if hasattr(x, "any") else x)
+
+
 class ExponentialPolynomial:
     """Σ c tᵖ e^{λt}; terms: {(λ, p): c}."""
 
     __slots__ = ("terms",)
 
     def __init__(self, terms: "Mapping[tuple[Any, int], Any]"):
-        self.terms = {key: c for key, c in terms.items() if c}
+        self.terms = {key: c for key, c in terms.items() if is_some(c)}
 
     def __add__(self, other: Any) -> "ExponentialPolynomial":
         found = dict(self.terms)
@@ -79,7 +84,7 @@ class ExponentialPolynomial:
 
     def image(self, s: Any) -> Any:
         """Its Laplace transform."""
-        return mpmath.fsum(c * factorial(power) / (s - rate) ** (power + 1) for (rate, power), c in self.terms.items())
+        return sum(c * factorial(power) / (s - rate) ** (power + 1) for (rate, power), c in self.terms.items())
 
     def line(self) -> tuple[Any, Any]:
         """(a, b) of a + b t; PhysicsError of what is none."""
@@ -93,7 +98,9 @@ NOTHING = ExponentialPolynomial({})
 
 
 def _terms(x):
-    return x.terms if isinstance(x, ExponentialPolynomial) else {(mpmath.mpc(0), 0): mpmath.mpc(x)}
+    if isinstance(x, ExponentialPolynomial):
+        return x.terms
+    return {(0j, 0): x} if hasattr(x, "dtype") else {(mpmath.mpc(0), 0): mpmath.mpc(x)}
 
 
 class EvenStretch(NamedTuple):

@@ -6,6 +6,7 @@ Y_D the image of what comes with the delay D. Outside of a circle about all that
 coefficients are means over a larger circle; each sum over j is a function without a singular place.
 """
 
+from collections.abc import Iterator
 from heapq import heappop, heappush
 from itertools import count, pairwise
 from typing import TYPE_CHECKING, Any
@@ -95,12 +96,10 @@ class SignalInFronts:
 
 
 def in_fronts(problem: "Problem", signal: str, until: Any) -> SignalInFronts:
-    """A signal up to an instant, at the working precision; PhysicsError of beams and at the start."""
-    if not until:
-        raise PhysicsError("no reference by fronts is found at the start, when none has set out")
+    """A signal up to an instant, at the working precision."""
     members = started_members(problem, signal, until)
-    if any(placed.piece.order == 4 or not placed.piece.inertia for placed in members.elements.pieces):
-        raise PhysicsError("no reference by fronts is found of beams, or of members without inertia")
+    if not all(placed.piece.inertia for placed in members.elements.pieces):
+        raise PhysicsError("no reference by fronts is found of members without inertia")
     until = mpmath.mpf(until)
     points = 1 << (2 * mpmath.mp.dps - 1).bit_length()
     radius = points / (4 * until)
@@ -141,7 +140,7 @@ def _images(members, s, until):
     images, found = MemberImages(members, s), {}
     inverse, unit = images.A ** -1, 10**SAME / until
     delays = [delay(placed.piece) for placed in members.elements.pieces]
-    for start, (right, fields) in _sources(members, images):
+    for start, (right, fields) in sources(members, images):
         order, least = count(), mpmath.mpf(10) ** (-0.9 * mpmath.mp.dps) * max(map(abs, right))
         pending = [(start, next(order), right, fields)]
         while pending:
@@ -166,7 +165,7 @@ def _images(members, s, until):
     return found
 
 
-def _sources(members: StartedMembers, images):
+def sources(members: StartedMembers, images: MemberImages) -> "Iterator[tuple[Any, tuple[list, list]]]":
     """[(instant, (right side, fields))] of the start, and of all instants at which what moves the inputs changes."""
     yield mpmath.mpf(0), images.started()
     changes: dict[Any, dict] = {}
@@ -184,6 +183,9 @@ def at_instant(problem: "Problem", signal: str, t: Any) -> TrueValues:
     """The value of a signal at t(), an instant; about: its largest size until then."""
     def found():
         until = t()
+        if not until:
+            value = started_members(problem, signal, until).at_first()
+            return [value], abs(value) or mpmath.mpf(1)
         along = in_fronts(problem, signal, until * (1 + mpmath.mpf(2) ** -20))
         value, size = along.value(until), max(abs(y) for _, y, _, _ in along.sampled(FEW))
         return [value if abs(value) > mpmath.mpf(10) ** -DIGITS * size else mpmath.mpf(0)], size

@@ -14,7 +14,7 @@ from typing import Any
 import mpmath
 
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.evidence.reference.exponential_polynomials import NOTHING, ExponentialPolynomial
+from vibcli.evidence.reference.exponential_polynomials import NOTHING, ExponentialPolynomial, is_some
 from vibcli.evidence.reference.member_starts import StartedMembers
 from vibcli.evidence.reference.members import at_ends
 from vibcli.numerics.pieces.piece import Piece
@@ -29,26 +29,26 @@ class RunningPart(NamedTuple):
     rest: Any
 
 
-def wave_numbers(piece: Piece, s: Any) -> list:
-    """kⱼ with Re k ≥ 0 where s is to the right of all that vibrates."""
-    kappa = piece.reaction(s)
+def wave_numbers(piece: Piece, s: Any, numbers: Any = mpmath) -> list:
+    """kⱼ with Re k ≥ 0 where s is to the right of all that vibrates; of beams without a jump about imaginary s."""
+    kappa, sqrt = piece.reaction(s), numbers.sqrt
     if piece.order == 2:
-        return [s * mpmath.sqrt(kappa / (piece.tension * s * s))]
-    N, root = piece.tension, mpmath.sqrt(piece.tension**2 - 4 * piece.bending * kappa)
-    return [mpmath.sqrt((N + sign * root) / (2 * piece.bending)) for sign in (1, -1)]
+        return [s * sqrt(kappa / (piece.tension * s * s))]
+    N, root = piece.tension, sqrt(piece.tension**2 - 4 * piece.bending * kappa)
+    return [sqrt((N + root) / (2 * piece.bending)), 1j * sqrt((root - N) / (2 * piece.bending))]
 
 
-def delay(piece: Piece) -> Any:
+def delay(piece: Piece, numbers: Any = mpmath) -> Any:
     """Of a wave along it."""
-    return piece.length * mpmath.sqrt(piece.inertia / piece.tension)
+    return piece.length * numbers.sqrt(piece.inertia / piece.tension)
 
 
 class MemberImages:
     """The equations of StartedMembers at s: those without what has run along pieces, and RunningParts."""
 
-    def __init__(self, members: StartedMembers, s: Any):
-        self.members, self.s, elements = members, s, members.elements
-        self.waves = [wave_numbers(placed.piece, s) for placed in elements.pieces]
+    def __init__(self, members: StartedMembers, s: Any, numbers: Any = mpmath):
+        self.members, self.s, self.numbers, elements = members, s, numbers, members.elements
+        self.waves = [wave_numbers(placed.piece, s, numbers) for placed in elements.pieces]
         self.columns, size = [], elements.n
         for placed in elements.pieces:
             self.columns.append(size)
@@ -56,36 +56,54 @@ class MemberImages:
         self.lumped = elements.with_parts(pieces=()).matrices()
         self.given = range(members.n, members.end)
         M, C, G, K = self.lumped
-        self.A = mpmath.zeros(size, size)
+        self.size, self.entries = size, {}
         for part, factor in ((K, 1), (M, s * s), (C, s), (G, s)):
-            for (i, j), x in part.items():
-                self.A[i, j] += factor * x
+            self._put({pair: factor * x for pair, x in part.items()})
         self.running: list[RunningPart] = []
         for number in range(len(elements.pieces)):
             self._add(number)
-        for i in self.given:
-            for j in range(size):
-                self.A[i, j] = mpmath.mpf(int(i == j))
+        self.entries = {pair: x for pair, x in self.entries.items() if pair[0] not in self.given}
+        self._put(dict.fromkeys(zip(self.given, self.given, strict=True), 1))
+
+    def _put(self, entries):
+        for pair, x in entries.items():
+            self.entries[pair] = self.entries.get(pair, 0) + x
+
+    @property
+    def A(self) -> Any:
+        """The matrix of the equations without what has run along pieces."""
+        found = mpmath.zeros(self.size, self.size)
+        for pair, x in self.entries.items():
+            found[pair] = x
+        return found
+
+    def whole(self) -> dict[tuple[int, int], Any]:
+        """{(i, j): number} of the equations with what has run along pieces, from whatever time on."""
+        found = dict(self.entries)
+        for part in self.running:
+            piece = self.members.elements.pieces[part.piece].piece
+            late = self.numbers.exp(-self.s * delay(piece, self.numbers)) if piece.order == 2 else 1
+            for pair, x in part.entries.items():
+                found[pair] = found.get(pair, 0) + x * part.rest * late
+        return found
 
     def _add(self, number):
         placed, waves, column = self.members.elements.pieces[number], self.waves[number], self.columns[number]
         piece, none = placed.piece, [0] * len(waves)
         begin = [[x for k in waves for x in ((-k) ** m, 0)] for m in range(4)]
         end = [[x for k in waves for x in (0, k**m)] for m in range(4)]
-        for (i, j), x in self._ends(placed, column, at_ends(piece, begin, end)).items():
-            self.A[i, j] += x
+        self._put(self._ends(placed, column, at_ends(piece, begin, end)))
         for place, row in enumerate(placed.rows):
-            for i, x in row.items():
-                self.A[column + place, i] -= x
+            self._put({(column + place, i): -x for i, x in row.items()})
         for j, k in enumerate(waves):
             def only(pair, j=j):
                 return [*none[:j], *none[:j], *pair, *none[j + 1:], *none[j + 1:]]
 
             begin, end = ([only((0, k**m)) for m in range(4)], [only(((-k) ** m, 0)) for m in range(4)])
-            late = k * piece.length - (self.s * delay(piece) if piece.order == 2 else 0)
+            late = k * piece.length - (self.s * delay(piece, self.numbers) if piece.order == 2 else 0)
             self.running.append(RunningPart(number, {pair: x for pair, x in self._ends(
-                placed, column, at_ends(piece, begin, end)).items() if x and pair[0] not in self.given},
-                mpmath.exp(-late)))
+                placed, column, at_ends(piece, begin, end)).items() if is_some(x) and pair[0] not in self.given},
+                self.numbers.exp(-late)))
 
     def _ends(self, placed, column, ends):
         """{(i, j): what fields do to equations of ends and of coordinates} of (displacements, forces) at ends."""
@@ -100,7 +118,7 @@ class MemberImages:
     def started(self) -> tuple[list, list]:
         """(right sides, uₚ of each piece) of what it starts with."""
         s, elements = self.s, self.members.elements
-        right, (q, v), (M, C, G, _) = [mpmath.mpc(0)] * self.A.rows, self.members.start, self.lumped
+        right, (q, v), (M, C, G, _) = [0] * self.size, self.members.start, self.lumped
         for part, values in ((M, [s * x + y for x, y in zip(q, v, strict=True)]), (C, q), (G, q)):
             for (i, j), x in part.items():
                 right[i] += x * values[j]
@@ -114,18 +132,19 @@ class MemberImages:
         fields = [sum((part.along * images[part.input] for part in self.members.spread
                        if part.piece == number and part.input in images), NOTHING)
                   for number in range(len(self.waves))]
-        return self._with_fields([mpmath.mpc(0)] * self.A.rows, [
+        return self._with_fields([0] * self.size, [
             _particular(placed.piece, self.s, f) for placed, f in zip(
                 self.members.elements.pieces, fields, strict=True)], images)
 
     def _with_fields(self, right, fields, images):
         for placed, column, field in zip(self.members.elements.pieces, self.columns, fields, strict=True):
             if field.terms:
-                begin, end = ([[x] for x in slopes_at(field, place)] for place in (0, placed.piece.length))
+                begin, end = ([[x] for x in slopes_at(field, place, self.numbers)]
+                              for place in (0, placed.piece.length))
                 for (i, _), x in self._ends(placed, column, at_ends(placed.piece, begin, end)).items():
                     right[i] -= x
         for i in self.given:
-            right[i] = images.get(i, mpmath.mpc(0))
+            right[i] = images.get(i, 0)
         return right, fields
 
     def along(self, column_values: Any, field: ExponentialPolynomial) -> list[tuple[Any, Any]]:
@@ -133,27 +152,32 @@ class MemberImages:
         members, s = self.members, self.s
         if members.place is None:
             row = members.row
-            return [(mpmath.mpf(0), mpmath.fsum(s**power * x * column_values[i] for power, part in enumerate(
+            return [(0, sum(s**power * x * column_values[i] for power, part in enumerate(
                 (row.q, row.v, row.a)) for i, x in part.items()))]
         place = members.place
         piece, column = members.elements.pieces[place.piece].piece, self.columns[place.piece]
         factor, found = s**place.primes * place.factor, []
         for j, k in enumerate(self.waves[place.piece]):
             for which, share, sign in ((0, place.share, -1), (1, 1 - place.share, 1)):
-                late = share * delay(piece) if piece.order == 2 else mpmath.mpf(0)
+                late = share * delay(piece, self.numbers) if piece.order == 2 else 0
                 found.append((late, factor * (sign * k) ** place.order * column_values[column + 2 * j + which]
-                              * mpmath.exp(s * late - k * share * piece.length)))
+                              * self.numbers.exp(s * late - k * share * piece.length)))
         if field.terms:
-            x = slopes_at(field, place.share * piece.length)[place.order]
-            found.append((mpmath.mpf(0), factor * x))
+            x = slopes_at(field, place.share * piece.length, self.numbers)[place.order]
+            found.append((0, factor * x))
         return found
 
+    def signal(self, column_values: Any, fields: Any = None) -> Any:
+        """The image of the signal by what the whole equations have for unknowns, counted from `held`."""
+        field = NOTHING if fields is None or self.members.place is None else fields[self.members.place.piece]
+        return sum(x * self.numbers.exp(-self.s * late) if late else x for late, x in self.along(column_values, field))
 
-def slopes_at(field: ExponentialPolynomial, x: Any) -> list:
+
+def slopes_at(field: ExponentialPolynomial, x: Any, numbers: Any = mpmath) -> list:
     """[u, u′, u″, u‴] at a place, complex numbers."""
     found = []
     for _ in range(4):
-        found.append(mpmath.fsum(c * x**power * mpmath.exp(rate * x) for (rate, power), c in field.terms.items()))
+        found.append(sum(c * x**power * numbers.exp(rate * x) for (rate, power), c in field.terms.items()))
         field = field.rate()
     return found
 

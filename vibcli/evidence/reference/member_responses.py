@@ -91,13 +91,15 @@ class DrivenMembers(NamedTuple):
         return [*terms, derivatives(part, z, s, None, load)[order]] if any(load) else terms
 
 
-def driven_members(problem: "Problem", signal: str, about: PreciseConfiguration | None = None) -> DrivenMembers:
+def driven_members(problem: "Problem", signal: str, about: PreciseConfiguration | None = None,
+                   resting: bool = False) -> DrivenMembers:
     """Those of a scene that lead to a signal, at the working precision, about another configuration perhaps;
-    PhysicsError of members that lose energy in their material."""
+    PhysicsError of members that lose energy in their material, unless all is at rest."""
     configuration = about or PreciseConfiguration(problem.configuration)
     opened, place = configuration.with_inputs, place_output(configuration, signal)
     require_plain(opened.elements)
-    if problem.spec.get("damping") is not None or any(placed.retardation for placed in opened.elements.pieces):
+    if not resting and (problem.spec.get("damping") is not None or any(
+            placed.retardation for placed in opened.elements.pieces)):
         raise PhysicsError("no reference is found of responses of members that lose energy in their material, or by "
                            "`damping:`")
     row = None if place else linear_row(configuration, signal)

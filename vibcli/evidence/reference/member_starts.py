@@ -52,6 +52,19 @@ class StartedMembers(NamedTuple):
     place: PlaceOutput | None
     held: Any
 
+    def at_first(self) -> Any:
+        """The signal at t = 0; PhysicsError of accelerations and of what is made of them."""
+        row, place, total = self.row, self.place, self.held
+        if place is not None and place.primes < 2:
+            field = self.fields[place.piece][place.primes]
+            for _ in range(place.order):
+                field = field.rate()
+            return total + place.factor * field.at(place.share * self.elements.pieces[place.piece].piece.length)
+        if row is None or any(row.a.values()):
+            raise PhysicsError("no reference is found of this signal at its start")
+        return total + mpmath.fsum(x * values[i] for part, values in zip((row.q, row.v), self.start, strict=True)
+                                   for i, x in part.items())
+
 
 def started_members(problem: "Problem", signal: str, until: Any) -> StartedMembers:
     """Those of a scene, and a signal of them, up to an instant; PhysicsError of what is not found of them."""
@@ -63,7 +76,7 @@ def started_members(problem: "Problem", signal: str, until: Any) -> StartedMembe
     row = None if place else linear_row(configuration, signal)
     if row is not None and row.time:
         raise PhysicsError("no reference is found of signals of scenes with members that loads enter themselves")
-    moves = _inputs(problem, opened, mpmath.mpf(until))
+    moves = _inputs(problem, opened, mpmath.mpf(until or 1))
     spread = [part for i, one in enumerate(opened.scene.inputs.values(), opened.n) if one.spread is not None
               for part in _spread(opened, opened.scene.spread_forces[one.spread], i)]
     elements, cuts, fields = _with_fields(problem, opened)
@@ -74,7 +87,7 @@ def started_members(problem: "Problem", signal: str, until: Any) -> StartedMembe
     if near.preloaded is not None:
         from vibcli.evidence.reference.member_responses import driven_members
 
-        held, _ = driven_members(problem, signal, configuration).at(0, {
+        held, _ = driven_members(problem, signal, configuration, True).at(0, {
             i: -one[0].function.at(0) for i, one in moves.items() if _lets_go(problem, opened, i)})
     start = _start(problem, opened, elements, fields, moves)
     return StartedMembers(elements, opened.n, opened.elements.n, moves, spread, start, fields, row, place,

@@ -11,6 +11,7 @@ import mpmath
 
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
+from vibcli.evidence.reference import rated_members
 from vibcli.evidence.reference.member_responses import driven_members
 from vibcli.evidence.reference.members import START
 from vibcli.evidence.reference.settled import DIGITS, TrueValues, settled
@@ -21,6 +22,7 @@ from vibcli.mechanics.precise_configuration import PreciseConfiguration
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
+_READ = {"amplitude": abs, "phase": lambda X: -mpmath.arg(mpmath.mpc(0, 1) * X)}
 NOTHING = 8             # beyond half of the working digits a wave is rounding
 
 
@@ -56,12 +58,22 @@ def given_inputs(problem: "Problem") -> GivenInputs:
     return GivenInputs(problem, list(nodes), waves(list(nodes.values()), scene))
 
 
-def phasor(given: GivenInputs, signal: str) -> tuple[Any, Any, Any]:
-    """(X of a signal, Ω, the size of what X is summed of) at the working precision; PhysicsError of several Ω."""
+def of_rated(given: GivenInputs, signal: str, head: str) -> TrueValues:
+    """The amplitude or lag of a signal of members that `damping:` damps."""
+    return rated_members.at_frequency(given.problem, signal, lambda: _only(given)[0], lambda: _only(given)[1],
+                                      _READ[head])
+
+
+def _only(given):
     every = given.phasors()
     if len(every) != 1:
         raise PhysicsError("a reference of steady states of members is found of loads of one frequency")
-    (Omega, inputs), = every
+    return every[0]
+
+
+def phasor(given: GivenInputs, signal: str) -> tuple[Any, Any, Any]:
+    """(X of a signal, Ω, the size of what X is summed of) at the working precision; PhysicsError of several Ω."""
+    Omega, inputs = _only(given)
     X, size = driven_members(given.problem, signal).at(Omega, inputs)
     return (X if abs(X) > mpmath.mpf(10) ** (NOTHING - mpmath.mp.dps // 2) * size else mpmath.mpc(0)), Omega, size
 
@@ -70,6 +82,6 @@ def of_wave(given: GivenInputs, signal: str, head: str) -> TrueValues:
     """The amplitude |X| of a signal, or the lag θ of X sin(Ωt − θ), −π < θ ≤ π."""
     def found():
         X, _, _ = phasor(given, signal)
-        return [abs(X) if head == "amplitude" else -mpmath.arg(mpmath.mpc(0, 1) * X)], None
+        return [_READ[head](X)], None
 
     return settled(found, DIGITS, START)

@@ -7,7 +7,7 @@ import mpmath
 
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.reference import frequency_response as reference
-from vibcli.evidence.reference import member_responses
+from vibcli.evidence.reference import member_responses, rated_members
 from vibcli.evidence.reference.settled import relative_error
 from vibcli.evidence.subject import ALONE, MethodAnswer, Subject
 from vibcli.quantities.cycle_count import counts_cycles
@@ -36,7 +36,11 @@ def at_frequency(problem: "Problem", tree: QuantityRef) -> Subject:
     (signal, driver), value = tree.indices, number_of(problem, tree.args[0])
     read: Callable = abs if tree.head == "transmissibility" else complex
     data: tuple
-    if problem.configuration.linear_system.pieces:
+    if problem.configuration.linear_system.pieces and problem.spec.get("damping") is not None:
+        kind, data = "member motion", ()
+        true = rated_members.at_frequency(problem, signal, Omega,
+                                          lambda: member_responses.given_by(problem, driver)(Omega()), mpmath.mpc)
+    elif problem.configuration.linear_system.pieces:
         kind, true = "member response", member_responses.value(problem, signal, driver, Omega)
         with mpmath.workdps(30):
             data = member_responses.in_floats(member_responses.driven_members(problem, signal)), {

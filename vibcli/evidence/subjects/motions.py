@@ -7,7 +7,7 @@ import numpy as np
 
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.plain_equations import plain_equations
-from vibcli.evidence.reference import member_fronts, periodic, swings
+from vibcli.evidence.reference import member_fronts, member_vibrations, periodic, swings
 from vibcli.evidence.reference import motion as reference
 from vibcli.evidence.reference.outputs import signal
 from vibcli.evidence.reference.taylor_steps import TakesMinutes
@@ -62,14 +62,15 @@ def of_member_motion(problem: "Problem", tree: QuantityRef) -> Subject:
     of = tree.args[0]
     if not isinstance(of, NameRef) or tree.head not in (*SENSES, "value"):
         raise PhysicsError("of motions of members a reference is found of values and extremes of single signals")
-    if problem.spec.get("damping") is not None:
-        raise PhysicsError("no reference is found of motions of members that `damping:` damps")
     name = of.name + "'" * of.primes
+    bends = problem.spec.get("damping") is not None or any(
+        placed.piece.order == 4 for placed in problem.configuration.linear_system.pieces)
     if tree.head == "value":
-        true = member_fronts.at_instant(problem, name, exact(problem, tree.args[1]))
+        true = (member_vibrations.at_instant if bends else member_fronts.at_instant)(
+            problem, name, exact(problem, tree.args[1]))
     else:
-        true = member_fronts.extremes(problem, name, problem.response.until, SENSES[tree.head],
-                                      tree.head.startswith("arg"))
+        true = (member_vibrations.extremes if bends else member_fronts.extremes)(
+            problem, name, problem.response.until, SENSES[tree.head], tree.head.startswith("arg"))
     return of_signal("member motion", problem, tree, f"of {problem.response.words}", true, None)
 
 
