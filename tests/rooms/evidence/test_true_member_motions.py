@@ -5,7 +5,6 @@ import mpmath
 import pytest
 from support.scenes import problem
 
-from vibcli.base.errors import PhysicsError
 from vibcli.evidence.reference import member_fronts
 from vibcli.evidence.subjects.motions import of_member_motion
 
