@@ -146,7 +146,7 @@ class ModalSignal(Signal):
 def by_waves(signal: Signal, asked: tuple, t: float) -> Signal:
     """The same by waves where these are followed up to an instant."""
     found = asked[0].by_waves(asked[1], t) if asked else None
-    return signal if found is None else found
+    return signal if found is None else found.read_at(t)
 
 
 def without_bound() -> NoBound:
