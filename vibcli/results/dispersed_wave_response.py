@@ -65,7 +65,7 @@ class DispersedWaveResponse(WaveResponse):
         from vibcli.results.boundless_signal import BoundlessSignal
 
         try:
-            self.reach(self.until)
+            self.alone.search(self.until)
             found = self._linear(constant, terms)
         except NotByWaves:
             return None

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 
 PLACES, PACE, WIDE = 32, 2.0, 16.0      # of Gauss's rule; of panels, times their fastest rate, and times σ²t
 MOST = 25_000       # panels of τ times those of T
+SEARCHED = 60_000   # the same times fronts that are looked at in turn
 AT_ONCE = 512       # places of τ
 ROUNDED = 64.0      # how often a term is rounded
 SMALL = 1e-200      # z² of a front
@@ -47,12 +48,25 @@ class DispersedMotion:
 
     def reach(self, until: float) -> None:
         """Follow the waves up to an instant; NotByWaves where fronts or panels are too many."""
-        for motion, channel in self.waves if until > self._reached else ():
-            starts, pace = self._load(motion, channel, until)
-            panels = 1 + len(starts) + until * self._panels(pace, until)
-            motion.march.require_few(until, int(MOST / panels - panels))
+        for motion, panels in self._panels_of(until) if until > self._reached else ():
+            most = int(MOST / panels - panels)
+            if most < 1:
+                raise NotByWaves("waves that a drag or a foundation disperses are not followed for so long",
+                                 "ask for an earlier instant")
+            motion.march.require_few(until, most)
             motion.march.reach(until)
         self._reached = max(until, self._reached)
+
+    def search(self, until: float) -> None:
+        """NotByWaves where an output is not looked at in all of the time up to an instant: from front to front."""
+        for motion, panels in self._panels_of(until):
+            motion.march.require_few(until, int(((panels**2 + 4 * SEARCHED / panels) ** 0.5 - panels) / 2))
+
+    def _panels_of(self, until):
+        """(WaveMotion, how many panels there are) of each load."""
+        for motion, channel in self.waves:
+            starts, pace = self._load(motion, channel, until)
+            yield motion, 1 + len(starts) + until * self._panels(pace, until)
 
     def values(self, output: LinearOutput, times: np.ndarray, order: int = 0, before: bool = False) -> np.ndarray:
         """The output at instants, of order 0 alone; at a front that after it, or before it."""
