@@ -34,6 +34,8 @@ class DispersedWaveResponse(WaveResponse):
 
         found = [(under((Wave(channel, 1.0, 0, 0j),), 0 * q, None).under(forces), channel)
                  for channel, node in self._moving.items() if not node.is_zero]
+        if kappa and q.any() and None in self.fields:       # at rest on its foundation between its ends, not straight
+            raise _refusal()
         if q.any() or any(field is not None for field in self.fields):
             start = Forcing(1, [Segment(0.0, tuple(Wave(0, *wave) for wave in _letting_go(delta, kappa)))])
             found.append((under((), q, self.fields).under(start), 0))
