@@ -29,7 +29,10 @@ RESPONSE = [
          "by their first exact modes beside what loads do exactly: what is left out are free vibrations of higher "
          "modes, at most 2048 of a uniform beam being counted. Their bound is part of the error of each value: 1e-10 "
          "of the largest displacement of a beam where it is cheap, far more of moments, most of shears, which are "
-         "refused where the bound is infinite, as after a blow or a force that lets go where nothing has mass."),
+         "refused where the bound is infinite, as after a blow or a force that lets go where nothing has mass. For "
+         "bars, shafts and strings with drag and foundation in proportion to their mass, beside which nothing has mass "
+         "or dampers, values at instants, and forces for which modes know no bound, are integrals over the waves "
+         "without both instead, exact but for rounding, as long as fronts stay few."),
         ("damped modes", "Where dampers, or drag that differs by mass from place to place, couple the modes of "
          "members, the same sum runs over damped modes, each with its own complex frequency, as many of them as the "
          "argument principle counts in a circle. A mode that is damped critically is refused, and a damper of "

@@ -23,7 +23,7 @@ def members_in_time(problem: "Problem") -> "SmallResponse":
     try:
         waves.alone  # noqa: B018 - is its motion one of waves?
     except NotByWaves:
-        return _by_modes(problem)
+        return _by_modes(problem, _dispersed(problem))
     try:
         if waves.ends or waves.drawn_out:
             waves.reach(waves.until)
@@ -31,6 +31,18 @@ def members_in_time(problem: "Problem") -> "SmallResponse":
         found = _by_modes(problem, waves)
         return waves if found.KIND == "steady" else found
     return waves
+
+
+def _dispersed(problem):
+    """The response of which instants are read where drag or a foundation disperses waves; None of all else."""
+    from vibcli.results.dispersed_wave_response import DispersedWaveResponse
+
+    found = DispersedWaveResponse(problem)
+    try:
+        found.alone  # noqa: B018 - does it have such a motion?
+    except NotByWaves:
+        return None
+    return found
 
 
 def _by_modes(problem, waves=None):

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from vibcli.mechanics.factored_system import FactoredSystem
     from vibcli.results.part_of_members import PartOfMembers
     from vibcli.results.signal import Signal
+    from vibcli.results.wave_response import WaveResponse
     from vibcli.symbolic.node import Node
 
 FIRST = 128         # modes
@@ -29,6 +30,7 @@ class ModalResponse(ResponseOfMembers):
 
     KIND, WORDS = "modes", "small oscillations about the equilibrium, by modes"
     _first = FIRST      # so many are counted at first
+    _waves: "WaveResponse | None"
 
     def __init__(self, problem: Any, waves: Any = None, part: "PartOfMembers | None" = None):
         super().__init__(problem, waves, part)
@@ -282,7 +284,9 @@ class ModalResponse(ResponseOfMembers):
         from vibcli.results.modal_signals import ModalSignal
 
         motion, output = self._driven(constant, terms)
-        return ModalSignal(enough(self, motion, output), output, source, partial(finest, self))
+        told = self._waves is None or not source or motion.is_bounded(output, self.until)
+        found = None if told else self._waves.without_bound(constant, terms, motion, source)
+        return found or ModalSignal(enough(self, motion, output), output, source, partial(finest, self))
 
     def _composed(self, node, parts, source=()):
         return self.composed_of({symbol.name: self._one(part) for symbol, part in parts.items()}, node, source)

@@ -38,11 +38,14 @@ class ModalSignal(Signal):
     def coarse(self) -> Signal:
         return ModalSignal(self.modal, self.reads, self.asked)
 
-    def beside(self, shift: float, constant: float) -> "ModalSignal":
+    def beside(self, shift: float, constant: float) -> Signal:
         """The same so far to the right on its piece, by as many modes; constant: what it is at rest there."""
+        return ModalSignal(self.modal, self.shifted(shift, constant))
+
+    def shifted(self, shift: float, constant: float) -> "LinearOutput":
+        """What it reads, so far to the right."""
         (point, factor), = self.reads.places.items()
-        there = point._replace(x=point.x + shift)
-        return ModalSignal(self.modal, self.reads._replace(constant=constant, places={there: factor}))
+        return self.reads._replace(constant=constant, places={point._replace(x=point.x + shift): factor})
 
     def values(self, times: "np.ndarray", order: int = 0) -> "np.ndarray":
         self.require_bound(float(max(times, default=0.0)) if hasattr(times, "__len__") else float(times), order)
@@ -146,7 +149,7 @@ class ModalSignal(Signal):
 def by_waves(signal: Signal, asked: tuple, t: float) -> Signal:
     """The same by waves where these are followed up to an instant."""
     found = asked[0].by_waves(asked[1], t) if asked else None
-    return signal if found is None else found
+    return signal if found is None else found.read_at(t)
 
 
 def without_bound() -> NoBound:

@@ -25,20 +25,21 @@ FEW = 1_000     # fronts of what modes tell too
 
 
 class PartedResponse(ResponseOfMembers):
-    """Small oscillations about the equilibrium: of what waves travel through, and of the rest, each a response and what
-    an output reads of it. `waves`: what values at instants are read off as long as fronts stay few."""
+    """Small oscillations about the equilibrium: of what waves travel through, if they are `followed`, and of the rest,
+    each a response and what an output reads of it. `waves`: what values at instants are read off as long as fronts
+    stay few."""
 
     KIND = "parts"
     WORDS = "small oscillations about the equilibrium, by travelling waves where these keep their form, else by modes"
 
-    def __init__(self, whole: ModalResponse, first: "Followed", rest: "Followed",
+    def __init__(self, whole: ModalResponse, parts: "Sequence[Followed]", followed: WaveResponse | None = None,
                  waves: "PartedResponse | None" = None):
         super().__init__(whole.problem, waves)
-        self.whole, self.parts, self.estimated = whole, (first, rest), whole.estimated
+        self.whole, self.parts, self.followed, self.estimated = whole, parts, followed, whole.estimated
 
     @property
     def words(self) -> str:
-        return self.WORDS if self._waves is None else self.whole.words
+        return self.whole.words if self.followed is None else self.WORDS
 
     @property
     def alone(self) -> "ModalMotion | EstimatedMotion":
@@ -56,35 +57,43 @@ class PartedResponse(ResponseOfMembers):
 
     def reach(self, until: float) -> None:
         """Follow the waves up to an instant; NotByWaves where fronts are too many."""
-        self.parts[0][0].reach(until)
+        self.followed.reach(until)
 
     def instants(self, signals: "Sequence[Any]", points: int) -> "np.ndarray":
-        return self.parts[0][0].instants(signals, points)
+        return super().instants(signals, points) if self.followed is None else self.followed.instants(signals, points)
 
     def _linear(self, constant, terms, source=()):
         constant += sum(factor * output.constant for factor, (output, _) in terms)
-        (first, read), (rest, read_of_rest) = self.parts
-        here = [(factor, (read(output), None)) for factor, (output, _) in terms]
-        there = [(factor, (read_of_rest(output), node)) for factor, (output, node) in terms]
-        if not any(any(output[1:]) for _, (output, _) in here):
-            return rest._linear(constant, there, source)
-        if not any(node is not None or any(output[1:]) for _, (output, node) in there):
-            return first._linear(constant, here, source)
-        one, other = map(self.problem.scene.table.variable, ("signal of the first", "signal of the rest"))
-        return self.whole.composed_of({one.name: first._linear(constant, here, source),
-                                       other.name: rest._linear(0.0, there, source)}, one + other, source)
+        found = []
+        for number, (one, read) in enumerate(self.parts, 1):
+            own = [(factor, (read(output), node if number == len(self.parts) else None))
+                   for factor, (output, node) in terms]
+            if any(node is not None or any(output[1:]) for _, (output, node) in own):
+                found.append((one, own))
+        if len(found) < 2:
+            one, own = found[0] if found else (self.parts[-1][0], [])
+            return one._linear(constant, own, source)
+        symbols = [self.problem.scene.table.variable(f"signal of part {k}") for k in range(len(found))]
+        signals = {symbol.name: one._linear(0.0 if k else constant, own, source)
+                   for k, (symbol, (one, own)) in enumerate(zip(symbols, found, strict=True))}
+        return self.whole.composed_of(signals, sum(symbols[1:], symbols[0]), source)
 
     def _composed(self, node, parts, source=()):
         return self.whole.composed_of({symbol.name: self._one(part) for symbol, part in parts.items()}, node, source)
 
 
 def parted(whole: ModalResponse) -> ResponseOfMembers:
-    """The response whose parts that waves travel through are followed by these, or the whole where there are none."""
+    """The response whose parts that waves travel through are followed by these, and of parts with dampers each by its
+    own modes, or the whole where there are no such parts."""
     problem, (inside, outside) = whole.problem, _divided(whole)
-    if problem.spec.get("damping") is not None or not inside.pieces or not outside.pieces:
+    if problem.spec.get("damping") is not None or not outside or not (inside or (whole.estimated and outside[1:])):
         return whole
-    waves, rest = WaveResponse(problem, inside), (_by_own_modes(whole, outside), outside.read)
-    found = PartedResponse(whole, (waves, inside.read), rest)
+    rest = [(_by_own_modes(whole, part), part.read) for part in (outside if whole.estimated else [_joined(outside)])]
+    if not inside:
+        return PartedResponse(whole, rest)
+    together = _joined(inside)
+    waves = WaveResponse(problem, together)
+    found = PartedResponse(whole, [(waves, together.read), *rest], waves)
     try:
         march = waves.alone.march
     except NotByWaves:
@@ -92,7 +101,9 @@ def parted(whole: ModalResponse) -> ResponseOfMembers:
     try:
         march.require_few(found.until, FEW)
     except NotByWaves:
-        return PartedResponse(whole, (whole, inside.read_among_all), rest, found)
+        first = [(_by_own_modes(whole, part), part.read) for part in inside] if whole.estimated else [
+            (whole, together.read_among_all)]
+        return PartedResponse(whole, [*first, *rest], waves=found)
     return found
 
 
@@ -107,14 +118,24 @@ def _by_own_modes(whole, part):
 
 
 def _divided(whole):
-    """The part that waves travel through, and the rest."""
+    """The parts with pieces that waves travel through, and the others, coordinates of no piece among these."""
     from vibcli.analyses.continuous.uncoupled_parts import tied_parts
 
     parts = tied_parts(whole.matrices, [placed.rows for placed in whole.placed])
-    chosen = {number for number in set(parts.pieces)
-              if all(_travels(whole.placed[p]) for p, part in enumerate(parts.pieces) if part == number)}
-    return [PartOfMembers(*([i for i, part in enumerate(numbers) if (part in chosen) == within] for numbers in parts))
-            for within in (True, False)]
+    found = [], []
+    for number in sorted(set(parts.pieces)):
+        own = PartOfMembers(*([i for i, part in enumerate(numbers) if part == number] for numbers in parts))
+        found[not all(_travels(whole.placed[p]) for p in own.pieces)].append(own)
+    loose = PartOfMembers([i for i, part in enumerate(parts.coordinates) if part not in parts.pieces], [])
+    if loose.coordinates and found[1]:
+        found[1][0] = _joined([found[1][0], loose])
+    return found
+
+
+def _joined(parts):
+    """Several parts as one."""
+    return PartOfMembers(*(sorted(i for part in parts for i in numbers(part)) for numbers in (
+        lambda part: part.coordinates, lambda part: part.pieces)))
 
 
 def _travels(placed):

@@ -50,9 +50,9 @@ class ResponseOfMembers(SmallResponse):
             return None
         try:
             self._waves.reach(t)
+            return self._waves.signal(tree)
         except NotByWaves:
             return None
-        return self._waves.signal(tree)
 
     @property
     def start(self) -> tuple[dict[str, float], dict[str, float]]:

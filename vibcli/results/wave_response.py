@@ -3,6 +3,7 @@
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
 from vibcli.base.errors import PhysicsError
 from vibcli.results.response_of_members import ResponseOfMembers
 
@@ -11,6 +12,7 @@ if TYPE_CHECKING:
 
     import numpy as np
 
+    from vibcli.analyses.continuous.modal_motion import ModalMotion
     from vibcli.analyses.continuous.travelling_waves import WaveMotion
     from vibcli.results.modal_response import ModalResponse
     from vibcli.results.part_of_members import PartOfMembers
@@ -33,21 +35,27 @@ class WaveResponse(ResponseOfMembers):
     @cached_property
     def alone(self) -> "WaveMotion":
         """The WaveMotion under the excitation."""
-        from vibcli.analyses.continuous.travelling_waves import wave_motion
-        from vibcli.analyses.continuous.travelling_waves_loads import LoadAlong
-        from vibcli.analyses.continuous.travelling_waves_march import wave_piece
-        from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
-
         if self.problem.spec.get("damping") is not None:
             raise NotByWaves("damping that is given of modes acts on modes, not on travelling waves")
+        pieces = self._pieces(self.placed)
+        return self._followed(pieces, self._forces, self.deviations, self.fields)
+
+    def _pieces(self, placed):
+        """The WavePieces of PlacedPieces."""
+        from vibcli.analyses.continuous.travelling_waves_march import wave_piece
+
         numbered = self._numbered_ends
-        pieces = [wave_piece(placed, *(end[:2] for end in numbered[2 * k:2 * k + 2]))
-                  for k, placed in enumerate(self.placed)]
+        return [wave_piece(one, *(end[:2] for end in numbered[2 * k:2 * k + 2])) for k, one in enumerate(placed)]
+
+    def _followed(self, pieces, forces, start, fields):
+        """The WaveMotion of WavePieces under a Forcing from (q, v) and fields of pieces on."""
+        from vibcli.analyses.continuous.travelling_waves import wave_motion
+        from vibcli.analyses.continuous.travelling_waves_loads import LoadAlong
+
         first = self._numbered_loads
         loads = [[LoadAlong(form, first + k) for k, drive in enumerate(self.spread_drives[:len(self.spread_forces)])
-                  if (form := drive.on(placed)) is not None] for placed in self.placed]
-        return wave_motion(*self.matrices, pieces, self._forces, *self.deviations, self.fields, self.problem.work,
-                           loads)
+                  if (form := drive.on(one)) is not None] for one in self.placed]
+        return wave_motion(*self.matrices, pieces, forces, *start, fields, self.problem.work, loads)
 
     @property
     def _numbered_ends(self):
@@ -66,20 +74,26 @@ class WaveResponse(ResponseOfMembers):
         from vibcli.analyses.excitation.decompose import forcing_of
         from vibcli.notation.plain import plain
 
-        nodes = self.loads | {channel: node for _, channel, node in self._numbered_ends if channel is not None}
-        first = self._numbered_loads
-        nodes |= {first + k: force.weight for k, force in enumerate(self.spread_forces)}
-        return forcing_of(nodes, self.problem.scene.time, self.problem.numeric.floats, first + len(self.spread_forces),
-                          write=plain, work=self.problem.work)
+        return forcing_of(self._moving, self.problem.scene.time, self.problem.numeric.floats,
+                          self._numbered_loads + len(self.spread_forces), write=plain, work=self.problem.work)
+
+    @cached_property
+    def _moving(self):
+        """{channel: node of the time} of coordinates, ends of pieces and loads along them."""
+        ends = {channel: node for _, channel, node in self._numbered_ends if channel is not None}
+        return self.loads | ends | dict(enumerate((one.weight for one in self.spread_forces), self._numbered_loads))
 
     def reach(self, until: float) -> None:
         """Follow the waves up to an instant; NotByWaves where their fronts are too many."""
         self.alone.march.reach(until)
 
+    def without_bound(self, constant: float, terms: list, motion: "ModalMotion", asked: tuple) -> "Signal | None":
+        """The signal of a linear function that modes give no bound, which is followed by waves as long as it is looked
+        at; None where it is not."""
+        return None
+
     def best_at(self, signal: Any, t: float) -> "Signal":
         """A signal of its own as it is found at an instant: by modes where the fronts up to then are too many."""
-        from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
-
         if self._by_modes is None:
             return signal
         try:

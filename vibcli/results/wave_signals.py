@@ -10,6 +10,7 @@ from vibcli.results.signals import ComposedSignal
 if TYPE_CHECKING:
     import numpy as np
 
+    from vibcli.analyses.continuous.dispersed_waves import DispersedMotion
     from vibcli.analyses.continuous.travelling_waves import WaveMotion
     from vibcli.analyses.continuous.travelling_waves_search import Stretches
     from vibcli.analyses.excitation.linear_output import LinearOutput
@@ -94,14 +95,19 @@ def _leaps(signal, end: float) -> list[tuple[float, float, float]]:
     return found
 
 
-class WaveSignal(Signal):
-    """A linear output of a WaveMotion; asked: (the WaveResponse, what was asked of it), empty of a part of a signal."""
+def _without_limit(signal):
+    return PhysicsError(f"the limit of {signal.KIND} is not found", "ask for its value at a late instant")
 
-    KIND = "a motion that is followed by travelling waves"
-    read_at, sampled, before, leaps, extreme, zeros = _read_at, _sampled, _before, _leaps, _extreme, _zeros
 
-    def __init__(self, waves: "WaveMotion", output: "LinearOutput", asked: tuple = ()):
-        self.waves, self.reads, self.work, self.asked = waves, output, waves.work, asked
+class DispersedSignal(Signal):
+    """A linear output of a motion that waves bring, of a DispersedMotion at least."""
+
+    KIND = "a motion whose waves disperse"
+    sampled, before, leaps, extreme, zeros = _sampled, _before, _leaps, _extreme, _zeros
+
+    def __init__(self, waves: "WaveMotion | DispersedMotion", output: "LinearOutput"):
+        self.waves: Any = waves
+        self.reads, self.work = output, waves.work
 
     def values(self, times: "np.ndarray", order: int = 0) -> "np.ndarray":
         return self.waves.values(self.reads, times, order)
@@ -126,6 +132,27 @@ class WaveSignal(Signal):
         return float(self.waves.errors(self.reads, np.array([t]))[0])
 
     def error_of_time(self, t: float) -> float:
+        return _of_instant(self, t, 1)
+
+    def error_of_zero(self, t: float) -> float:
+        return _of_instant(self, t, 0)
+
+    def final(self) -> float:
+        """It is not found."""
+        raise _without_limit(self)
+
+
+class WaveSignal(DispersedSignal):
+    """One of a WaveMotion; asked: (the WaveResponse, what was asked of it), empty of a part of a signal."""
+
+    KIND = "a motion that is followed by travelling waves"
+    read_at = _read_at
+
+    def __init__(self, waves: "WaveMotion", output: "LinearOutput", asked: tuple = ()):
+        super().__init__(waves, output)
+        self.asked = asked
+
+    def error_of_time(self, t: float) -> float:
         from vibcli.analyses.transient.instant_errors import of_top
 
         return FRONT * t if _at_front(self, t) else of_top(self.waves, self.reads, t)
@@ -141,7 +168,7 @@ class WaveSignal(Signal):
 
         end = self.waves.still_from(self.waves.long_after)
         if not end < np.inf:
-            raise PhysicsError(f"the limit of {self.KIND} is not found", "ask for its value at a late instant")
+            raise _without_limit(self)
         return float(self.values(np.array([2 * end]))[0])
 
     def error_of_final(self) -> float:
@@ -194,4 +221,4 @@ class ComposedOfWaves(ComposedSignal):
 
     def final(self) -> float:
         """It is not found: waves are followed up to an instant."""
-        raise PhysicsError(f"the limit of {self.KIND} is not found", "ask for its value at a late instant")
+        raise _without_limit(self)
