@@ -185,8 +185,11 @@ def solved(rows: "Sequence[list[Node]]", units: Sequence[float], numbers: Callab
     small as drawn, in these."""
     n = len(units)
     work = [{j: node for j, node in enumerate(row) if not node.is_zero} for row in rows]
-    order, free = [], set(range(n))
+    order, free, answers = [], set(range(n)), {}
     while free:
+        if _dense(work, free, {*range(n)} - {c for _, c in order}):
+            answers = _pair(work, sorted(free), n)
+            break
         candidates = [(i, j) for i in free for j in work[i] if j < n and j not in {c for _, c in order}]
         found = numbers([work[i][j] for i, j in candidates])
         sizes = {(i, j): abs(x) * units[j] for (i, j), x in zip(candidates, found, strict=True)}
@@ -202,7 +205,6 @@ def solved(rows: "Sequence[list[Node]]", units: Sequence[float], numbers: Callab
             if j in work[other]:
                 factor = work[other].pop(j) / work[i][j]
                 _reduce(work[other], work[i], factor, j)
-    answers = {}
     for i, j in reversed(order):
         found = {k: node for k, node in work[i].items() if k >= n}
         for k, node in work[i].items():
@@ -211,6 +213,23 @@ def solved(rows: "Sequence[list[Node]]", units: Sequence[float], numbers: Callab
         answers[j] = {k: node / work[i][j] for k, node in found.items()}
     zero = rows[0][0].table.zero
     return [[answers[j].get(k, zero) for k in range(n, len(rows[0]))] for j in range(n)]
+
+
+def _dense(work, free, columns):
+    """Are two rows left, each with two columns?"""
+    return len(free) == 2 and all(j in work[i] for i in free for j in columns)
+
+
+def _pair(work, free, n):
+    """The two unknowns of two rows by Cramer's rule, which divides by nothing else than their determinant."""
+    one, two = (work[i] for i in free)
+    a, b = (j for j in one if j < n)
+    det = one[a] * two[b] - one[b] * two[a]
+    zero = det.table.zero
+    right = sorted({k for k in (*one, *two) if k >= n})
+    found = {a: {k: two[b] * one.get(k, zero) - one[b] * two.get(k, zero) for k in right},
+             b: {k: one[a] * two.get(k, zero) - two[a] * one.get(k, zero) for k in right}}
+    return {j: {k: node / det for k, node in row.items() if not node.is_zero} for j, row in found.items()}
 
 
 def _reduce(row, other, factor, skip):

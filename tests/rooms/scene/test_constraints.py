@@ -12,6 +12,7 @@ import pytest
 from mpmath import asin, cos, sin, sqrt, tan
 from support.scenes import problem, problem_of, value
 
+import vibcli
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.bench.linkage import tongs
 from vibcli.mechanics.energies import kinetic, potential
@@ -394,6 +395,29 @@ PEAUCELLIER = """
       five: {link: [P, B]}
       six: {link: [P, D]}
     """
+
+
+def test_a_parallelogram_drawn_aslant_hangs_with_arms_along_an_axis():
+    """ω² = g (m/2 + M + m/2)/((m/3 + M + m/3) L): at rest the coupler and both arms stand along the axes, where single
+    slopes of the conditions are zero, which were none as drawn."""
+    for drawn, gravity in ((lambda x, y: (x, y), (0, -1)), (lambda x, y: (-y, x), (1, 0))):
+        A, B, C, D = (list(drawn(*place)) for place in ((0, 0), (3, -4), (10, -4), (7, 0)))
+        found = vibcli.load({
+            "gravity": [f"{9.81 * g} m/s^2" for g in gravity],
+            "points": {"P": {"body": "coupler", "at": metres(C)}, "Q": {"body": "right", "at": metres(C)}},
+            "bodies": {
+                "left": {"shape": "rod", "mass": "2 kg", "from": metres(A), "to": metres(B),
+                         "pin": {"at": metres(A), "by": "a"}},
+                "coupler": {"shape": "rod", "mass": "3 kg", "from": metres(B), "to": metres(C),
+                            "pin": {"at": metres(B), "carrier": "left", "by": "b"}},
+                "right": {"shape": "rod", "mass": "2 kg", "from": metres(D), "to": metres(C),
+                          "pin": {"at": metres(D), "by": "c"}}},
+            "constraints": {"closed": {"join": ["P", "Q"]}}})
+        assert found.omega == pytest.approx([math.sqrt(9.81 * 5 / (13 / 3 * 5))], rel=1e-14)
+
+
+def metres(place):
+    return [f"{x} m" for x in place]
 
 
 def test_an_inversor_draws_a_straight_line():
