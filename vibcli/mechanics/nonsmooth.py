@@ -35,16 +35,18 @@ def require_smooth(configuration: "Configuration") -> None:
 
 
 def _that_must_not_jump(scene):
-    """What small oscillations are made of: V to its second slopes, loads to their first, of ½ w ṡ² the products of the
-    slopes of s, so that s = |u| is as good as u."""
-    for term in (*scene.inertias, *scene.dampers):
+    """What small oscillations are made of: energies to their second slopes, loads and places of bodies to their
+    first, of ½ c ṡ² the products of the slopes of s, so that s = |u| is as good as u."""
+    for term in scene.inertias:
+        yield from (term.s, *gradient(term.s).values())
+    for term in scene.dampers:
         slopes = list(gradient(term.s).values())
         yield from (term.s, *(one * other for i, one in enumerate(slopes) for other in slopes[:i + 1]))
-    for V in (scene.energies["V"], *(term.potential(scene) for term in (*scene.springs, *scene.weights))):
-        slopes = list(gradient(V).values())
-        yield from (V, *slopes, *(second for slope in slopes for second in gradient(slope).values()))
-    for node in [term.weight for term in scene.forces] + list(scene.energies.values()):
-        yield from (node, *gradient(node).values())
+    for energy in (*scene.energies.values(), *(term.potential(scene) for term in (*scene.springs, *scene.weights))):
+        slopes = list(gradient(energy).values())
+        yield from (energy, *slopes, *(second for slope in slopes for second in gradient(slope).values()))
+    for load in scene.forces:
+        yield from (load.weight, *gradient(load.weight).values())
 
 
 def require_unheld(system: "MechanicalSystem") -> None:
@@ -77,7 +79,9 @@ def without_slope(form: "Linearisation", scene: "Scene") -> NoReturn:
     displacement divides by zero; ZeroDivisionError where the energies themselves are not defined there."""
     from vibcli.mechanics.energies import kinetic, potential
 
-    substitute([kinetic(scene), potential(scene)], scene.drawn_position)
+    energies = substitute([kinetic(scene), potential(scene)], scene.drawn_position)
+    if any(part.name == "log" and part.args[0].is_zero for part in reachable(energies)):
+        raise ZeroDivisionError
     residual_as_drawn(form, scene)
     raise Kinked("the slope of a force is infinite as drawn: there are no small oscillations about that", HINT)
 

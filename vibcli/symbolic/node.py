@@ -129,12 +129,13 @@ def first_variable(variables: "VariableSet | int") -> int:
 
 
 def rooted_square(base: Node, exponent: Fraction) -> tuple[Node, Fraction]:
-    """(base, exponent) of a factor, |x| for the root of a square x²."""
+    """(base, exponent) of a factor, |x| for the root of a square x², x² for that of x⁴."""
     if exponent.denominator == 2 and base.op == "product" and all(
             e.denominator == 1 and e % 2 == 0 for _, e in base.args) and (
             size := exact_root(base.coefficient) if base.coefficient > 0 else None):
         inner = base.table.product((base.table.number(size), ONE), *((one, e * HALF) for one, e in base.args))
-        return base.table.call("abs", inner), 2 * exponent
+        even = inner.op == "product" and all(e % 2 == 0 for _, e in inner.args)
+        return inner if even else base.table.call("abs", inner), 2 * exponent
     return base, exponent
 
 

@@ -155,10 +155,23 @@ def test_a_stretch_that_is_a_magnitude_has_the_small_oscillations_of_its_square(
     assert value(scene, "s.force(0.2 s)") == pytest.approx(-50 * u, rel=1e-11)
 
 
-def test_inertia_and_damping_along_a_magnitude_are_those_of_its_square():
-    scene = problem("bodies: {p: {mass: 2 kg, at: [0 m, 0 m], move: {by: [abs(u), 0, 0]}}}\ncoordinates: {u: }\n"
-                    "springs: {s: {k: 50 N/m, stretch: u}}\ndampers: {d: {c: 3 N*s/m, stretch: abs(u)}}\n")
+def test_damping_along_a_magnitude_is_that_of_its_square():
+    scene = problem("bodies: {p: {mass: 2 kg, slide: u}}\nsprings: {s: {k: 50 N/m, stretch: u}}\n"
+                    "dampers: {d: {c: 3 N*s/m, stretch: abs(u)}}\n")
     assert [value(scene, name) for name in ("M[u,u]", "C[u,u]", "omega[1]")] == pytest.approx([2, 3, 5], rel=1e-14)
+
+
+def test_a_body_whose_place_is_a_magnitude_turns_back_at_a_kink():
+    scene = problem("bodies: {p: {mass: 2 kg, at: [0 m, 0 m], move: {by: [abs(u), 0, 0]}}}\ncoordinates: {u: }\n"
+                    "springs: {s: {k: 50 N/m, stretch: u}}\n")
+    with pytest.raises(Kinked, match="has a kink in the equilibrium"):
+        value(scene, "omega[1]")
+
+
+def test_the_root_of_a_fourth_power_is_a_square():
+    scene = problem("coordinates: {x: the displacement}\n"
+                    "energies: {T: sqrt((1 kg*x'^2/2)^2), V: sqrt(4*(1 N/m)^2*x^4)/4}\n")
+    assert value(scene, "omega[1]") == pytest.approx(1, rel=1e-14)
 
 
 @pytest.mark.parametrize("stretch", ["abs(u)", "sqrt(u^2)"])

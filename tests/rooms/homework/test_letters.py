@@ -115,8 +115,9 @@ def test_worked_solutions_in_letters_go_along_one_path():
     document = SceneDocument.of(source.node, source.file, None)
     lines = WorkedVariants(document)
     for one in solved(ROD).accepted:
-        fresh = worked(document.anew(one.values))
-        along, anew = (render([Document("", None, (), tuple(section_of(each)))], None)
+        problem = document.anew(one.values)
+        fresh = worked(problem)
+        along, anew = (render([Document("", None, (), tuple(section_of(problem, each)))], None)
                        for each in (lines.lines(one.values), fresh))
         assert along == anew
     assert lines.alone == 1

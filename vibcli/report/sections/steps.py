@@ -23,8 +23,7 @@ SI = "Numbers that stand beside letters without a unit are in SI units."
 def steps(problem: "Problem", _: "Report") -> Iterator[Section]:
     from vibcli.report.steps.worked import worked
 
-    found = worked(problem)
-    yield from section_of(found, SI if _has_bare_numbers(problem, found) else None)
+    yield from section_of(problem, worked(problem))
 
 
 def _has_bare_numbers(problem, found):
@@ -46,8 +45,8 @@ def _is_literal(field):
     return getattr(getattr(field, "tree", None), "kind", "") == "number"
 
 
-def section_of(found: "Sequence[WorkedLine]", note: str | None = None) -> tuple[Section, ...]:
-    """The lines as a section, and a note below them."""
+def section_of(problem: "Problem", found: "Sequence[WorkedLine]") -> tuple[Section, ...]:
+    """The lines of a scene as a section, and below them what numbers without units are in."""
     told: dict = {}
     for one in found:
         if one.number not in told:
@@ -57,7 +56,7 @@ def section_of(found: "Sequence[WorkedLine]", note: str | None = None) -> tuple[
     digits = len(str(len(told)))
     heads = {number: Words(f"{number:\u00a0>{digits}}\u00a0\u00a0") for number in told}
     lines = blocks.equations(line(heads[number], *parts, hang=digits + 2) for number, parts in told.items())
-    return section("Steps", lines, paragraph(note) if note else None)
+    return section("Steps", lines, paragraph(SI) if _has_bare_numbers(problem, found) else None)
 
 
 def _data(problem):
