@@ -2,6 +2,7 @@
 program answers."""
 
 import mpmath
+import numpy as np
 import pytest
 from support.scenes import problem
 
@@ -12,6 +13,7 @@ from vibcli.evidence.reference import (
     member_vibrations,
     rated_members,
 )
+from vibcli.evidence.reference.member_starts import started_members
 from vibcli.evidence.subjects.motions import of_member_motion
 from vibcli.evidence.subjects.steady_states import of_wave
 
@@ -90,3 +92,11 @@ def test_of_modes_with_ratios(monkeypatch, damping, zeta):
 def omega(n):
     """Of the mode n."""
     return (n * mpmath.pi / 3) ** 2 * mpmath.sqrt(mpmath.mpf(40000) / 12)
+
+
+def test_on_a_foundation_no_wave_runs_below_the_cut_off():
+    """ω² = k/μ, from which on the search for poles begins."""
+    search = member_poles.PoleSearch(started_members(
+        problem(BEAM % (", foundation: 4.8 kN/m^2", FIELD, "bridge.u(1.5 m)(70 ms)")), "bridge.u(1.5 m)", 1))
+    below, above = search.waves(np.array([19.9, 20.1]))
+    assert below == 0 < above and search.block(0).p.imag.min() > 20

@@ -97,10 +97,10 @@ class PoleSearch:
         return BLOCK * size**2 * (FINE + 4 * (LAST + STEPS * (PARTS - 1) * bool(elements.damps)))
 
     def waves(self, omega: np.ndarray) -> np.ndarray:
-        """How many half waves fit into the pieces: about as many frequencies are below."""
+        """How many half waves fit into the pieces, of waves that run: about as many frequencies are below."""
         images = MemberImages(self._plain, 1j * omega, np)
-        return sum(np.abs(np.imag(k)) * piece.length for piece, waves in zip(self._pieces, images.waves, strict=True)
-                   for k in waves) / np.pi
+        return sum(np.where(_runs(k), np.abs(k.imag), 0.0) * piece.length
+                   for piece, waves in zip(self._pieces, images.waves, strict=True) for k in waves) / np.pi
 
     def block(self, number: int) -> NearPoles:
         """Those of one block, the lowest being number 0."""
@@ -151,8 +151,7 @@ class PoleSearch:
         turned = np.ones(len(omega), complex)
         for piece, waves in zip(self._pieces, images.waves, strict=True):
             for k in waves:
-                runs = np.abs(k.real) < 1e-9 * np.abs(k.imag)
-                turned *= np.where(runs, 1j * np.exp(1j * k.imag * piece.length), 1)
+                turned *= np.where(_runs(k), 1j * np.exp(1j * k.imag * piece.length), 1)
         sign = np.linalg.slogdet(balanced(arrays(self._plain, 1j * omega))[0])[0] * turned
         return np.where(np.abs(sign.real) > np.abs(sign.imag), np.sign(sign.real), np.sign(sign.imag))
 
@@ -175,6 +174,11 @@ class PoleSearch:
         rounding = UNIT * (number * BLOCK + 1 + np.arange(len(p))) * np.array(sizes, float)
         return (longer - _form(w, arrays(self.finest, longer), v) / rise,
                 np.array([sum(part) * seen for part in terms], np.clongdouble), rounding)
+
+
+def _runs(k):
+    """Of waves e^{∓kx}, as none of those do that a foundation holds back."""
+    return np.abs(k.real) < 1e-9 * np.abs(k.imag)
 
 
 def _slope(members, p, apart):
