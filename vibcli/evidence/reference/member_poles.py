@@ -136,14 +136,19 @@ class PoleSearch:
         grid = np.interp(places, self.waves(known), known)
         if not number:
             grid = np.concatenate([np.geomspace(LOW * low, low, FIRST, endpoint=False), grid])
-        sign = self._sign(grid)
-        here = np.flatnonzero(sign[:-1] != sign[1:])
+        sign, running = self._sign(grid), self._running(grid)
+        here = np.flatnonzero((sign[:-1] != sign[1:]) & (running[:-1] == running[1:]))
         low, high, below = grid[here], grid[here + 1], sign[here]
         for _ in range(HALVINGS):
             middle = (low + high) / 2
             same = self._sign(middle) == below
             low, high = np.where(same, middle, low), np.where(same, high, middle)
         return (low + high) / 2
+
+    def _running(self, omega):
+        """How many waves run: where one begins to, on a foundation, its two ways are one, which is no pole."""
+        images = MemberImages(self._plain, 1j * omega, np)
+        return sum(_runs(k).astype(int) for waves in images.waves for k in waves)
 
     def _sign(self, omega):
         """Of the determinant at iω, each pair of waves e^{∓ikx} counted as sine and cosine."""
