@@ -90,9 +90,10 @@ def _driven(M, C, K, periods, runs):
         motion = linear_motion(M, C, K, forcing, q0, v0)
         return motion.values(output, times), motion.errors(output, times[::POINTS // BOUNDED])
 
-    spent, x = _timed(ours, runs)
-    longer, _ = _timed(bounded, runs)
-    their_time, y = _timed(theirs, 1)
+    (times_of_ours, times_with_bounds), (x, _) = _timed([ours, bounded], runs)
+    spent = median(times_of_ours)
+    longer = spent * median(b / a for a, b in zip(times_of_ours, times_with_bounds, strict=True))
+    ((their_time,),), (y,) = _timed([theirs], 1)
     places = [POINTS // 7, POINTS // 2, POINTS - 1]
     lists = [matrix.tolist() for matrix in (M, C, K)]
     exact = [float(precise_value(*lists, forcing, q0, v0, output, times[i], 25)) for i in places]
@@ -114,14 +115,18 @@ def _record(M, C, K, runs):
     pieces = [Segment(t, (Wave(0, f, 0, 0j), Wave(0, s, 1, 0j)))
               for t, f, s in zip(at.tolist(), force.tolist(), slopes.tolist(), strict=False)]
     forcing, times, rest = Forcing(DEGREES, pieces), np.linspace(0, 40, POINTS), np.zeros(DEGREES)
-    return _timed(lambda: linear_motion(M, C, K, forcing, rest, rest).values(LinearOutput(q={3: 1.0}), times), runs)[0]
+    def driven():
+        return linear_motion(M, C, K, forcing, rest, rest).values(LinearOutput(q={3: 1.0}), times)
+
+    return median(_timed([driven], runs)[0][0])
 
 
-def _timed(function, runs):
-    """(median ms, the last result)."""
-    spent = []
+def _timed(functions, runs):
+    """([ms of each run of each], [their last results]), by turns."""
+    spent, results = [[] for _ in functions], [None] * len(functions)
     for _ in range(runs):
-        start = process_time()
-        result = function()
-        spent.append(1e3 * (process_time() - start))
-    return median(spent), result
+        for i, function in enumerate(functions):
+            start = process_time()
+            results[i] = function()
+            spent[i].append(1e3 * (process_time() - start))
+    return spent, results
