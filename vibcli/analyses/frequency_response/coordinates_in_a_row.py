@@ -22,7 +22,6 @@ from vibcli.numerics.fixed_point import MILLION
 
 BLOCK = 2.0**14         # frequencies times coordinates that are eliminated at once
 PRODUCTS = 24           # for a frequency and a coordinate
-KEPT = 2**25 - 2**16    # bytes
 
 
 def in_a_row(system: Any) -> tuple[int, int] | None:
@@ -45,7 +44,6 @@ class Row:
 
     def __init__(self, system: Any, ends: tuple[int, int], otherwise: Any):
         self.ends, self.otherwise = ends, otherwise
-        _keep_memory()
         self.diagonal, self.above, self.below = (
             np.stack([np.diagonal(part, k) for part in (system.K, system.C, system.M)]) for k in (0, 1, -1))
         if (self.above == self.below).all():
@@ -100,12 +98,6 @@ class Row:
         pivots = _eliminated(_entries(self.diagonal, s), above, below)
         near = np.abs(pivots.inverse) / _entries(np.abs(self.diagonal), np.abs(s))
         return pivots, ~(near.min(axis=0) > 64 * SINGULAR * len(near))
-
-
-def _keep_memory():
-    """Let arrays take the place of those before them: glibc hands the memory of large ones back, so that every page of
-    the next is a new one, unless one has gone that is larger than they are (mallopt(3), M_MMAP_THRESHOLD)."""
-    np.empty(KEPT, np.uint8)
 
 
 def _entries(parts, s):
