@@ -39,12 +39,17 @@ class Subject(NamedTuple):
 
 def of_signal(kind: str, problem: "Problem", tree: Any, title: str, true: "TrueValues", data: Any) -> Subject:
     """A number of a signal, whose errors are relative to its largest value, `about` its true one."""
+    return of_number(kind, problem, tree, title, true, data, float(true.about) or 1.0, problem.afresh)
+
+
+def of_number(kind: str, problem: "Problem", tree: Any, title: str, true: "TrueValues", data: Any, scale: float,
+              afresh: "Callable[[], Problem]") -> Subject:
+    """A number, whose errors are relative to a scale; afresh: the scene in which ours is found, from the element data
+    on."""
     from vibcli.quantities.expression import measure
 
-    scale = float(true.about) or 1.0
-
     def ours() -> MethodAnswer:
-        value, bound = measure(problem.afresh(), tree)
+        value, bound = measure(afresh(), tree)
         return MethodAnswer([value], bound * abs(value) / scale)
 
     def error(found: Sequence[Any], known: "TrueValues") -> float:

@@ -34,6 +34,14 @@ def _of_instant(signal, t, order):
     return at_pace(signal, t, order, N / float(_along(signal, 0.0, t).lengths[-1]))
 
 
+def _error_of_top(signal, t: float) -> float:
+    return _of_instant(signal, t, 1)
+
+
+def _error_of_zero(signal, t: float) -> float:
+    return _of_instant(signal, t, 0)
+
+
 def _before(signal, t: float) -> float | None:
     """Its value before an instant at which it leaps, else None."""
     import numpy as np
@@ -104,6 +112,7 @@ class DispersedSignal(Signal):
 
     KIND = "a motion whose waves disperse"
     sampled, before, leaps, extreme, zeros = _sampled, _before, _leaps, _extreme, _zeros
+    error_of_time, error_of_zero = _error_of_top, _error_of_zero
 
     def __init__(self, waves: "WaveMotion | DispersedMotion", output: "LinearOutput"):
         self.waves: Any = waves
@@ -130,12 +139,6 @@ class DispersedSignal(Signal):
 
         self.waves.require_bounded(self.reads, t, np.array([t]))
         return float(self.waves.errors(self.reads, np.array([t]))[0])
-
-    def error_of_time(self, t: float) -> float:
-        return _of_instant(self, t, 1)
-
-    def error_of_zero(self, t: float) -> float:
-        return _of_instant(self, t, 0)
 
     def final(self) -> float:
         """It is not found."""
@@ -181,6 +184,7 @@ class ComposedOfWaves(ComposedSignal):
     KIND = "a signal composed of others that waves bring"
     signals: Any
     read_at, sampled, before, leaps, extreme, zeros = _read_at, _sampled, _before, _leaps, _extreme, _zeros
+    error_of_time, error_of_zero = _error_of_top, _error_of_zero
 
     def __init__(self, *composed: Any, asked: tuple = ()):
         super().__init__(*composed)
@@ -212,12 +216,6 @@ class ComposedOfWaves(ComposedSignal):
 
     def values_before(self, times: "np.ndarray") -> "np.ndarray":
         return self.composed(times, {name: part.values_before(times) for name, part in self.signals.items()})
-
-    def error_of_time(self, t: float) -> float:
-        return _of_instant(self, t, 1)
-
-    def error_of_zero(self, t: float) -> float:
-        return _of_instant(self, t, 0)
 
     def final(self) -> float:
         """It is not found: waves are followed up to an instant."""

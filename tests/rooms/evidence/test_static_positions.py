@@ -4,6 +4,7 @@ from pathlib import Path
 
 import mpmath
 import pytest
+from support.references import CLOSED_LOOP
 from support.scenes import problem
 
 from vibcli.api.source import file_source, problem_of
@@ -26,17 +27,7 @@ forces: {drive: {body: rod, moment: M}, shake: {at: a, force: [0, (5 N)*(1 - cos
 answers: {"equilibrium[y]": 0, "equilibrium[phi]": 0, "equilibrium[s.force]": 0, "equilibrium[s.energy]": 0,
   "equilibrium[rod.reaction.y]": 0, "equilibrium[rod.reaction.x]": 0}
 """
-LOOP = """
-parameters: {a: 0.3 m, m: 2 kg, k: 800 N/m, g: 9.81 m/s^2}
-gravity: g
-bodies:
-  left: {shape: rod, mass: m, from: [0, 0], to: [a, a], pin: {at: [0, 0], by: phi}}
-  right: {shape: rod, mass: m, from: [a, a], to: [2*a, 0], pin: {at: [a, a], carrier: left, by: psi}}
-  block: {mass: m, at: [2*a, 0], slide: {along: [1, 0], by: x}}
-points: {foot: {body: right, at: [2*a, 0]}}
-constraints: {pin: {join: [foot, block]}}
-springs: {s: {k: k, between: [block, [1 m, 0]]}}
-answers: {"equilibrium[phi]": 0, "equilibrium[pin.force.x]": 0, "equilibrium[pin.force.y]": 0,
+LOOP = CLOSED_LOOP + """answers: {"equilibrium[phi]": 0, "equilibrium[pin.force.x]": 0, "equilibrium[pin.force.y]": 0,
   "equilibrium[left.reaction.y]": 0}
 """
 ON_A_SLOPE = """

@@ -2,6 +2,7 @@
 
 import mpmath
 import pytest
+from support.references import CLOSED_LOOP
 from support.scenes import problem
 
 from vibcli.evidence.asked import subjects
@@ -27,17 +28,7 @@ bodies:
 springs: {first: {k: k, stretch: u}, second: {k: 2*k, stretch: v}}
 answers: {"G[u,v]": 0, "K[u,u]": 0, "C[u,v]": 0}
 """
-LOOP = """
-parameters: {a: 0.3 m, m: 2 kg, k: 800 N/m, g: 9.81 m/s^2}
-gravity: g
-bodies:
-  left: {shape: rod, mass: m, from: [0, 0], to: [a, a], pin: {at: [0, 0], by: phi}}
-  right: {shape: rod, mass: m, from: [a, a], to: [2*a, 0], pin: {at: [a, a], carrier: left, by: psi}}
-  block: {mass: m, at: [2*a, 0], slide: {along: [1, 0], by: x}}
-points: {foot: {body: right, at: [2*a, 0]}}
-constraints: {pin: {join: [foot, block]}}
-springs: {s: {k: k, between: [block, [1 m, 0]]}}
-answers: {"M[phi,phi]": 0, "K[phi,phi]": 0}
+LOOP = CLOSED_LOOP + """answers: {"M[phi,phi]": 0, "K[phi,phi]": 0}
 """
 
 

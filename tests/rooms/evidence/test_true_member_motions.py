@@ -3,6 +3,7 @@ program answers."""
 
 import mpmath
 import pytest
+from support.references import assert_true
 from support.scenes import problem
 
 from vibcli.evidence.reference import member_fronts
@@ -34,11 +35,7 @@ def test_between_fronts(monkeypatch, more, rest, quantity, exact):
     monkeypatch.setattr(member_fronts, "START", 30)     # and 60 digits instead of 64 and 128
     monkeypatch.setattr(member_fronts, "DIGITS", 22)
     one = problem(BAR % (more, rest, quantity))
-    found = of_member_motion(one, one.spec.answers[0].asked.tree)
-    with mpmath.workdps(60):
-        assert abs(found.true.values[0] - exact()) <= mpmath.mpf(10) ** -38 * found.scale
-    ours = found.ours()
-    assert found.error(ours.values, found.true) <= ours.bound <= 1e-12
+    assert_true(of_member_motion(one, one.spec.answers[0].asked.tree), exact, 38, 1e-12)
 
 
 def test_at_the_start_no_front_has_set_out():

@@ -3,17 +3,14 @@
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
-import mpmath
-
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.reference.matrices import entry
 from vibcli.evidence.reference.static_positions import equations
-from vibcli.evidence.subject import MethodAnswer, Subject
+from vibcli.evidence.subject import Subject, of_number
 from vibcli.mechanics.configuration import Configuration
 from vibcli.mechanics.energies import kinetic
 from vibcli.quantities import equilibrium
-from vibcli.quantities.expression import measure
 from vibcli.quantities.matrices import coordinate_number
 from vibcli.quantities.quantity import about_which, declared
 from vibcli.symbolic.evaluation_code import in_floats
@@ -46,17 +43,9 @@ def of_entry(problem: "Problem", tree: "QuantityRef") -> Subject:
     true = entry(configuration, static, asked.head, (i, j), size)
     scale = abs(float(true.values[0])) or size or 1.0
 
-    def ours() -> MethodAnswer:
-        value, bound = measure(problem.about(Configuration(problem.numeric)), tree)
-        return MethodAnswer([value], bound * abs(value) / scale)
-
-    def error(found, known):
-        with mpmath.workdps(known.working):
-            return float(abs(mpmath.mpf(float(found[0])) - known.values[0]) / scale)
-
-    title = "an entry of a matrix of small oscillations"
     plain = None if static.parts.gaps else _plain(one, static, asked.head, (i, j))
-    return Subject("matrix entry", tree.text, title, one, true, ours, plain, error, scale)
+    return of_number("matrix entry", one, tree, "an entry of a matrix of small oscillations", true, plain, scale,
+                     lambda: problem.about(Configuration(problem.numeric)))
 
 
 def _plain(problem, static, head, pair) -> PlainForces:

@@ -2,17 +2,14 @@
 
 from typing import TYPE_CHECKING
 
-import mpmath
-
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.reference.static_positions import equations, true_position
-from vibcli.evidence.subject import MethodAnswer, Subject
+from vibcli.evidence.subject import Subject, of_number
 from vibcli.language.signal_names import signal_name
 from vibcli.language.signals import CONTACT, is_reaction
 from vibcli.mechanics.configuration import Configuration
 from vibcli.mechanics.signals import in_contact, normal_of, reaction_of
 from vibcli.quantities import equilibrium
-from vibcli.quantities.expression import measure
 from vibcli.quantities.modal import counted
 from vibcli.quantities.quantity import about_which, declared
 from vibcli.results.random_states import reach
@@ -45,16 +42,9 @@ def at_rest(problem: "Problem", tree: QuantityRef) -> Subject:
     moving = static.scene.q[:len(static.scene.q) - len(static.scene.released)]
     start = [x + 0.5 * reach(one, q.name) for x, q in zip(static.near, moving, strict=False)]
 
-    def ours() -> MethodAnswer:
-        value, bound = measure(problem.about(Configuration(problem.numeric)), tree)
-        return MethodAnswer([value], bound * abs(value) / scale)
-
-    def error(found, known):
-        with mpmath.workdps(known.working):
-            return float(abs(mpmath.mpf(float(found[0])) - known.values[0]) / scale)
-
-    return Subject("static position", tree.text, f"at rest, {counted(len(static.names), 'equation')}", one, true, ours,
-                   (static, node, start + static.near[len(start):]), error, scale)
+    return of_number("static position", one, tree, f"at rest, {counted(len(static.names), 'equation')}", true,
+                     (static, node, start + static.near[len(start):]), scale,
+                     lambda: problem.about(Configuration(problem.numeric)))
 
 
 def _of_springs(problem, scene, text):
