@@ -3,7 +3,7 @@
 METHODS = {
     "ours": (("modes", "damped modes", "motion", "full motion", "steady motion", "response",
               "peak", "member modes", "member response", "member motion", "static position", "vibrations",
-              "matrix entry"),
+              "matrix entry", "derivative", "force law"),
              "vibcli itself, from the element data on"),
     "assembled_modes": (("modes",), "eigh and eig of assembled K and M"),
     "state_eigenvalues": (("damped modes",), "eig of the state matrix and of the pencil that is assembled"),
@@ -13,6 +13,8 @@ METHODS = {
     "integrators": (("motion", "full motion", "steady motion"), "solve_ivp and odeint at tolerances 1e-3 … 1e-13"),
     "one_frequency": (("response",), "LU at the frequency, and sums of 1 … n undamped modes"),
     "static_positions": (("static position",), "SciPy's root, hybr and lm, of the forces at rest"),
-    "differences": (("matrix entry",), "central differences of the forces, and kinetic energies of unit velocities"),
+    "differences": (("matrix entry", "derivative"),
+                    "central differences of forces, energies …; kinetic energies of unit velocities"),
+    "inner_forces": (("force law",), "SciPy's root, hybr and lm, of the deflections of parts in series"),
     "dense_grids": (("peak",), "grids of 100 … 1,000,000 frequencies, with parabolas and without"),
 }

@@ -14,6 +14,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.reference.settled import TrueValues, settled
 from vibcli.mechanics.equations_of_motion import Dynamics, dynamics
+from vibcli.mechanics.high_precision import in_its_place
 from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING
 from vibcli.mechanics.linearise import without_time
 from vibcli.mechanics.static_preload import take_over
@@ -77,6 +78,13 @@ def equations(configuration: "Configuration", released: bool = False) -> StaticE
     near = [float(known[q.name]) for q in scene.q[:count]] + [0.0] * len(ties)
     return StaticEquations(scene, [*forces[:count], *substitute(parts.gaps, still)],
                            [*(q.name for q in scene.q[:count]), *(tie.name for tie in ties)], near, told, still, parts)
+
+
+def resting_place(configuration: "Configuration", static: StaticEquations, known: Mapping[str, Any]) -> dict[str, Any]:
+    """{coordinate: number} at the working precision where it rests: as drawn, if that is there and nothing is tied."""
+    if configuration.equilibrium.drawn and not static.parts.gaps:
+        return in_its_place(static.scene.drawn, known, multiprecision())
+    return static.root(known)
 
 
 def _unloaded(configuration, released):
