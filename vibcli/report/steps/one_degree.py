@@ -10,6 +10,7 @@ from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.degree import Degree
 from vibcli.report.steps.extremes import Swing, tell_extremes
 from vibcli.report.steps.forced import tell_forced
+from vibcli.report.steps.free_waves import FreeWave, ToldMotion
 from vibcli.report.steps.step import number
 from vibcli.symbolic.common_denominator import single
 from vibcli.symbolic.expression_graph import reachable
@@ -161,6 +162,9 @@ class OneDegree:
         exact = self.about.table.sqrt(self.K / self.M - delta ** 2)
         line = self._constants([*decay, Factor(wave) if decay else wave], start, (x0, ahead / rate),
                                (start[0], (start[1] + delta * start[0]) / exact), uses)
+        self.sheet.waves[self.degree.name] = ToldMotion([FreeWave(A, table.zero if start[1].is_zero and self.C.is_zero
+                                                                  else B, rate, table.zero if self.C.is_zero
+                                                                  else self.delta)], line)
         tell_extremes(self.degree, Swing(self.about.place[self.about.scene.q[0]], A, None if start[1].is_zero else B,
                                          table.zero, line))
 
