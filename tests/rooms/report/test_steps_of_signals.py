@@ -5,9 +5,11 @@ import math
 
 import pytest
 from support.scenes import problem
+from support.worked_lines import told_later
 
 from vibcli.notation.plain import plain
 from vibcli.report.formats.formula import formula
+from vibcli.report.steps.step import WorkedLine
 from vibcli.report.steps.worked import worked
 from vibcli.symbolic.evaluation import Floats, evaluate
 
@@ -126,3 +128,48 @@ def test_lags_and_responses_at_a_frequency_with_a_unit():
     assert plain(lines["peak[1](frf[x, f]).Omega"].node) == "√(k/m − c²/(2·m²))"
     assert plain(lines["mean(d.power)"].node) == "c·F²·W²/(2·((m·W² − k)² + c²·W²))"
     assert "told in numbers alone (--set):  mean(x⁴)" in text_of(lines[""])
+
+
+def test_what_is_damped_so_that_it_just_does_not_swing_moves_so_once_that_is_chosen():
+    """x = v t e^{−ωt} of a mass that is struck: farthest at 1/ω, at v/(e ω)."""
+    from vibcli.inverse import settled
+
+    lines = {line.settles: line for line in worked(settled(problem("""
+        parameters: {m: , k: , v: , T: }
+        bodies: {b: {mass: m, slide: x}}
+        springs: {s: {k: k, between: [ground, b]}}
+        dampers: {d: {c: c, between: [ground, b]}}
+        initial: {x': v}
+        choose: {c: "zeta[1] = 1"}
+        answers: {max(x): 1 m, argmax(x): 1 s, max(s.force): 1 N, x(T): 1 m}
+    """)))}
+    assert text_of(lines["x"]) == "x = (B·t + A)·exp(−δ·t)" and "omega_d[1]" not in lines
+    assert [plain(lines[asked].node) for asked in ("argmax(x)", "max(x)", "max(s.force)", "x(T)")] == [
+        "1/δ", "B·exp(−1)/δ", "k·B·exp(−1)/δ", "(A + T·B)·exp(−T·δ)"]
+
+
+def test_letters_of_multipliers_and_of_forces_are_told_before_they_are_used():
+    thread = """
+        parameters: {m: 0.4 kg, L: 1.1 m, g: 9.81 m/s^2}
+        coordinates: {x: displacement, y: rise}
+        gravity: g
+        points: {O: [0, 0]}
+        bodies: {ball: {mass: m, at: [0, -L], move: [x, y, 0]}}
+        constraints: {thread: {link: [O, ball]}}
+    """
+    full = problem(thread + "    motion: full\n        initial: {x: L/2}\n        answers: {max(thread.force): 1 N}\n")
+    lines = worked(full)
+    told = [text_of(line) for line in lines]
+    assert not told_later(full, lines) and not any("S_thread" in text for text in told)
+    assert any(text.endswith("multiplier:  λ_thread for 'thread'") for text in told)
+    resting = problem(thread + "    answers: {\"equilibrium[thread.force]\": m*g}\n")
+    lines = worked(resting)
+    assert not told_later(resting, lines) and "cut free, with  S_thread for thread.force" in map(text_of, lines)
+
+
+def test_a_letter_that_no_line_tells_is_seen():
+    scene = problem("parameters: {m: , k: }\nbodies: {b: {mass: m, slide: x}}\n"
+                    "springs: {s: {k: k, between: [ground, b]}}\n")
+    table = scene.scene.table
+    line = WorkedLine(1, "", (), ("x", " = ", table.parameter("lambda_s") * table.parameter("k")))
+    assert told_later(scene, [line]) == [(1, "lambda_s")]

@@ -107,6 +107,8 @@ def _is_number(spec, tree):
 
 def _tell(problem, sheet, asked, joined):
     for tell in BY_LETTERS if isinstance(asked.tree, QuantityRef) else ():
+        if joined and tell is tell_of_free:
+            sheet.join_next()
         with suppress(PhysicsError, SpecError):
             if tell(problem, sheet, asked):
                 return

@@ -60,7 +60,7 @@ def _forms(problem, sheet, tree: Any) -> "Iterator[tuple[Node, list[Any]]]":
         found = [_mean(waves, rest, tree.head == "mean", squared)]
     elif len(waves) == 2:
         if tree.head == "beat_period":
-            yield _beats(*sorted(waves, key=lambda wave: wave.rate.name))
+            yield _beats(*sorted(waves, key=lambda wave: getattr(wave.rate, "name", "")))
         found = []
     else:
         found = list(_of_one(problem, tree, *waves)) if len(waves) == 1 else []
@@ -164,7 +164,8 @@ def _mean(waves, rest, mean, squared):
 
 
 def _extremes(problem, sheet, tree, waves):
-    """Of vibrations that all start at rest on one side that side, at t = 0; of one the other side as well."""
+    """Of vibrations that all start at rest on one side that side, at t = 0; of one the other side as well, and where it
+    is critically damped ẋ = 0 at 1/δ − a/b."""
     table, sense, instant = problem.scene.table, EXTREMES[tree.head], tree.head.startswith("arg")
     t0, starts = table.zero, {table.parameter(line.letter): line.node for line in sheet.steps
                               if line.settles in ("A", "B") and line.node is not None}
@@ -172,11 +173,15 @@ def _extremes(problem, sheet, tree, waves):
     begin = value_at(problem, sheet, tree.args[0], t0)
     if len(still) == len(waves) and all(table.is_positive(sense * wave.a) for wave in waves):
         yield t0 if instant else begin
-    if len(waves) != 1 or waves[0].rate.is_zero:
+    if len(waves) != 1 or (waves[0].rate.is_zero and waves[0].delta.is_zero):
         return
     wave, = waves
     rest = begin - wave.a
-    if wave.delta.is_zero:
+    if wave.rate.is_zero:
+        begun = t0 if textbook(substitute([wave.a], starts)[0]).is_zero else wave.a / wave.b
+        yield 1 / wave.delta - begun if instant else rest + wave.b * table.call(
+            "exp", wave.delta * begun - 1) / wave.delta
+    elif wave.delta.is_zero:
         first = table.call("atan2", wave.b, wave.a)
         yield from ((first + turn * table.pi) / wave.rate for turn in ((0, 2) if sense > 0 else (1, -1))) if (
             instant) else [rest + sense * table.sqrt(wave.square)]

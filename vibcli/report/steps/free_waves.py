@@ -1,6 +1,7 @@
 """A free motion by the letters of lines, as the sum of its vibrations
 
-    x = Σ e^{−δₖt} (aₖ cos ωₖt + bₖ sin ωₖt),   aₖ + bₖt of one that nothing brings back;
+    x = Σ e^{−δₖt} (aₖ cos ωₖt + bₖ sin ωₖt),   e^{−δₖt} (aₖ + bₖt) of one that is critically damped, or that nothing
+    brings back;
 
 and signals that follow such coordinates."""
 
@@ -33,10 +34,9 @@ class FreeWave(NamedTuple):
 
     def at(self, t: "Node") -> "Node":
         """Its value at an instant."""
-        if self.rate.is_zero:
-            return self.a + self.b * t
-        table = t.table
-        wave = self.a * table.call("cos", self.rate * t) + self.b * table.call("sin", self.rate * t)
+        table, turned = t.table, self.rate * t
+        wave = self.a + self.b * t if self.rate.is_zero else (
+            self.a * table.call("cos", turned) + self.b * table.call("sin", turned))
         return wave if self.delta.is_zero else table.call("exp", -(self.delta * t)) * wave
 
     @property
@@ -44,7 +44,7 @@ class FreeWave(NamedTuple):
         """Its rate of change."""
         a, b, rate, delta = self
         if rate.is_zero:
-            return FreeWave(b, rate, rate, delta)
+            return FreeWave(b - delta * a, -delta * b, rate, delta)
         return FreeWave(b * rate - delta * a, -(a * rate) - delta * b, rate, delta)
 
     def times(self, factor: "Node") -> "FreeWave":

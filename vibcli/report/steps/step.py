@@ -91,6 +91,10 @@ class WorkedSolution:
         self._beside = self.steps[-1] if opens else None
         return number
 
+    def join_next(self) -> None:
+        """Let the next line be joined to the last one."""
+        self._beside = self.steps[-1] if self.steps else None
+
     @property
     def opened(self) -> bool:
         """Will the next line be joined to the last one?"""
