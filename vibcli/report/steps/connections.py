@@ -115,6 +115,8 @@ class Connections:
         letter = about.letter(delta)
         formula = shown * letter + k * letter ** 2 / 2
         more = [" + …", Words(LIMP)] if node.is_zero and not hasattr(term, "weight") else []
+        what = "moment" if self._unit(term.owner) == "N·m" else "force"
+        more += [Words(",  "), Name(N), Words(f" its {what} at rest")] if loaded and not node.is_zero else []
         line = sheet.write(Name(V), *([] if formula.is_zero else [" = ", formula]), " = ", node, *more, settles=V,
                            node=node, uses=[told], joined=exact and letters(moves) <= AT_ONCE)
         kept = shown if loaded and about.know(shown, about.value(tension)) else tension

@@ -16,6 +16,7 @@ from vibcli.symbolic.syntax import Call, Product, QuantityRef
 if TYPE_CHECKING:
     from vibcli.language.reader import Expression
     from vibcli.language.spec import Spec
+    from vibcli.report.steps.free_waves import ToldMotion
     from vibcli.symbolic.node import Node
 
 MARKED = "′", "′′", "′′′"
@@ -50,6 +51,7 @@ class WorkedSolution:
         self._taken = set(map(_printed, taken))
         self._letters: dict[str, str] = {}
         self._beside: WorkedLine | None = None
+        self.waves: dict[str, ToldMotion] = {}      # of coordinates that move freely by the letters of lines
 
     @property
     def last(self) -> int:
@@ -88,6 +90,10 @@ class WorkedSolution:
         self.steps.append(WorkedLine(number, settles, known, parts, node, value, unit, letter, vanishes))
         self._beside = self.steps[-1] if opens else None
         return number
+
+    def join_next(self) -> None:
+        """Let the next line be joined to the last one."""
+        self._beside = self.steps[-1] if self.steps else None
 
     @property
     def opened(self) -> bool:
