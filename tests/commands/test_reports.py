@@ -609,6 +609,14 @@ def test_names_within_pictures_do_not_mix():
     assert re.findall(r'(?:id="|href="#|url\(#)(?!scene)(\w+-p)', text) == ["one-p"] * 3 + ["two-p"] * 3
 
 
+def test_pictures_are_no_narrower_than_their_letters_can_be_read():
+    svg = '<svg width="{}pt"><text x="1" font-size="9.5">a</text><text x="1" font-size="11.5">b</text></svg>'
+    for wide, least in (300, 235), (600, 470):
+        found = Picture("one", "c", lambda kind, wide=wide: svg.format(wide).encode())
+        text = html.render([Document("t", None, (), (Section("s", (found,)),), None)])
+        assert f'<svg style="min-width: {least}px" width="{wide}pt">' in text
+
+
 @pytest.mark.sweep
 @pytest.mark.parametrize("kind", FORMATS)
 def test_formats_import_nothing_heavy(scene, kind):
