@@ -8,6 +8,11 @@ import sys
 from contextlib import suppress
 from importlib import import_module
 
+TYPE_CHECKING = False       # that of `typing` would have to be imported
+if TYPE_CHECKING:
+    from sys import UnraisableHookArgs
+    from types import ModuleType
+
 YOUNG = 1_000_000   # objects, some 100 MB beside arrays, between searches for garbage: imports are none
 
 
@@ -33,12 +38,12 @@ def main() -> None:
     _leave(code)
 
 
-def _signals():
+def _signals() -> "ModuleType":
     """What `signal` gives, without its enumerations."""
     return import_module("_signal")
 
 
-def _leave(code):
+def _leave(code: int) -> None:
     """End the process: what waits for its end is done and what was written goes out; modules and objects, which go with
     the process, are not taken apart one by one."""
     if sys.gettrace() or sys.getprofile() or not _alone():      # whoever watches wants to see the end
@@ -50,7 +55,7 @@ def _leave(code):
     os._exit(code)
 
 
-def _alone():
+def _alone() -> bool:
     """Has Python itself begun the module that calls `main`, and no program, as a profiler, that goes on behind it?"""
     frame = sys._getframe(3)
     while frame.f_back is not None and frame.f_back.f_globals.get("__name__") == "runpy":
@@ -64,7 +69,7 @@ class _Interrupt(int):
     again = property(_thread.interrupt_main)
 
 
-def _raised_anew(lost):
+def _raised_anew(lost: "UnraisableHookArgs") -> object:
     """An interrupt in a callback, as that of a lock of an import, whose errors go nowhere, comes again behind it."""
     if issubclass(lost.exc_type, KeyboardInterrupt):
         return _Interrupt(2).again
