@@ -5,10 +5,14 @@
 
 __version__ = "0.1.0"
 
+TYPE_CHECKING = False       # that of `typing` would have to be imported
+if TYPE_CHECKING:
+    from typing import Any
+
 DOOR = {"load": "load", "loads": "load", "Model": "model", "SpecError": "model", "PhysicsError": "model"}
 
 
-def __getattr__(name):
+def __getattr__(name: str) -> "Any":
     """What `vibcli explain python` names, imported from vibcli.api when it is asked for."""
     if name not in DOOR:
         raise AttributeError(f"module 'vibcli' has no attribute '{name}'")
@@ -17,5 +21,5 @@ def __getattr__(name):
     return getattr(import_module(f"vibcli.api.{DOOR[name]}"), name)
 
 
-def __dir__():
+def __dir__() -> list[str]:
     return sorted({*globals(), *DOOR})

@@ -8,6 +8,11 @@ import sys
 from contextlib import suppress
 from importlib import import_module
 
+TYPE_CHECKING = False       # that of `typing` would have to be imported
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from sys import UnraisableHookArgs
+
 ENDING = "SIGTERM", "SIGHUP"     # what asks for the end as an interrupt does
 YOUNG = 1_000_000   # objects, some 100 MB beside arrays, between searches for garbage: imports are none
 
@@ -32,7 +37,7 @@ def main() -> None:
     _leave(code)
 
 
-def _handle(names, handler):
+def _handle(names: "Sequence[str]", handler: str) -> None:
     """Handle signals so, but those that are ignored: by what `signal` gives, without its enumerations."""
     signals = import_module("_signal")
     for number in [getattr(signals, name) for name in names if hasattr(signals, name)]:
@@ -40,7 +45,7 @@ def _handle(names, handler):
             signals.signal(number, getattr(signals, handler))
 
 
-def _leave(code):
+def _leave(code: int) -> None:
     """End the process: what waits for its end is done and what was written goes out; modules and objects, which go with
     the process, are not taken apart one by one."""
     if sys.gettrace() or sys.getprofile() or not _alone():      # whoever watches wants to see the end
@@ -52,7 +57,7 @@ def _leave(code):
     os._exit(code)
 
 
-def _alone():
+def _alone() -> bool:
     """Has Python itself begun the module that calls `main`, and no program, as a profiler, that goes on behind it?"""
     frame = sys._getframe(3)
     while frame.f_back is not None and frame.f_back.f_globals.get("__name__") == "runpy":
@@ -66,7 +71,7 @@ class _Interrupt(int):
     again = property(_thread.interrupt_main)
 
 
-def _raised_anew(lost):
+def _raised_anew(lost: "UnraisableHookArgs") -> object:
     """An interrupt in a callback, as that of a lock of an import, whose errors go nowhere, comes again behind it."""
     if issubclass(lost.exc_type, KeyboardInterrupt):
         return _Interrupt(2).again

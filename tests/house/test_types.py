@@ -5,11 +5,26 @@ import tomllib
 
 from house.measure import PACKAGE
 
+STRICT = ("disallow_untyped_defs", "disallow_incomplete_defs", "disallow_any_generics", "warn_return_any")
+LENIENT = {     # rooms that are not checked strictly yet: one that is finished goes out, none comes in
+    "analyses", "bench", "cli", "drawing", "elements", "evidence", "homework", "inverse", "language", "mechanics",
+    "numerics", "plots", "quantities", "reader", "report", "results", "scene", "symbolic"}
+
+
+def settings():
+    """Those of the checker."""
+    return tomllib.loads((PACKAGE.parent / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["mypy"]
+
 
 def exceptions():
     """Modules that the checker passes over."""
-    settings = tomllib.loads((PACKAGE.parent / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["mypy"]
-    return [part["module"] for part in settings["overrides"] if part.get("ignore_errors")]
+    return [part["module"] for part in settings()["overrides"] if part.get("ignore_errors")]
+
+
+def lenient(checker):
+    """Modules in which one of the strict checks is left out."""
+    return {module for part in checker["overrides"] if any(part.get(check, True) is False for check in STRICT)
+            for module in ([part["module"]] if isinstance(part["module"], str) else part["module"])}
 
 
 def public(body, prefix=""):
@@ -58,6 +73,17 @@ def test_an_untyped_parameter_is_seen():
 
 def test_the_checker_passes_over_no_module():
     assert exceptions() == []
+
+
+def test_rooms_are_checked_strictly_but_for_fewer_and_fewer():
+    checker = settings()
+    assert all(checker[check] for check in STRICT)
+    assert lenient(checker) == {f"vibcli.{room}.*" for room in LENIENT}
+
+
+def test_a_module_that_is_not_checked_strictly_is_seen():
+    assert lenient({"overrides": [{"module": "a.*", "warn_return_any": False}, {"module": ["b", "c"], STRICT[0]: False},
+                                  {"module": "d", STRICT[1]: True}, {"module": "e"}]}) == {"a.*", "b", "c"}
 
 
 def test_the_package_says_that_it_has_types():

@@ -72,7 +72,7 @@ def entries(problem: "Problem", sections: Iterable[str],
     return found, left
 
 
-def _is_small(problem, asked, value):
+def _is_small(problem: "Problem", asked: str, value: str) -> bool:
     """Is it an equation of motion that is the one of small oscillations too?"""
     if not asked.startswith("motion["):
         return False
@@ -81,7 +81,7 @@ def _is_small(problem, asked, value):
     return False
 
 
-def _read(problem, asked, value):
+def _read(problem: "Problem", asked: str, value: str) -> "Answer":
     """The Answer of a quantity and its value as they are read from a file; refused where they are not."""
     reader, place = Reader(members=problem.spec.members), Where(problem.spec.file, 1, 1, 0)
     node = Node(place, {asked: (Scalar(asked, place, inset=0), Scalar(value, place, inset=0))})
@@ -93,7 +93,7 @@ def _read(problem, asked, value):
     return answers[0]
 
 
-def _plainly(asked):
+def _plainly(asked: str) -> str:
     """A quantity without what may be written otherwise."""
     return asked.replace(" ", "").replace("][", ",")
 

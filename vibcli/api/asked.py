@@ -1,6 +1,8 @@
 """Which quantities of `answers` hold what a section of a report tells."""
 
+from collections.abc import Iterator, Sequence
 from itertools import combinations_with_replacement, pairwise
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.enumeration import listed
 from vibcli.base.errors import PhysicsError
@@ -11,42 +13,46 @@ from vibcli.report.sections.shown_modes import shown, shown_damped
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import is_zero
 
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
+
 MOST = 12       # coordinates of which matrices and shapes are written out
 SAMPLES, ALIKE = 8, 1e-9        # sets of values of letters; what is rounding of a frequency
 
 
-def _chosen(problem):
+def _chosen(problem: "Problem") -> Iterator[str]:
     yield from problem.spec.choices
 
 
-def _coordinates(problem):
+def _coordinates(problem: "Problem") -> list[str]:
     return list(problem.spec.coordinates)[:MOST]
 
 
-def _equilibrium(problem):
+def _equilibrium(problem: "Problem") -> Iterator[str]:
     yield from (f"equilibrium[{q}]" for q in _coordinates(problem))
     if not problem.numeric.has_free_symbols and not problem.scene.held:
         yield "stable"
 
 
-def _virtual_work(problem):
+def _virtual_work(problem: "Problem") -> Iterator[str]:
     if "virtual_work" in (problem.spec.get("find") or ()):
         yield from (f"Q[{q}]" for q in _coordinates(problem))
 
 
-def _energies(problem):
+def _energies(problem: "Problem") -> Iterator[str]:
     yield from ("T", "V")
     if not problem.symbolic.energies["Phi"].is_zero:
         yield "Phi"
 
 
-def _equations(problem):
+def _equations(problem: "Problem") -> Iterator[str]:
     own = [q for q in _coordinates(problem) if problem.scene.pieces or q in problem.symbolic.equations.names]
     yield from (f"motion[{q}]" for q in own)
     yield from (f"equation[{q}]" for q in own)
 
 
-def _matrices(problem):
+def _matrices(problem: "Problem") -> Iterator[str]:
     """The entries that are not zero, of symmetric ones each once."""
     names, found = problem.scene.coordinates, problem.symbolic.equations
     if not 2 <= len(names) <= MOST or problem.scene.pieces or found.refusal:
@@ -57,8 +63,8 @@ def _matrices(problem):
                 yield f"{letter}[{names[i]},{names[j]}]"
 
 
-def _modes(problem, damped=False):
-    """The modes that are told; of a scene in letters all, in closed form, or those that are `damped`."""
+def _modes(problem: "Problem", damped: bool = False) -> list[tuple[Any, bool]]:
+    """Each mode that is told, and does it grow; in letters all, in closed form, or those that are `damped`."""
     if problem.numeric.has_free_symbols:
         from vibcli.inverse.letters import closed_modes
 
@@ -68,7 +74,7 @@ def _modes(problem, damped=False):
     return [(mode, mode.growth_rate is not None) for mode in shown(problem)]
 
 
-def _require_ordered(problem, omegas):
+def _require_ordered(problem: "Problem", omegas: "list[Node]") -> None:
     """Refuse modes whose numbers hang on the values of the letters."""
     scene = problem.scene
     for attempt in range(SAMPLES):
@@ -79,11 +85,11 @@ def _require_ordered(problem, omegas):
             raise PhysicsError("the letters leave open which of the modes has the lower frequency")
 
 
-def _frequencies(problem):
+def _frequencies(problem: "Problem") -> Iterator[str]:
     yield from (f"{'growth_rate' if unstable else 'omega'}[{mode.index}]" for mode, unstable in _modes(problem))
 
 
-def _damping(problem):
+def _damping(problem: "Problem") -> Iterator[str]:
     letters = problem.numeric.has_free_symbols
     for mode in [mode for mode, _ in _modes(problem, True)] if letters else shown_damped(problem) or ():
         if mode.zeta is not None:
@@ -91,12 +97,12 @@ def _damping(problem):
             yield f"{'omega_d' if _is_some(mode.omega_d) else 'decay'}[{mode.index}]"
 
 
-def _is_some(rate):
+def _is_some(rate: "float | Node") -> bool:
     """Is a rate, in letters or a number, there and not zero?"""
     return rate is not None and not (rate.is_zero if hasattr(rate, "is_zero") else rate == 0)
 
 
-def _shapes(problem):
+def _shapes(problem: "Problem") -> Iterator[str]:
     if len(_coordinates(problem)) < 2 or len(problem.spec.coordinates) > MOST:
         return
     modes = [mode for mode, _ in _modes(problem)]
@@ -109,7 +115,7 @@ def _shapes(problem):
         raise PhysicsError(f"modes {numbers} share a frequency: each mix of their shapes is one")
 
 
-def _of_one_frequency(problem, modes):
+def _of_one_frequency(problem: "Problem", modes: Sequence[Any]) -> set[int]:
     """The numbers of modes that have the frequency of another."""
     if not problem.numeric.has_free_symbols:
         return set(repeated(modes))
@@ -117,7 +123,7 @@ def _of_one_frequency(problem, modes):
     return {number for a, b in pairwise(known) if is_zero(a.omega - b.omega) for number in (a.index, b.index)}
 
 
-def _kept_up(problem):
+def _kept_up(problem: "Problem") -> Iterator[str]:
     """Amplitude and phase, where there is a steady state of one harmonic."""
     from vibcli.report.document import Report
     from vibcli.report.sections.kept_up import kept_up
@@ -127,30 +133,30 @@ def _kept_up(problem):
             yield from (f"amplitude({q})", f"phase({q})")
 
 
-def _response(problem):
+def _response(problem: "Problem") -> Iterator[str]:
     for text, _ in trees_asked(problem, "response"):
         for extreme in ("max", "min"):
             yield from (f"{extreme}({text})", f"arg{extreme}({text})")
 
 
-def _equilibria(problem):
+def _equilibria(problem: "Problem") -> Iterator[str]:
     yield "equilibria"
     for number in range(1, len(problem.equilibria.items) + 1):
         yield from (f"equilibrium[{q}][{number}]" for q in _coordinates(problem))
         yield f"stable[{number}]"
 
 
-def _sensitivities(problem):
+def _sensitivities(problem: "Problem") -> Iterator[str]:
     found = problem.modal.result("sensitivities")
     for mode in problem.modal.modes.shown()[:LONGEST]:
         yield from (f"sensitivity[{mode.index},{name}]" for name in found.omega if mode.omega)
 
 
-def _estimates(problem):
+def _estimates(problem: "Problem") -> Iterator[str]:
     yield from ("rayleigh", "dunkerley")
 
 
-def _ritz(problem):
+def _ritz(problem: "Problem") -> Iterator[str]:
     yield from (f"ritz[{mode.index}]" for mode in problem.modal.result("ritz").modes)
 
 

@@ -1,6 +1,7 @@
 """A range of values of a parameter, as text: `k=400 N/m .. 1.2 kN/m`. ValueError: what is wrong with it."""
 
 import re
+from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise
 from math import exp, log
@@ -61,7 +62,7 @@ def of_numbers(spec: "Spec", name: str, numbers: "ArrayLike") -> SweptAxis:
     return SweptAxis(name, unit, tuple(map(given, shown)), tuple(map(float, shown)), given)
 
 
-def _require_free(spec, name):
+def _require_free(spec: "Spec", name: str) -> None:
     known = {*spec.parameters, *spec.choices}
     if name not in known:
         raise ValueError(f"the file has no parameter '{name}'" + said(nearest(name, known)))
@@ -73,7 +74,7 @@ def _require_free(spec, name):
                          + ("that" if len(set(others)) == 1 else "one of these"))
 
 
-def _in_one_unit(spec, name, texts):
+def _in_one_unit(spec: "Spec", name: str, texts: Sequence[str]) -> tuple[list[Fraction], str]:
     """([Fraction, Fraction] of the ends, the text of the unit of the first); a bare number has the unit of the other
     end, or that of the file."""
     found = [_literal(text) for text in texts]
@@ -93,7 +94,7 @@ def _in_one_unit(spec, name, texts):
     return numbers, unit
 
 
-def _literal(text):
+def _literal(text: str) -> tuple[Fraction, str]:
     """(number, text of its unit)."""
     tree, scalar = parsed(text.strip(), "")
     found = number_and_unit(Expression(scalar, tree))
@@ -102,7 +103,7 @@ def _literal(text):
     return found
 
 
-def _part(low, high, part, spaced_by_ratio):
+def _part(low: Fraction, high: Fraction, part: Fraction, spaced_by_ratio: bool) -> Fraction:
     if spaced_by_ratio:
         return Fraction(exp(log(low) + float(part) * (log(high) - log(low))))
     return low + (high - low) * part

@@ -16,7 +16,7 @@ class SymbolicExpression:
 
     __slots__ = ("_moving", "_node")
 
-    def __init__(self, node: Node, moving: tuple[str, ...] = ()):
+    def __init__(self, node: Node, moving: tuple[str, ...] = ()) -> None:
         self._node, self._moving = node, moving
 
     def __str__(self) -> str:
@@ -54,7 +54,7 @@ class MotionEquation:
 
     __slots__ = ("_linear", "_node", "_scene", "coordinate", "latex", "linear_latex", "linear_text", "text")
 
-    def __init__(self, scene: "Scene", row: dict[str, str | None], node: Node | None, linear: Node | None):
+    def __init__(self, scene: "Scene", row: dict[str, str | None], node: Node | None, linear: Node | None) -> None:
         self._scene, self._node, self._linear = scene, node, linear
         self.coordinate, self.text, self.latex = row["coordinate"], row["text"], row["latex"]
         self.linear_text, self.linear_latex = row["linear_text"], row["linear_latex"]

@@ -2,7 +2,7 @@
 
 from functools import cached_property
 from math import nan
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.api import given
 from vibcli.api.source import SceneSource, problem_of, settled
@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from numpy import ndarray
     from numpy.typing import ArrayLike
 
+    from vibcli.analyses.closed_form.closed_forms import ClosedMode
     from vibcli.api.expressions import MotionEquation, SymbolicExpression
     from vibcli.api.pictures import SceneDrawing
     from vibcli.api.response import SampledResponse
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
     from vibcli.report.blocks import Document
     from vibcli.results.other_values import OtherValues
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 __all__ = ["Model", "PhysicsError", "SpecError"]
 
@@ -32,14 +34,14 @@ class Model:
     """A scene, or a case of it. Its answers are found when they are asked for, and kept; PhysicsError where there is no
     such answer. Values are in SI units; those of a scene in letters are SymbolicExpressions."""
 
-    def __init__(self, source: SceneSource, problem: "Problem", settings: dict[str, tuple] | None = None,
-                 case: str | None = None, accuracy: float | None = None, others: "OtherValues | None" = None):
+    def __init__(self, source: SceneSource, problem: "Problem", settings: dict[str, tuple[Any, ...]] | None = None,
+                 case: str | None = None, accuracy: float | None = None, others: "OtherValues | None" = None) -> None:
         self._source, self._settings, self._case, self._accuracy = source, settings or {}, case, accuracy
         self._given_others, self._as_given = others, problem
         self._as_read = problem if accuracy is None else problem.with_accuracy(accuracy)
 
     @cached_property
-    def _problem(self):
+    def _problem(self) -> "Problem":
         """The Problem, with values for what it chooses."""
         return settled(self._as_read)
 
@@ -81,12 +83,12 @@ class Model:
         return Model(self._source, problem, found, self._case, self._accuracy, self._others)
 
     @cached_property
-    def _named(self):
+    def _named(self) -> set[str]:
         """The names to which values can be given."""
         return given.parameters_of(self._source.node)
 
     @cached_property
-    def _others(self):
+    def _others(self) -> "OtherValues":
         """What shares the derivation of the scene as it was read."""
         from vibcli.results.other_values import OtherValues
 
@@ -223,7 +225,7 @@ class Model:
         document, refusal = made.document(self._case), made.refusal
         return document if refusal is None else document._replace(refusal=Refusal(refusal.message, refusal.hint))
 
-    def _closed_modes(self, stable=False):
+    def _closed_modes(self, stable: bool = False) -> "list[ClosedMode]":
         from vibcli.inverse.letters import closed_modes
 
         found = closed_modes(self._problem)
@@ -233,13 +235,13 @@ class Model:
                                f"ask for growth_rate[{growing}]")
         return found
 
-    def _letters(self, node):
+    def _letters(self, node: "Node") -> "SymbolicExpression":
         from vibcli.api.expressions import SymbolicExpression
 
         return SymbolicExpression(node)
 
 
-def _case(problem, name):
+def _case(problem: "Problem", name: str) -> "Problem":
     try:
         return given.case(problem, name)
     except ValueError as error:

@@ -76,7 +76,7 @@ class SceneDrawing(NamedTuple):
         return self.data("svg").decode()
 
 
-def _words(problem, told=""):
+def _words(problem: "Problem", told: str = "") -> tuple[str, str]:
     """(the title of a picture of a scene, what the scene consists of)."""
     from vibcli.drawing.drawing import contents
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from importlib import import_module
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import Inertless, Kinked, NoEquilibrium, NotInLetters, PhysicsError
 from vibcli.reader.sections.find import INSIGHT, MODES, OF_MODES, ON_REQUEST, RESPONSES
@@ -11,6 +11,7 @@ from vibcli.report.document import EVERYTHING, Report
 from vibcli.report.wanted import Wanted
 
 if TYPE_CHECKING:
+    from vibcli.language.spec import Spec
     from vibcli.results.problem import Problem
 
 PICTURES = {"equilibrium": "force_diagrams", "modes": "mode_pictures"}
@@ -44,13 +45,13 @@ def solution(problem: "Problem", insight: bool = False) -> Sequence[str]:
     return [s for s in EVERYTHING + ON_REQUEST if s in asked]
 
 
-def _is_prescribed(problem):
+def _is_prescribed(problem: "Problem") -> bool:
     """Does nothing move freely, and do answers ask for the motion in time?"""
     return not problem.scene.q and not problem.scene.pieces and any(
         tree.args for answer in problem.spec.answers for tree in answer.asked.parts.quantities)
 
 
-def _asks_equivalents(spec):
+def _asks_equivalents(spec: "Spec") -> bool:
     """Do answers ask for what springs or dampers at one place resist with?"""
     return any(tree.head in ("stiffness", "damping") and tree.component
                for answer in spec.answers for tree in answer.asked.parts.quantities)
@@ -79,12 +80,13 @@ def data(problem: "Problem", parts: Sequence[str], normalise: str, digits: int |
     return _parts(problem, parts, normalise, digits, sections, wanted) | certified(problem)
 
 
-def _parts(problem, parts, normalise, digits, sections, wanted):
+def _parts(problem: "Problem", parts: Sequence[str], normalise: str, digits: int | None, sections: Sequence[str],
+           wanted: Wanted) -> dict[str, Any]:
     from vibcli.report import keys
 
     if digits is not None:
         _require_numbers(problem)
-    found: dict = {"title": problem.spec.get("title"), "coordinates": list(problem.scene.coordinates)}
+    found: dict[str, Any] = {"title": problem.spec.get("title"), "coordinates": list(problem.scene.coordinates)}
     if "prescribed" in sections:
         parts = tuple(part for part in parts if part == "equations")
     if problem.choice is not None:
@@ -124,7 +126,7 @@ def _parts(problem, parts, normalise, digits, sections, wanted):
     return found
 
 
-def _equations(problem, parts, sections):
+def _equations(problem: "Problem", parts: Sequence[str], sections: Sequence[str]) -> dict[str, Any]:
     """Energies, equations of motion and matrices in letters where they are known; null each along members."""
     from vibcli.report import keys
 
@@ -144,7 +146,7 @@ def _equations(problem, parts, sections):
     return found | (keys.data([MATRICES], problem) if known else {"matrices": None})
 
 
-def _responses(problem, word, parts, wanted):
+def _responses(problem: "Problem", word: str, parts: Sequence[str], wanted: Wanted) -> Any:
     """Motions in time or frequency responses; null of letters, of which `find` asks formulas, which texts have."""
     from vibcli.report.sections import frequency_response, response
 
@@ -154,7 +156,7 @@ def _responses(problem, word, parts, wanted):
     return write(problem, wanted or Wanted())
 
 
-def _insight(problem, words, sections):
+def _insight(problem: "Problem", words: Sequence[str], sections: Sequence[str]) -> dict[str, Any] | None:
     from vibcli.report import keys
     from vibcli.report.section_keys import section_keys
     from vibcli.report.sections.insight import require_numbers
@@ -169,7 +171,8 @@ def _insight(problem, words, sections):
         return None
 
 
-def _frequencies(problem, parts, normalise, digits, sections, wanted):
+def _frequencies(problem: "Problem", parts: Sequence[str], normalise: str, digits: int | None, sections: Sequence[str],
+                 wanted: Wanted) -> dict[str, Any]:
     """Equilibrium, matrices and modes; null with a remark where the other parts stand without them."""
     from vibcli.report import keys
     from vibcli.report.sections.spectrum_data import frequencies_data
@@ -193,12 +196,12 @@ def _frequencies(problem, parts, normalise, digits, sections, wanted):
         return found
 
 
-def _rests_at_a_jump(problem, error):
+def _rests_at_a_jump(problem: "Problem", error: PhysicsError) -> bool:
     return isinstance(error, Kinked) and not problem.numeric.has_free_symbols and bool(
         problem.configuration.equilibrium.jumps)
 
 
-def _without_slope(problem, refusal, sections):
+def _without_slope(problem: "Problem", refusal: PhysicsError, sections: Sequence[str]) -> bool:
     """Is there no slope, for friction or a kink, or no inertia, where nothing that needs them is asked by name?"""
     if "prescribed" in sections:
         return True
@@ -211,7 +214,7 @@ def _without_slope(problem, refusal, sections):
     return beside and not any(word in sections and word in asked for word in SLOPES)
 
 
-def _listed_alone(problem, sections):
+def _listed_alone(problem: "Problem", sections: Sequence[str]) -> bool:
     """Is a list of all equilibria asked, and nothing about the one that is reached from the drawn position?"""
     asked = problem.spec.get("find") or ()
     return "equilibria" in sections and not any(word in asked for word in ("equilibrium", "equations", *SLOPES))
@@ -253,7 +256,7 @@ def require_certified(problem: "Problem", sections: Sequence[str], normalise: st
     require_rounding(problem)
 
 
-def _digits(made, problem, digits):
+def _digits(made: Report, problem: "Problem", digits: int | None) -> None:
     from vibcli.report.sections.spectrum_data import frequencies_data
 
     _require_numbers(problem)
@@ -268,10 +271,10 @@ def _digits(made, problem, digits):
     made.append(section(f"With {digits} digits", *(paragraph(line, hang=None) for line in lines)))
 
 
-def _require_numbers(problem):
+def _require_numbers(problem: "Problem") -> None:
     if problem.numeric.has_free_symbols:
         raise PhysicsError("--digits needs numbers, and this scene has symbols without value", "give them with --set")
 
 
-def _signed(text):
+def _signed(text: str) -> str:
     return "− " + text[1:] if text.startswith("-") else "+ " + text

@@ -1,7 +1,7 @@
 """Motions in time and frequency responses as arrays of NumPy, in SI units."""
 
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.api import given
 from vibcli.api.values import given_expression
@@ -17,27 +17,30 @@ if TYPE_CHECKING:
     from numpy import ndarray
     from numpy.typing import ArrayLike
 
+    from vibcli.report.sections.sampled_series import SampledSignal
     from vibcli.results.problem import Problem
 
 END = "a time, as in 2 or '500 ms'"
 
 
-class SampledResponse(Mapping):
+class SampledResponse(Mapping[str, Any]):
     """A motion in time: `t`, an array of n instants [s], and for each signal an array of n values in SI units. The keys
     are the signals that `find` of the file asks for, else the coordinates; any other signal may be asked for."""
 
-    def __init__(self, problem: "Problem", points: int = 1001):
-        self._problem, self._points, self._series = problem, points, {}
+    def __init__(self, problem: "Problem", points: int = 1001) -> None:
+        self._problem, self._points = problem, points
+        self._series: dict[str, SampledSignal] = {}
         self.t: ndarray = self._sampled(next(iter(self))).times
 
-    def _sampled(self, signal):
+    def _sampled(self, signal: str) -> "SampledSignal":
         if signal not in self._series:
             wanted = Wanted((given_expression(signal, "the signal"),), points=self._points)
             self._series[signal], = sampled(self._problem, wanted)
         return self._series[signal]
 
     def __getitem__(self, signal: str) -> "ndarray":
-        return self._sampled(signal).values
+        values: ndarray = self._sampled(signal).values
+        return values
 
     def __iter__(self) -> Iterator[str]:
         return (text for text, _ in trees_asked(self._problem, RESPONSE))
@@ -66,7 +69,7 @@ def response(problem: "Problem", until: float | str | None = None, points: int =
 def instant(until: float | str) -> float:
     """An end of a motion [s]; SpecError where it is none."""
     try:
-        return given.size(text_of(until) or "", "s", END)
+        return float(given.size(text_of(until) or "", "s", END))
     except ValueError as error:
         raise SpecError([Diagnostic(Where(f"until {until}", 1, 1, 0), str(error))]) from None
 

@@ -2,7 +2,7 @@
 
 import os
 from time import perf_counter
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.decoding import MAX_BYTES, lines, too_long
 from vibcli.base.errors import Diagnostic, SpecError
@@ -41,7 +41,7 @@ def bytes_source(data: bytes, file: str) -> SceneSource:
     return SceneSource(file, *read(data, file), lines(data))
 
 
-def content(node: Mapping | Sequence | Scalar, without: tuple[str, ...] = ()) -> tuple:
+def content(node: Mapping | Sequence | Scalar, without: tuple[str, ...] = ()) -> tuple[Any, ...]:
     """What stands in a node, some keys left out, whatever its layout and the remarks beside it."""
     if isinstance(node, Scalar):
         return node.text, node.quoted
@@ -82,7 +82,7 @@ def text_source(text: str, folder: "str | os.PathLike[str]" = ".") -> SceneSourc
     return SceneSource(file, *read(data, file), text.splitlines())
 
 
-def problem_of(source: SceneSource, settings: dict | None = None, work: Work | None = None) -> "Problem":
+def problem_of(source: SceneSource, settings: dict[str, Any] | None = None, work: Work | None = None) -> "Problem":
     """The Problem of a scene; SpecError where it is invalid. settings: {parameter: (syntax tree, text)} that replace
     values of the file; work: what counts its long work."""
     if source.node is None:

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from itertools import product
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.api.axis import of_numbers
 from vibcli.api.source import settled
@@ -34,7 +34,7 @@ class SweptValues(NamedTuple):
     units: dict[str, str]
     branches: "dict[str, ndarray]"
     meetings: "list[Meeting]"
-    gaps: list[tuple]
+    gaps: list[tuple[Any, ...]]
 
 
 def swept(problem: "Problem", quantities: Sequence[str], parameters: "Mapping[str, ArrayLike]") -> SweptValues:
@@ -56,7 +56,7 @@ def swept(problem: "Problem", quantities: Sequence[str], parameters: "Mapping[st
         [] if found.branches is None else found.branches.meetings, [*map(tuple, found.gaps), *_not_reached(found)])
 
 
-def _not_reached(found):
+def _not_reached(found: Sweep) -> list[tuple[tuple[str, ...], list[tuple[int, ...]], str]]:
     """The gap of what an interrupt left out."""
     left = list(product(*map(range, found.shape)))[found.done:]
     return [(tuple(one.text for one in found.asked), left, "it was interrupted before")] if left else []
@@ -86,7 +86,7 @@ def sweep(problem: "Problem", axes: Sequence[SweptAxis], asked: "Sequence[Expres
     return found
 
 
-def _require_values(problem, swept_over):
+def _require_values(problem: "Problem", swept_over: set[str]) -> None:
     left = [name for name, record in problem.spec.parameters.items()
             if "value" not in record and name not in swept_over and name not in problem.spec.choices]
     if left:
@@ -94,7 +94,7 @@ def _require_values(problem, swept_over):
                          "--set, or values in the file")
 
 
-def _natural(problem, axes):
+def _natural(problem: "Problem", axes: Sequence[SweptAxis]) -> "list[Expression]":
     """The natural frequencies of the scene at the middle of its ranges; at one end, where it has none there."""
     from vibcli.results.variants import Variants
 
@@ -110,6 +110,6 @@ def _natural(problem, axes):
     raise refused
 
 
-def _require_number(problem, asked):
+def _require_number(problem: "Problem", asked: "Expression") -> None:
     if kind_of(problem.spec, asked.tree) in OF_STATE:
         raise ValueError(f"'{asked.text}' is a function of the state, no number")

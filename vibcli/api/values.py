@@ -1,7 +1,7 @@
 """A quantity asked for by its text: its value with unit and error bound, or its expression in letters."""
 
 from contextlib import suppress
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.api import given
 from vibcli.api.expressions import SymbolicExpression
@@ -90,7 +90,7 @@ def bounded(problem: "Problem", asked: "Expression") -> tuple[float | complex | 
     return float(value), float(error)
 
 
-def _measured(problem, tree):
+def _measured(problem: "Problem", tree: QuantityRef) -> tuple[Any, float]:
     value, relative = measure(problem, tree)
     if isinstance(value, bool):
         return value, 0.0
@@ -98,11 +98,11 @@ def _measured(problem, tree):
     return value, float(relative * abs(value) if value else _rounding(problem, tree))
 
 
-def _rounding(problem, tree):
+def _rounding(problem: "Problem", tree: QuantityRef) -> float:
     """What a number of a motion that is found in closed form may be off where it is zero: by the size of its signal."""
     if not tree.args or FAMILIES.get(tree.head) in ("frequency_response", "laws") or (
             problem.response_of(tree).KIND == "full"):
         return 0.0
     with suppress(PhysicsError):
-        return ERROR * declared(tree).size(problem, tree)
+        return ERROR * float(declared(tree).size(problem, tree))
     return 0.0

@@ -11,6 +11,8 @@ if TYPE_CHECKING:
     from concurrent.futures import Executor
 
     from vibcli.api.source import SceneSource
+    from vibcli.homework.variants import ProblemVariant
+    from vibcli.language.given_values import GivenValue
     from vibcli.results.problem import Problem
 
 
@@ -49,7 +51,7 @@ def variants_of(problem: "Problem", source: "SceneSource", case: str | None,
                             {key.text: key.unit for key in found.keys}, rejected)
 
 
-def _variant(texts, one):
+def _variant(texts: list[str], one: "ProblemVariant") -> HomeworkVariant:
     keys, bands, mistakes = {}, {}, {}
     for text, key in zip(texts, one.keys, strict=True):
         is_number = key.value is not None
@@ -59,5 +61,5 @@ def _variant(texts, one):
     return HomeworkVariant(_texts(one.values), keys, bands, mistakes)
 
 
-def _texts(values):
+def _texts(values: "dict[str, GivenValue]") -> dict[str, str]:
     return {name: value.text for name, value in values.items()}

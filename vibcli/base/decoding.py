@@ -85,12 +85,12 @@ def name_of(char: str) -> str:
     return f"the {kind} character U+{ord(char):04X}"
 
 
-def _place_of_byte(data, index, file):
+def _place_of_byte(data: bytes, index: int, file: str) -> Where:
     text = data[:index].decode("utf-8", "replace").removeprefix("\ufeff")
     return place(text, len(text), file)
 
 
-def _not_utf8(data, index, file):
+def _not_utf8(data: bytes, index: int, file: str) -> Diagnostic:
     guess = data[index : index + 1].decode("latin-1")
     looks = f" (in Latin-1 it would be '{guess}')" if guess.isprintable() else ""
     return Diagnostic(_place_of_byte(data, index, file),
@@ -98,7 +98,7 @@ def _not_utf8(data, index, file):
                       "save the file as UTF-8 in the editor")
 
 
-def _without_forbidden(text, file):
+def _without_forbidden(text: str, file: str) -> tuple[str, list[Diagnostic]]:
     problems = []
     for found in () if prints(text) else forbidden().finditer(text):
         where = place(text, found.start(), file)

@@ -50,15 +50,15 @@ def render(diagnostic: "Diagnostic", lines: Sequence[str], color: bool = False) 
     return "".join(parts)
 
 
-def _bounded(text):
+def _bounded(text: str) -> str:
     return escaped(text if len(text) <= LONGEST else text[: LONGEST - 1] + "…")
 
 
-def _cell(char):
+def _cell(char: str) -> str:
     return char if char.isprintable() else char.encode("unicode_escape").decode("ascii")
 
 
-def _columns(cell):
+def _columns(cell: str) -> int:
     """Terminal columns of one shown character (two for East Asian wide ones, none for combining marks)."""
     if cell.isascii():
         return len(cell)
@@ -69,7 +69,7 @@ def _columns(cell):
     return 2 if unicodedata.east_asian_width(cell) in "WF" else 1
 
 
-def _excerpt(line, start, width):
+def _excerpt(line: str, start: int, width: int) -> tuple[str, str]:
     """A line of at most about ROOM columns that holds the caret, and the caret line beneath it."""
     start = min(max(start, 0), len(line))
     end = min(start + max(width, 1), max(len(line), start + 1))
@@ -84,11 +84,11 @@ def _excerpt(line, start, width):
     return head + "".join(cells) + tail, " " * (len(head) + before) + "^" * max(under, 1)
 
 
-def _widths(cells):
+def _widths(cells: list[str]) -> int:
     return sum(map(_columns, cells))
 
 
-def _fitting(cells, room):
+def _fitting(cells: list[str], room: int) -> list[str]:
     for count, cell in enumerate(cells):
         room -= _columns(cell)
         if room < 0:

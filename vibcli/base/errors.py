@@ -30,7 +30,7 @@ class Diagnostic:
     __slots__ = ("hint", "message", "where")
     WORD = "error"
 
-    def __init__(self, where: Where | None, message: str, hint: str | None = None):
+    def __init__(self, where: Where | None, message: str, hint: str | None = None) -> None:
         self.where, self.message, self.hint = where, message, hint
 
     def __repr__(self) -> str:
@@ -49,7 +49,7 @@ class Remark(Diagnostic):
 class SpecError(Exception):
     """The input is invalid; carries every diagnostic that was found. Exit code 3."""
 
-    def __init__(self, diagnostics: Sequence[Diagnostic]):
+    def __init__(self, diagnostics: Sequence[Diagnostic]) -> None:
         super().__init__("\n".join(map(repr, diagnostics)))
         self.diagnostics = list(diagnostics)
 
@@ -57,7 +57,7 @@ class SpecError(Exception):
 class PhysicsError(Exception):
     """The scene is well written but has no such answer, for a physical cause. Exit code 4."""
 
-    def __init__(self, message: str, hint: str | None = None, where: Any = None):
+    def __init__(self, message: str, hint: str | None = None, where: Any = None) -> None:
         super().__init__(message)
         self.message, self.hint, self.where = message, hint, where
 
@@ -79,7 +79,7 @@ class NotFixed(PhysicsError):
     CELL = "not fixed by statics"
 
     def __init__(self, text: str, cause: str = "the scene is supported by more than it needs",
-                 hint: str = "take a redundant support out"):
+                 hint: str = "take a redundant support out") -> None:
         super().__init__(f"statics alone does not fix '{text}': {cause}", hint)
 
 
@@ -102,7 +102,7 @@ class Kinked(PhysicsError):
 class Inertless(PhysicsError):
     """Nothing has inertia, so that nothing vibrates: a remark beside the equations of equilibrium."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__("nothing in the scene has inertia: nothing can vibrate", "give a mass")
 
 

@@ -20,7 +20,7 @@ class Garbage:
             self._left = _resident() or 0
 
 
-def _resident():
+def _resident() -> int:
     """Bytes of memory that the process holds; None where no file tells."""
     try:
         with open("/proc/self/statm", "rb") as file:

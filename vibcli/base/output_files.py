@@ -20,7 +20,7 @@ def refuse_unwritable(path: Path, suffixes: Sequence[str] | None = None) -> None
         raise _unwritable(path, error) from None
 
 
-def _refuse_place(path):
+def _refuse_place(path: Path) -> None:
     if not path.parent.is_dir():
         raise PhysicsError(f"there is no folder {path.parent}", f"make it first, to hold {path.name}")
     if path.is_symlink():
@@ -31,7 +31,7 @@ def _refuse_place(path):
         raise PhysicsError(f"the folder {path.parent} may not be written to", "name another one")
 
 
-def _unwritable(path, error):
+def _unwritable(path: Path, error: OSError | ValueError) -> PhysicsError:
     return PhysicsError(f"{path} cannot be written: {getattr(error, 'strerror', None) or error}", "name another file")
 
 
@@ -55,7 +55,7 @@ def write_whole(path: Path | str, data: bytes, new: bool = False) -> None:
         raise _unwritable(path, error) from None
 
 
-def _put(beside, path, new):
+def _put(beside: Path, path: Path, new: bool) -> None:
     """Give a file that is written its name; a new one takes no other's place, whoever was faster."""
     if new:
         try:

@@ -6,12 +6,12 @@ from time import perf_counter
 from typing import Any
 
 
-class Costs(dict):
+class Costs(dict[str, float]):
     """{stage: seconds}, each without the stages that it had to wait for; the parts of a pipeline share them."""
 
     inner = 0.0         # seconds of the stages within the one under way
 
-    def measured(self, stage: str, compute: Callable) -> Any:
+    def measured(self, stage: str, compute: Callable[..., Any]) -> Any:
         """The result of a stage; its cost is kept."""
         before, outer = perf_counter(), self.inner
         self.inner = 0.0
@@ -22,10 +22,10 @@ class Costs(dict):
         return value
 
 
-class Stage(cached_property):
+class Stage(cached_property[Any]):
     """A cached property that records in the `costs` of its object what it cost."""
 
-    def __get__(self, part: Any, owner: type[Any] | None = None):
+    def __get__(self, part: Any, owner: type[Any] | None = None) -> Any:
         if part is None:
             return self
         if self.attrname in part.__dict__:
@@ -33,11 +33,11 @@ class Stage(cached_property):
         return part.costs.measured(self.attrname, lambda: cached_property.__get__(self, part, owner))
 
 
-class SharedPart(cached_property):
+class SharedPart(cached_property[Any]):
     """A cached property that follows from expressions alone: an object that is `like` another one, but for its values,
     takes over that of the other."""
 
-    def __get__(self, part: Any, owner: type[Any] | None = None):
+    def __get__(self, part: Any, owner: type[Any] | None = None) -> Any:
         if part is None or part.like is None:
             return super().__get__(part, owner)
         found = part.__dict__[self.attrname] = getattr(part.like, self.attrname)

@@ -23,8 +23,8 @@ class Unit:
 
     __slots__ = ("_prefix", "_value", "cycles", "dimension", "pi", "radians", "roots")
 
-    def __init__(self, value: Any, dimension: Mapping[str, Fraction | int], pi: Fraction | int = 0, cycles: int = 0,
-                 radians: int = 0, roots: Any = (), prefix: str = ""):
+    def __init__(self, value: Any, dimension: Mapping[str, Fraction | int], pi: Fraction | int = 0,
+                 cycles: Fraction | int = 0, radians: Fraction | int = 0, roots: Any = (), prefix: str = "") -> None:
         self._value, self.dimension, self.pi = value, dimension, pi
         self.cycles, self.radians, self.roots, self._prefix = cycles, radians, roots, prefix
 
@@ -51,7 +51,7 @@ _POUND_FORCE, _FOOT, _MILE = _POUND * _GRAVITY, 12 * _INCH, 63360 * _INCH
 _HOUR = 3600
 
 
-def _prefixed(name, prefixes, dimension, **counts):
+def _prefixed(name: str, prefixes: str, dimension: Mapping[str, Fraction | int], **counts: int) -> dict[str, Unit]:
     """{name: Unit} of a unit with each of some prefixes, and without."""
     return {prefix + name: Unit(1, dimension, prefix=prefix, **counts) for prefix in ("", *prefixes.split())}
 
@@ -145,11 +145,11 @@ def text(dimension: Any) -> str:
     return above + "/" + (down[0] if len(down) == 1 else "(" + "·".join(down) + ")")
 
 
-def _powered(base, exponent):
+def _powered(base: str, exponent: Any) -> str:
     return base if exponent == 1 else base + str(exponent).translate(_SUPERSCRIPT)
 
 
-def wanted(unit: str | None, dimension: Mapping[str, int]) -> str:
+def wanted(unit: str | None, dimension: Mapping[str, Fraction | int]) -> str:
     """The words for what a field of this unit expects; `unit` None or unknown: by the dimension alone."""
     return _WANTED.get(unit) or name(dimension)
 
@@ -180,7 +180,7 @@ _WORDS = ((LENGTH, "a length"), (MASS, "a mass"), (TIME, "a time"), (FORCE, "a f
 class Dimensions:
     """The dimensions of the names of a scene: known, or solved for as fields fix them (linear in the exponents)."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         self._solved = {}
 
     def unknown(self, name: str) -> dict[str, int]:

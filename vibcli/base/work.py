@@ -12,7 +12,7 @@ from typing import Any
 
 from vibcli.base.errors import PhysicsError
 
-_innermost: ContextVar[Any] = ContextVar("the task that is under way", default=None)
+_innermost: "ContextVar[Task | None]" = ContextVar("the task that is under way", default=None)
 
 
 def counted(steps: float) -> None:
@@ -41,7 +41,7 @@ class Spent(Exception):
     """A task has reached its limit. No PhysicsError: a search that takes those of single places for an answer must not
     take this one. Where its task ends it becomes one, if nobody has kept what was found."""
 
-    def __init__(self, task: "Task"):
+    def __init__(self, task: "Task") -> None:
         super().__init__(task.what)
         self.task = task
 
@@ -53,12 +53,12 @@ class Work:
 
     __slots__ = ("cut", "interrupted", "open", "patience", "tell")
 
-    def __init__(self, patience: int = 1, tell: Any = None):
+    def __init__(self, patience: int = 1, tell: Any = None) -> None:
         self.patience, self.tell, self.open = patience, tell, []
         self.cut = self.interrupted = False
 
     @contextmanager
-    def task(self, what: str, limit: float = inf, refusal: Callable | None = None) -> "Iterator[Task]":
+    def task(self, what: str, limit: float = inf, refusal: Callable[..., Any] | None = None) -> "Iterator[Task]":
         """A Task: with work.task("the search for k", 20_000) as task: … task.step(). Beyond the limit the PhysicsError
         `refusal(task)`, or that of the task."""
         task = Task(self, what, limit * self.patience)
@@ -98,7 +98,7 @@ class Task:
 
     __slots__ = ("limit", "part", "steps", "what", "work")
 
-    def __init__(self, work: Work, what: str, limit: float):
+    def __init__(self, work: Work, what: str, limit: float) -> None:
         self.work, self.what, self.limit, self.steps, self.part = work, what, limit, 0, None
 
     def step(self, part: float | None = None, steps: float = 1) -> None:

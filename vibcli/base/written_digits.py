@@ -5,7 +5,7 @@ import re
 SHORT = 3       # digits: fewer are exact
 
 
-def _number(text):
+def _number(text: str) -> tuple[str, str, int]:
     """(digits before the point, after it, exponent) of a number as written."""
     whole, fraction, exponent = re.match(r"\s*[-+]?\s*(\d*)\.?(\d*)(?:[eE]([-+]?\d+))?", text).groups()
     return whole, fraction, int(exponent or 0)

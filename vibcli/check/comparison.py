@@ -7,6 +7,7 @@
 A bound that grows can turn either into uncertain, never one into the other.
 """
 
+from collections.abc import Iterator
 from math import log10
 from typing import TYPE_CHECKING
 
@@ -52,12 +53,12 @@ def compared(problem: "Problem", answer: "Answer") -> Comparison:
     return comparison
 
 
-def _contradict(rough, sharp):
+def _contradict(rough: Comparison, sharp: Comparison) -> bool:
     """Do two values of one number differ by more than their bounds? Then one of them is of another extreme or zero."""
     return abs(sharp.found - rough.found) > 2 * (rough.error + sharp.error)
 
 
-def _compared(problem, answer):
+def _compared(problem: "Problem", answer: "Answer") -> Comparison:
     """The Comparison in floats, or to the digits that the problem is asked for."""
     found, error = bounded(problem, answer.asked)
     expected, doubt = bounded(problem, answer.expected)
@@ -73,7 +74,7 @@ def verdict(expected: float, found: float, error: float, tolerance: float) -> Co
     return Comparison(agrees, float(expected), float(found), float(error), float(tolerance), digits)
 
 
-def _told_apart(expected, found):
+def _told_apart(expected: float, found: float) -> tuple[str, str]:
     """Two numbers that are the same float, in the digits in which they differ."""
     import mpmath
 
@@ -82,7 +83,7 @@ def _told_apart(expected, found):
         return mpmath.nstr(mpmath.mpmathify(expected), count), mpmath.nstr(mpmath.mpmathify(found), count)
 
 
-def _more_digits(problem, comparison):
+def _more_digits(problem: "Problem", comparison: Comparison) -> Iterator[int]:
     """To how many digits to find anew what floats leave open, so that its bound is far below the tolerance; none where
     the scene holds a number that was searched for, or where they take long."""
     if problem.choice is not None and not problem.choice.exact:

@@ -18,7 +18,7 @@ class Instances:
     with values for what it chooses. Made when they are asked for and kept; `wanted` is how many of them a comparison
     takes."""
 
-    def __init__(self, problem: "Problem"):
+    def __init__(self, problem: "Problem") -> None:
         symbolic = bool(problem.symbolic.letters)
         self.wanted = ENOUGH if symbolic else 1
         self._known = [] if symbolic else [_with_choices(problem)]
@@ -31,7 +31,7 @@ class Instances:
             yield problem
 
 
-def _candidates(problem):
+def _candidates(problem: "Problem") -> "Iterator[Problem]":
     """Those for which what the scene chooses can be found; its refusal where that is so for none."""
     found, failed, refusal = 0, 0, None
     for candidate in _for_choices(problem) or random_instances(problem):
@@ -48,19 +48,20 @@ def _candidates(problem):
         raise refusal
 
 
-def _for_choices(problem):
+def _for_choices(problem: "Problem") -> "list[Problem] | None":
     """Instances at which the first solution in letters of what a scene chooses is the first one; None without such."""
     if not problem.spec.choices:
         return None
     from vibcli.inverse import settled
 
     try:
-        return settled(problem).choice.draws
+        draws: list[Problem] = settled(problem).choice.draws
+        return draws
     except PhysicsError:
         return None
 
 
-def _with_choices(problem):
+def _with_choices(problem: "Problem") -> "Problem":
     """The problem with values for what it chooses."""
     if not problem.spec.choices:
         return problem

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from vibcli.language.reader import Expression
     from vibcli.reader.sections.answer import Answer
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.syntax import QuantityRef
 
 EXACT, WIDEST, SMALL, EPSILON = 1e-9, 0.005, 1e-12, 2.0**-52
 DOUBLE = 17     # digits: a float has at most so many
@@ -38,7 +39,7 @@ def is_exact(answer: "Answer") -> bool:
     return answer.rtol is None and not (is_number and digits_written(answer.expected.text) >= SHORT)
 
 
-def _share(problem, rtol: "Expression"):
+def _share(problem: "Problem", rtol: "Expression") -> float:
     share = value_of(problem, rtol)[0]
     if not 0 <= share < 1:
         raise SpecError([Diagnostic(rtol.where, f"the tolerance is {share:.6g}, expected 0 to 1",
@@ -46,16 +47,16 @@ def _share(problem, rtol: "Expression"):
     return share
 
 
-def _small(problem, answer):
+def _small(problem: "Problem", answer: "Answer") -> float:
     """What counts as zero: rounding beside the largest number of its kind."""
     tree, quantities = answer.asked.tree, answer.asked.parts.quantities
     quantity = quantity_of(problem.spec, tree)
     if quantity is not None and quantity.size is not None:
-        return _share_of(tree) * max(quantity.size(problem, part) for part in parts_that_cancel(tree))
+        return _share_of(tree) * max(float(quantity.size(problem, part)) for part in parts_that_cancel(tree))
     parts = [_share_of(part) * float(abs(measure(problem, part)[0])) for part in quantities]
     return max(parts) if parts else 4 * float(bounded(problem, answer.asked)[1])
 
 
-def _share_of(tree):
+def _share_of(tree: "QuantityRef") -> float:
     """What is rounding beside a quantity; in motions the roots of equations and sums of many terms are rounded, too."""
     return EXACT if tree.args else SMALL

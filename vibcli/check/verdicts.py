@@ -19,10 +19,13 @@ from vibcli.quantities.response import ALONG
 from vibcli.results.random_states import at_states, states
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from vibcli.language.reader import Expression
     from vibcli.reader.sections.answer import Answer
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import NameRef, QuantityRef
 
     Mistake = Callable[[Problem, Expression, float, float, str | None], str | None]
 
@@ -68,7 +71,7 @@ def verdicts_of(problem: "Problem", answers: "Iterable[Answer]", case: str | Non
     return [_verdict(instances, answer, case, mistake) for answer in answers]
 
 
-def _verdict(instances, answer, case, mistake):
+def _verdict(instances: Instances, answer: "Answer", case: str | None, mistake: "Mistake | None") -> Verdict:
     """Compare at every instance, to the first that differs; of a scene with symbols, those of a regime that has no such
     answer are passed over."""
     verdict, count = None, 0
@@ -102,7 +105,7 @@ def proportional(wanted: Any, found: Any, groups: Any) -> tuple[float, tuple[int
     return factor, worst_place(wanted, factor * found, groups)
 
 
-def _compare(problem, answer, case, mistake):
+def _compare(problem: "Problem", answer: "Answer", case: str | None, mistake: "Mistake | None") -> Verdict:
     tree = answer.asked.tree
     kind = kind_of(problem.spec, tree)
     head = None if kind is None else tree.head
@@ -114,7 +117,7 @@ def _compare(problem, answer, case, mistake):
     return _number(problem, answer, case, mistake)
 
 
-def _number(problem, answer, case, mistake):
+def _number(problem: "Problem", answer: "Answer", case: str | None, mistake: "Mistake | None") -> Verdict:
     found = compared(problem, answer)
     told = None
     if found.agrees is False and found.digits is None and found.found and found.expected:
@@ -125,17 +128,17 @@ def _number(problem, answer, case, mistake):
     return _uncertain(verdict) if found.agrees is None else verdict
 
 
-def _difference(ratio):
+def _difference(ratio: float) -> str:
     """By how much what is expected is off what is found."""
     return f"off by {abs(ratio - 1):.2g} of it" if abs(ratio - 1) < NEAR else f"ratio {ratio:.6g}"
 
 
-def _estimated(problem, tree):
+def _estimated(problem: "Problem", tree: "QuantityRef") -> bool:
     """Is the error of what is asked, read off a motion in time, an estimate?"""
     return any(problem.response_of(asked).estimated for asked in asked_in(tree) if asked.head in ALONG)
 
 
-def _uncertain(verdict):
+def _uncertain(verdict: Verdict) -> Verdict:
     """The Verdict with the refusal of an answer that the bound of what is found leaves open."""
     from vibcli.notation.numbers import figure, rounded_up, supported
 
@@ -147,7 +150,7 @@ def _uncertain(verdict):
     return verdict._replace(remark=f"found {known}", refusal=refusal)
 
 
-def _advice(verdict):
+def _advice(verdict: Verdict) -> str:
     """What to write where an answer is uncertain."""
     if not verdict.expected:
         return "add to both sides what it is small beside, as in x + 1 mm: 1.00 mm"
@@ -159,18 +162,19 @@ def expected_node(problem: "Problem", expression: "Expression") -> "Node":
     """What is expected, in parameters, coordinates and the time; of an equation its left side less its right one."""
     scene = problem.scene
 
-    def symbol(name, primes, part):
+    def symbol(name: str, primes: int, part: "NameRef") -> "Node":
         return scene.parameters.nodes[name] if name in scene.parameters.nodes else scene.symbol(name, primes)
 
     return lowered(expression, scene.table, symbol)
 
 
-def _symbolic(problem, answer):
+def _symbolic(problem: "Problem", answer: "Answer") -> "Node":
     """The expression that is asked for."""
-    return declared(answer.asked.tree).symbolic(problem, answer.asked.tree)
+    found: Node = declared(answer.asked.tree).symbolic(problem, answer.asked.tree)
+    return found
 
 
-def _compare_function(problem, answer, head):
+def _compare_function(problem: "Problem", answer: "Answer", head: str) -> Verdict:
     scene, ours = problem.scene, _symbolic(problem, answer)
     verdict = _at_states(problem, answer, head, ours)
     if not verdict.agrees and head in ("T", "V") and ours.mask & scene.time.mask:
@@ -180,7 +184,7 @@ def _compare_function(problem, answer, head):
     return verdict
 
 
-def _at_states(problem, answer, head, ours):
+def _at_states(problem: "Problem", answer: "Answer", head: str, ours: "Node") -> Verdict:
     """Is an energy as expected at random states, V up to a constant?"""
     expected = expected_node(problem, answer.expected)
     at, groups = states(problem)
@@ -196,7 +200,7 @@ def _at_states(problem, answer, head, ours):
                    "values at a random state of motion" if worst else None)
 
 
-def _compare_equation(problem, answer, head):
+def _compare_equation(problem: "Problem", answer: "Answer", head: str) -> Verdict:
     """Are the two left sides proportional at random states?"""
     scene = problem.scene
     i = equation_number(problem, answer.asked.tree.indices[0])
@@ -215,10 +219,10 @@ def _compare_equation(problem, answer, head):
     return Verdict(answer, agrees, remark=None if agrees else remark)
 
 
-def _small_oscillation(problem, i, at):
+def _small_oscillation(problem: "Problem", i: int, at: "dict[str, np.ndarray]") -> Any:
     """The left side of the linear equation of coordinate i at all states."""
     M, C, G, K = problem.configuration.linear_system.matrices()
-    total = 0.0
+    total: Any = 0.0
     for j, name in enumerate(problem.scene.coordinates):
         total = total + (M.get((i, j), 0.0) * at[name + "''"] + K.get((i, j), 0.0) * at[name]
                          + (C.get((i, j), 0.0) + G.get((i, j), 0.0)) * at[name + "'"])

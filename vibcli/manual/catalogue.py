@@ -20,8 +20,9 @@ class Declared:
 
     __slots__ = ("about", "kind", "kinds", "places", "section", "word")
 
-    def __init__(self, word: str, kind: Element | MotionField | NameOf, about: str, section: str | None):
-        self.word, self.kind, self.about, self.section, self.places = word, kind, about, section, []
+    def __init__(self, word: str, kind: Element | MotionField | NameOf, about: str, section: str | None) -> None:
+        self.word, self.about, self.section, self.places = word, about, section, []
+        self.kind: Any = kind
         self.kinds: dict[str, Element] = {}
 
     @property
@@ -39,14 +40,15 @@ class Declared:
         return [] if len(having) == len(self.kinds) else having
 
     @property
-    def example(self) -> str:
-        return getattr(self.kind, "example", None)
+    def example(self) -> str | None:
+        found: str | None = getattr(self.kind, "example", None)
+        return found
 
 
 class Catalogue:
     """All elements by word, found by walking the sections and their fields."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         self.elements, self.sections = {}, {}
         modules = [load(name, room) for room, names in FACES for name in names]
         self._of_kind = {id(module.KIND): module for module in modules if hasattr(module, "KIND")}
@@ -62,7 +64,7 @@ class Catalogue:
             if declared is not None:
                 self.sections[section] = declared
 
-    def _gather(self, kind, place, section, outer=None):
+    def _gather(self, kind: Any, place: str, section: str | None, outer: str | None = None) -> Declared | None:
         """Enter the elements that a kind consists of, within the `outer` one; the outermost one is returned."""
         if isinstance(kind, (Many, Named)):
             return self._gather(kind.kind, place, section, outer)
@@ -112,7 +114,7 @@ class Catalogue:
         return found
 
 
-def _kind(section):
+def _kind(section: str) -> Any:
     """The kind of a section, the file of a lazy one loaded."""
     kind, _ = SECTIONS[section]
     return kind.opened if isinstance(kind, LazyKind) else kind
@@ -126,7 +128,7 @@ def opened(kind: Element | Lazy) -> tuple[str, Any, str]:
     return kind.name, element, element.about if isinstance(element, Element) else module.ABOUT
 
 
-def _used(kind, node):
+def _used(kind: Any, node: Scalar | Mapping | Sequence) -> list[tuple[str, str]]:
     """(element word, key) of every key that a node of a kind uses, by short forms too."""
     if isinstance(kind, Named):
         return [use for _, value in node.entries.values() for use in _used(kind.kind, value)] if isinstance(

@@ -1,6 +1,6 @@
 """Pages of elements, their keys, and sections."""
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.language.fields import Element
 from vibcli.language.kinds import EquationField, Load, Many, MotionField, OneOf
@@ -10,6 +10,10 @@ from vibcli.manual.catalogue import Catalogue, opened
 from vibcli.manual.layout import blocks, either, paragraph, table
 from vibcli.reader.read import SECTIONS
 from vibcli.reader.sections.find import FIND
+
+if TYPE_CHECKING:
+    from vibcli.language.fields import Field
+    from vibcli.manual.catalogue import Declared
 
 
 def expects(kind: Any) -> str:
@@ -21,7 +25,7 @@ def expects(kind: Any) -> str:
     if isinstance(kind, Load) and not isinstance(kind, EquationField):
         return kind.wants + ", in coordinates, velocities and time"
     if not isinstance(kind, (Element, Lazy)):
-        return kind.wants
+        return str(kind.wants)
     _, element, _ = opened(kind)
     if not isinstance(element, Element):
         return expects(element)
@@ -49,7 +53,7 @@ def element_page(catalogue: Catalogue, word: Any, scene: bool = True) -> str:
                   example)
 
 
-def _expects(declared, key):
+def _expects(declared: "Declared", key: str) -> str:
     """What a key holds, and within which elements something else."""
     told: dict[str, list[str]] = {}
     for word, kind in declared.kinds.items():
@@ -59,20 +63,20 @@ def _expects(declared, key):
     return "; ".join([first, *(f"of {either(told[other], 'and')} {other}" for other in others)])
 
 
-def _meaning(declared, key):
+def _meaning(declared: "Declared", key: str) -> str:
     """What a key means, in a sentence, and within which elements alone it stands."""
     words = declared.within(key)
     of = f" Of {either([word + 's' for word in words], 'and')}." if words else ""
     return sentence(declared.fields[key].about) + of
 
 
-def _scene_using(catalogue, word):
+def _scene_using(catalogue: Catalogue, word: str) -> list[str]:
     """A scene for an element that has no keys of its own: one that uses the key of its name."""
     use = next(((owner, key) for owner, key in catalogue.pairs() if key == word), None)
     return _scene(scenes.using(catalogue, use)) if use else []
 
 
-def _rules(declared):
+def _rules(declared: "Declared") -> list[str]:
     """Sentences on the keys of an element that exclude or need one another, its short form, and further pages."""
     element, found = declared.kind, []
     for group in element.needs:
@@ -91,7 +95,7 @@ def _rules(declared):
     return [line for text in found for line in paragraph(text)]
 
 
-def _inner(field):
+def _inner(field: "Field") -> str | None:
     """The word of the element that a key holds, or a list of it; None where it holds none."""
     kind = field.kind.kind if isinstance(field.kind, Many) else field.kind
     kind = next((part for part in kind.kinds.values() if isinstance(part, Element)), None) if isinstance(
@@ -99,7 +103,7 @@ def _inner(field):
     return opened(kind)[0] if isinstance(kind, (Element, Lazy)) else None
 
 
-def _rules_of(element, key):
+def _rules_of(element: Element, key: str) -> str:
     """Sentences on what a key excludes and what it may replace."""
     found = []
     others = [other for group in element.exclusive if key in group for other in group if other != key]
@@ -113,7 +117,7 @@ def _rules_of(element, key):
     return " ".join(found)
 
 
-def _scene(name):
+def _scene(name: str) -> list[str]:
     """A scene that runs, indented."""
     if name is None:
         return []

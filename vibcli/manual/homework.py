@@ -4,7 +4,7 @@ from vibcli.homework.mistakes import FORMULA, MISTAKES, MODEL, READING
 from vibcli.reader.sections.variants import GATES
 
 
-def _of(kind):
+def _of(kind: str) -> list[tuple[str, str]]:
     return [(name.replace("_", " "), about) for name, (its, about) in MISTAKES.items() if its == kind]
 
 

@@ -1,5 +1,8 @@
 """Every word that can be looked up, and the pages under it."""
 
+from collections.abc import Callable
+from typing import Any
+
 from vibcli.base.units import UNITS
 from vibcli.elements.shapes import NEEDS
 from vibcli.manual import elements, subjects, topics
@@ -17,7 +20,7 @@ from vibcli.symbolic.parser import plain_name
 class Index:
     """Words to pages: `entries[word]` is a list of (kind of page, page function, its arguments)."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         self.catalogue, self.entries = Catalogue(), {}
         for word in topics.TOPICS:
             self._add(word, "topic", subjects.topic_page, word)
@@ -39,7 +42,7 @@ class Index:
         for word in dict.fromkeys(key.replace("[]", "").split(".")[-1] for key in KEYS):
             self._add(word, "json", subjects.json_page, word)
 
-    def _add(self, word, kind, function, *arguments):
+    def _add(self, word: str, kind: str, function: Callable[..., Any], *arguments: str) -> None:
         self.entries.setdefault(word, []).append((kind, function, arguments))
 
     def found(self, word: str) -> str:
@@ -51,7 +54,7 @@ class Index:
         for spelling in [*spellings, *(spelling.lower() for spelling in spellings)]:
             spelling = ALIASES.get(spelling, spelling)
             if spelling in self.entries:
-                return spelling
+                return str(spelling)
         return None
 
     def page(self, word: str) -> str:
@@ -59,7 +62,7 @@ class Index:
         entries = self.entries[word]
         if len(entries) == 1:
             _, function, arguments = entries[0]
-            return function(self.catalogue, *arguments)
+            return str(function(self.catalogue, *arguments))
         pages = []
         for kind, function, arguments in entries:
             options = {"scene": False} if kind == "key" else {}

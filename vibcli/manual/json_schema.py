@@ -4,13 +4,16 @@ A YAML reader has types where scene files have text: whatever YAML may take a te
 value is null, and a case may hold any part of a scene.
 """
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.language.fields import Element
 from vibcli.language.kinds import Text
 from vibcli.language.named_elements import Named
 from vibcli.manual.catalogue import Catalogue
 from vibcli.reader.read import SECTIONS
+
+if TYPE_CHECKING:
+    from vibcli.manual.catalogue import Declared
 
 DRAFT = "http://json-schema.org/draft-07/schema#"
 ANY_TEXT = {"type": ["string", "number", "boolean", "null"]}
@@ -35,16 +38,16 @@ def schema() -> dict[str, Any]:
             "properties": properties, "definitions": definitions}
 
 
-def _section(section, kind, catalogue):
+def _section(section: str, kind: Any, catalogue: Catalogue) -> dict[str, Any]:
     if isinstance(kind, Text):
         return dict(ANY_TEXT)
-    found = kind.schema()
+    found: dict[str, Any] = kind.schema()
     if isinstance(kind, Named):
         found["propertyNames"] = NAME
     return found
 
 
-def _definition(word, declared):
+def _definition(word: str, declared: "Declared") -> dict[str, Any]:
     """The schema of one element, with what its keys exclude and need, and what YAML makes of its texts."""
     element = declared.kind
     found = element.schema()
@@ -52,8 +55,8 @@ def _definition(word, declared):
     for key, field in element.fields.items():
         if isinstance(field.kind, Text):
             mapping["properties"][key] = {**ANY_TEXT, "description": field.about}
-    rules: list = [{"not": {"required": [one, other]}} for group in element.exclusive for i, one in enumerate(group)
-             for other in group[i + 1:]]
+    rules: list[dict[str, Any]] = [{"not": {"required": [one, other]}} for group in element.exclusive
+                                   for i, one in enumerate(group) for other in group[i + 1:]]
     rules += [{"anyOf": [{"required": [key]} for key in group]} for group in element.needs]
     if rules:
         mapping["allOf"] = rules
@@ -64,7 +67,7 @@ def _definition(word, declared):
     return {**found, "description": declared.about}
 
 
-def _referring(part, inline):
+def _referring(part: Any, inline: dict[str, dict[str, Any]]) -> Any:
     """The schema with every element that it holds inline replaced by a reference to its definition."""
     if isinstance(part, list):
         return [_referring(item, inline) for item in part]

@@ -17,12 +17,12 @@ def paragraph(text: Any, indent: Any = 0) -> list[str]:
     return [line.replace(JOINT, " ") for line in lines]
 
 
-def _joined(text):
+def _joined(text: str) -> str:
     """The text with its code, between backquotes, as one word."""
     return re.sub(r"`[^`]{1,60}`", lambda code: code.group().replace(" ", JOINT), text)
 
 
-def table(rows: Iterable, indent: int = 2, least: int = 0) -> list[str]:
+def table(rows: Iterable[Any], indent: int = 2, least: int = 0) -> list[str]:
     """Rows (term, text, …): the terms in one column, their texts wrapped one below the other in the next."""
     rows = list(rows)
     column = indent + max([least, *(len(row[0]) for row in rows)]) + 2

@@ -49,13 +49,15 @@ def beside(name: str) -> list[str]:
 
 def title(name: str) -> str:
     """The title of a template or example."""
-    return document(name).entries["title"][1].text
+    text: str = document(name).entries["title"][1].text
+    return text
 
 
 @cache
 def document(name: str) -> "Mapping":
     """The document of a template or example, which nobody changes."""
-    return read_file(path(name))[0]
+    root: Mapping = read_file(path(name))[0]
+    return root
 
 
 def using(catalogue: "Catalogue", use: Sequence[str] | str, preferred: str | None = None) -> str:
@@ -75,7 +77,7 @@ def asking(head: str) -> str:
     return None
 
 
-def _asked(root):
+def _asked(root: "Mapping") -> list[str]:
     keys = list(root.entries["answers"][1].entries) if "answers" in root.entries else []
     if "cases" in root.entries:
         for _, part in root.entries["cases"][1].entries.values():

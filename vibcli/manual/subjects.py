@@ -17,6 +17,8 @@ from vibcli.report import json_keys, keys
 
 if TYPE_CHECKING:
     from vibcli.manual.catalogue import Catalogue
+    from vibcli.quantities.quantity import Declaration
+    from vibcli.symbolic.node import Node
 
 
 def topic_page(catalogue: "Catalogue", word: str) -> str:
@@ -82,10 +84,10 @@ def shape_facts(word: Any) -> list[str]:
     return facts
 
 
-def _text(node):
+def _text(node: "Node") -> str:
     from vibcli.symbolic.normal_form import textbook
 
-    return keys.plain(textbook(node))
+    return str(keys.plain(textbook(node)))
 
 
 def shape_page(catalogue: "Catalogue", word: str) -> str:
@@ -113,13 +115,13 @@ def usage(head: str) -> str:
     return ", ".join(f"{text}.{a}" for a in asked.components[:2]) + ", …" * (len(asked.components) > 2)
 
 
-def _at_an_instant(head):
+def _at_an_instant(head: str) -> list[tuple[str, str]]:
     """[(how it is written, what it is)] of the form of a quantity at an instant of a motion, where there is one."""
     asked = named(head + "()")
     return [(f"{usage(head)}(2 s)", asked.about)] if asked is not None and asked.args == ("time",) else []
 
 
-def _of_products(head):
+def _of_products(head: str) -> list[tuple[str, str]]:
     """The same of the form of a quantity that has an index, where it has none itself."""
     asked = named(head + "[]")
     return [] if asked is None or named(head).indices or not asked.indices[0].startswith("product") else [
@@ -140,7 +142,7 @@ def quantities_table(catalogue: "Catalogue") -> list[list[str]]:
             ["How they are compared", *table(topics.COMPARED)]]
 
 
-def _unit(asked):
+def _unit(asked: "Declaration") -> str:
     return f" [{asked.unit}]" if asked.own_unit not in (None, "1") else ""
 
 
@@ -156,7 +158,7 @@ def quantity_page(catalogue: "Catalogue", head: str) -> str:
                   [f"A scene that asks for it: vibcli new {scene}"] if scene else [], [_more(head)])
 
 
-def _more(head):
+def _more(head: str) -> str:
     topic = named(head).topic
     return f"More: vibcli explain {topic}; all quantities: vibcli explain quantities" if topic else (
         "All quantities: vibcli explain quantities")
@@ -185,7 +187,7 @@ def units_table(catalogue: "Catalogue") -> list[list[str]]:
     return [paragraph(text), [line.replace("`", "") for line in table(rows)]]
 
 
-def _measured(name):
+def _measured(name: str) -> str:
     unit = units.UNITS[name]
     if unit.cycles:
         return "cycles per time (Hz)"
@@ -194,7 +196,7 @@ def _measured(name):
     return "a pressure (Pa)" if unit.dimension == units.UNITS["Pa"].dimension else units.wanted(name, unit.dimension)
 
 
-def _in_si(name):
+def _in_si(name: str) -> str:
     unit = units.UNITS[name]
     if unit.value == 1 and not unit.pi:
         return name

@@ -7,6 +7,7 @@ from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.rationals import HALF, ONE
 
 if TYPE_CHECKING:
+    from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
 
 SHORT = 2           # roots of fewer terms are left in place
@@ -27,7 +28,7 @@ def abbreviated(nodes: "Sequence[Node]", known: "dict[Node, Node]") -> "tuple[li
     return [_replaced(table, node, known) for node in nodes], new
 
 
-def _rooted(node):
+def _rooted(node: "Node") -> "list[Node]":
     """The long sums that stand under a root, or below a line as the square of a length does, anywhere in a node."""
     pending, found = [node], []
     while pending:
@@ -42,7 +43,7 @@ def _rooted(node):
     return sorted(found, key=lambda base: base.index)
 
 
-def _replaced(table, node, roots):
+def _replaced(table: "Table", node: "Node", roots: "dict[Node, Node]") -> "Node":
     """The node with each Σ^(e) of a long root written as ℓ^(2e)."""
     if node.op == "sum":
         terms = [(_replaced(table, part, roots), c) for part, c in node.args]

@@ -12,7 +12,7 @@ OPERATORS = {"−": "-", "≤": r"\le", "≥": r"\ge", "∓": r"\mp", "±": r"\p
              "…": r"\ldots", "∠": r"\angle", "∫": r"\int", "≠": r"\ne", "½": r"\tfrac{1}{2}"}
 
 
-def _escaped(name):
+def _escaped(name: str) -> str:
     return name.replace("_", r"\_")
 
 

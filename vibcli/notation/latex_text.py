@@ -45,13 +45,13 @@ def escaped(text: str) -> str:
     return LONG.sub(r"\g<0>\\allowbreak{}", text)
 
 
-def _kept(letter):
+def _kept(letter: str) -> str:
     """A letter decomposed into accents only where LaTeX writes them so."""
     parts = unicodedata.normalize("NFD", letter)
     return parts if all(part in ACCENTS for part in parts[1:]) else letter
 
 
-def _character(letter):
+def _character(letter: str) -> str:
     if letter in SPECIAL or letter in WORDS:
         return SPECIAL.get(letter) or WORDS[letter]
     if letter in MATHS:
@@ -59,7 +59,7 @@ def _character(letter):
     return letter if letter.isascii() and letter.isprintable() else f"[U+{ord(letter):04X}]"
 
 
-def _accented(base, accent):
+def _accented(base: str, accent: str) -> str:
     """A base with an accent over it: \\v{c}, or \\ensuremath{\\ddot{\\varphi}}."""
     if base.isascii() and len(base) == 1 and base.isalpha():
         return rf"\{ACCENTS[accent]}{{{base}}}"

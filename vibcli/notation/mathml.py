@@ -22,7 +22,7 @@ def row(text: str) -> str:
     return text if _LEAF.fullmatch(text) else f"<mrow>{text}</mrow>"
 
 
-def _operator(symbol, form=None):
+def _operator(symbol: str, form: str | None = None) -> str:
     return f'<mo form="{form}">{escape(symbol)}</mo>' if form else f"<mo>{escape(symbol)}</mo>"
 
 

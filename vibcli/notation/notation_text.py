@@ -1,9 +1,13 @@
 """Texts in notation, as blocks hold them beside expressions: ω_d = ω·√(1 − ζ²), read for a typeset notation."""
 
 import re
-from typing import Any
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from vibcli.notation.radicals import closing
+
+if TYPE_CHECKING:
+    from vibcli.notation.typeset import Stacked
 
 _SIGNAL = r"[A-Za-z]\w*\.[A-Za-z]\w*\([^()]*\)"         # of a member at a place: arm.u(L), whose force is Q_arm.u(L)
 _TOKEN = re.compile(
@@ -20,13 +24,13 @@ _NEGATIVE = re.compile(r"^[−-](?=[\w.])|(?<=[=<>≤≥(])\s*[−-](?=[\w.])") 
 SIGN = "\x00"               # stands for it while the text is read
 
 
-def read(text: Any, write: Any) -> str:
+def read(text: str, write: "Stacked") -> str:
     """The text in a notation, which has the hooks of Stacked."""
     signed = _NEGATIVE.sub(SIGN, re.sub(r"\s*([=<>≤≥])\s*", r"\1", text))
     return write.beside(*_read(_RELATION.sub(r"\1", signed), write))
 
 
-def _read(text, write):
+def _read(text: str, write: "Stacked") -> Iterator[str]:
     at = 0
     while at < len(text):
         found, at = _one(text, at, write)
@@ -38,7 +42,7 @@ def _read(text, write):
         yield found
 
 
-def _one(text, at, write):
+def _one(text: str, at: int, write: "Stacked") -> tuple[str, int]:
     """(what stands at a place, the place after it)."""
     token = _TOKEN.match(text, at)
     kind, at = token.lastgroup, token.end()
@@ -60,7 +64,7 @@ def _one(text, at, write):
     return (write.gap(len(token["gap"])) if kind == "gap" else write.operator(token["operator"])), at
 
 
-def _argument(text, at, write):
+def _argument(text: str, at: int, write: "Stacked") -> tuple[str, int]:
     """The content of the brackets that open at a place, or the one piece there."""
     end = closing(text, at)
     if end is not None:

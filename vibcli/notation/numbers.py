@@ -34,7 +34,7 @@ def figure(value: float | None, error: float = 0.0, digits: int = SHOWN, mark: s
     return "0" if text in ("-0", "0") else _short_exponent(text) + mark * (digits < asked)
 
 
-def _short_exponent(text):
+def _short_exponent(text: str) -> str:
     """1.2e7 of 1.2e+07, 3e-5 of 3e-05."""
     return text.replace("e+0", "e").replace("e-0", "e-").replace("e+", "e")
 
@@ -145,7 +145,7 @@ def added_as_decimal(node: "Node", value: "Fraction | int", measured: bool) -> b
         c.denominator % 5 == 0 for c in written)
 
 
-def _terminates(value):
+def _terminates(value: "int | Fraction") -> bool:
     """Is a rational a decimal of few digits?"""
     return (value * 1000).denominator == 1
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 
-def positive_first(pieces: Any, rooted: Any) -> list[tuple[bool, str]]:
+def positive_first(pieces: list[tuple[bool, str]], rooted: int) -> list[tuple[bool, str]]:
     """The terms of a sum, (negative, text), the positive ones first; the `rooted` last ones stay there if others can
     begin."""
     front = pieces[:len(pieces) - rooted]
@@ -38,7 +38,7 @@ def term_rank(pair: "tuple[Node, Fraction | int]") -> "tuple[int | list[tuple[in
     return -deepest, not node.mask, moving if deepest else first_variable(node.mask), *_letters(node), node.index
 
 
-def _letters(node):
+def _letters(node: "Node") -> "tuple[bool, list[tuple[int, int | Fraction]]]":
     """Of terms of parameters those without a root first, then in the order of letters, higher powers first."""
     if node.mask:
         return False, []
@@ -46,7 +46,7 @@ def _letters(node):
     return is_rooted(node), sorted((_first_letter(base), -e) for base, e in factors)
 
 
-def _first_letter(node):
+def _first_letter(node: "Node") -> int:
     return node.index if node.op == "symbol" else min(
         (part.index for part in reachable([node]) if part.op == "symbol"), default=node.index)
 
@@ -56,12 +56,12 @@ def primes(symbol: "Node") -> int:
     return len(symbol.name) - len(symbol.name.rstrip("'"))
 
 
-def _symbols(node):
+def _symbols(node: "Node") -> "list[Node]":
     factors = [base for base, _ in node.args] if node.op == "product" else [node]
     return [base for base in factors if base.op == "symbol"]
 
 
-def _most_primes(node):
+def _most_primes(node: "Node") -> int:
     return max(map(primes, _symbols(node)), default=0)
 
 
@@ -89,7 +89,7 @@ def upright(value: Any, node: "Node") -> "tuple[Any, Sequence[tuple[Node, Fracti
     return value * (-1) ** sum(turned), args
 
 
-def _all_negative(node):
+def _all_negative(node: "Node") -> bool:
     """Is it a sum of negative terms alone?"""
     return node.op == "sum" and node.coefficient <= 0 and all(
         c * (part.coefficient if part.op == "product" else 1) < 0 for part, c in node.args)

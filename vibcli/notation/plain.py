@@ -15,6 +15,8 @@ from vibcli.symbolic.discontinuous_functions import PULSES
 from vibcli.symbolic.rationals import ONE
 
 if TYPE_CHECKING:
+    from typing import Self
+
     from vibcli.symbolic.node import Node
 
 _SUPERSCRIPT = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
@@ -41,7 +43,7 @@ class Notation:
     beside: Callable[..., str]
     words: Callable[..., str]
 
-    def __init__(self, values: Mapping[str, str] = MappingProxyType({})):
+    def __init__(self, values: Mapping[str, str] = MappingProxyType({})) -> None:
         self.values = values
 
     def __call__(self, node: "Node") -> str:
@@ -49,9 +51,10 @@ class Notation:
 
     def write(self, node: "Node", tightness: int) -> str:
         """`tightness`: 0 within a sum, 1 within a product, 2 as the base of a power or argument."""
-        return getattr(self, "_" + node.op)(node, tightness)
+        text: str = getattr(self, "_" + node.op)(node, tightness)
+        return text
 
-    def _number(self, node, tightness):
+    def _number(self, node: "Node", tightness: int) -> str:
         text = self.number(node.coefficient)
         loose = node.coefficient < 0 or (tightness > 1 and not decimal(node.coefficient).isdigit())
         return self.brackets(text) if loose and tightness else text
@@ -60,14 +63,14 @@ class Notation:
         """A number as floats are printed, 1.2e+06."""
         return text
 
-    def _pi(self, node, tightness):
+    def _pi(self, node: "Node", tightness: int) -> str:
         return self.symbol("pi")
 
-    def with_values(self, values: Mapping[str, str]) -> "Notation":
+    def with_values(self, values: Mapping[str, str]) -> "Self":
         """The same notation with numbers put in for symbols."""
         return type(self)(values)
 
-    def _symbol(self, node, tightness):
+    def _symbol(self, node: "Node", tightness: int) -> str:
         value = self.values.get(node.name)
         if value is None:
             return self.symbol(node.name)
@@ -75,7 +78,7 @@ class Notation:
         loose = value[0] in "-−" or ("e" in value and tightness > 1)
         return self.brackets(text) if loose and tightness else text
 
-    def _sum(self, node, tightness):
+    def _sum(self, node: "Node", tightness: int) -> str:
         text = self.added(self.terms(node))
         return self.brackets(text) if tightness else text
 
@@ -99,8 +102,8 @@ class Notation:
         turned = pieces[0][0]
         return [(turned, self.over(self.added([(sign is not turned, text) for sign, text in pieces]), below))]
 
-    def _added_number(self, node, below):
-        value = abs(node.coefficient) * below
+    def _added_number(self, node: "Node", below: int) -> str:
+        value = below * (-node.coefficient if node.coefficient < 0 else node.coefficient)
         unit = self.unit_beside(node)
         as_decimal = added_as_decimal(node, value, bool(unit))
         text = self.numeral(f"{float(value):.12g}") if as_decimal else self.number(value)
@@ -118,7 +121,7 @@ class Notation:
         """A unit behind a number."""
         return self.words(" " + text)
 
-    def _alone(self, node):
+    def _alone(self, node: "Node") -> tuple[bool, str]:
         """(negative, text of the magnitude) of what is no sum."""
         if node.op == "number":
             return node.coefficient < 0, self.number(abs(node.coefficient))
@@ -139,11 +142,11 @@ class Notation:
     def over(self, text: str, below: int) -> str:
         return f"({text})/{below}"
 
-    def _product(self, node, tightness):
+    def _product(self, node: "Node", tightness: int) -> str:
         text = self.added([self._alone(node)])
         return self.brackets(text) if tightness > 1 or (tightness and node.coefficient < 0) else text
 
-    def _call(self, node, tightness):
+    def _call(self, node: "Node", tightness: int) -> str:
         if node.name == "power":
             return self.power(self.write(node.args[0], 2), self.write(node.args[1], 0))
         if node.name in PULSES or node.name in node.table.records:

@@ -15,6 +15,8 @@ from vibcli.symbolic.rationals import HALF, ONE, square_part
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
+    Powers = Sequence[tuple[Node, Fraction | int]]
+
 
 def split(value: Fraction | int, factors: "Sequence[tuple[Node, Any]]") -> tuple[Any, ...]:
     """(value, above, below, under the root above, under it below) of value·Π base^e: lists of (node, exponent > 0)."""
@@ -61,21 +63,21 @@ def place(above: Any, root_above: "Sequence[tuple[Node, Fraction | int]]") -> in
     return sum(not base.mask for base, _ in above)
 
 
-def _shared(value, inside):
+def _shared(value: int | Fraction, inside: int | Fraction) -> tuple[int | Fraction, int | Fraction]:
     """The rational outside and that under the root, in which no factor stands below the one and above the other."""
     if inside != 1 and value.denominator <= LARGEST and gcd(inside.numerator, value.denominator) > 1:
         return value.numerator, Fraction(inside) / value.denominator**2
     return value, inside
 
 
-def _joins(value, below):
+def _joins(value: int | Fraction, below: "Sequence[tuple[Node, Fraction]]") -> bool:
     """May what stands below the line go under the root? π stays outside, and what may be negative."""
     if not below and value.denominator == 1:
         return False
     return value.denominator <= LARGEST and all(_is_positive(base) for base, _ in below)
 
 
-def _is_positive(base):
+def _is_positive(base: "Node") -> bool:
     if base.op == "sum" and not base.mask and base.table.sample is not None:
         try:
             return evaluate([base], Floats, base.table.sample)[0] > 0
@@ -84,14 +86,16 @@ def _is_positive(base):
     return base.op == "symbol" and base.table.is_positive(base)
 
 
-def _squares(below, root_below):
+def _squares(below: "Sequence[tuple[Node, Fraction]]",
+             root_below: "Sequence[tuple[Node, Fraction]]") -> "list[tuple[Node, Fraction]]":
     found = {base: 2 * e for base, e in below}
     for base, e in root_below:
-        found[base] = found.get(base, 0) + e
+        found[base] = found.get(base, Fraction(0)) + e
     return list(found.items())
 
 
-def _with_number(inside, factors, above, below, root_above, root_below):
+def _with_number(inside: int | Fraction, factors: "Sequence[tuple[Node, Any]]",
+                 above: "Powers", below: "Powers", root_above: "Powers", root_below: "Powers") -> "tuple[Powers, ...]":
     """The rational under the root put back: numbers alone above a root of letters stand beside it."""
     table, letters_below = factors[0][0].table, bool(root_below)
     if inside.denominator > 1:

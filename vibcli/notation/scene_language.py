@@ -72,6 +72,6 @@ def unit_in_scene(text: str) -> str:
     return "/".join([above, *parts])
 
 
-def _power(found):
+def _power(found: re.Match[str]) -> str:
     power = found.group().translate(_DIGITS)
     return f"^({power})" if "/" in power else f"^{power}"

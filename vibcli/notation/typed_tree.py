@@ -4,7 +4,7 @@ from typing import Any
 
 from vibcli.notation.as_printed import as_printed
 from vibcli.notation.typeset import KNOWN, Stacked
-from vibcli.symbolic.syntax import Call, NameRef, Number, Power, Product, Sum
+from vibcli.symbolic.syntax import Call, NameRef, Number, Power, Product, Sum, UnitPower
 
 
 def typeset(tree: Any, text: str, write: Stacked) -> str:
@@ -29,19 +29,19 @@ def typeset(tree: Any, text: str, write: Stacked) -> str:
     return write.words(as_printed(text[tree.start:tree.end]))
 
 
-def _number(tree, text, write):
+def _number(tree: Any, text: str, write: Stacked) -> str:
     """A literal as it was typed, 0.50 as 0.50, its unit behind it."""
     end = tree.units[0].start if tree.units else tree.end
     unit = as_printed(text[tree.start:tree.end])[len(as_printed(text[tree.start:end])):] if tree.units else ""
     return write.beside(write.numeral(text[tree.start:end].strip()), write.words(unit))
 
 
-def _bracketed(tree, text, write, needed):
+def _bracketed(tree: Any, text: str, write: Stacked, needed: bool | tuple[UnitPower, ...]) -> str:
     found = typeset(tree, text, write)
     return write.brackets(found) if needed else found
 
 
-def _side(product, sign, text, write):
+def _side(product: Product, sign: int, text: str, write: Stacked) -> str:
     """The factors above or below the line of a product: numbers side by side have dots between them."""
     parts = [part for power, part in product.parts if power == sign]
     if len(parts) < 2:
@@ -52,14 +52,14 @@ def _side(product, sign, text, write):
         for part in parts])
 
 
-def _begins_with_figure(tree):
+def _begins_with_figure(tree: Any) -> bool:
     """Would it, right behind a figure, be read as one number with that?"""
     while isinstance(tree, (Power, Product)):
         tree = tree.base if isinstance(tree, Power) else tree.parts[0][1]
     return isinstance(tree, Number)
 
 
-def _call(tree, text, write, may_be_bare=True):
+def _call(tree: Any, text: str, write: Stacked, may_be_bare: bool = True) -> str:
     inner = [typeset(arg, text, write) for arg in tree.args]
     if tree.name == "sqrt":
         return write.sqrt(*inner)

@@ -43,7 +43,7 @@ def set_in_print(text: str, symbol: Callable[[str], str], known: Collection[str]
     return "".join(found)
 
 
-def _named(part, symbol, known):
+def _named(part: str, symbol: Callable[[str], str], known: Collection[str] | None) -> str:
     if part == "sqrt":
         return "√"
     return symbol(part) if known is None or part.rstrip("'") in known else MICRO.get(part, part)

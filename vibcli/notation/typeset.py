@@ -41,7 +41,10 @@ class Stacked(Notation):
     magnitude: Callable[[str], str]
     words: Callable[[str], str]
     rows: Callable[[list[str]], str]
-    markup: re.Pattern
+    markup: re.Pattern[str]
+    flat: Callable[[str], str]
+    gap: Callable[[int], str]
+    operator: Callable[[str], str]
 
     def __call__(self, node: "Node") -> str:
         """A sum that stands by itself is on one line: who sets it breaks it, if it is long."""
@@ -74,7 +77,7 @@ class Stacked(Notation):
             size += columns
         return self.rows(rows) if len(rows) > 1 else rows[0]
 
-    def _columns(self, text):
+    def _columns(self, text: str) -> int:
         """About those of a text as it is seen; none counts them of a short one."""
         if len(text) <= STUB:
             return len(text)

@@ -2,14 +2,16 @@
 number alone, as in 2·(L + 0.5 m); where a number may be the factor of some of them alone, none is told: 300·x + 2 of a
 spring of 300 N/m are newtons."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import reduce
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 from vibcli.symbolic.parser import FUNCTIONS
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
     from vibcli.symbolic.node import Node
 
 SMALL = 12      # numerator and denominator of what is a pure number where no number has hidden its unit
@@ -21,7 +23,7 @@ def unit_beside(node: "Node") -> str:
     return units.text(_of_sum(node, node.table.dimension) or units.NONE)
 
 
-def _of_sum(node, dimension) -> dict | None:
+def _of_sum(node: "Node", dimension: Callable[[str], "Mapping[str, Fraction] | None"]) -> dict[str, Any] | None:
     """The dimension that all terms of letters have; None where they differ, one has none that is known, or each has a
     factor that may have a unit."""
     found = [dimension_of(part, dimension) for part, _ in node.args]
@@ -31,7 +33,7 @@ def _of_sum(node, dimension) -> dict | None:
     return found[0] if all(one == found[0] for one in found) else None
 
 
-def _is_pure(hidden, c) -> bool:
+def _is_pure(hidden: "set[Fraction]", c: "int | Fraction") -> bool:
     """Is a coefficient a number without a unit, where those of `hidden` literals are not told? Halves and thirds are:
     products of 0.3 m and 300 N/m have factors 5."""
     if abs(c) == 1:
@@ -40,20 +42,20 @@ def _is_pure(hidden, c) -> bool:
         _of_twos_and_threes(c) and not any(map(_of_twos_and_threes, hidden))))
 
 
-def _of_twos_and_threes(c):
+def _of_twos_and_threes(c: "int | Fraction") -> bool:
     return 6**64 % c.numerator == 0 == 6**64 % c.denominator
 
 
-def dimension_of(node: "Node", dimension: Callable) -> dict | None:
+def dimension_of(node: "Node", dimension: Callable[..., Any]) -> dict[str, Any] | None:
     """That of an expression by those of its letters; None where they do not tell it."""
     if node.op == "symbol":
         known = None if node.name.endswith("'") else dimension(node.name)
-        return None if known is None or any(base.startswith("?") for base in known) else known
+        return None if known is None or any(base.startswith("?") for base in known) else dict(known)
     if node.op == "product":
         parts = [(dimension_of(base, dimension), exponent) for base, exponent in node.args]
         if any(part is None for part, _ in parts):
             return None
-        return reduce(lambda whole, part: units.times(whole, *part), parts, units.NONE)
+        return reduce(lambda whole, part: units.times(whole, *part), parts, dict(units.NONE))
     if node.op == "sum":
         return _of_sum(node, dimension)
     pure = not node.table.hidden if node.op in ("pi", "number") else node.op == "call" and node.name in PURE

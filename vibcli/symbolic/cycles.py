@@ -26,7 +26,7 @@ NEITHER = {}
 OF_ANGLES = "an angular frequency is 2*pi*f: "
 
 
-def count_of(unit: "Unit") -> dict[str, int]:
+def count_of(unit: "Unit") -> "dict[str, Fraction | int]":
     return {key: power for key, power in ((CYCLE, unit.cycles), (RADIAN, unit.radians)) if power}
 
 
