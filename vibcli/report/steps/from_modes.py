@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 ALIKE = 1e-9            # relative: of sums that vanish, and of amplitudes that are the same
 CLOSE = 0.2             # of the difference of two frequencies over their sum, up to which they beat
-START = "at t = 0 of mode {}, its shape by M by the start over its modal mass:  "
+START = "share of mode {} in the start, its shape times M times what is there at t = 0 over its modal mass:  "
 
 
 class ModeFromStart(NamedTuple):
