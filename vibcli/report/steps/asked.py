@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.notation.as_printed import as_printed
 from vibcli.quantities.expression import lowered, value_of
-from vibcli.quantities.in_letters import quantity_in_letters, response_of
+from vibcli.quantities.in_letters import response_of
+from vibcli.quantities.letters import any_quantity
 from vibcli.quantities.quantity import OF_STATE, is_choice, quantity_of
 from vibcli.report.blocks import Words
 from vibcli.report.steps.agreement import same, samples_of, tidy
@@ -84,7 +85,7 @@ def _told_as_expression(problem, sheet, asked):
 
 
 def _of_quantities(problem, asked):
-    found = {part.text: quantity_in_letters(problem, part) for part in asked.parts.quantities}
+    found = {part.text: any_quantity(problem, part) for part in asked.parts.quantities}
     return lowered(asked, problem.scene.table, lambda name, primes, part: found[part.text] if isinstance(
         part, QuantityRef) else problem.scene.parameters.nodes[name])
 
@@ -145,7 +146,7 @@ def _in_letters(problem: "Problem", asked: "Expression", value: float) -> "Node 
 def short_quantity(problem: "Problem", tree: Any) -> "Node":
     """A quantity in letters, in its shortest form; NotInLetters where it is found in numbers."""
     samples = samples_of(problem, {})
-    found = without_bars(quantity_in_letters(problem, tree), samples)
+    found = without_bars(any_quantity(problem, tree), samples)
     shortest = min(tidy(found, samples), found, key=letters)
     return min(_rooted(shortest, samples), shortest, key=letters)
 

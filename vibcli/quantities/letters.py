@@ -1,6 +1,6 @@
 """Quantities of scenes in letters: modes of several degrees by their closed forms, others as conditions take them."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.quantities.energies import equation_number, require_sum
@@ -27,7 +27,7 @@ def expression_in_letters(problem: "Problem", expression: "Expression") -> "Node
     response = response_of(problem, tree)
     if response is not None:
         return size_of(problem, response)
-    found = {part.text: _quantity(problem, part) for part in parts_of(tree).quantities}
+    found = {part.text: any_quantity(problem, part) for part in parts_of(tree).quantities}
     return lowered(expression, scene.table, lambda name, primes, part: found[part.text]
                    if isinstance(part, QuantityRef) else scene.parameters.nodes[name])
 
@@ -60,8 +60,10 @@ def closed_modes(problem: "Problem") -> list["ClosedMode"]:
     return sorted(forms.modes, key=lambda mode: mode.index)
 
 
-def _quantity(problem, tree):
-    if tree.head not in OF_MODES or tree.args or len(tree.indices) != 1 + (tree.head == "mode"):
+def any_quantity(problem: "Problem", tree: Any) -> "Node":
+    """A quantity as an expression of the parameters, those of modes by the closed forms; NotInLetters where it is found
+    in numbers."""
+    if getattr(tree, "head", None) not in OF_MODES or tree.args or len(tree.indices) != 1 + (tree.head == "mode"):
         return quantity_in_letters(problem, tree)
     number, forms = int(tree.indices[0]), problem.closed_forms
     if problem.scene.pieces:
