@@ -16,12 +16,13 @@ from vibcli.base.errors import PhysicsError
 from vibcli.language.signal_names import signal_name
 from vibcli.results.averaged_waves import common_speed
 from vibcli.results.composed_errors import propagated
-from vibcli.results.modal_signals import ModalSignal, without_bound
+from vibcli.results.modal_signals import ModalSignal
 from vibcli.results.moved_on import SEEN, moved_on
 from vibcli.results.repeating_signal import DEAD, INNER, MODES, SAMPLES, RepeatingSignal
 from vibcli.results.signal_features import at_rest
 from vibcli.results.signals import ComposedSignal, LinearSignal
 from vibcli.results.wave_signals import ComposedOfWaves, WaveSignal
+from vibcli.results.without_bound import without_bound
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.syntax import NameRef
 
@@ -284,7 +285,7 @@ def _mean_square(signal, start):
     motion = signal.modal
     left = motion.bound(signal.reads, start)
     if not left < inf:
-        raise without_bound()
+        raise without_bound(motion, signal.reads, start)
     stretch = next(one for one in reversed(motion.stretches(start)) if one.start <= start)
     sizes, rates = motion.swings(signal.reads, stretch, motion.count)
     order = np.argsort(rates.imag)

@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 from support.scenes import problem
 
+import vibcli
 from vibcli.base.errors import NoBound
 from vibcli.language.signals_of_places import with_places
 from vibcli.results import enough_modes, modal_response
@@ -184,3 +185,8 @@ def test_bounds_below_a_fast_load_are_found(monkeypatch):
     few = signal(scene, "arm.u(L)")
     many = scene.response.motion(1024).values(few.reads, t)[0]
     assert abs(few.values(t)[0] - many) <= few.error(0.3) <= 1e-4
+
+
+def test_a_mean_square_of_what_has_no_bound_is_refused():
+    with pytest.raises(NoBound, match="no finite sum"):
+        _ = vibcli.loads(UNIFORM + STEP)["rms(arm.shear(0 m))"].value
