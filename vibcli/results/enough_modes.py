@@ -1,7 +1,7 @@
 """How many modes a signal of a motion of members is read by: so many that what is left out is small, or the most that
 are worth their time. Modes in closed form cost so little that values at instants take many more of them."""
 
-from math import ceil, inf, log
+from math import ceil, log
 from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.continuous.rest_of_transfer import TooSlow
@@ -52,7 +52,7 @@ def finest(response: "ModalResponse", motion: "ModalMotion", output: "LinearOutp
         limit, small = limit // FEWER, ROUGH
     if count <= limit:
         share = motion.left_share(output, t)
-    while small < share < inf and motion.count < count:
+    while share > small and motion.count < count:
         try:
             further = response.motion(count).under(motion.reads)
             less = further.left_share(output, t)

@@ -13,7 +13,8 @@ import numpy as np
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.results.composed_errors import propagated
-from vibcli.results.modal_signals import ModalSignal, without_bound
+from vibcli.results.modal_signals import ModalSignal
+from vibcli.results.without_bound import without_bound
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
 
@@ -55,7 +56,7 @@ def swings(signal: ModalSignal, start: float) -> Swings:
     motion = signal.modal
     left = motion.bound(signal.reads, start)
     if not left < inf:
-        raise without_bound()
+        raise without_bound(motion, signal.reads, start)
     stretch = next(one for one in reversed(motion.stretches(start)) if one.start <= start)
     sizes, rates = motion.swings(signal.reads, stretch, motion.count)
     order = np.argsort(rates.imag)

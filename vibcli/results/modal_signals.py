@@ -3,8 +3,9 @@
 from math import inf
 from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import NoBound, PhysicsError
+from vibcli.base.errors import PhysicsError
 from vibcli.results.signal import Signal
+from vibcli.results.without_bound import without_bound
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -54,7 +55,7 @@ class ModalSignal(Signal):
     def require_bound(self, t: float, order: int = 0) -> None:
         """NoBound where what the modes left out add has no bound."""
         if not self.modal.is_bounded(self.reads, t, order):
-            raise without_bound()
+            raise without_bound(self.modal, self.reads, t)
 
     def error(self, t: float) -> float:
         import numpy as np
@@ -81,7 +82,7 @@ class ModalSignal(Signal):
         motion, known = self._tops.get((start, end, sense), (self.modal, top))
         found = error_of_extreme(motion if known == top else self.modal, self.reads, start, end, top, sense)
         if found == inf:
-            raise without_bound()
+            raise without_bound(motion, self.reads, start)
         return found
 
     def error_of_time(self, t: float) -> float:
@@ -150,13 +151,3 @@ def by_waves(signal: Signal, asked: tuple, t: float) -> Signal:
     """The same by waves where these are followed up to an instant."""
     found = asked[0].by_waves(asked[1], t) if asked else None
     return signal if found is None else found.read_at(t)
-
-
-def without_bound() -> NoBound:
-    """Of a series that does not converge absolutely, falls so unevenly that the modes counted do not tell how it does,
-    or is read where unit loads have no finite motion."""
-    return NoBound("what the modes left out add to this signal after what jumps here has no bound that is known: their "
-                   "series does not converge absolutely, falls too unevenly to tell, or is read next to an "
-                   "end without tension",
-                   "loads that begin without a jump, or that act on a mass, leave less to the modes left out; forces, "
-                   "rates and what is next to an end without tension have a bound less often than displacements do")
