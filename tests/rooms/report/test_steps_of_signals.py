@@ -145,7 +145,7 @@ def test_what_is_damped_so_that_it_just_does_not_swing_moves_so_once_that_is_cho
     """)))}
     assert text_of(lines["x"]) == "x = (B·t + A)·exp(−δ·t)" and "omega_d[1]" not in lines
     assert [plain(lines[asked].node) for asked in ("argmax(x)", "max(x)", "max(s.force)", "x(T)")] == [
-        "1/δ", "B·exp(−1)/δ", "k·B·exp(−1)/δ", "(A + T·B)·exp(−T·δ)"]
+        "1/δ", "B·exp(−1)/δ", "k·B·exp(−1)/δ", "(T·B + A)·exp(−T·δ)"]
 
 
 def test_letters_of_multipliers_and_of_forces_are_told_before_they_are_used():

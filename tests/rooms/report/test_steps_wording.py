@@ -76,7 +76,8 @@ def test_lines_of_problems(name, case, wanted):
 
 @pytest.mark.parametrize(("name", "noted"), [("shelter_under_a_blast", True), ("garland_of_power_springs", True),
                                              ("scale_pan_on_a_hardening_spring", True), ("gear_pair_and_rack", False),
-                                             ("quarter_car_damped", False), ("lever_on_shaking_floor", False)])
+                                             ("quarter_car_damped", False), ("lever_on_shaking_floor", False),
+                                             ("disc_on_sprung_platform", False), ("platform_on_rods_dies_down", False)])
 def test_it_is_noted_where_numbers_without_their_units_stand_beside_letters(name, noted):
     found, = Path("problems").glob(f"*/{name}.yaml")
     (section,) = steps(kept_problem_of(found), None)
