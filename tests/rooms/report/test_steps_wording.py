@@ -41,8 +41,9 @@ def of(name, case=None):
         "sledge.reaction.y = m·g·cos² α"]),
     ("drum_on_a_slope_with_a_cord", None, ["∂V/∂s = (4·k₁ + k₂)·s"]),
     ("gear_pair_and_rack", None, ["ω_two = −r₁·φ̇/r₂, T_two = J₂·ω_two²/2 = J₂·r₁²·φ̇²/(2·r₂²)"]),
-    ("platform_on_rods_dies_down", None, ["left turns about the fixed O₁, C at (L·sin φ/2 − 0.5 m, L − L·cos φ): J_O₁ = J_C + m·O₁C² = "
-                                            "m·L²/12 + m·L²/4 = m·L²/3 = 5.07 kg·m²"]),
+    ("platform_on_rods_dies_down", None, [
+        "left turns about the fixed O₁, C at (L·sin φ/2 − 0.5 m, L − L·cos φ/2): J_O₁ = J_C + m·O₁C² = m·L²/12 + "
+        "m·L²/4 = m·L²/3 = 5.07 kg·m²"]),
     ("press_with_two_blows", None, ["at rest ∂V/∂y = 2·N_left·b₁ + m·g = 0"]),
     ("pointer_lags_behind_a_ramp", None, ["(under-damped, δ′ < ω)"]),
     ("pointer_lags_behind_a_ramp", "largest damping", ["c·w/k = δ"]),
