@@ -44,6 +44,8 @@ def of(name, case=None):
     ("platform_on_rods_dies_down", None, [
         "left turns about the fixed O₁, C at (L·sin φ/2 − 0.5 m, L − L·cos φ/2): J_O₁ = J_C + m·O₁C² = m·L²/12 + "
         "m·L²/4 = m·L²/3 = 5.07 kg·m²"]),
+    ("crate_drawn_until_it_sticks", None, ["by the balance along it rope.force = M·g − M·ẍ"]),
+    ("two_parcels_on_belt", None, ["speed across film1: u̇_film1 = ẋ₁ − v₀"]),
     ("press_with_two_blows", None, ["at rest ∂V/∂y = 2·N_left·b₁ + m·g = 0"]),
     ("pointer_lags_behind_a_ramp", None, ["(under-damped, δ′ < ω)"]),
     ("pointer_lags_behind_a_ramp", "largest damping", ["c·w/k = δ"]),
