@@ -173,3 +173,39 @@ def test_a_letter_that_no_line_tells_is_seen():
     table = scene.scene.table
     line = WorkedLine(1, "", (), ("x", " = ", table.parameter("lambda_s") * table.parameter("k")))
     assert told_later(scene, [line]) == [(1, "lambda_s")]
+
+
+def test_a_load_that_begins_at_rest_beats_with_the_free_motion():
+    """x = F (sin Wt − W/w sin wt)/(k − mW²) of what nothing damps."""
+    lines = lines_of("""
+        parameters: {m: , k: , F: , W: , T: }
+        bodies: {b: {mass: m, slide: x}}
+        springs: {s: {k: k, between: [ground, b]}}
+        forces: {f: {at: b, force: F*sin(W*t)}}
+        answers: {x(T): 0 m, beat_period(x): 1 s, s.force(T): 0 N, envelope(x)(T): 0 m}
+    """)
+    known = {"m": 2.0, "k": 50.0, "F": 3.0, "W": 4.5, "T": 1.3}
+    for line in lines.values():
+        if line.letter and line.node is not None:
+            known[line.letter], = evaluate([line.node], Floats, known)
+    X, ratio = 3 / (50 - 2 * 4.5**2), 4.5 / 5
+    x = X * (math.sin(4.5 * 1.3) - ratio * math.sin(5 * 1.3))
+    wanted = {"x(T)": x, "beat_period(x)": 2 * math.pi / 0.5, "s.force(T)": 50 * x,
+              "envelope(x)(T)": X * math.sqrt(1 + ratio**2 - 2 * ratio * math.cos(0.5 * 1.3))}
+    assert {asked: evaluate([lines[asked].node], Floats, known)[0] for asked in wanted} == pytest.approx(wanted)
+
+
+def test_passages_through_zero_in_letters():
+    lines = lines_of("""
+        parameters: {m: , k: , v: }
+        bodies: {b: {mass: m, slide: x}}
+        springs: {s: {k: k, between: [ground, b]}}
+        initial: {x': v}
+        answers: {"zero[2](x)": 1 s, "zero[1](x')": 1 s, "mean(x^2)": 1 m^2}
+    """)
+    known = {"m": 2.0, "k": 50.0, "v": 0.3}
+    for line in lines.values():
+        if line.letter and line.node is not None:
+            known[line.letter], = evaluate([line.node], Floats, known)
+    wanted = {"zero[2](x)": math.pi / 5, "zero[1](x')": math.pi / 10, "mean(x^2)": (0.3 / 5) ** 2 / 2}
+    assert {asked: evaluate([lines[asked].node], Floats, known)[0] for asked in wanted} == pytest.approx(wanted)
