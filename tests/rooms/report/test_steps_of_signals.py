@@ -209,3 +209,24 @@ def test_passages_through_zero_in_letters():
             known[line.letter], = evaluate([line.node], Floats, known)
     wanted = {"zero[2](x)": math.pi / 5, "zero[1](x')": math.pi / 10, "mean(x^2)": (0.3 / 5) ** 2 / 2}
     assert {asked: evaluate([lines[asked].node], Floats, known)[0] for asked in wanted} == pytest.approx(wanted)
+
+
+def test_two_modes_whose_frequencies_have_long_formulas_have_letters():
+    lines = lines_of("""
+        parameters: {m: , n: , k: , q: , A: , V: , T: }
+        bodies: {a: {mass: m, slide: x}, b: {mass: n, slide: y}}
+        springs: {l: {k: k, between: [ground, a]}, s: {k: q, between: [a, b]}}
+        initial: {x: A, y': V}
+        answers: {y(T): 0 m, s.stretch(T): 0 m}
+    """)
+    known = {"m": 2.0, "n": 1.0, "k": 50.0, "q": 20.0, "A": 0.02, "V": 0.3, "T": 1.3}
+    for line in lines.values():
+        if line.letter and line.node is not None:
+            known[line.letter], = evaluate([line.node], Floats, known)
+    places = {"x": 0.0, "y": 0.0}           # det = 2 w⁴ − 110 w² + 1000
+    for w2 in ((110 + sign * math.sqrt(110**2 - 8000)) / 4 for sign in (-1, 1)):
+        w, r = math.sqrt(w2), (70 - 2 * w2) / 20
+        wave = (2 * 0.02 * math.cos(w * 1.3) + r * 0.3 * math.sin(w * 1.3) / w) / (2 + r * r)
+        places = {"x": places["x"] + wave, "y": places["y"] + r * wave}
+    found = {asked: evaluate([lines[asked].node], Floats, known)[0] for asked in ("y(T)", "s.stretch(T)")}
+    assert found == pytest.approx({"y(T)": places["y"], "s.stretch(T)": places["y"] - places["x"]})
