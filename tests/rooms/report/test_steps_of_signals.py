@@ -145,7 +145,7 @@ def test_what_is_damped_so_that_it_just_does_not_swing_moves_so_once_that_is_cho
     """)))}
     assert text_of(lines["x"]) == "x = (B·t + A)·exp(−δ·t)" and "omega_d[1]" not in lines
     assert [plain(lines[asked].node) for asked in ("argmax(x)", "max(x)", "max(s.force)", "x(T)")] == [
-        "1/δ", "B·exp(−1)/δ", "k·B·exp(−1)/δ", "(A + T·B)·exp(−T·δ)"]
+        "1/δ", "B·exp(−1)/δ", "k·B·exp(−1)/δ", "(T·B + A)·exp(−T·δ)"]
 
 
 def test_letters_of_multipliers_and_of_forces_are_told_before_they_are_used():
@@ -173,3 +173,60 @@ def test_a_letter_that_no_line_tells_is_seen():
     table = scene.scene.table
     line = WorkedLine(1, "", (), ("x", " = ", table.parameter("lambda_s") * table.parameter("k")))
     assert told_later(scene, [line]) == [(1, "lambda_s")]
+
+
+def test_a_load_that_begins_at_rest_beats_with_the_free_motion():
+    """x = F (sin Wt − W/w sin wt)/(k − mW²) of what nothing damps."""
+    lines = lines_of("""
+        parameters: {m: , k: , F: , W: , T: }
+        bodies: {b: {mass: m, slide: x}}
+        springs: {s: {k: k, between: [ground, b]}}
+        forces: {f: {at: b, force: F*sin(W*t)}}
+        answers: {x(T): 0 m, beat_period(x): 1 s, s.force(T): 0 N, envelope(x)(T): 0 m}
+    """)
+    known = {"m": 2.0, "k": 50.0, "F": 3.0, "W": 4.5, "T": 1.3}
+    for line in lines.values():
+        if line.letter and line.node is not None:
+            known[line.letter], = evaluate([line.node], Floats, known)
+    X, ratio = 3 / (50 - 2 * 4.5**2), 4.5 / 5
+    x = X * (math.sin(4.5 * 1.3) - ratio * math.sin(5 * 1.3))
+    wanted = {"x(T)": x, "beat_period(x)": 2 * math.pi / 0.5, "s.force(T)": 50 * x,
+              "envelope(x)(T)": X * math.sqrt(1 + ratio**2 - 2 * ratio * math.cos(0.5 * 1.3))}
+    assert {asked: evaluate([lines[asked].node], Floats, known)[0] for asked in wanted} == pytest.approx(wanted)
+
+
+def test_passages_through_zero_in_letters():
+    lines = lines_of("""
+        parameters: {m: , k: , v: }
+        bodies: {b: {mass: m, slide: x}}
+        springs: {s: {k: k, between: [ground, b]}}
+        initial: {x': v}
+        answers: {"zero[2](x)": 1 s, "zero[1](x')": 1 s, "mean(x^2)": 1 m^2}
+    """)
+    known = {"m": 2.0, "k": 50.0, "v": 0.3}
+    for line in lines.values():
+        if line.letter and line.node is not None:
+            known[line.letter], = evaluate([line.node], Floats, known)
+    wanted = {"zero[2](x)": math.pi / 5, "zero[1](x')": math.pi / 10, "mean(x^2)": (0.3 / 5) ** 2 / 2}
+    assert {asked: evaluate([lines[asked].node], Floats, known)[0] for asked in wanted} == pytest.approx(wanted)
+
+
+def test_two_modes_whose_frequencies_have_long_formulas_have_letters():
+    lines = lines_of("""
+        parameters: {m: , n: , k: , q: , A: , V: , T: }
+        bodies: {a: {mass: m, slide: x}, b: {mass: n, slide: y}}
+        springs: {l: {k: k, between: [ground, a]}, s: {k: q, between: [a, b]}}
+        initial: {x: A, y': V}
+        answers: {y(T): 0 m, s.stretch(T): 0 m}
+    """)
+    known = {"m": 2.0, "n": 1.0, "k": 50.0, "q": 20.0, "A": 0.02, "V": 0.3, "T": 1.3}
+    for line in lines.values():
+        if line.letter and line.node is not None:
+            known[line.letter], = evaluate([line.node], Floats, known)
+    places = {"x": 0.0, "y": 0.0}           # det = 2 w⁴ − 110 w² + 1000
+    for w2 in ((110 + sign * math.sqrt(110**2 - 8000)) / 4 for sign in (-1, 1)):
+        w, r = math.sqrt(w2), (70 - 2 * w2) / 20
+        wave = (2 * 0.02 * math.cos(w * 1.3) + r * 0.3 * math.sin(w * 1.3) / w) / (2 + r * r)
+        places = {"x": places["x"] + wave, "y": places["y"] + r * wave}
+    found = {asked: evaluate([lines[asked].node], Floats, known)[0] for asked in ("y(T)", "s.stretch(T)")}
+    assert found == pytest.approx({"y(T)": places["y"], "s.stretch(T)": places["y"] - places["x"]})

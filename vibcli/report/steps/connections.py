@@ -16,7 +16,7 @@ from vibcli.report.blocks import Name, SumOfTerms, Words
 from vibcli.report.steps.bodies import LONG, EnergyPart
 from vibcli.report.steps.parts_in_series import tell_parts
 from vibcli.report.steps.small import AboutRest, Small
-from vibcli.report.steps.step import WorkedSolution, number
+from vibcli.report.steps.step import WorkedSolution, number, place_told
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters
@@ -156,7 +156,7 @@ class Connections:
             turned = any(node.op == "call" and node.mask for node in reachable(place))
             if turned and sum(map(letters, place)) <= LONG:
                 self._located.add(name)
-                parts += [Words(f", {name} at  "), "(", place[0], ", ", place[1], ")"]
+                parts += [Words(f", {name} at  "), *place_told(*place)]
         return [*parts, Words(":  ")]
 
     @property

@@ -21,6 +21,7 @@ from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.parser import VALUE, parse
+from vibcli.symbolic.rationals import HALF
 from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import NameRef, QuantityRef, parts_of
 
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
+ZEROS = 3       # passages through zero that are looked at
 EXTREMES = {"max": 1, "argmax": 1, "min": -1, "argmin": -1}
 
 
@@ -60,20 +62,24 @@ def _forms(problem, sheet, tree: Any) -> "Iterator[tuple[Node, list[Any]]]":
         found = [_mean(waves, rest, tree.head == "mean", squared)]
     elif len(waves) == 2:
         if tree.head == "beat_period":
-            yield _beats(*sorted(waves, key=lambda wave: getattr(wave.rate, "name", "")))
+            yield _beats(*sorted(waves, key=lambda wave: wave.rate.name or ""))
         found = []
     else:
-        found = list(_of_one(problem, tree, *waves)) if len(waves) == 1 else []
+        found = list(_of_one(problem, sheet, tree, *waves)) if len(waves) == 1 else []
     yield from ((node, [node]) for node in found)
 
 
 def _beats(one, other):
-    """2π/(ω₂ − ω₁)."""
+    """2π/(ω₂ − ω₁), or its magnitude where letters leave open which is greater."""
+    names = [wave.rate.name or "" for wave in (one, other)]
+    if "omega" in names or not all(name.startswith("omega") for name in names):
+        return 2 * one.rate.table.pi / one.rate.table.call("abs", other.rate - one.rate), ["2·π/|", one.rate, " − ",
+                                                                                          other.rate, "|"]
     return 2 * one.rate.table.pi / (other.rate - one.rate), ["2·π/(", other.rate, " − ", one.rate, ")", Words(
         "   (where the frequencies are near each other)")]
 
 
-def _of_one(problem, tree, wave: "FreeWave") -> "Iterator[Node]":
+def _of_one(problem, sheet, tree, wave: "FreeWave") -> "Iterator[Node]":
     """A number of one vibration."""
     table, (a, b, rate, delta) = problem.scene.table, wave
     if tree.head == "amplitude":
@@ -82,6 +88,12 @@ def _of_one(problem, tree, wave: "FreeWave") -> "Iterator[Node]":
         yield table.call("atan2", b, a)
     if rate.is_zero:
         return
+    if tree.head == "zero":
+        nothing = {table.parameter(line.letter): line.node for line in sheet.steps if line.letter and (
+            line.node is not None and line.node.is_zero)}
+        b, = substitute([b], nothing)
+        yield from ((turn + HALF) * table.pi / rate if textbook(b).is_zero else (table.call(
+            "atan", -a / b) + turn * table.pi) / rate for turn in range(ZEROS))
     if tree.head == "period":
         yield 2 * table.pi / rate
     if delta.is_zero:

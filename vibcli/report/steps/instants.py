@@ -23,6 +23,9 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 
+MOTIONS = "motion", "motion from the start"        # lines that tell how the only coordinate moves under a load
+
+
 def tell_instant(problem: "Problem", sheet: WorkedSolution, asked: "Expression") -> bool:
     """Is what is asked a coordinate, or its speed, at an instant, and is it written down by the motion?"""
     found = _found(problem, sheet, asked)
@@ -63,7 +66,8 @@ def _forms(problem, sheet, tree) -> "list[tuple[Node, int | None]]":
         return []       # its unit would not stand beside letters
     found: list = [(node, None) for node in _start(problem, name, primes)] if t.is_zero else []
     for line in sheet.steps:
-        if line.settles == name and line.node is not None:
+        told = line.settles == name or (line.settles in MOTIONS and scene.coordinates == [name])
+        if told and line.node is not None:
             motion = gradient(line.node).get(scene.time, scene.table.zero) if primes else line.node
             found.append((substitute([motion], {scene.time: t})[0], line.number))
     if name in scene.coordinates and not primes and not problem.symbolic.balanced_as_drawn:

@@ -176,7 +176,7 @@ def _along(problem, sheet, text):
     """What supports exert along the motion, by the balance in it; at rest, if nothing else is asked."""
     from vibcli.mechanics.inputs_outputs.reactions_along_motion import along_the_motion
 
-    found: Any = along_the_motion(problem.numeric)
+    found: Any = along_the_motion(problem.numeric, ties=True)
     for signal, node in found.items():
         if signal in text and text.count(signal) == text.count(f"equilibrium[{signal}]") and (
                 problem.symbolic.balanced_as_drawn and all(node.is_zero for node in problem.scene.drawn.values())):

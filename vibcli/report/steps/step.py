@@ -9,6 +9,7 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.notation.as_printed import as_printed
 from vibcli.notation.names import GREEK, split_name
 from vibcli.notation.numbers import with_minus
+from vibcli.notation.units_in_sums import unit_beside
 from vibcli.quantities.dimensions import unit_of
 from vibcli.report.blocks import Name, Words
 from vibcli.symbolic.syntax import Call, Product, QuantityRef
@@ -133,6 +134,21 @@ def of_time(sheet: WorkedSolution, omega: float) -> list:
 def told(value: float) -> str:
     """A number as mathematics."""
     return with_minus(value)
+
+
+def place_told(*place: "Node") -> list:
+    """Parts of (x, y); a number beside letters that does not tell its unit, or alone, is in metres."""
+    parts: list[Any] = []
+    for node in place:
+        fixed = node.coefficient if node.op in ("sum", "number") else 0
+        parts.append(", " if parts else "(")
+        if not fixed or not node.table.hidden or (node.op == "sum" and unit_beside(node)):
+            parts.append(node)
+            continue
+        sign = "−" if fixed < 0 else ""
+        head = [node - node.table.number(fixed), f" {sign or '+'} "] if node.op == "sum" else [sign]
+        parts += [*head, told(abs(float(fixed))), Words("\u00a0m")]
+    return [*parts, ")"]
 
 
 def unit_told(spec: "Spec", asked: "Expression") -> str:

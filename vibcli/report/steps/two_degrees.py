@@ -105,6 +105,8 @@ class TwoDegrees:
             tell_roots(self.about, self.sheet, self.found, uses)
         if not coupled:
             return
+        if not found and ratio is not None:
+            self._told = self._lettered(ratio)
         shapes = []
         for k, node in enumerate(found, 1):
             x, y = map(Name, self.names)
@@ -117,6 +119,26 @@ class TwoDegrees:
                     ratio, lines[k - 1]], settles=f"mode[{k}][{self.names[1]}]")
         if len(shapes) == 2:
             self._told = shapes, [*lines, last]
+
+    def _lettered(self, ratio):
+        """Modes whose frequencies and ratios have letters, told where the file starts a motion that nothing damps."""
+        if self.found.C or self.found.drive or self.about.problem.spec.get("initial") is None:
+            return None
+        a2, a1, a0 = self.coefficients
+        known = [self.table.sqrt((a1 + sign * self.table.sqrt(a1 * a1 - 4 * a0 * a2)) / (2 * a2)) for sign in (-1, 1)]
+        letters, modes = [], []
+        told: list[Any] = [Words("with the ratios  ")]
+        for k, node in enumerate(known, 1):
+            omega, r = (self.about.letter(self.sheet.letter(f"{letter}{k}")) for letter in ("omega", "r"))
+            letters += [(omega, node), (r, self.shape_at(k))]
+            modes.append((omega ** 2, (self.table.one, r)))
+            told += [Words(",  " * (k > 1)), r, " = ", self.shape_at(k)]
+        line = self.sheet.write(*told, settles="ratios of amplitudes", uses=[ratio])
+        for letter, node in letters:
+            self.sheet.write(settles=letter.name, node=node, joined=True, letter=letter.name)
+            for values in self.about.samples:
+                values[letter.name], = evaluate([node], Floats, values)
+        return modes, [ratio, line]
 
     def motion_in_letters(self) -> None:
         """Write down the free motion from the start that the file gives, by modes that were told in letters."""
