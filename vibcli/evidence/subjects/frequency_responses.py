@@ -37,7 +37,7 @@ def at_frequency(problem: "Problem", tree: QuantityRef) -> Subject:
     read: Callable = abs if tree.head == "transmissibility" else complex
     data: tuple
     if problem.configuration.linear_system.pieces and problem.spec.get("damping") is not None:
-        kind, data = "member motion", ()
+        kind, data = "rated response", ()
         true = rated_members.at_frequency(problem, signal, Omega,
                                           lambda: member_responses.given_by(problem, driver)(Omega()), mpmath.mpc)
     elif problem.configuration.linear_system.pieces:
