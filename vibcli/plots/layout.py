@@ -9,7 +9,7 @@ from vibcli.plots.paper import scaled, sheets
 from vibcli.plots.words import printable, shortened
 
 if TYPE_CHECKING:
-    from vibcli.plots.figure import Figure
+    from vibcli.plots.figure import Figure, Panel
 
 _LINE, _WORD, _LINES = 66, 40, 3      # columns of a line and of a word of the title; its lines
 
@@ -29,7 +29,7 @@ def drawn(figure: "Figure") -> Any:
     return page
 
 
-def _height(panel, panels):
+def _height(panel: "Panel", panels: int) -> float:
     """Inches of a panel with its labels."""
     if panel.equal:
         return style.WIDTH / style.RATIO
