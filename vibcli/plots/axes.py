@@ -10,7 +10,7 @@ from vibcli.plots.ticks import OF_A_TURN, decade
 from vibcli.plots.words import shortened, width, with_its_unit
 
 if TYPE_CHECKING:
-    from vibcli.plots.paper import Sheet
+    from vibcli.plots.paper import Axis, Sheet
 
 _MARGIN = 0.05              # of the height, above and below the curves
 _MOST = 10                  # stretches between ticks upwards
@@ -42,17 +42,17 @@ def draw(axes: Any, sheet: "Sheet", inches: float) -> None:
         _legend(axes, handles, top)
 
 
-def _wide(axis):
+def _wide(axis: "Axis") -> bool:
     """Do few digits tell the ends apart, so that the numbers along it are short?"""
     return axis.high - axis.low > 1e-3 * max(abs(axis.low), abs(axis.high))
 
 
-def _with_margin(axis, part):
+def _with_margin(axis: "Axis", part: float) -> "Axis":
     margin = part * (axis.high - axis.low)
     return axis._replace(low=axis.low - margin, high=axis.high + margin)
 
 
-def _scale(axis, shown, most):
+def _scale(axis: Any, shown: "Axis", most: int) -> None:
     """The range of an axis, linear or logarithmic, and its ticks, at most so many where it is linear."""
     from matplotlib import ticker
 
@@ -71,7 +71,7 @@ def _scale(axis, shown, most):
         axis.set_major_formatter(ticker.ScalarFormatter())
 
 
-def _zero_lines(axes, sheet):
+def _zero_lines(axes: Any, sheet: "Sheet") -> None:
     """Thin lines at zero."""
     if not sheet.y.log and sheet.y.low < 0 < sheet.y.high:
         axes.axhline(0.0, color=style.MIDDLE, linewidth=0.7, zorder=1)
@@ -79,7 +79,7 @@ def _zero_lines(axes, sheet):
         axes.axvline(0.0, color=style.MIDDLE, linewidth=0.7, zorder=1)
 
 
-def _curves(axes, sheet):
+def _curves(axes: Any, sheet: "Sheet") -> list[tuple[Any, str]]:
     """Draw the curves; [(artist, label)] of those that a legend tells."""
     handles, lines, points = [], 0, 0
     for curve, runs in zip(sheet.panel.curves, sheet.strokes, strict=True):
@@ -107,7 +107,8 @@ def _curves(axes, sheet):
     return handles
 
 
-def _line(axes, sheet, runs, colour, dashes, width, order):
+def _line(axes: Any, sheet: "Sheet", runs: list[list[tuple[float, float]]], colour: str,
+          dashes: str | tuple[int, tuple[float, ...]], width: float, order: float) -> Any:
     if sum(turns([y for _, y in run]) for run in runs) > style.CROWDED:
         width, dashes = 0.5 * width, "-"
     artist, = axes.plot(*_values(sheet, runs), color=colour, linestyle=dashes, linewidth=width, zorder=order,
@@ -117,7 +118,7 @@ def _line(axes, sheet, runs, colour, dashes, width, order):
     return artist
 
 
-def _arrow(axes, sheet, runs):
+def _arrow(axes: Any, sheet: "Sheet", runs: list[list[tuple[float, float]]]) -> None:
     """A head at the second of two points, which looks away from the first."""
     for start, end in runs:
         (x, y), (to_x, to_y) = ((sheet.x.value(p), sheet.y.value(q)) for p, q in (start, end))
@@ -125,13 +126,13 @@ def _arrow(axes, sheet, runs):
             "arrowstyle": "-|>", "color": style.GREY, "linewidth": 0, "mutation_scale": 11, "shrinkA": 0, "shrinkB": 0})
 
 
-def _values(sheet, runs):
+def _values(sheet: "Sheet", runs: list[list[tuple[float, float]]]) -> tuple[list[float], list[float]]:
     """The runs one after the other, NaN between them: x and y."""
     points = [point for run in runs for point in (*run, (math.nan, math.nan))][:-1]
     return [sheet.x.value(x) for x, _ in points], [sheet.y.value(y) for _, y in points]
 
 
-def _points(axes, sheet, runs, colour, marker):
+def _points(axes: Any, sheet: "Sheet", runs: list[list[tuple[float, float]]], colour: str, marker: str) -> Any:
     face = "white" if any(curve.kind == "orbit" for curve in sheet.panel.curves) else "none"
     artist, = axes.plot(*_values(sheet, runs), linestyle="", marker=marker, color=colour,
                         markersize=6 if marker == "x" else 5, markeredgewidth=1.4, zorder=3, scalex=False, scaley=False,
@@ -140,7 +141,7 @@ def _points(axes, sheet, runs, colour, marker):
     return artist
 
 
-def _legend(axes, handles, top):
+def _legend(axes: Any, handles: list[tuple[Any, str]], top: float) -> None:
     """The legend above the axes, so many points above them, in as few rows as its entries take."""
     from matplotlib.transforms import ScaledTranslation
 

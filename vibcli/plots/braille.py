@@ -12,6 +12,7 @@ from vibcli.plots.words import width as columns_of
 
 if TYPE_CHECKING:
     from vibcli.plots.figure import Figure
+    from vibcli.plots.paper import Axis, Sheet
 
 NARROWEST, WIDEST = 40, 200
 FEWEST_ROWS = 5
@@ -38,7 +39,7 @@ def braille(figure: "Figure", width: int = 80, height: int = 20) -> str:
     return "\n".join(line.rstrip() for line in lines)
 
 
-def _wrapped(words, columns, gap):
+def _wrapped(words: list[str], columns: int, gap: str) -> list[str]:
     """The words in lines of that width; one that is longer is cut."""
     lines, line = [], ""
     for word in words:
@@ -50,7 +51,7 @@ def _wrapped(words, columns, gap):
     return [shortened(line, columns) for line in [*lines, line] if line]
 
 
-def _heading(label, legend, columns):
+def _heading(label: str, legend: list[str], columns: int) -> list[str]:
     """The label of y on the left, the legend on its right, on lines of its own where there is no room."""
     label = shortened(label, columns)
     right = "   ".join(legend)
@@ -59,14 +60,14 @@ def _heading(label, legend, columns):
     return [label, *(_wrapped([shortened(entry, columns) for entry in legend], columns, "   ") or [""])]
 
 
-def _y_ticks(axis, canvas):
+def _y_ticks(axis: "Axis", canvas: Canvas) -> dict[int, str]:
     """{row: label}"""
     apart = 3 if canvas.rows >= 9 else 2
 
-    def rows(found):
+    def rows(found: list[tuple[float, str]]) -> list[int]:
         return [canvas.row(axis.part(place)) for place, _ in found]
 
-    def fits(found):
+    def fits(found: list[tuple[float, str]]) -> bool:
         return all(a - b >= apart for a, b in pairwise(rows(found)))
 
     half = (axis.high - axis.low) / (8 * canvas.rows)      # of a dot: a tick just beyond the end is at the end
@@ -74,14 +75,14 @@ def _y_ticks(axis, canvas):
     return dict(zip(rows(found), (label for _, label in found), strict=True))
 
 
-def _x_axis(sheet, canvas, margin):
+def _x_axis(sheet: "Sheet", canvas: Canvas, margin: int) -> list[str]:
     """The line of the axis with its ticks; below the last panel of a group the numbers and the label."""
     panel, axis = sheet.panel, sheet.x
 
-    def placed(found):
+    def placed(found: list[tuple[float, str]]) -> list[tuple[int, str]]:
         return [(canvas.column(axis.part(place)), label) for place, label in found]
 
-    def fits(found):
+    def fits(found: list[tuple[float, str]]) -> bool:
         return _row(placed(found), canvas, margin, gap=3) is not None
 
     found = ticks(axis.low, axis.high, fits, axis.log)
@@ -94,7 +95,7 @@ def _x_axis(sheet, canvas, margin):
     return [*lines, row, " " * (margin + (canvas.columns - columns_of(label)) // 2) + label]
 
 
-def _row(placed, canvas, margin, gap):
+def _row(placed: list[tuple[int, str]], canvas: Canvas, margin: int, gap: int) -> str | None:
     """Labels centred below (or above) their columns in one line; None where they do not fit."""
     line, taken = "", 0
     for column, label in placed:
@@ -106,7 +107,7 @@ def _row(placed, canvas, margin, gap):
     return line
 
 
-def _mark_labels(sheet, canvas, margin):
+def _mark_labels(sheet: "Sheet", canvas: Canvas, margin: int) -> list[str]:
     """The labels of vertical marks above the canvas, in two lines where they crowd; what finds no room is left out."""
     places = [(sheet.x.place(mark.at), mark.label) for mark in sheet.panel.marks]
     placed = sorted((canvas.column(sheet.x.part(place)), label) for place, label in places

@@ -12,7 +12,7 @@ _EMPTY = 0x2800     # the character of braille without dots
 class Canvas:
     """`columns` by `rows` cells; dots count from the upper left."""
 
-    def __init__(self, columns: int, rows: int):
+    def __init__(self, columns: int, rows: int) -> None:
         self.columns, self.rows = columns, rows
         self.layers, self.letters, self.behind = [], {}, {}
 
@@ -30,8 +30,9 @@ class Canvas:
 
     def layer(self) -> bytearray:
         """A new layer of dots, one byte a cell."""
-        self.layers.append(bytearray(self.columns * self.rows))
-        return self.layers[-1]
+        layer = bytearray(self.columns * self.rows)
+        self.layers.append(layer)
+        return layer
 
     def dot(self, layer: bytearray, x: int, y: int) -> None:
         if 0 <= x < 2 * self.columns and 0 <= y < 4 * self.rows:

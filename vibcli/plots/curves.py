@@ -47,7 +47,7 @@ def draw(canvas: Canvas, sheet: Sheet) -> list[str]:
     return entries if len(entries) > 1 else []
 
 
-def _line(canvas, sheet, runs, layer, pattern):
+def _line(canvas: Canvas, sheet: Sheet, runs: list[list[tuple[float, float]]], layer: bytearray, pattern: str) -> None:
     for run in runs:
         points = thinned(run, sheet.x, 2 * canvas.columns)
         canvas.polyline(layer, [canvas.dots(sheet.x.part(x), sheet.y.part(y)) for x, y in points], pattern)
@@ -55,25 +55,25 @@ def _line(canvas, sheet, runs, layer, pattern):
             canvas.write(*_cell(canvas, sheet, *run[0]), "o")
 
 
-def _sample(pattern):
+def _sample(pattern: str) -> str:
     """A short piece of line for the legend."""
     sample = Canvas(6, 1)
     sample.polyline(sample.layer(), [(0, 2), (11, 2)], pattern)
     return sample.lines()[0]
 
 
-def _cell(canvas, sheet, x, y):
+def _cell(canvas: Canvas, sheet: Sheet, x: float, y: float) -> tuple[int, int]:
     """(row, column) of a point."""
     return canvas.row(sheet.y.part(y)), canvas.column(sheet.x.part(x))
 
 
-def _points(canvas, sheet, runs, letter):
+def _points(canvas: Canvas, sheet: Sheet, runs: list[list[tuple[float, float]]], letter: str) -> None:
     for run in runs:
         for x, y in run:
             canvas.write(*_cell(canvas, sheet, x, y), letter)
 
 
-def _arrows(canvas, sheet):
+def _arrows(canvas: Canvas, sheet: Sheet) -> None:
     """A head for each arrow, in the nearest of eight directions."""
     for curve, runs in zip(sheet.panel.curves, sheet.strokes, strict=True):
         for (x, y), (to_x, to_y) in runs if curve.kind == "arrow" else ():
@@ -81,7 +81,7 @@ def _arrows(canvas, sheet):
             canvas.write(*_cell(canvas, sheet, to_x, to_y), _HEADS[round(math.atan2(b - d, c - a) / (math.pi / 4)) % 8])
 
 
-def _behind(canvas, sheet):
+def _behind(canvas: Canvas, sheet: Sheet) -> None:
     """The zero line and the marks, where nothing else is."""
     if not sheet.y.log and sheet.y.low < 0 < sheet.y.high:
         row = _cell(canvas, sheet, sheet.x.low, 0.0)[0]
@@ -93,7 +93,7 @@ def _behind(canvas, sheet):
             canvas.behind.update({(row, column): "┊" for row in range(canvas.rows)})
 
 
-def _names(canvas, sheet):
+def _names(canvas: Canvas, sheet: Sheet) -> None:
     """The texts beside points: right of them, left, above or below, wherever there is room first; among orbits, where
     they cover least."""
     orbits = {i for i, curve in enumerate(sheet.panel.curves) if curve.kind == "orbit"}
@@ -113,7 +113,8 @@ def _names(canvas, sheet):
                 canvas.write(*place, text)
 
 
-def _least_covered(canvas, places, length, orbits):
+def _least_covered(canvas: Canvas, places: list[tuple[int, int]], length: int,
+                   orbits: set[int]) -> tuple[int, int] | None:
     """Of the places without text, the one at which a text covers least; None where there is none."""
     costs = []
     for row, column in places:
@@ -126,7 +127,7 @@ def _least_covered(canvas, places, length, orbits):
     return min(costs, default=(0, None), key=lambda cost: cost[0])[1]
 
 
-def _beside(canvas, rows, number, text):
+def _beside(canvas: Canvas, rows: list[dict[int, list[int]]], number: int, text: list[str]) -> None:
     """Write the label of a line over or under it, where the other lines are farthest away."""
     best, place = _APART - 1, None
     for column in range(1, canvas.columns - len(text)):

@@ -25,7 +25,7 @@ def argand(eigenvalues: Sequence[complex], labels: Sequence[str], title: str) ->
     return Figure(title, (panel,))
 
 
-def _rays(left, high):
+def _rays(left: float, high: float) -> list[Curve]:
     """Rays of constant ζ from the origin to the ends of the plot, those that are neither steep nor flat in it."""
     if not (left > 0 and high > 0):
         return []

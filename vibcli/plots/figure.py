@@ -1,5 +1,6 @@
 """The data of a plot, before any paper: curves in panels, panels in a figure. Labels are plain text, `x [mm]`."""
 
+
 from vibcli.base.named_tuple import NamedTuple
 
 
@@ -12,10 +13,10 @@ class Curve(NamedTuple):
     """
 
     label: str
-    x: tuple
-    y: tuple
+    x: tuple[float, ...]
+    y: tuple[float, ...]
     kind: str = "line"
-    names: tuple = ()
+    names: tuple[str, ...] = ()
 
 
 class Mark(NamedTuple):
@@ -33,17 +34,17 @@ class Panel(NamedTuple):
     y_label: str
     x_log: bool = False
     y_log: bool = False
-    curves: tuple = ()
-    marks: tuple = ()
+    curves: tuple[Curve, ...] = ()
+    marks: tuple[Mark, ...] = ()
     equal: bool = False
     degrees: bool = False
     tall: float = 1.0
-    x_range: tuple | None = None
-    y_range: tuple | None = None
+    x_range: tuple[float, float] | None = None
+    y_range: tuple[float, float] | None = None
 
 
 class Figure(NamedTuple):
     """Panels one below the other; those that follow each other with the same x share its ticks."""
 
     title: str
-    panels: tuple
+    panels: tuple[Panel, ...]

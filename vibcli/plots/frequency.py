@@ -3,7 +3,7 @@
 import cmath
 import math
 from bisect import bisect
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.plots.figure import Curve, Figure, Mark, Panel
@@ -38,13 +38,13 @@ def of_frequency_response(Omega: "Sequence[int] | np.ndarray", H: "Mapping[str, 
     return Figure(title, (upper, lower))
 
 
-def _spans(values, ratio):
+def _spans(values: "Sequence[float] | np.ndarray", ratio: float) -> bool:
     """Do the positive values span more than that ratio?"""
     values = [value for value in values if 0 < value < math.inf]
     return bool(values) and max(values) > ratio * min(values)
 
 
-def _distinct(places):
+def _distinct(places: Sequence[float]) -> list[float]:
     """Peaks of several curves at nearly the same place are marked once."""
     found = []
     for place in sorted(places):
@@ -70,7 +70,7 @@ def lag(values: "Sequence[complex] | np.ndarray") -> tuple[float, ...]:
     return tuple(found)
 
 
-def _turns(lags):
+def _turns(lags: Iterable[Any]) -> tuple[float, float]:
     """The range of phases, in whole quarter turns."""
     values = [angle for angles in lags for angle in angles if math.isfinite(angle)]
     low, high = min(values, default=0), max(values, default=180)
@@ -95,13 +95,13 @@ def nyquist(Omega: Any, H: "Mapping[str, list[float] | np.ndarray]", unit: str, 
     return Figure(title, (panel,))
 
 
-def _nearest(Omega, to):
+def _nearest(Omega: list[float], to: float) -> int:
     """The number of the one of ascending frequencies that lies nearest."""
     after = bisect(Omega, to)
     return min(range(max(after - 1, 0), min(after + 1, len(Omega))), key=lambda i: abs(Omega[i] - to))
 
 
-def _with_zero(values):
+def _with_zero(values: Iterable[float]) -> tuple[float, float] | None:
     values = [value for value in values if math.isfinite(value)]
     low, high = min(values, default=0.0), max(values, default=0.0)
     return (min(low, 0.0), max(high, 0.0)) if high > low else None

@@ -9,7 +9,7 @@ from vibcli.plots.paper import scaled, sheets
 from vibcli.plots.words import printable, shortened
 
 if TYPE_CHECKING:
-    from vibcli.plots.figure import Figure
+    from vibcli.plots.figure import Figure, Panel
 
 _LINE, _WORD, _LINES = 10.2, 6.2, 3      # columns of an inch of a line and of a word of the title; its lines
 
@@ -29,7 +29,7 @@ def drawn(figure: "Figure", inches: float = style.WIDTH) -> Any:
     return page
 
 
-def _height(panel, panels, inches):
+def _height(panel: "Panel", panels: int, inches: float) -> float:
     """Inches of a panel with its labels."""
     if panel.equal:
         return inches / style.RATIO

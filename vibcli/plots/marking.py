@@ -17,7 +17,8 @@ _ANCHOR = {-1: ("right", "top"), 0: ("center", "center"), 1: ("left", "bottom")}
 
 def draw_marks(axes: Any, sheet: Sheet) -> float:
     """Thin lines across the axes with their labels above, in rows; returns how high they reach, in points."""
-    rows, wide = [], _across(axes)
+    rows: list[float] = []
+    wide = _across(axes)
     for mark in sorted(sheet.panel.marks, key=lambda mark: mark.at):
         place = sheet.x.place(mark.at)
         if place is None or not sheet.x.low <= place <= sheet.x.high:
@@ -34,12 +35,12 @@ def draw_marks(axes: Any, sheet: Sheet) -> float:
     return 4 + 1.25 * style.SMALL * len(rows)
 
 
-def _across(axes):
+def _across(axes: Any) -> float:
     """Points from end to end of the axes, about."""
-    return 72 * axes.figure.get_figwidth() - _BESIDE
+    return float(72 * axes.figure.get_figwidth() - _BESIDE)
 
 
-def _long(text):
+def _long(text: str) -> float:
     """Points of a text, about."""
     return style.EM * style.SMALL * width(text)
 
@@ -64,14 +65,15 @@ def draw_names(axes: Any, sheet: Sheet, inches: float) -> None:
                           fontsize=style.SMALL, color=style.GREY if guide else style.BLACK, bbox=_PAPER)
 
 
-def _box(x, y, right, above, long):
+def _box(x: float, y: float, right: int, above: int, long: float) -> tuple[float, float, float, float]:
     """(left, below, right, above) of a text on that side of a point."""
     left = x + {-1: -long - 6, 0: -long / 2, 1: 6}[right]
     below = y + {-1: -style.SMALL - 6, 0: -style.SMALL / 2, 1: 5}[above]
     return left, below, left + long, below + style.SMALL
 
 
-def _covered(box, texts, points, size):
+def _covered(box: tuple[float, float, float, float], texts: list[tuple[float, float, float, float]],
+             points: list[tuple[float, float]], size: tuple[float, float]) -> tuple[bool, int, int]:
     """What a text would cover: to stand out of the axes is worse than another text, that worse than any points."""
     left, below, right, above = box
     inside = sum(left - 1 < x < right + 1 and below - 1 < y < above + 1 for x, y in points)

@@ -9,7 +9,9 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.plots.words import printable
 
 if TYPE_CHECKING:
-    from vibcli.plots.figure import Figure
+    import numpy as np
+
+    from vibcli.plots.figure import Curve, Figure, Panel
 
 LARGEST, SMALLEST = 1e300, 1e-290      # beyond: no place; zero
 MOST_DECADES = 12
@@ -44,7 +46,7 @@ class Sheet(NamedTuple):
     panel: Any
     x: Axis
     y: Axis
-    strokes: tuple
+    strokes: tuple[Any, ...]
     last: bool
     legend: bool
 
@@ -67,8 +69,8 @@ def sheets(figure: "Figure") -> list[Sheet]:
             for i, panel in enumerate(panels)]
 
 
-def _printable(panel):
-    def curve(one):
+def _printable(panel: "Panel") -> "Panel":
+    def curve(one: "Curve") -> "Curve":
         return one._replace(label=printable(one.label), names=tuple(map(printable, one.names)))
 
     return panel._replace(
@@ -76,19 +78,19 @@ def _printable(panel):
         marks=tuple(mark._replace(label=printable(mark.label)) for mark in panel.marks))
 
 
-def _shares_x(panel, other=None):
+def _shares_x(panel: "Panel", other: "Panel | None" = None) -> bool:
     """Can it stand above or below the other, if there is one, with one set of ticks?"""
     return other is not None and (panel.x_label, panel.x_log) == (other.x_label, other.x_log) and not (
         panel.equal or other.equal)
 
 
-def _repeats(panel, above=None):
+def _repeats(panel: "Panel", above: "Panel | None" = None) -> bool:
     """Are its curves those of the panel above, which has the legend?"""
     return _shares_x(panel, above) and [(c.label, c.kind) for c in panel.curves] == [
         (c.label, c.kind) for c in above.curves]
 
 
-def _shared(panels, ranges, i):
+def _shared(panels: "list[Panel]", ranges: list[tuple[float, float]], i: int) -> tuple[float, float]:
     first = last = i
     while first > 0 and _shares_x(panels[first - 1], panels[i]):
         first -= 1
@@ -98,7 +100,7 @@ def _shared(panels, ranges, i):
     return min(low for low, _ in group), max(high for _, high in group)
 
 
-def _places(values, log):
+def _places(values: "Sequence[float] | np.ndarray", log: bool) -> list[float]:
     """Where numbers stand on an axis; None where they stand nowhere."""
     values = map(float, values)
     if log:
@@ -106,7 +108,7 @@ def _places(values, log):
     return [0.0 if -SMALLEST < value < SMALLEST else value if -LARGEST < value < LARGEST else None for value in values]
 
 
-def _strokes(curve, panel):
+def _strokes(curve: "Curve", panel: "Panel") -> list[list[tuple[float, float]]]:
     xs, ys = _places(curve.x, panel.x_log), _places(curve.y, panel.y_log)
     if xs and None not in xs and None not in ys:
         return [list(zip(xs, ys, strict=True))]
@@ -121,10 +123,11 @@ def _strokes(curve, panel):
     return [*runs, run] if run else runs
 
 
-def _limits(values, log, given):
+def _limits(values: "Sequence[float] | np.ndarray", log: bool,
+            given: tuple[float, float] | None) -> tuple[float, float]:
     """The range that holds all values; wider where there is only one of them, cut where poles would fill it."""
     if given is not None:
-        return tuple(map(math.log10, given)) if log else given
+        return (math.log10(given[0]), math.log10(given[1])) if log else given
     low, high = min(values, default=0.0), max(values, default=1.0)
     if log:
         if high - low > MOST_DECADES:
@@ -136,7 +139,7 @@ def _limits(values, log, given):
     return (-1.0, 1.0) if size == 0 else (min(0.0, 1.25 * low), max(0.0, 1.25 * high))
 
 
-def _without_poles(values, low, high):
+def _without_poles(values: "Sequence[float] | np.ndarray", low: float, high: float) -> tuple[float, float]:
     """The range of nine values in ten and three decades more: a pole on the grid or an exact zero is cut off."""
     ordered = sorted(values)
     tenth = len(ordered) // 20
@@ -169,7 +172,7 @@ def fewer(x: Sequence[float], y: Sequence[float], most: int = 20000) -> tuple[tu
     return tuple(x), tuple(y)
 
 
-def _extremes(group):
+def _extremes(group: list[tuple[float, float]]) -> list[tuple[float, float]]:
     if len(group) <= 4:
         return group
     ys = [y for _, y in group]
@@ -188,6 +191,6 @@ def scaled(sheet: Sheet, ratio: float) -> Sheet:
     return sheet._replace(y=_widened(sheet.y, width / ratio))
 
 
-def _widened(axis, length):
+def _widened(axis: Axis, length: float) -> Axis:
     middle = (axis.low + axis.high) / 2
     return axis._replace(low=middle - length / 2, high=middle + length / 2)

@@ -1,7 +1,8 @@
 """The phase plane as a figure: orbits with arrows of their direction, lines that are told apart, equilibria by name."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 
@@ -23,7 +24,7 @@ class PlaneLines(NamedTuple):
     its arrows stand near where they end? None: it has none. One without lines keeps its colour free."""
 
     label: str
-    lines: list
+    lines: list[Any]
     kind: str = "line"
     at_end: bool | None = False
 
@@ -44,24 +45,24 @@ def of_phase_plane(names: tuple[str, str], units: tuple[str, str], ends: tuple[f
     curves += [_markers(found, fx, _is_crowded(points, ends)) for found in points]
     return Figure(title, (Panel(
         labelled(names[0], x_unit), labelled(names[1], y_unit), curves=tuple(curves), tall=TALL,
-        x_range=tuple(fx * q for q in ends), y_range=(-fy * speed, fy * speed)),))
+        x_range=(fx * ends[0], fx * ends[1]), y_range=(-fy * speed, fy * speed)),))
 
 
-def _is_crowded(points, ends):
+def _is_crowded(points: Sequence[Sequence[tuple[float, str]]], ends: tuple[float, float]) -> bool:
     """Is there no room for names beside points?"""
     places = sorted(q for found in points for q, name in found if name)
     near = NEAREST * (ends[1] - ends[0])
     return len(places) > MOST_NAMED or any(b - a < near for a, b in pairwise(places))
 
 
-def _markers(found, factor, crowded):
+def _markers(found: Sequence[tuple[float, str]], factor: float, crowded: bool) -> Curve:
     """Points with names beside them, or in the legend."""
     names = tuple(name for _, name in found)
     told = " / ".join(dict.fromkeys(name for name in names if name)) if crowded else ""
     return Curve(told, tuple(factor * q for q, _ in found), (0.0,) * len(found), "markers", () if crowded else names)
 
 
-def _joined(one, fx, fy):
+def _joined(one: PlaneLines, fx: float, fy: float) -> Curve:
     """All lines of an entry as one Curve, NaN between."""
     x, y = [], []
     for q, v in one.lines:
@@ -70,7 +71,8 @@ def _joined(one, fx, fy):
     return Curve(one.label, tuple(x), tuple(y), one.kind)
 
 
-def _arrows(line, middle, scale, at_end, taken):
+def _arrows(line: tuple[np.ndarray, np.ndarray], middle: np.ndarray, scale: np.ndarray, at_end: bool,
+            taken: list[np.ndarray]) -> Iterator[np.ndarray]:
     """[array of the two points of an arrow] along a line, no nearer to what is `taken` than they may be; they are added
     to it."""
     path = (np.stack(line) - middle) / scale
@@ -89,15 +91,15 @@ def _arrows(line, middle, scale, at_end, taken):
             yield middle + scale * np.concatenate((_at(path, ways, found[0] - HEAD), found[1]), axis=1)
 
 
-def _is_clear(place, taken):
+def _is_clear(place: np.ndarray, taken: list[np.ndarray]) -> bool:
     return np.abs(place).max() <= INSIDE and not any(((place - other) ** 2).sum() < CLEAR**2 for other in taken)
 
 
-def _at(path, ways, way):
+def _at(path: np.ndarray, ways: np.ndarray, way: float) -> np.ndarray:
     return np.array([[np.interp(way, ways, row)] for row in path])
 
 
-def _inside(path):
+def _inside(path: np.ndarray) -> np.ndarray:
     """The longest part of it within the frame."""
     inside = (np.abs(path) <= 1).all(axis=0)
     edges = np.flatnonzero(np.diff(np.concatenate(([False], inside, [False])).astype(int)))

@@ -2,12 +2,13 @@
 
 import io
 import warnings
+from collections.abc import Mapping
 from typing import Any
 
 from vibcli.base.decoding import cleaned
 from vibcli.plots import style
 
-_OPTIONS: dict[str, dict] = {      # neither date nor version; less time for the last tenth of a PNG's size
+_OPTIONS: dict[str, dict[str, Any]] = {      # neither date nor version; less time for the last tenth of a PNG's size
     "png": {"metadata": {"Software": None}, "pil_kwargs": {"compress_level": 4}},
     "svg": {"metadata": {"Date": None, "Creator": None}},
     "pdf": {"metadata": {"Creator": None, "Producer": None, "CreationDate": None}}}
@@ -39,6 +40,6 @@ def picture(figure: Any, kind: Any, inches: float = style.WIDTH) -> bytes:
     return data.getvalue()
 
 
-def _settings(defaults):
+def _settings(defaults: Mapping[str, Any]) -> dict[str, Any]:
     """Matplotlib's own settings, whatever a file of the user's says; to ask for a backend would import pyplot."""
     return {name: value for name, value in defaults.items() if not name.startswith("backend")} | style.RC

@@ -38,12 +38,13 @@ def of_response(times: "Sequence[float] | np.ndarray",
     return Figure(title, panels)
 
 
-def _listed(values, factor):
+def _listed(values: "np.ndarray | Sequence[float]", factor: float) -> list[float]:
     """Floats of Python times the factor: an array's own are slow."""
     return [value * factor for value in (values.tolist() if hasattr(values, "tolist") else values)]
 
 
-def _panels(t, t_label, unit, group):
+def _panels(t: list[float], t_label: str, unit: str,
+            group: "list[tuple[str, np.ndarray | list[float], list[float] | None, list[float] | None]]") -> list[Panel]:
     """One panel for the signals of a unit, or one for each, in the same scale, where they turn too often."""
     factor, unit = readable(max(largest(values) for _, values, _, _ in group), unit)
     together = _panel(t, t_label, unit, factor, group)
@@ -60,8 +61,9 @@ def turns(values: Sequence[float]) -> int:
     return sum(a * b < 0 for a, b in pairwise(steps))
 
 
-def _panel(t, t_label, unit, factor, group):
-    def curve(label, values, kind):
+def _panel(t: list[float], t_label: str, unit: str, factor: float,
+           group: "list[tuple[str, np.ndarray | list[float], list[float] | None, list[float] | None]]") -> Panel:
+    def curve(label: str, values: Any, kind: str) -> Curve:
         return Curve(label, *fewer(t, _listed(values, factor)), kind)
 
     several = len(group) > 1

@@ -1,7 +1,7 @@
 """Where ticks stand on an axis and what they say: multiples of 1, 2 or 5, decades, parts of a turn."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 from vibcli.plots.prefixes import power
 
@@ -9,7 +9,8 @@ OF_A_TURN = (45, 90, 180, 360, 720, 1440, 2880, 5760)
 _PLAIN = range(-3, 5)      # decades that are written out: 0.001 … 10000
 
 
-def ticks(low: float, high: float, fits: Callable, log: bool = False, degrees: bool = False) -> list[tuple[float, str]]:
+def ticks(low: float, high: float, fits: Callable[[list[tuple[float, str]]], bool], log: bool = False,
+          degrees: bool = False) -> list[tuple[float, str]]:
     """[(place, label)] on an axis from low to high (decades where it is log): the densest ones that `fits` takes,
     else two of them, else one."""
     ends = []
@@ -21,7 +22,7 @@ def ticks(low: float, high: float, fits: Callable, log: bool = False, degrees: b
     return ends if fits(ends) else ends[:1]
 
 
-def _candidates(low, high, log, degrees):
+def _candidates(low: float, high: float, log: bool, degrees: bool) -> Iterator[list[tuple[float, str]]]:
     if log:
         if high - low < 1:
             for found in _linear(10.0 ** low, 10.0 ** high):
@@ -37,7 +38,7 @@ def _candidates(low, high, log, degrees):
         yield from _linear(low, high)
 
 
-def _linear(low, high):
+def _linear(low: float, high: float) -> Iterator[list[tuple[float, str]]]:
     """Ticks at multiples of 1, 2, 5 · 10ᵉ, from a hundred of them on to one."""
     first = math.floor(math.log10(high - low)) - 2
     for exponent in range(first, first + 5):
@@ -46,7 +47,7 @@ def _linear(low, high):
                 yield _multiples(low, high, step, exponent)
 
 
-def _multiples(low, high, step, exponent):
+def _multiples(low: float, high: float, step: int, exponent: int) -> list[tuple[float, str]]:
     size, slack = step * 10.0 ** exponent, 1e-9
     first, last = math.ceil(low / size - slack), math.floor(high / size + slack)
     return [(k * size, decimal(k * step, exponent)) for k in range(first, last + 1)]
@@ -68,7 +69,7 @@ def decimal(n: int, exponent: int) -> str:
     return sign + (ten if rest == "1" else f"{rest}·{ten}")
 
 
-def _in_decades(low, high, within, step=1):
+def _in_decades(low: float, high: float, within: range | tuple[int, ...], step: int = 1) -> list[tuple[float, str]]:
     slack = 1e-9
     decades = [k for k in range(math.floor(low), math.ceil(high) + 1) if k % step == 0]
     places = [(k, m, k + math.log10(m)) for k in decades for m in within]
@@ -84,5 +85,5 @@ def decade(value: float, plain: bool) -> str:
     return decimal(m, k) if plain else _scientific(m, k)
 
 
-def _scientific(m, k):
+def _scientific(m: int, k: int) -> str:
     return power(k) if m == 1 else f"{m}·{power(k)}"
