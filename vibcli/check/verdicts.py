@@ -140,10 +140,9 @@ def _estimated(problem: "Problem", tree: "QuantityRef") -> bool:
 
 def _uncertain(verdict: Verdict) -> Verdict:
     """The Verdict with the refusal of an answer that the bound of what is found leaves open."""
-    from vibcli.notation.numbers import figure, rounded_up, supported
+    from vibcli.notation.numbers import with_bound
 
-    known, answer = supported(verdict.found, verdict.error, 15, ""), verdict.answer
-    known += "" if "±" in known else f" ± {figure(rounded_up(verdict.error), digits=1)}"
+    known, answer = with_bound(verdict.found, verdict.error), verdict.answer
     cause = "the answer is exact" if is_exact(answer) else "the answer has more digits"
     refusal = PhysicsError(f"{answer.asked.text} is known to be {known}: {cause}, and whether it agrees is uncertain",
                            _advice(verdict), answer.expected.where)

@@ -175,7 +175,7 @@ class UncountedModes:
             return np.inf
         return float(left_of_squares(row @ self.inverse @ row, first @ first))
 
-    def begins_of(self, place: "FieldPoint"):
+    def begins_of(self, place: "FieldPoint") -> float:
         """The power from which on sums of a place are finite; infinite beside an end without tension, where a unit
         load, by which they are known, has no finite motion."""
         one = self.pieces[place.piece].piece

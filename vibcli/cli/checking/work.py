@@ -12,6 +12,8 @@ from vibcli.base.rules import DIFFERS, DOUBTFUL, INVALID, UNCERTAIN, UNSOLVED
 from vibcli.cli.checking.found import CheckedAnswer, CheckedFile, Trouble
 from vibcli.cli.common import fault, forget, known_mistake, problem_in, shown_lines, source_of
 
+FEW = 1e-6          # relative bound above which it stands beside what is found
+
 
 def checked_file(file: str, settings: Sequence[str] = (), patience: int = 1, data: bytes | None = None) -> CheckedFile:
     """What the check of a file found, or of bytes that stand for it. A fault of ours is told and leaves others."""
@@ -117,13 +119,19 @@ def _said(verdict):
         return f"uncertain: expected {verdict.answer.expected.text}, {verdict.remark}"
     values = []
     if verdict.expected is not None:
-        values.append("expected {}, found {}".format(*(verdict.digits or _values(verdict.expected, verdict.found))))
+        values.append("expected {}, found {}".format(*(verdict.digits or _values(verdict))))
     return " ".join(values + [f"({verdict.remark})"] * bool(verdict.remark))
 
 
-def _values(*values):
-    """Two values, to the digits in which they differ."""
+def _values(verdict):
+    """Expected and found, to the digits in which they differ, or with the bound of what is found where it knows few."""
+    values = verdict.expected, verdict.found
     if any(isinstance(value, bool) for value in values):
         return ["true" if value else "false" for value in values]
     digits = next((n for n in range(9, 17) if len({f"{value:.{n}g}" for value in values}) > 1), 17)
-    return [f"{value:.{digits}g}" for value in values]
+    expected, found = (f"{value:.{digits}g}" for value in values)
+    if verdict.error and verdict.error > FEW * abs(verdict.found):
+        from vibcli.notation.numbers import with_bound
+
+        found = with_bound(verdict.found, verdict.error)
+    return [expected, found]
