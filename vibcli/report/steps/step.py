@@ -142,7 +142,8 @@ def place_told(*place: "Node") -> list:
     for node in place:
         fixed = node.coefficient if node.op in ("sum", "number") else 0
         parts.append(", " if parts else "(")
-        if not fixed or not node.table.hidden or (node.op == "sum" and unit_beside(node)):
+        known = node.table.dimension is None or not node.table.hidden or (node.op == "sum" and unit_beside(node))
+        if not fixed or known:
             parts.append(node)
             continue
         sign = "−" if fixed < 0 else ""
