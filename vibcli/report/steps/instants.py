@@ -54,7 +54,7 @@ def _found(problem, sheet, asked) -> "tuple[Node, int | None] | None":
             tree.args[0].primes > 1 or parts_of(tree.args[1]).quantities):
         return None
     forms = _forms(problem, sheet, tree)
-    values = found_at(problem, sheet.steps, asked) if forms else []
+    values = found_at(problem, sheet, asked) if forms else []
     return next((form for form in forms if is_found(form[0], values)), None)
 
 

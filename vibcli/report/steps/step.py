@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from vibcli.language.reader import Expression
     from vibcli.language.spec import Spec
     from vibcli.report.steps.free_waves import ToldMotion
+    from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
 MARKED = "′", "′′", "′′′"
@@ -52,6 +53,7 @@ class WorkedSolution:
         self._taken = set(map(_printed, taken))
         self._letters: dict[str, str] = {}
         self._beside: WorkedLine | None = None
+        self.drawn: dict[Problem, tuple] = {}       # scenes in numbers that were drawn of one in letters
         self.waves: dict[str, ToldMotion] = {}      # of coordinates that move freely by the letters of lines
 
     @property
