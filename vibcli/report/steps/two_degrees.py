@@ -126,7 +126,8 @@ class TwoDegrees:
             return None
         a2, a1, a0 = self.coefficients
         known = [self.table.sqrt((a1 + sign * self.table.sqrt(a1 * a1 - 4 * a0 * a2)) / (2 * a2)) for sign in (-1, 1)]
-        letters, modes, told = [], [], [Words("with the ratios  ")]
+        letters, modes = [], []
+        told: list[Any] = [Words("with the ratios  ")]
         for k, node in enumerate(known, 1):
             omega, r = (self.about.letter(self.sheet.letter(f"{letter}{k}")) for letter in ("omega", "r"))
             letters += [(omega, node), (r, self.shape_at(k))]
