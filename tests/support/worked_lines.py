@@ -16,7 +16,7 @@ from vibcli.symbolic.expression_graph import reachable
 SMALL = 1e-4        # of angles in radians, lengths in metres: how far from rest expansions are looked at
 OTHERS = {"kg": 1.37, "m": 0.83, "s": 1.19}     # how much of an SI unit others are
 RAISED = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+")
-UNKNOWNS = re.compile(r"(omega|lambda|D|[acdnp]\d+|[MCGK]|[ABEFX]|theta|[ZF]|tau|n|𝔇)\d*′*")
+UNKNOWNS = re.compile(r"(omega|lambda|D|[acdnp]\d+|[MCGK]|[ABEFX]|theta|[ZF]|tau|n|u|alpha|kappa|𝔇)\d*′*")
 DIGITS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 
 

@@ -49,7 +49,7 @@ def _is_homogeneous(one):
     from vibcli.base import units
     from vibcli.notation.units_in_sums import ALL_PURE, dimension_of
 
-    if one.node is None or not one.unit:
+    if one.node is None or not one.unit or one.node.table.dimension is None:
         return False
     text = one.unit.translate(RAISED)
     try:

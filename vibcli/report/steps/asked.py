@@ -60,12 +60,25 @@ def _tell_in_letters(problem, sheet):
         if asked.text in settled:
             continue
         try:
-            ways = (tell_instant, tell_of_free) if isinstance(asked.tree, QuantityRef) else ()
+            ways = (_by_frequency, tell_instant, tell_of_free) if isinstance(asked.tree, QuantityRef) else ()
             if not any(tell(problem, sheet, asked) for tell in (*ways, tell_of_kept_up, _told_as_expression)):
                 left.append(asked)
         except (PhysicsError, SpecError):
             left.append(asked)
     tell_left(problem, sheet, left)
+
+
+def _by_frequency(problem, sheet, asked):
+    """Is a period told by the letter of its frequency?"""
+    tree = asked.tree
+    line = next((one for one in sheet.steps if tree.head == "period" and not tree.args and one.letter
+                 and one.settles == f"omega[{', '.join(tree.indices)}]" and one.node is not None), None)
+    if line is None:
+        return False
+    table = problem.scene.table
+    node = 2 * table.pi / table.parameter(line.letter)
+    sheet.write(Words(f"{as_printed(asked.text)}:  "), node, settles=asked.text, node=node, uses=[line.number])
+    return True
 
 
 def _told_as_expression(problem, sheet, asked):

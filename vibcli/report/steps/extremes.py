@@ -67,7 +67,7 @@ def tell_extremes(degree: Degree, swing: Swing) -> None:
 def _found(degree, swing, asked, letters):
     """(what is asked, its TurningBack, its expression), with letters t₁, t₂ … by the numbers of places."""
     for one in asked:
-        form = _form_of(degree, swing, one, found_at(degree.problem, degree.sheet.steps, one), letters)
+        form = _form_of(degree, swing, one, found_at(degree.problem, degree.sheet, one), letters)
         if form is not None:
             yield one, *form
 
@@ -90,7 +90,7 @@ def _tell_turn(degree, swing, turn, joined):
                                   swing.begins + turn.instant, settles="turning back", uses=[swing.line])
     value = None
     if not degree.problem.numeric.has_free_symbols:
-        value = _at(turn, next(instances(degree.problem, degree.sheet.steps))[1])[turn.letter.name]
+        value = _at(turn, next(instances(degree.problem, degree.sheet))[1])[turn.letter.name]
     tangent = table.call("tan", rate * turn.letter)
     return degree.sheet.write(Name(degree.name + "'"), " = 0", Words(" at  "), turn.letter, Words("  with  "), tangent,
                               " = ", _tangent(degree, swing), *(() if value is None else (

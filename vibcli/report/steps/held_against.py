@@ -27,7 +27,7 @@ def tell_found(problem: "Problem", sheet: WorkedSolution, asked: "Expression",
     known = None
     with suppress(PhysicsError):
         for node, told in forms:
-            known = found_at(problem, sheet.steps, asked, least) if known is None else known
+            known = found_at(problem, sheet, asked, least) if known is None else known
             if letters(node) <= LONG and (is_found(node, known) or not (known or least)):
                 nothing = vanishes(node, known)
                 _write(problem, sheet, asked, problem.scene.table.zero if nothing else node, [

@@ -3,8 +3,10 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from vibcli.base.errors import PhysicsError
 from vibcli.notation.as_printed import as_printed
 from vibcli.report.blocks import Words
+from vibcli.report.steps.free_waves import waves_of
 from vibcli.report.steps.step import WorkedSolution
 
 if TYPE_CHECKING:
@@ -19,8 +21,16 @@ OTHERS = "told in numbers alone (--set):  "
 def tell_left(problem: "Problem", sheet: WorkedSolution, left: "Sequence[Expression]") -> None:
     """Write down the names of what no line tells in letters."""
     names = {*problem.spec.parameters, *problem.spec.coordinates}
-    several = len(problem.scene.q) > 1 and not problem.spec.in_full and not problem.scene.laws
-    turning = [one for one in left if several and getattr(one.tree, "head", "") in TURNING]
+    turning = [one for one in left if getattr(one.tree, "head", "") in TURNING and _is_of_several(
+        problem, sheet, one.tree.args[0])]
     for words, group in ((SEVERAL, turning), (OTHERS, [one for one in left if one not in turning])):
         if group:
             sheet.write(Words(words + ",  ".join(as_printed(one.text, names) for one in group)))
+
+
+def _is_of_several(problem, sheet, signal):
+    """Do lines tell the motion of a signal as a sum of several vibrations?"""
+    try:
+        return len(waves_of(problem, sheet, signal)) > 1
+    except PhysicsError:
+        return False

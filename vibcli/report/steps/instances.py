@@ -4,8 +4,7 @@ with some values of its letters."""
 from collections.abc import Mapping
 from contextlib import suppress
 from math import isnan
-from typing import TYPE_CHECKING, Any
-from weakref import WeakKeyDictionary
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.quantities.expression import value_of
@@ -16,32 +15,32 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from vibcli.language.reader import Expression
+    from vibcli.report.steps.step import WorkedSolution
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
 CLOSE = 1e-9        # relative: of a line and the engine's number
 ROUNDING = 1e-13    # the same, of the terms of a sum
 INSTANCES, MOST = 3, 24     # of a scene in letters: what are enough, and are drawn
-KNOWN: "WeakKeyDictionary[Problem, tuple[list[Problem], Iterator[Problem]]]" = WeakKeyDictionary()
 
 
-def instances(problem: "Problem", steps: "Sequence[Any]") -> "Iterator[tuple[Problem, Mapping[str, float]]]":
+def instances(problem: "Problem", sheet: "WorkedSolution") -> "Iterator[tuple[Problem, Mapping[str, float]]]":
     """(the problem in numbers, {letter: number} of its parameters and of the lines), of a scene in letters where all of
     these are real: what is told of one that is under-damped holds there alone."""
     if not problem.numeric.has_free_symbols:
-        yield problem, {**problem.numeric.floats, **{line.letter: line.value for line in steps
+        yield problem, {**problem.numeric.floats, **{line.letter: line.value for line in sheet.steps
                                                      if line.letter and line.value is not None}}
         return
-    if problem not in KNOWN:
-        KNOWN[problem] = [], random_instances(problem)
-    drawn, more = KNOWN[problem]
+    if problem not in sheet.drawn:
+        sheet.drawn[problem] = [], random_instances(problem)
+    drawn, more = sheet.drawn[problem]
     for i in range(MOST):
         if i == len(drawn):
             one = next(more, None)
             if one is None:
                 return
             drawn.append(one)
-        known = _with_lines(dict(drawn[i].numeric.floats), steps)
+        known = _with_lines(dict(drawn[i].numeric.floats), sheet.steps)
         if not any(map(isnan, known.values())):
             yield drawn[i], known
 
@@ -54,12 +53,12 @@ def _with_lines(known, steps):
     return known
 
 
-def found_at(problem: "Problem", steps: "Sequence[Any]", asked: "Expression", least: int = INSTANCES
+def found_at(problem: "Problem", sheet: "WorkedSolution", asked: "Expression", least: int = INSTANCES
              ) -> "list[tuple[Mapping[str, float], float]]":
     """[({letter: number}, the number of the engine)] at instances that have it; none where fewer than `least` of a
     scene in letters have."""
     found, enough = [], INSTANCES if problem.numeric.has_free_symbols else 1
-    for one, known in instances(problem, steps):
+    for one, known in instances(problem, sheet):
         with suppress(PhysicsError, SpecError):
             found.append((known, float(value_of(one, asked)[0])))
         if len(found) == enough:

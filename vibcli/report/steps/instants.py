@@ -53,8 +53,9 @@ def _found(problem, sheet, asked) -> "tuple[Node, int | None] | None":
     if getattr(tree, "head", "") != VALUE or not isinstance(tree.args[0], NameRef) or (
             tree.args[0].primes > 1 or parts_of(tree.args[1]).quantities):
         return None
-    values = found_at(problem, sheet.steps, asked)
-    return next((form for form in _forms(problem, sheet, tree) if is_found(form[0], values)), None)
+    forms = _forms(problem, sheet, tree)
+    values = found_at(problem, sheet, asked) if forms else []
+    return next((form for form in forms if is_found(form[0], values)), None)
 
 
 def _forms(problem, sheet, tree) -> "list[tuple[Node, int | None]]":

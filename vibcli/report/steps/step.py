@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from vibcli.language.reader import Expression
     from vibcli.language.spec import Spec
     from vibcli.report.steps.free_waves import ToldMotion
+    from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
 MARKED = "′", "′′", "′′′"
@@ -52,6 +53,7 @@ class WorkedSolution:
         self._taken = set(map(_printed, taken))
         self._letters: dict[str, str] = {}
         self._beside: WorkedLine | None = None
+        self.drawn: dict[Problem, tuple] = {}       # scenes in numbers that were drawn of one in letters
         self.waves: dict[str, ToldMotion] = {}      # of coordinates that move freely by the letters of lines
 
     @property
@@ -142,7 +144,8 @@ def place_told(*place: "Node") -> list:
     for node in place:
         fixed = node.coefficient if node.op in ("sum", "number") else 0
         parts.append(", " if parts else "(")
-        if not fixed or not node.table.hidden or (node.op == "sum" and unit_beside(node)):
+        known = node.table.dimension is None or not node.table.hidden or (node.op == "sum" and unit_beside(node))
+        if not fixed or known:
             parts.append(node)
             continue
         sign = "−" if fixed < 0 else ""
