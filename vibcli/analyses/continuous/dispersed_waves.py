@@ -220,7 +220,8 @@ def _faster(output, rates):
     """So high a rate of an output of places."""
     parts: list[dict] = [{}, {}, {}]
     parts[rates] = output.q
-    return LinearOutput(0.0, *parts, places={place._replace(rates=rates): x for place, x in output.places.items()})
+    return LinearOutput(0.0, *parts)._replace(places={
+        place._replace(rates=rates): x for place, x in output.places.items()})
 
 
 class TelegraphWaves:
