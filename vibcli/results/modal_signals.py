@@ -28,6 +28,7 @@ class ModalSignal(Signal):
                  finest: "Callable | None" = None):
         self.modal, self.reads, self.work, self.asked, self._finest = motion, output, motion.work, asked, finest
         self._tops: dict[tuple, tuple[ModalMotion, tuple[float, float]]] = {}
+        self._of_waves: dict[tuple[float, float], Signal] = {}      # tops that waves tell
 
     def read_at(self, t: float) -> Signal:
         found = by_waves(self, self.asked, t)
@@ -79,6 +80,8 @@ class ModalSignal(Signal):
     def error_of_extreme(self, start: float, end: float, top: tuple[float, float], sense: int) -> float:
         from vibcli.analyses.continuous.modal_search import error_of_extreme
 
+        if top in self._of_waves:
+            return self._of_waves[top].error(top[0])
         motion, known = self._tops.get((start, end, sense), (self.modal, top))
         found = error_of_extreme(motion if known == top else self.modal, self.reads, start, end, top, sense)
         if found == inf:
@@ -88,6 +91,9 @@ class ModalSignal(Signal):
     def error_of_time(self, t: float) -> float:
         from vibcli.analyses.continuous.modal_search import width_of_top
 
+        for (instant, _), waves in self._of_waves.items():
+            if instant == t:
+                return waves.error_of_time(t)
         near = self.modal.values(self.reads, [t * (1 - 1e-6), t, t * (1 + 1e-6)])
         return width_of_top(self.modal, self.reads, t, 1 if 2 * near[1] >= near[0] + near[2] else -1)
 
@@ -107,9 +113,15 @@ class ModalSignal(Signal):
         """The motion that the extreme is read of, and it."""
         from vibcli.analyses.continuous.fine_search import highest
         from vibcli.analyses.continuous.modal_search import candidates, extreme
+        from vibcli.results.wave_signals import DispersedSignal
 
+        waves, found = by_waves(self, self.asked, end), None
+        if isinstance(waves, DispersedSignal):
+            found = waves.highest(candidates(self.modal, self.reads, start, end, sense), sense)
+        if found is not None:
+            self._of_waves[found] = waves
+            return self.modal, found
         finest = self.modal if self._finest is None else self._finest(self.modal, self.reads)
-        found = None
         if finest is not self.modal:
             cells = candidates(self.modal, self.reads, start, end, sense)
             found = highest(finest, self.reads, cells, self.modal.count, sense)

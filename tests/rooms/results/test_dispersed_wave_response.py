@@ -7,6 +7,7 @@ import pytest
 from support.scenes import problem
 
 from vibcli.language.signals_of_places import with_places
+from vibcli.quantities.expression import measure
 from vibcli.results.dispersed_wave_response import DispersedWaveResponse
 from vibcli.results.modal_response import ModalResponse
 from vibcli.results.modal_signals import ModalSignal
@@ -161,3 +162,12 @@ def test_rates_blows_and_starts_with_a_velocity(c, k):
     place, rate = started(t, c, k)
     compared(moving, "rod.u(L)", 1.7, place)
     compared(moving, "rod.u'(L)", 1.7, rate)
+
+
+def test_extremes_are_read_of_waves_where_modes_leave_them_open():
+    scene = problem(BAR.replace("REST", "drag: 0.2 N*s/m^2") + STEP + "find: [{response: {until: 5 s}}]\n")
+    top, error = measure(scene, with_places(parse("max(rod.u(L))"), scene.spec.members))
+    expected = mpmath.quad(lambda t: after_blow(1, t, 0.2, 0.0)[1], [0, 2])
+    assert abs(top - float(expected)) <= error * top <= 1e-12
+    at, error = measure(scene, with_places(parse("argmax(rod.u(L))"), scene.spec.members))
+    assert abs(at - 2) <= error * at <= 1e-11
