@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 
 ROUNDING = 1e-13
 NEAR = 1e-4         # relative: what is told as a difference, not as a ratio
+FEW = 1e-6          # relative bound above which it stands beside what is found
 
 
 class Verdict(NamedTuple):
@@ -49,6 +50,15 @@ class Verdict(NamedTuple):
     error: float | None = None
     digits: tuple[str, str] | None = None
     estimated: bool = False
+
+    @property
+    def known(self) -> str | None:
+        """What is found with its bound, where that leaves few digits; None elsewhere."""
+        if not self.error or not self.error > FEW * abs(self.found or 0.0):
+            return None
+        from vibcli.notation.numbers import with_bound
+
+        return with_bound(self.found, self.error)
 
 
 def check(problem: "Problem", mistake: "Mistake | None" = None) -> list[Verdict]:

@@ -1,12 +1,16 @@
 """Moments, shears and rates of stepped cantilevers after sudden and slow loads: against sums over modes found by hand,
 beside statics; and refusals of what has no bound."""
 
+import json
+import re
+
 import numpy as np
 import pytest
 from support.scenes import problem
 
 import vibcli
 from vibcli.base.errors import NoBound
+from vibcli.cli.program import run
 from vibcli.language.signals_of_places import with_places
 from vibcli.results import enough_modes, modal_response
 from vibcli.symbolic.parser import parse
@@ -190,3 +194,23 @@ def test_bounds_below_a_fast_load_are_found(monkeypatch):
 def test_a_mean_square_of_what_has_no_bound_is_refused():
     with pytest.raises(NoBound, match="no finite sum"):
         _ = vibcli.loads(UNIFORM + STEP)["rms(arm.shear(0 m))"].value
+
+
+def test_texts_and_data_tell_bounds_and_why_there_is_none(tmp_path, monkeypatch, capsys):
+    """Of the first 128 modes: max(arm.moment(0 m)) is 2.4485(6), which check told to nine digits."""
+    monkeypatch.setattr(modal_response, "MOST", {True: 128, False: 128})
+    monkeypatch.setattr(modal_response, "FINEST", {True: 128, False: 128})
+    path = tmp_path / "arm.yaml"
+    path.write_text(UNIFORM + STEP + "answers: {max(arm.moment(0 m)): 1 N*m}\n", encoding="utf-8")
+    asked = ["response", str(path), "--of", "arm.moment(0 m)", "--of", "arm.shear(0 m)", "--until", "2", "--at", "1"]
+    run(asked)
+    told = " ".join(capsys.readouterr().out.split())
+    assert "arm.shear(0 m) [N] no bound no bound" in told
+    assert "no bound: what the modes left out" in told and "let loads rise within a time" in told
+    run([*asked, "--json"])
+    moment, shear = json.loads(capsys.readouterr().out)["response"]["signals"]
+    assert 1e-3 < moment["max_error"] < 1e-2 and 1e-3 < moment["at"][0]["error"] < 1e-2 and moment["no_bound"] is None
+    assert [shear["max"], shear["max_error"], shear["at"][0]["error"]] == [None] * 3
+    assert "no finite sum" in shear["no_bound"]
+    run(["check", str(path)])
+    assert re.search(r"expected 1, found \d\.\d\d\d ± 0\.00\d ", capsys.readouterr().out)

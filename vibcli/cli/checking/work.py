@@ -12,8 +12,6 @@ from vibcli.base.rules import DIFFERS, DOUBTFUL, INVALID, UNCERTAIN, UNSOLVED
 from vibcli.cli.checking.found import CheckedAnswer, CheckedFile, Trouble
 from vibcli.cli.common import fault, forget, known_mistake, problem_in, shown_lines, source_of
 
-FEW = 1e-6          # relative bound above which it stands beside what is found
-
 
 def checked_file(file: str, settings: Sequence[str] = (), patience: int = 1, data: bytes | None = None) -> CheckedFile:
     """What the check of a file found, or of bytes that stand for it. A fault of ours is told and leaves others."""
@@ -130,8 +128,4 @@ def _values(verdict):
         return ["true" if value else "false" for value in values]
     digits = next((n for n in range(9, 17) if len({f"{value:.{n}g}" for value in values}) > 1), 17)
     expected, found = (f"{value:.{digits}g}" for value in values)
-    if verdict.error and verdict.error > FEW * abs(verdict.found):
-        from vibcli.notation.numbers import with_bound
-
-        found = with_bound(verdict.found, verdict.error)
-    return [expected, found]
+    return [expected, verdict.known or found]
