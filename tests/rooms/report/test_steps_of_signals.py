@@ -230,3 +230,17 @@ def test_two_modes_whose_frequencies_have_long_formulas_have_letters():
         places = {"x": places["x"] + wave, "y": places["y"] + r * wave}
     found = {asked: evaluate([lines[asked].node], Floats, known)[0] for asked in ("y(T)", "s.stretch(T)")}
     assert found == pytest.approx({"y(T)": places["y"], "s.stretch(T)": places["y"] - places["x"]})
+
+
+def test_harmonics_of_a_square_wave_that_are_asked_in_letters():
+    lines = lines_of("""
+        parameters: {m: , c: , k: , F: , W: }
+        bodies: {b: {mass: m, slide: x}}
+        springs: {s: {k: k, between: [ground, b]}}
+        dampers: {d: {c: c, between: [ground, b]}}
+        forces: {f: {at: b, force: F*square(W*t)}}
+        answers: {"harmonic[3](x)": 1 m}
+    """)
+    found, = evaluate([lines["harmonic[3](x)"].node], Floats, {"m": 2.0, "c": 0.8, "k": 50.0, "F": 3.0, "W": 2.0})
+    assert found == pytest.approx(4 * 3 / (3 * math.pi) / math.hypot(50 - 2 * 36, 0.8 * 6)) and len(lines) > 3
+    assert not any(line.startswith("harmonic[1]") for line in lines)
