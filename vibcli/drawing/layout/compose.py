@@ -85,7 +85,8 @@ def primitives(stage: Scenery, sketch: Any,
     if stage.ropes:
         from vibcli.drawing.symbols import rope
 
-        found += [part for chain in stage.ropes.values() for part in rope.draw(chain, sketch)]
+        for chain in stage.ropes.values():
+            found += [*rope.draw(chain, sketch), *rope.held(chain, sketch)]
     for end in ties.hinges:
         found += support.hinge(sketch.now(end))
     found += _constraints(sketch)

@@ -26,7 +26,8 @@ _PROLOGUE = re.compile(r"<\?xml.*?\?>|<!DOCTYPE[^>]*>|<metadata>.*?</metadata>",
 _GAPS = re.compile(r"<path(?![^>]*\sd=)")       # letters without strokes, as gaps are drawn
 _TEXT = re.compile(r'<text[^>]* font-size="([^"]*)"')
 _WIDE = re.compile(r'<svg\b[^>]*? width="([\d.]+)pt"')
-READABLE = 9.0      # pixels of a screen: the least size of the main letters of a picture
+READABLE = 8.5      # pixels of a screen: the least size of the main letters of a picture
+_INDEXED, LOWERED = re.compile(r"(?<!\w)(\w)_(\w)(?!\w)"), r"\1<sub>\2</sub>"       # a letter with its index
 _DEFINED = re.compile(r'\bid="|href="#|url\(#')
 
 
@@ -101,7 +102,8 @@ def _heading(block, level):
 
 
 def _table(block, _):
-    head = "".join(f'<th scope="col">{_cell(cell)}</th>' if cell else "<td></td>" for cell in block.head)
+    head = "".join(f'<th scope="col">{_INDEXED.sub(LOWERED, _cell(cell))}</th>' if cell else "<td></td>"
+                   for cell in block.head)
     body = "\n".join(map(_row, block.rows))
     return f'<div class="wide"><table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{body}\n</tbody>\n</table></div>'
 

@@ -147,6 +147,8 @@ def frequency_figure(problem: "Problem", curves: Sequence[SampledCurve], nyquist
     if nyquist:
         return frequency.nyquist(Omega, values, _unit(curves), at=peaks, title=title)
     driver = symbol(curves[0].driver)
+    if curves[0].driver in problem.spec.coordinates:        # the force along it
+        driver = f"Q_{driver}"
     kind = f"|H| to {driver}" if len(curves) > 1 else f"|{_factor(next(iter(values)))}/{_factor(driver)}|"
     return frequency.of_frequency_response(Omega, values, kind, _unit(curves), peaks, dips, title=title)
 
