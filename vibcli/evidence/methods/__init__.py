@@ -2,12 +2,13 @@
 
 METHODS = {
     "ours": (("modes", "damped modes", "motion", "full motion", "steady motion", "response",
-              "peak", "member modes", "member response", "rated response", "member motion", "static position",
-              "vibrations", "matrix entry", "derivative", "force law"),
+              "peak", "member modes", "damped member modes", "member response", "rated response", "member motion",
+              "static position", "vibrations", "matrix entry", "derivative", "force law"),
              "vibcli itself, from the element data on"),
     "assembled_modes": (("modes",), "eigh and eig of assembled K and M"),
     "state_eigenvalues": (("damped modes",), "eig of the state matrix and of the pencil that is assembled"),
-    "finite_elements": (("member modes", "member response"), "members in 1 … 128 elements a piece, and eigh or LU"),
+    "finite_elements": (("member modes", "damped member modes", "member response"),
+                        "members in 1 … 128 elements a piece, and eigh or LU"),
     "elements_in_time": (("member motion",), "members in 1 … 128 elements a piece, by modes and by Newmark's steps"),
     "mode_sums": (("motion", "steady motion"), "modal superposition with 1 … n undamped modes"),
     "held_inputs": (("motion", "steady motion"), "lsim of 100 … 1,000,000 steps, or of a record's and parts"),

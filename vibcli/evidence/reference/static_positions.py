@@ -53,10 +53,10 @@ class StaticEquations(NamedTuple):
         return dict(zip(self.names, _root(residual, self.near), strict=True))
 
 
-def equations(configuration: "Configuration", released: bool = False) -> StaticEquations:
+def equations(configuration: "Configuration", released: bool = False, rests: bool = True) -> StaticEquations:
     """Of the equilibrium of a Configuration, with its supports `released` where they are asked for; PhysicsError where
-    members bend or forces jump."""
-    if configuration.scene.members or configuration.equilibrium.jumps is not None:
+    members bend or forces jump; not `rests`: where it moves alone, jumps there being no matter."""
+    if configuration.scene.members or (rests and configuration.equilibrium.jumps is not None):
         raise PhysicsError("no reference is found of static positions of members, or where forces jump")
     scene = _unloaded(configuration, released)
     redundant = configuration.scene.freedom.redundant

@@ -18,6 +18,7 @@ SUBJECTS = {
     "stiffness_correction": ("expansions", "of_correction"),
     "stiffness": ("equivalents", "of_place"), "damping": ("equivalents", "of_place"),
     "law": ("laws", "of_power"), "law()": ("laws", "force"),
+    "backbone()": ("backbones", "by_amplitude"),
     "sensitivity": ("sensitivities", "sensitivity"),
     "equilibrium": ("static_positions", "at_rest"),
     "frf": ("frequency_responses", "at_frequency"), "transmissibility": ("frequency_responses", "at_frequency"),
