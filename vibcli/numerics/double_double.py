@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 
 from vibcli.base.named_tuple import NamedTuple
+from vibcli.numerics.error_free import whole_product, whole_sum
 
 UNIT = 2.0**-102
-SPLIT = 2.0**27 + 1
 
 
 class DoubleDouble(NamedTuple):
@@ -22,18 +22,13 @@ class DoubleDouble(NamedTuple):
 
 def added(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble:
     """a + b."""
-    total = a.hi + b.hi
-    there = total - a.hi
-    left = (a.hi - (total - there)) + (b.hi - there)
+    total, left = whole_sum(a.hi, b.hi)
     return _renewed(total, left + (a.lo + b.lo))
 
 
 def scaled(a: DoubleDouble, factor: np.ndarray | float) -> DoubleDouble:
     """a times floats, with the rules of broadcasting."""
-    product = a.hi * factor
-    one, rest = _halves(a.hi)
-    two, other = _halves(factor)
-    left = ((one * two - product) + one * other + rest * two) + rest * other
+    product, left = whole_product(a.hi, factor)
     return _renewed(product, left + a.lo * factor)
 
 
@@ -52,13 +47,6 @@ def times(matrix: Any, a: DoubleDouble) -> DoubleDouble:
     back = np.empty_like(order)
     back[order] = np.arange(len(order))
     return DoubleDouble(found.hi[back], found.lo[back])
-
-
-def _halves(x):
-    """Two floats of 26 bits whose sum is x."""
-    much = SPLIT * x
-    high = much - (much - x)
-    return high, x - high
 
 
 def _renewed(high, low):

@@ -9,6 +9,7 @@ from vibcli.language.dimension_check import check
 from vibcli.language.reader import Expression, Reader
 from vibcli.quantities import FAMILIES
 from vibcli.quantities.dimensions import asked_dimension, dimension_of
+from vibcli.quantities.index_kinds import INDICES
 from vibcli.quantities.quantity import ALL, OF_STATE, TRUTH, is_bare, kind_of, named, quantity_of, usage
 from vibcli.reader.cycles_used import is_number_without_cycles
 from vibcli.reader.quantity_check import can_be_asked
@@ -59,19 +60,13 @@ def is_asked(spec: "Spec", reader: Reader, asked: Expression) -> bool:
         if asked.text in FAMILIES:
             needs = "an index" if named(asked.text).indices else "a signal"
             reader.report(asked.where, f"{quoted(asked.text)} needs {needs}", f"write {usage(asked.text, spec)}")
-        elif isinstance(asked.tree, NameRef) and _is_signal(spec, asked.tree.name):
+        elif isinstance(asked.tree, NameRef) and INDICES["output"].fits(spec, asked.tree.name):
             reader.report(asked.where, f"{quoted(asked.text)} is a function of time",
                           f"ask for its value as in {asked.text}(2 s), or for max({asked.text})")
         else:
             reader.report(asked.where, f"{quoted(asked.text)} is not a quantity", nearest(asked.text, FAMILIES) or ALL)
         return False
     return True
-
-
-def _is_signal(spec, name):
-    from vibcli.quantities.signal_dimensions import output_dimension
-
-    return output_dimension(spec, name) is not None
 
 
 def checked(spec: "Spec", reader: Reader, answer: Answer) -> Answer:

@@ -39,7 +39,7 @@ def expanded(parts: "SeriesOfLaws", outer: Polynomials, args: Sequence[Any],
                   for i, degree in enumerate(degrees)]
     total = _line(ring, _sums(ring, deviations))
     u = _line(ring, reversed_series(ring, total))
-    found = [_coefficients(_composed(ring, deviation, u), order) for deviation in deviations]
+    found = [_coefficients(ring.composed(deviation, u), order) for deviation in deviations]
     force = _coefficients(ring.power(u, n), order)
     return force, [[place, *own[1:]] for place, own in zip(places, found, strict=True)]
 
@@ -101,13 +101,6 @@ def _sums(ring, columns):
 def _line(ring, coefficients):
     """The polynomial that has these coefficients, but for its constant."""
     return Polynomial(ring, {(k,): c for k, c in enumerate(coefficients) if k})
-
-
-def _composed(ring, coefficients, u):
-    found = ring.still(coefficients[-1])
-    for c in coefficients[-2::-1]:
-        found = found * u + ring.still(c)
-    return found
 
 
 def _coefficients(series, order):

@@ -112,7 +112,7 @@ class Polynomials:
         coefficients, inverse = [self.inner.power(u0, e)], self.inner.power(u0, -1)
         for k in range(1, self.order + 1):
             coefficients.append(coefficients[-1] * self.inner.number(Fraction(e - k + 1) / k) * inverse)
-        return self._composed(coefficients, w)
+        return self.composed(coefficients, w)
 
     def _whole(self, u, n):
         if n == 1:
@@ -120,7 +120,7 @@ class Polynomials:
         half = self._whole(u, n // 2)
         return half * half * u if n % 2 else half * half
 
-    def _composed(self, coefficients, w):
+    def composed(self, coefficients: Sequence[Any], w: Polynomial) -> Polynomial:
         """Σ cₖ wᵏ by Horner's scheme."""
         found = self.still(coefficients[-1])
         for c in coefficients[-2::-1]:
@@ -140,7 +140,7 @@ class Polynomials:
                 return self.still(self.inner.called(function)(*constants))
             if any(u.moving.terms for u in args[1:]):
                 raise NoDerivative(function.symbol)
-            return self._composed(function.coefficients(self, constants), args[0].moving)
+            return self.composed(function.coefficients(self, constants), args[0].moving)
         return call
 
     def _function(self, name):
@@ -173,7 +173,7 @@ class Polynomials:
         slopes = [value * self.inner.number(Fraction(1, _factorials(k)))
                   for k, value in zip(orders, evaluate(nodes, self.inner, places), strict=True)]
         if len(args) == 1:
-            return self._composed(slopes, args[0].moving)
+            return self.composed(slopes, args[0].moving)
         powers = [self._powers(u.moving) for u in args]
         found = self.number(0)
         for k, slope in zip(orders, slopes, strict=True):

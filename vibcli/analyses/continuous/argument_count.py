@@ -268,3 +268,12 @@ def _distance(stack: "PieceStack", kappa: np.ndarray) -> np.ndarray:
         ends = (held_count(stack.piece._replace(foundation=kappa.real + side * width), 0) for side in (-1, 1))
         free = np.where(np.equal(*ends), width, free)
     return np.hypot(kappa.imag, free) * 0.999
+
+
+def newton_steps(D: np.ndarray, slope: np.ndarray) -> np.ndarray:
+    """All δ with det(D + δ D′) = 0."""
+    try:
+        nu = np.linalg.eigvals(np.linalg.solve(D, slope))
+    except np.linalg.LinAlgError:       # D is singular in floats: a root
+        return np.zeros(1)
+    return -1 / nu[abs(nu) > 0]

@@ -14,6 +14,7 @@ import numpy as np
 from vibcli.analyses.continuous.damped_transfer import of_power
 from vibcli.analyses.continuous.doubt import Doubt
 from vibcli.analyses.continuous.modal_states import States
+from vibcli.analyses.continuous.real_modes import left_out
 from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
@@ -99,7 +100,7 @@ class TiedModes:
         self.rigid_inputs, self.rigid_start = b[still], np.array([part[still] for part in begin])
         self._still = self.turn[:, still]
         found, modes = _states(squares, self.turn.T @ D @ self.turn, ~free, b, begin)
-        self.left_out = _left_out(basis.squares, given, creeping)
+        self.left_out = left_out(basis.squares, given, creeping)
         self._damping, self._shares = given, self.turn @ found.shares
         self.states = States(found.rates, found.inputs, np.minimum(modes, self.count - 1), found.begin)
         late = found.rates.real[(modes < self.count) & (modes >= self.count // 2)]
@@ -173,9 +174,3 @@ def _resting(found, loose, eta):
     return Motions(np.append(found.rates, np.zeros(len(loose))), np.concatenate([found.shares, own], axis=1),
                    np.concatenate([found.inputs, -np.real(shown @ found.inputs)]),
                    np.append(found.begin, eta[loose] - np.real(shown @ found.begin)))
-
-
-def _left_out(squares, damping, creeping):
-    highest = float(np.abs(squares).max(initial=0.0))
-    last = float(damping[-1]) if len(damping) else 0.0
-    return highest**0.5, 0.0 if creeping else highest / last if last else np.inf

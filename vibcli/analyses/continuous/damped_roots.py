@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from vibcli.analyses.continuous.argument_count import sizes
+from vibcli.analyses.continuous.argument_count import newton_steps, sizes
 from vibcli.analyses.continuous.counting import GUARD, SLACK
 from vibcli.analyses.continuous.dynamic_matrix import BLOWN, SHARES
 from vibcli.base.named_tuple import NamedTuple
@@ -60,7 +60,7 @@ def approached(whole: Whole, s: complex) -> complex | None:
         D, slope, _ = _scaled(whole.at(s), s)
         if not np.isfinite(D).all():
             return None
-        step = _steps(D, slope)
+        step = newton_steps(D, slope)
         if not len(step):
             return None
         step = step[np.argmin(abs(step))]
@@ -76,7 +76,7 @@ def roots_at(whole: Whole, s: complex) -> list[DampedRoot]:
     D, slope, scale = _scaled(found, s)
     left, _, right = np.linalg.svd(D)
     aside = _scaled(whole.at(s * (1 + ALIKE)), s)
-    several = max(1, int((abs(_steps(*aside[:2])) < 3 * ALIKE * abs(s)).sum()))
+    several = max(1, int((abs(newton_steps(*aside[:2])) < 3 * ALIKE * abs(s)).sum()))
     w, x = left[:, -several:], right[-several:].conj().T
     try:
         away = np.linalg.eigvals(np.linalg.solve(w.conj().T @ slope @ x, -(w.conj().T @ D @ x)))
@@ -99,15 +99,6 @@ def _scaled(found, s):
     """D and D′ with a unit for each coordinate in which what its diagonal was added from is 1; these units."""
     scale = 1 / np.sqrt(np.maximum(sizes(found, s)[:, 0], 1e-300))
     return *(part[:, :, 0] * scale[:, None] * scale for part in (found.D, found.slope)), scale
-
-
-def _steps(D, slope):
-    """All δ with det(D + δ D′) = 0."""
-    try:
-        nu = np.linalg.eigvals(np.linalg.solve(D, slope))
-    except np.linalg.LinAlgError:       # D is singular in floats: a root
-        return np.zeros(1)
-    return -1 / nu[abs(nu) > 0]
 
 
 def _kinetic(found, x, s):

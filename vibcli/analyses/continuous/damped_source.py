@@ -15,6 +15,7 @@ from vibcli.analyses.continuous.damped_estimates import half_turns
 from vibcli.analyses.continuous.damped_far import FarModes
 from vibcli.analyses.continuous.damped_parts import SURE, cleaned, damped_parts
 from vibcli.analyses.continuous.damped_roots import DampedRoot, Whole, roots_at
+from vibcli.analyses.continuous.damped_series import zeros_of
 from vibcli.analyses.continuous.dynamic_matrix import dynamic_matrix
 from vibcli.analyses.continuous.newton_of_members import distinct
 from vibcli.analyses.modal.damped_modes import DampedMode
@@ -165,7 +166,7 @@ class DampedModes:
             sizes = sorted(abs(root.value) for root in roots if abs(root.value) < radius)
             circles = _circles(sizes, self._held(radius), radius, least, enough)
             for circle in circles:
-                count = _counted(self.parts, circle)
+                count = zeros_of(self.parts, circle)
                 inside = [root for root in roots if abs(root.value) < circle]
                 rigid = self._at_rest(sizes[0] if sizes else circle) if count is not None else 0
                 if count is not None and count == rigid + sum(2 if root.value.imag else 1 for root in inside):
@@ -174,7 +175,7 @@ class DampedModes:
                 undecided = circle
             if not circles and effort == EFFORTS[-1]:
                 return None
-            if not circles and undecided is None and not sizes and _counted(self.parts, radius) in (0, None):
+            if not circles and undecided is None and not sizes and zeros_of(self.parts, radius) in (0, None):
                 return None
         raise _undecided(undecided)
 
@@ -190,18 +191,12 @@ class DampedModes:
 
     def _at_rest(self, nearest):
         """How often λ = 0 is an eigenvalue."""
-        return (_counted(self.parts, 0.03 * nearest) or 0) if self._resting else 0
+        return (zeros_of(self.parts, 0.03 * nearest) or 0) if self._resting else 0
 
     def _listed(self, roots):
         rigid = [DampedMode(i, 0.0, 0.0, None, shape, 0.0, "rigid motion: λ = 0")
                  for i, shape in enumerate(self._resting, 1)]
         return rigid + [_mode(i, root) for i, root in enumerate(_by_size(roots), len(rigid) + 1)]
-
-
-def _counted(parts, radius):
-    """How many λ all parts have in |λ| < radius; None where that is not certain."""
-    found = [part.zeros_within(radius) for part in parts]
-    return None if None in found else sum(found)
 
 
 def _by_size(roots):

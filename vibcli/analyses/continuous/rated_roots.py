@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from vibcli.analyses.continuous.argument_count import turned
+from vibcli.analyses.continuous.argument_count import newton_steps, turned
 from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
@@ -81,7 +81,7 @@ class RatedRoots:
             E, slope, *_ = self._bordered(s)
             if not (np.isfinite(E).all() and np.isfinite(slope).all()):
                 return None
-            step = _steps(E, slope)
+            step = newton_steps(E, slope)
             if not len(step):
                 return None
             step = step[np.argmin(abs(step))]
@@ -124,7 +124,7 @@ class RatedRoots:
         unit = self._units(s, out)
         E, slope, lost = (part * unit[:, None] * unit for part in (E, slope, lost))
         left, _, right = np.linalg.svd(E)
-        several = max(1, int((abs(_steps(E + ALIKE * s * slope, slope) + ALIKE * s) < 3 * ALIKE * abs(s)).sum()))
+        several = max(1, int((abs(newton_steps(E + ALIKE * s * slope, slope) + ALIKE * s) < 3 * ALIKE * abs(s)).sum()))
         w, x = left[:, -several:], right[-several:].conj().T
         small = w.conj().T @ slope @ x
         away, turn = np.linalg.eig(np.linalg.solve(small, -(w.conj().T @ E @ x)))
@@ -179,12 +179,3 @@ class RatedRoots:
             sigma = np.linalg.svd(np.swapaxes(root, 1, 2) @ np.linalg.solve(D[usable], root + 0j), compute_uv=False)
             change[usable] = np.where(sigma.max(axis=1) < 1, -np.log1p(-sigma).sum(axis=1), np.inf)
         return phase, np.where(np.isfinite(change), change, np.inf)
-
-
-def _steps(E, slope):
-    """All δ with det(E + δ E′) = 0."""
-    try:
-        nu = np.linalg.eigvals(np.linalg.solve(E, slope))
-    except np.linalg.LinAlgError:
-        return np.zeros(1)
-    return -1 / nu[abs(nu) > 0]

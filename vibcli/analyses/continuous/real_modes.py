@@ -41,7 +41,7 @@ class RealModes:
         supports = self.states.inputs.shape[1] - inputs.shape[1]
         self.rigid_inputs = np.pad(inputs[self.rigid], ((0, 0), (0, supports)))
         self.rigid_start = np.array([eta[self.rigid], rate[self.rigid]])
-        self.left_out = _left_out(squares, damping, creeping)
+        self.left_out = left_out(squares, damping, creeping)
         slow = float(np.max(states.rates.real[len(at) // 2:len(at)], initial=-np.inf))
         self.fading = min(max(slow, -self.left_out[1]), 0.0)
         pace = np.maximum(np.where(states.rates, np.abs(states.rates), damping[self.states.modes]), 1e-300)
@@ -58,7 +58,8 @@ class RealModes:
         return self.basis.lost(output)[:, self.states.modes]
 
 
-def _left_out(squares, damping, creeping):
+def left_out(squares: np.ndarray, damping: np.ndarray, creeping: bool) -> tuple[float, float]:
+    """What no |λ| of a mode that is left out is below where it oscillates, and where it creeps."""
     highest = float(np.abs(squares).max(initial=0.0))
     last = float(damping[-1]) if len(damping) else 0.0
     return highest**0.5, 0.0 if creeping else highest / last if last else np.inf
