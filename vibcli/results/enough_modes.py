@@ -1,7 +1,7 @@
 """How many modes a signal of a motion of members is read by: so many that what is left out is small, or the most that
 are worth their time. Modes in closed form cost so little that values at instants take many more of them."""
 
-from math import ceil, log
+from math import ceil, inf, log
 from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.continuous.rest_of_transfer import TooSlow
@@ -46,12 +46,15 @@ def finest(response: "ModalResponse", motion: "ModalMotion", output: "LinearOutp
            t: float | None = None) -> "ModalMotion":
     """The motion by as many modes as leave a small remainder, at an instant or ever, as it falls from one doubling to
     the next, or by the most that are worth it; the same where more of them leave no less. Of forces and rates beyond
-    closed forms fewer are."""
+    closed forms fewer are, of damped modes no more."""
     limit, count, share, small = response.limit, 2 * motion.count, 0.0, CLOSE
-    if not (response.closed or _is_displacement(output)):
-        limit, small = limit // FEWER, ROUGH
+    rough = not (response.closed or _is_displacement(output))
+    if rough:
+        limit, small = 0 if response.estimated else limit // FEWER, ROUGH
     if count <= limit:
         share = motion.left_share(output, t)
+    if rough and share == inf:
+        return motion
     while share > small and motion.count < count:
         try:
             further = response.motion(count).under(motion.reads)
