@@ -7,6 +7,7 @@ import pytest
 from support.motions import problem
 
 from vibcli.base.errors import PhysicsError
+from vibcli.cli.program import run
 from vibcli.quantities.expression import number_of
 from vibcli.symbolic.parser import parse
 
@@ -90,3 +91,11 @@ def test_squares_of_what_vibrates_freely_beside_a_drift():
     assert mean(found, "abs(x2 - x1)") == pytest.approx(-apart, rel=1e-12)
     with pytest.raises(PhysicsError, match="does not cancel"):
         mean(found, "x1*x2")
+
+
+def test_a_report_tells_which_signals_have_no_steady_state(tmp_path, capsys):
+    path = tmp_path / "wagons.yaml"
+    path.write_text(WAGONS.replace("LOAD", "F*step(t) + F*cos(W*t)") + "find: [{response: {of: [x1, s.force]}}]\n")
+    run(["solve", str(path)])
+    told = " ".join(capsys.readouterr().out.split())
+    assert "x₁: there is no steady state" in told and "s.force [N] 70" in told

@@ -24,18 +24,32 @@ NOTHING = 1e-12
 def steady_state(asked: "Sequence[RequestedSignal]", convention: Any) -> Iterator[Section]:
     """Amplitude and phase of each harmonic of the steady state and what follows growing loads, or why there is none."""
     try:
+        lost = [f"{one.label}: {text}" for one in asked for text in _driven_off(one.signal)]
+        asked = [one for one in asked if not any(_driven_off(one.signal))]
         growing = [f"{one.label} = {text}" for one in asked for text in _following(one.signal)]
         asked = [one for one in asked if not any(_following(one.signal))]
         rows = tuple(steady_rows(asked, convention))
     except PhysicsError as error:
         yield from section("Steady state", paragraph(f"{error.message}: {error.hint}" if error.hint else error.message))
         return
+    if lost:
+        yield from section("Without a steady state", *map(paragraph, lost))
     if growing:
         yield from section("Steady state behind loads that grow, in SI units", *map(paragraph, growing))
     angle = "α" if convention == "lead" else "θ"
     yield from section(f"Steady state {PHASES[convention][0]}", TableBlock(
         ("signal", "Ω [rad/s]", "f [Hz]", "T [s]", "X", f"{angle} [rad]", f"{angle} [°]"), rows) if rows else None,
         *(paragraph(f"{one.label}: {words}") for one in asked for words in _left_out(one.signal)), _still(asked, rows))
+
+
+def _driven_off(signal):
+    """Why a signal has no steady state though others have."""
+    if hasattr(signal, "output"):
+        steady = signal.motion.steady
+        try:
+            steady.require_held(signal.output)
+        except PhysicsError as error:
+            yield error.message
 
 
 def _following(signal):

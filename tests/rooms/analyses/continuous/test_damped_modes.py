@@ -323,3 +323,30 @@ def test_where_a_rate_has_no_inverse_no_root_is_told(monkeypatch):
     monkeypatch.setattr(damped_roots, "_scaled", lambda found, s: (nothing, nothing, np.ones(2)))
     monkeypatch.setattr(damped_roots.Whole, "at", lambda self, s: None)
     assert damped_roots.roots_at(damped_roots.Whole(None), 1j) == []
+
+
+CRITICAL = """
+bars: {rod: {length: 1 m, EA: 1 N, mass_per_length: 1 kg/m, left: clamped, right: {pinned: b}}}
+bodies: {b: {mass: 0.5 kg, slide: x}, d: {mass: 0.2 kg, slide: y}}
+springs: {p: {between: [ground, b], k: 0.3 N/m}, q: {between: [ground, d], k: 0.4 N/m}}
+dampers: {e: {between: [b, d], c: %r N*s/m}}
+"""
+
+
+@pytest.mark.parametrize("aside", [0.0, 1e-14, 1e-12])
+def test_where_damping_is_critical_two_modes_with_one_shape_are_told(aside):
+    """As far as they are not told apart twice their middle, with a bound that holds both."""
+    def whole(s, c):
+        coth, M, m = s * mpmath.coth(s), mpmath.mpf("0.5"), mpmath.mpf("0.2")
+        return (coth + M * s**2 + c * s + mpmath.mpf("0.3")) * (m * s**2 + c * s + mpmath.mpf("0.4")) - (c * s)**2
+
+    with mpmath.workdps(40):
+        s, c = mpmath.findroot(lambda s, c: (whole(s, c), mpmath.diff(lambda z: whole(z, c), s)), (-1.4, 0.44))
+        c = float(c) * (1 + aside)
+        away = mpmath.sqrt(-2 * whole(s, c) / mpmath.diff(lambda z: whole(z, c), s, 2))
+        roots = [mpmath.findroot(lambda z: whole(z, mpmath.mpf(c)), s + way * away, tol=1e-50) for way in (1, -1)]
+        found = [mode for mode in problem(CRITICAL % c).modal.damped.first(4) if 1.39 < mode.omega < 1.4]
+        assert len(found) == 2
+        for root, mode in zip(sorted(roots, key=abs), found, strict=True):
+            assert abs(root - complex(mode.eigenvalue)) <= mode.error * abs(root) <= 1.1e-6 * abs(root)
+            assert mode.error < 1e-8 or aside < 1e-12
