@@ -18,7 +18,11 @@ BENCH = [
         ("equilibrium[x]", "`root` of SciPy (hybr, lm) on the forces at rest, with those of constraints"),
         ("K[x,x], M, C, G", "central differences of the forces, at steps 1e-1 … 1e-8; of M the kinetic energies of "
          "unit velocities"),
-        ("omega, frf of members", "1 … 128 finite elements a piece, and `eigh`, or LU at that frequency"),
+        ("sensitivity[1, m], V[x^4] …", "central differences, at the same steps, of what is solved anew, of energies "
+         "and of forces; so stiffness[P].max, law[s, d^3], stiffness_correction[s, x]"),
+        ("law[s](2 cm)", "`root` of SciPy on the deflections of parts in series"),
+        ("backbone[1](x)(10 cm)", "the integrators, over two periods of one coordinate"),
+        ("omega, zeta, frf of members", "1 … 128 finite elements a piece, and `eigh`, `eig`, or LU at that frequency"),
         ("peak[1](frf[x, F]).value", "grids of 100 … 1,000,000 frequencies, with parabolas and without"),
     ],
     "vibcli itself begins with the element data, finds its modes anew, and states a bound, which stands beside its "

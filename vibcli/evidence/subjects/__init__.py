@@ -19,6 +19,8 @@ SUBJECTS = {
     "stiffness": ("equivalents", "of_place"), "damping": ("equivalents", "of_place"),
     "law": ("laws", "of_power"), "law()": ("laws", "force"),
     "backbone()": ("backbones", "by_amplitude"),
+    "M()": ("states", "of_state"), "K()": ("states", "of_state"), "C()": ("states", "of_state"),
+    "Q()": ("states", "of_state"),
     "sensitivity": ("sensitivities", "sensitivity"),
     "equilibrium": ("static_positions", "at_rest"),
     "frf": ("frequency_responses", "at_frequency"), "transmissibility": ("frequency_responses", "at_frequency"),

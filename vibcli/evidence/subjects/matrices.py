@@ -33,8 +33,8 @@ class PlainForces(NamedTuple):
 
 def of_entry(problem: "Problem", tree: "QuantityRef") -> Subject:
     """K[x,y], M, C or G of that; about one of several equilibria where it says so."""
-    if tree.args or problem.scene.members:
-        raise PhysicsError("no reference is found of matrices along a motion, or of members")
+    if problem.scene.members:
+        raise PhysicsError("no reference is found of matrices of members")
     asked, number = about_which(tree)
     one = problem if number is None else equilibrium.about(problem, int(number))
     configuration, (i, j) = one.configuration, (coordinate_number(problem, name) for name in asked.indices)

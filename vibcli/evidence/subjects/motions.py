@@ -1,15 +1,16 @@
 """Numbers of a motion in time: values at instants, extremes and where they are, of coordinates and their rates."""
 
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.meshed_members import members_in_time
-from vibcli.evidence.plain_equations import plain_equations
+from vibcli.evidence.plain_equations import PlainEquations, plain_equations
 from vibcli.evidence.reference import member_fronts, member_vibrations, periodic, swings
 from vibcli.evidence.reference import motion as reference
+from vibcli.evidence.reference.motion import Motion
 from vibcli.evidence.reference.outputs import signal
 from vibcli.evidence.reference.taylor_steps import TakesMinutes
 from vibcli.evidence.subject import Subject, of_signal
@@ -22,6 +23,7 @@ from vibcli.symbolic.syntax import NameRef, QuantityRef
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 SENSES = {"max": 1, "min": -1, "argmax": 1, "argmin": -1}
 AHEAD = 2.05        # periods, in which three turns of a rate are
@@ -35,7 +37,7 @@ def of_motion(problem: "Problem", tree: QuantityRef) -> Subject:
         return of_member_motion(problem, tree)
     if getattr(tree.args[0], "head", "") == "envelope":
         return of_envelope(problem, tree)
-    kind, motion = _followed(problem)
+    kind, motion = followed(problem)
     of, feature, keeps_on = tree.args[0], tree.head, getattr(tree.args[0], "head", "") == "steady"
     if keeps_on:
         try:
@@ -51,9 +53,9 @@ def of_motion(problem: "Problem", tree: QuantityRef) -> Subject:
         until, cut, feature = Fraction(problem.response.until), "", f"zero {tree.indices[0]}"
         true = reference.zeros(motion, node, until, int(tree.indices[0]), problem.work)
     else:
-        until, cut, feature = _instant(problem, tree.args[1]), "", "value"
+        until, cut, feature = instant(problem, tree.args[1]), "", "value"
         true = reference.at_instant(motion, node, until, problem.work)
-    plain = None if motion.parts.gaps or motion.blows else _plain(problem, motion, node, until, feature)
+    plain = None if motion.parts.gaps or motion.blows else compared_with(problem, motion, node, until, feature)
     kind = STEADY if keeps_on else kind
     return of_signal(KINDS[kind], problem, tree, f"of {problem.response.words}{cut}", true, plain)
 
@@ -80,7 +82,7 @@ def of_member_motion(problem: "Problem", tree: QuantityRef) -> Subject:
 
 def period(problem: "Problem", tree: QuantityRef) -> Subject:
     """period(x) of the only coordinate, where nothing drives it and nothing strikes."""
-    kind, motion = _followed(problem)
+    kind, motion = followed(problem)
     if problem.scene.timed or len(problem.scene.q) > 1 or not isinstance(tree.args[0], NameRef):
         raise PhysicsError("of periods a reference is found where nothing drives the only coordinate, and of it alone")
     if motion.blows:
@@ -89,14 +91,14 @@ def period(problem: "Problem", tree: QuantityRef) -> Subject:
     until = Fraction(AHEAD * about)
     try:
         true = reference.period(motion, tree.args[0].name, until, problem.work)
-        plain = None if motion.parts.gaps else _plain(problem, motion, motion.scene.v[0], until, "period")
+        plain = None if motion.parts.gaps else compared_with(problem, motion, motion.scene.v[0], until, "period")
     except PhysicsError:            # of what bends or jumps with the motion
         true = swings.period(motion, problem.numeric.size_along(motion.scene.coordinates[0]))
         plain = plain_equations(motion, motion.scene.v[0], float(until), "period")
     return of_signal(KINDS[kind], problem, tree, f"of {problem.response.words}", true, plain)
 
 
-def _plain(problem, motion, node, until, feature):
+def compared_with(problem: "Problem", motion: Motion, node: "Node", until: Fraction, feature: str) -> PlainEquations:
     """What others are given, with the sizes of what they integrate."""
     sizes = np.array(motion.sizes(until, problem.work))
     return plain_equations(motion, node, float(until), feature)._replace(sizes=sizes)
@@ -119,7 +121,7 @@ def _long_after(problem, tree, error):
         raise error from None
 
 
-def _followed(problem):
+def followed(problem: "Problem") -> tuple[str, Motion]:
     """(what kind of motion it is, the Motion of the reference)."""
     from vibcli.results.expanded_response import ExpandedResponse
 
@@ -144,7 +146,7 @@ def _until(problem, end, found):
             f", cut at t = {float(cut):.6g} s: beyond, the reference takes minutes")
 
 
-def _instant(problem, tree):
+def instant(problem: "Problem", tree: Any) -> Fraction:
     """An instant, exactly where it is rational."""
     found = evaluate_rational([lower(tree, problem.scene.table, lambda name, *_: problem.scene.parameters.nodes[name])],
                               problem.numeric.rational)
