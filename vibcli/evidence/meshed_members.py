@@ -4,6 +4,7 @@ in order to calculate responses, and the motion of all of it under loads.
     M q̈ + C q̇ + K q = Σ v Re tᵖ e^{λt}
 """
 
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import mpmath
@@ -135,7 +136,7 @@ def in_motion(members: "StartedMembers", divisions: int) -> MeshInMotion | None:
         rows[:] = [mesh.row(part) for part in (members.row.q, members.row.v, members.row.a)]
     pushes = {i: -K[:, i] for i in driven}
     for part in members.spread:
-        pushes[part.input] += mesh.load(part.piece, lambda x, along=part.along: values_of(along, x))
+        pushes[part.input] += mesh.load(part.piece, partial(values_of, part.along))
     loads, own = [], []
     for i, instant, change in _changes(members):
         if instant and (M[free, i].any() or C[free, i].any()) and not _is_smooth(change, members.inputs[i]):
