@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
+from vibcli.evidence.timing import SPENT, STOPPED
 from vibcli.evidence.verdict import beside, verdict
 from vibcli.report.blocks import Document, Paragraph, Picture, Section, TableBlock, paragraph
 
@@ -35,13 +36,22 @@ def drawn_values(drawn: Mapping[str, str]) -> tuple[Section, ...]:
 def _section(one, pictures, number):
     true, points = one.subject.true, one.points
     blocks: list[Any] = [
-        paragraph(f"True values: mpmath, {true.digits} digits alike with {true.before} and {true.working}."),
-        TableBlock(HEAD, tuple(map(_row, _shown(points)))), *_reasons(points[1:]), paragraph(f"{verdict(points)}.")]
+        paragraph(_reference(true)),
+        TableBlock(HEAD, tuple(_row(point, true.digits) for point in _shown(points))), *_reasons(points[1:]),
+        paragraph(f"{verdict(points)}.")]
     if pictures and worth_a_picture(one):
         from vibcli.evidence.picture import figure, picture_of
 
         blocks.insert(1, Picture(f"curve-{number}", "Run time over true error", picture_of(figure([one]))))
     return Section(f"{one.subject.asked}: {one.subject.title}", tuple(blocks))
+
+
+def _reference(true):
+    """How true values are known: alike in two precisions, or in one, as far as what is cut off does not count."""
+    if true.before == true.working:
+        return (f"True values: mpmath, {true.digits} digits of {true.working}; "
+                "what sums and integrals leave out changes later ones.")
+    return f"True values: mpmath, {true.digits} digits alike with {true.before} and {true.working}."
 
 
 def markdown(one: "WorkPrecision") -> str:
@@ -66,12 +76,16 @@ def worth_a_picture(one: "WorkPrecision") -> bool:
     return any(point.error is not None for point in one.points[1:])
 
 
-def _row(point: "Point"):
+def _row(point: "Point", digits: int):
+    """Errors are told as far as so many digits of the true value go; what did not end takes longer than its time."""
     low, middle, high = map(_in_ms, point.seconds)
     if point.error is None:
-        return point.method, point.setting, middle if point.seconds[1] else "", _brief(point.why), ""
+        over = "over " * (point.why in (STOPPED, SPENT))
+        return point.method, point.setting, over + middle if point.seconds[1] else "", _brief(point.why), ""
+    least = 10.0**-digits
     return (point.method, point.setting, f"{middle} ({low} … {high})" if point.runs > 1 else f"{middle} (one run)",
-            f"{point.error:.1e}", "" if point.bound is None else f"{float(point.bound):.1e}")
+            f"< {least:.0e}" if 0 < point.error < least else f"{point.error:.1e}",
+            "" if point.bound is None else f"{float(point.bound):.1e}")
 
 
 def _brief(why: str) -> str:

@@ -78,7 +78,14 @@ def test_a_refusal_of_ours_is_said():
 @pytest.mark.parametrize(("seconds", "said"), [(1.234e-6, "0.00123"), (0.04567, "45.7"), (0.9994, "999"),
                                                (0.9999, "1000"), (2.41234, "2412")])
 def test_times_have_no_exponents(seconds, said):
-    assert told._row(point("RK45", seconds, 1e-3))[2] == f"{said} ({said} … {said})"
+    assert told._row(point("RK45", seconds, 1e-3), 20)[2] == f"{said} ({said} … {said})"
+    late = Point("RK45", "1e-13", (seconds,) * 3, 0, None, None, STOPPED)
+    assert told._row(late, 20)[2:4] == (f"over {said}", STOPPED)
+
+
+@pytest.mark.parametrize(("error", "said"), [(3e-19, "3.0e-19"), (3e-21, "< 1e-20"), (0.0, "0.0e+00")])
+def test_errors_are_told_as_far_as_the_digits_of_the_true_value_go(error, said):
+    assert told._row(point("RK45", 1e-3, error), 20)[3] == said
 
 
 def test_long_reasons_stand_below_the_table():

@@ -18,6 +18,7 @@ import numpy as np
 
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
+from vibcli.evidence.reference.even_poles import even_poles
 from vibcli.evidence.reference.member_fronts import sources
 from vibcli.evidence.reference.member_images import MemberImages
 from vibcli.evidence.reference.member_poles import PoleSearch
@@ -34,6 +35,8 @@ CIRCLE, GROWTH = 0.25, 10       # radius of a circle: of the distance to the nex
 OCTAVES = 4             # between the places at which the sum is tested
 AT_FIRST, ALL = 1e-18, 1e-6     # how near it is to be at the first of them, and at the others, of what it is summed of
 MOST, WORK = 32, 1.2e8      # blocks of poles, and entries of matrices for them
+FEW, MANY = 1000, 1 << 21       # even poles that are summed at the working precision, and of all
+LIKELY = 8              # times the root of the sum of squares of what is as likely up as down; roundings of a residue
 LAST = 16               # poles by which those beyond are judged
 
 
@@ -50,7 +53,9 @@ class PoleTerms(NamedTuple):
         """The sum, or its rate, of so many of the array."""
         p, c = self.p[:count], self.c[:count]
         total = mpmath.fsum(mpmath.re(x * p**primes * mpmath.exp(p * tau)) for p, x in self.few)
-        return 2 * (total + exactly((c * p**primes * np.exp(p * np.longdouble(str(tau)))).real.sum()))
+        if c.any():
+            total += exactly((c * p**primes * np.exp(p * np.longdouble(str(tau)))).real.sum())
+        return 2 * total
 
 
 @lru_cache(maxsize=2)
@@ -77,16 +82,25 @@ class SignalInPoles:
         starts = [start for start, _ in sources(members, MemberImages(members, mpmath.mpc(1)))]
         self._residues = found = PoleResidues(
             members, search, lambda images: [one for _, one in sources(images.members, images)])
-        p, c, rounding = found.rest
+        first, (p, c, rounding) = found.few, found.rest
+        self._even = even_poles(found)
+        if self._even is not None:
+            first = first + self._even.exactly(len(first) + 1, FEW)
+            p, c = self._even.between(FEW + 1, 2 * FEW)
+            rounding = np.zeros(len(p))
         self._rounding = float(rounding.sum())
-        few = found.few + self._circles([x for x, _ in found.few])
+        few = first + self._circles([x for x, _ in first])
         self.sources = [PoleTerms(start, [(x, values[k]) for x, values in few], p, c[k])
                         for k, start in enumerate(starts)]
-        self._require_all(abs(few[0][0]), float(abs(p[-1] if len(p) else found.few[-1][0])))
+        self._require_all(abs(few[0][0]), float(abs(p[-1] if len(p) else first[-1][0])))
 
     def doubled(self) -> None:
         """Take twice as many poles."""
-        found = [self._residues.block(i) for i in range(self._blocks, 2 * self._blocks)]
+        if self._even is not None:
+            last = FEW + len(self.sources[0].p)
+            found = [(*self._even.between(last + 1, 2 * last), np.zeros(0))]
+        else:
+            found = [self._residues.block(i) for i in range(self._blocks, 2 * self._blocks)]
         self._blocks *= 2
         self._rounding += sum(one[2].sum() for one in found)
         p = np.concatenate([self.sources[0].p, *(one[0] for one in found)])
@@ -96,12 +110,20 @@ class SignalInPoles:
     @property
     def many(self) -> bool:
         """Are there as many as are worth their time?"""
+        if self._even is not None:
+            return 2 * len(self.sources[0].p) > MANY
         return self._blocks >= MOST or 2 * self._blocks * self._cost > WORK
 
     def left(self, t: Any) -> Any:
-        """What rounding may leave of those that few digits count of: of their residues, and of p t."""
-        turned = float(np.finfo(np.longdouble).eps) * np.abs(self.sources[0].p) * float(t)
-        return mpmath.mpf(self._rounding + sum(float((np.abs(part.c) * turned).sum()) for part in self.sources))
+        """What rounding may leave of those that few digits count of: of their residues, and of p t. Of even ones, whose
+        residues are known to the last digit of longer floats, it is as likely up as down."""
+        eps = float(np.finfo(np.longdouble).eps)
+        turned = eps * np.abs(self.sources[0].p).astype(float) * float(t)
+        each = [np.abs(part.c).astype(float) * turned for part in self.sources]
+        if self._even is None:
+            return mpmath.mpf(self._rounding + float(sum(part.sum() for part in each)))
+        each = [part + LIKELY * eps * np.abs(one.c).astype(float) for part, one in zip(each, self.sources, strict=True)]
+        return mpmath.mpf(LIKELY * sum(float(np.linalg.norm(part)) for part in each))
 
     def _circles(self, poles):
         """[(place, [half of what S_D has there])] about 0 and what the inputs have."""

@@ -26,7 +26,7 @@ class PoleResidues:
         large = np.flatnonzero((rounding > LARGE * np.abs(c).max(axis=1, keepdims=True)).any(axis=0))
         size = MemberImages(members, mpmath.mpc(1)).size
         first = min(int(large[-1]) + 1 if len(large) else 1, MANY, max(FEWEST, int(WORK / size**3)))
-        self.few = [self._exact(exactly(x.real) + 1j * exactly(x.imag)) for x in p[:first]]
+        self.few = [self.exact(exactly(x.real) + 1j * exactly(x.imag)) for x in p[:first]]
         self.rest = p[first:], c[:, first:], rounding[:, first:].sum(axis=0)
 
     def block(self, number: int) -> tuple:
@@ -40,8 +40,8 @@ class PoleResidues:
         found = _solved(images, [right for right, _ in every])
         return [images.signal(x, fields) for x, (_, fields) in zip(found, every, strict=True)]
 
-    def _exact(self, near):
-        """(p, [the residue of each image])."""
+    def exact(self, near: Any) -> tuple[Any, list]:
+        """(p, [the residue of each image]) of the pole next to a place."""
         p = self._pole(near)
         h = mpmath.mpf(CLOSE) * abs(p)
         return p, [h * (x - y) / 2 for x, y in zip(self.images(p + h), self.images(p - h), strict=True)]
