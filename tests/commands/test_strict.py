@@ -74,3 +74,14 @@ def test_forces_at_rest_that_do_not_balance_to_rounding_are_found_anew(ask):
     place = data["equilibrium"]["coordinates"]
     assert place["x"] == pytest.approx(-0.00647365706300602, rel=1e-15)       # of 30 digits, by Newton's method
     assert place["y"] == pytest.approx(-0.0236846008444415, rel=1e-14)
+
+
+def test_forces_of_small_stretches_of_stiff_springs_balance(ask):
+    """A cord that is all but straight, k y³ = m g: its stretch is rounding to 11 digits, but not its sag."""
+    scene = ("parameters: {m: 3 kg, k: 1e9 N/m, h: 1e-7 m, g: 9.81 m/s^2}\ngravity: g\n"
+             "bodies: {p: {mass: m, at: [0 m, 0 m], move: [x, y, 0]}}\nsprings:\n"
+             "  a: {k: k, between: [[-1 m, h], p]}\n  b: {k: k, between: [[1 m, h], p]}\n")
+    code, out, _ = ask(scene, "solve", "--strict", "--json")
+    data = json.loads(out)
+    assert code == 0 and data["certificate"]["force_balance"] <= 20
+    assert data["equilibrium"]["coordinates"]["y"] == pytest.approx(-0.0030873347583058609, rel=4e-16)   # of 40 digits

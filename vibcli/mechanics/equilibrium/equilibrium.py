@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 EPSILON = 2.0**-52
 LEAPING = "sign", "step"
 STEPS = 300
+ROUNDING = 20       # roundings that may be left of the forces
 
 
 class Equilibrium(NamedTuple):
@@ -73,7 +74,8 @@ def find_equilibrium(numeric: "NumericSystem", start: Mapping[str, float]) -> Eq
             search.at_a_pole(q, numbers)):
         return _held(search, q, steps, unbounded(search, q))
     found = Equilibrium(search.here, False, search.relative(numbers), steps)
-    return _in_digits(search, found) if search.in_doubt(numbers) else found
+    unsure = search.in_doubt(numbers) or found.residual > ROUNDING * EPSILON
+    return _in_digits(search, found) if unsure else found
 
 
 def _along_a_valley(search, q):
@@ -101,23 +103,36 @@ def _along_a_valley(search, q):
 
 
 def _in_digits(search, found):
-    """The same from more digits than floats have, as far as these tell it."""
+    """The same from more digits than floats have, as far as these tell it, and what these leave of the forces there."""
     import mpmath
 
-    from vibcli.mechanics.equilibrium.rest_in_digits import DIGITS, rest_in_digits
-    from vibcli.mechanics.high_precision import equilibrium_to
+    from vibcli.mechanics.equilibrium.rest_in_digits import DIGITS
+    from vibcli.mechanics.numeric_linearisation import in_numbers
     from vibcli.symbolic.evaluation import multiprecision
 
-    if search.numeric.system.is_linear:
-        place = rest_in_digits(search.numeric)
-        return found if place is None else found._replace(values=place)
     with mpmath.workdps(DIGITS):
         arithmetic = multiprecision()
-        try:
-            place = equilibrium_to(search.numeric, found, search.numeric.values(arithmetic), arithmetic)
-        except (PhysicsError, ArithmeticError):      # a slope is infinite
+        values = search.numeric.values(arithmetic)
+        place = _place_in_digits(search, found, values, arithmetic)
+        if place is None:
             return found
-        return found._replace(values={name: float(x) for name, x in place.items()})
+        rounded = {name: float(x) for name, x in place.items()}
+        there = values | {name: mpmath.mpf(x) for name, x in rounded.items()}
+        left = search.relative(in_numbers(search.numeric.system.statics, arithmetic, there))
+        return found._replace(values=rounded, residual=float(left))
+
+
+def _place_in_digits(search, found, values, arithmetic):
+    """{coordinate: mpf}, None where it is not found."""
+    from vibcli.mechanics.equilibrium.rest_in_digits import rest_in_digits
+    from vibcli.mechanics.high_precision import equilibrium_to
+
+    if search.numeric.system.is_linear:
+        return rest_in_digits(search.numeric)
+    try:
+        return equilibrium_to(search.numeric, found, values, arithmetic)
+    except (PhysicsError, ArithmeticError):      # a slope is infinite
+        return None
 
 
 def _held(search, q, steps, refusal):
