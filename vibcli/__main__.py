@@ -10,37 +10,39 @@ from importlib import import_module
 
 TYPE_CHECKING = False       # that of `typing` would have to be imported
 if TYPE_CHECKING:
+    from collections.abc import Sequence
     from sys import UnraisableHookArgs
-    from types import ModuleType
 
+ENDING = "SIGTERM", "SIGHUP"     # what asks for the end as an interrupt does
 YOUNG = 1_000_000   # objects, some 100 MB beside arrays, between searches for garbage: imports are none
 
 
 def main() -> None:
-    """Run the command line and leave with its exit code; 130 where it is interrupted, while importing too. An interrupt
-    after that ends the process at once, in silence."""
+    """Run the command line and leave with its exit code; 130 where it is interrupted or told to end, while importing
+    too. An interrupt after that ends the process at once, in silence."""
     gc.set_threshold(YOUNG)
     sys.unraisablehook = _raised_anew
     try:
+        _handle(ENDING, "default_int_handler")
         from vibcli.cli.program import run
         from vibcli.cli.streams import provide
 
         provide()
         code = run()
-        signals = _signals()
-        if signals.getsignal(signals.SIGINT) is not signals.SIG_IGN:
-            signals.signal(signals.SIGINT, signals.SIG_DFL)
+        _handle(("SIGINT", *ENDING), "SIG_DFL")
     except KeyboardInterrupt:
-        signals = _signals()
-        signals.signal(signals.SIGINT, signals.SIG_DFL)
+        _handle(("SIGINT", *ENDING), "SIG_DFL")
         sys.stderr.write("interrupted\n")
         code = 130
     _leave(code)
 
 
-def _signals() -> "ModuleType":
-    """What `signal` gives, without its enumerations."""
-    return import_module("_signal")
+def _handle(names: "Sequence[str]", handler: str) -> None:
+    """Handle signals so, but those that are ignored: by what `signal` gives, without its enumerations."""
+    signals = import_module("_signal")
+    for number in [getattr(signals, name) for name in names if hasattr(signals, name)]:
+        if signals.getsignal(number) is not signals.SIG_IGN:
+            signals.signal(number, getattr(signals, handler))
 
 
 def _leave(code: int) -> None:

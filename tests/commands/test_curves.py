@@ -44,7 +44,9 @@ def test_a_chosen_scene_is_plotted_until_the_end_given(call):
     code, out, _ = call("response", "tuned_absorber", "--until", "1", "--plot")
     assert code == 0 and "0 ≤ t ≤ 1 s" in out and "x₁, x₂ [mm]" in out
     code, out, _ = call("frf", "tuned_absorber", "--of", "x1", "--plot")
-    assert code == 0 and "phase lag" in out
+    assert code == 0 and "phase lag" in out and "\n|x₁/drive| [m/N]\n" in out
+    assert "\n|y/base|\n" in call("frf", SHAKEN, "--of", "y", "--to", "base", "--plot")[1]
+    assert "\n|x₁/Q_x₂| [m/N]\n" in call("frf", "tuned_absorber", "--of", "x1", "--to", "x2", "--plot")[1]
 
 
 def test_what_stands_still_is_told(call):

@@ -1,7 +1,10 @@
-"""The end of a process that runs the command line: at once, but not of a program that runs it and goes on."""
+"""The end of a process that runs the command line: at once, but not of a program that runs it and goes on; told to
+end, it leaves as it does where it is interrupted."""
 
 import subprocess
 import sys
+
+import pytest
 
 RUNS = """
 import runpy
@@ -48,3 +51,29 @@ def test_a_program_that_runs_it_goes_on():
 def test_an_interrupt_in_the_last_moments_ends_it_unless_interrupts_are_ignored():
     assert told(ENDS.replace("HANDLER", "signal.default_int_handler")) == "SIG_DFL"
     assert told(ENDS.replace("HANDLER", "signal.SIG_IGN")) == "SIG_IGN"
+
+
+@pytest.mark.parametrize("asked", ["SIGTERM", "SIGHUP"])
+def test_told_to_end_it_leaves_nothing_half_written(asked, tmp_path):
+    text = f"""
+import os, signal, sys
+from vibcli.__main__ import main
+from vibcli.base import output_files
+from vibcli.cli import program
+
+def put(beside, path, new):
+    signal.raise_signal(signal.{asked})
+    os.replace(beside, path)
+
+def run():
+    output_files.write_whole({str(tmp_path / "out.txt")!r}, b"whole")
+    return 0
+
+output_files._put, program.run = put, run
+signal.signal(signal.{asked}, getattr(signal, sys.argv[1]))
+main()
+"""
+    for handler, code, said, left in (("SIG_DFL", 130, "interrupted\n", []), ("SIG_IGN", 0, "", ["out.txt"])):
+        done = subprocess.run([sys.executable, "-c", text, handler], capture_output=True, text=True)
+        assert (done.returncode, done.stderr) == (code, said)
+        assert [one.name for one in tmp_path.iterdir()] == left

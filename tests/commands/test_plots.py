@@ -15,6 +15,7 @@ from support.plots import EVIL, FIGURES, TIMES, digests, wave
 
 from vibcli.base.decoding import cleaned
 from vibcli.base.errors import PhysicsError
+from vibcli.plots import style
 from vibcli.plots.braille import braille
 from vibcli.plots.figure import Curve, Figure, Mark, Panel
 from vibcli.plots.frequency import lag, of_frequency_response
@@ -293,17 +294,16 @@ def numbers(axis):
             if low - slack <= at <= high + slack and label.get_visible() and label.get_text()]
 
 
-def texts(name):
-    """The drawn page, and (text, its box in pixels) of everything written on it."""
+def texts(name, inches=style.WIDTH):
+    """The drawn page, so wide, and (text, its box in pixels) of everything written on it."""
     import matplotlib
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.text import Text
 
-    from vibcli.plots import style
     from vibcli.plots.layout import drawn
 
     with matplotlib.rc_context(style.RC):
-        page = drawn(FIGURES[name])
+        page = drawn(FIGURES[name], inches)
         renderer = FigureCanvasAgg(page).get_renderer()
         page.draw(renderer)
         axes = [axis for one in page.axes for axis in (one.xaxis, one.yaxis)]
@@ -317,9 +317,10 @@ def texts(name):
 
 @pytest.mark.sweep
 @EACH
+@pytest.mark.parametrize("inches", [style.WIDTH, style.COLUMN])
 @pytest.mark.filterwarnings("ignore:Glyph")
-def test_nothing_is_cut_off_and_no_numbers_overlap(name):
-    page, found = texts(name)
+def test_nothing_is_cut_off_and_no_numbers_overlap(name, inches):
+    page, found = texts(name, inches)
     wide, high = page.bbox.width, page.bbox.height
     assert found or not FIGURES[name].panels
     for artist, box in found:

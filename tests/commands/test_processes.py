@@ -115,11 +115,15 @@ def test_they_end_with_the_process_that_began_them(start):
         raise
 
 
-def test_an_interrupt_that_is_held_comes_afterwards():
-    done = []
-    with pytest.raises(KeyboardInterrupt):
-        with interrupts_held():
-            signal.raise_signal(signal.SIGINT)
-            done.append(1)
-        done.append(2)
-    assert done == [1]
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_an_interrupt_that_is_held_comes_afterwards(number):
+    done, before = [], signal.signal(number, signal.default_int_handler)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            with interrupts_held():
+                signal.raise_signal(number)
+                done.append(1)
+            done.append(2)
+        assert done == [1] and signal.getsignal(number) is signal.default_int_handler
+    finally:
+        signal.signal(number, before)

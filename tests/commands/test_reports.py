@@ -609,6 +609,20 @@ def test_names_within_pictures_do_not_mix():
     assert re.findall(r'(?:id="|href="#|url\(#)(?!scene)(\w+-p)', text) == ["one-p"] * 3 + ["two-p"] * 3
 
 
+def test_letters_above_columns_have_their_indices_lowered():
+    table = Cells(("mode", "ω_d [rad/s]", "x_left"), (("1", "2", "3"),))
+    text = html.render([Document("t", None, (), (Section("s", (table,)),), None)])
+    assert '<th scope="col">ω<sub>d</sub> [rad/s]</th>' in text and ">x_left<" in text
+
+
+def test_pictures_are_no_narrower_than_their_letters_can_be_read():
+    svg = '<svg width="{}pt"><text x="1" font-size="9.5">a</text><text x="1" font-size="11.5">b</text></svg>'
+    for wide, least in (300, 222), (600, 443):
+        found = Picture("one", "c", lambda kind, wide=wide: svg.format(wide).encode())
+        text = html.render([Document("t", None, (), (Section("s", (found,)),), None)])
+        assert f'<svg style="min-width: {least}px" width="{wide}pt">' in text
+
+
 @pytest.mark.sweep
 @pytest.mark.parametrize("kind", FORMATS)
 def test_formats_import_nothing_heavy(scene, kind):

@@ -15,7 +15,7 @@ from vibcli.plots.braille import braille
 from vibcli.report.document import Report
 from vibcli.report.formats.text import render
 from vibcli.report.sections.frequency_response import frequency_response_data
-from vibcli.report.sections.response import response_data
+from vibcli.report.sections.motion_data import response_data
 from vibcli.report.sections.sampled_series import frequency_figure, response_figure, sampled, sampled_curves
 from vibcli.report.wanted import Wanted
 

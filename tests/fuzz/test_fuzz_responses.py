@@ -11,7 +11,7 @@ from vibcli.check.verdicts import check
 from vibcli.language.document.document import read
 from vibcli.reader.read import read_spec
 from vibcli.report.sections.frequency_response import frequency_response_data
-from vibcli.report.sections.response import response_data
+from vibcli.report.sections.motion_data import response_data
 from vibcli.report.wanted import Wanted
 from vibcli.results.problem import Problem
 

@@ -16,6 +16,7 @@ from vibcli.symbolic.expression_graph import reachable
 SMALL = 1e-4        # of angles in radians, lengths in metres: how far from rest expansions are looked at
 OTHERS = {"kg": 1.37, "m": 0.83, "s": 1.19}     # how much of an SI unit others are
 RAISED = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+")
+UNKNOWNS = re.compile(r"(omega|lambda|D|[acdnp]\d+|[MCGK]|[ABEFX]|theta|[ZF]|tau|n|u|alpha|kappa|𝔇)\d*′*")
 DIGITS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 
 
@@ -153,3 +154,56 @@ def of_unit(text):
     plain = RAISED.sub(lambda found: "^" + found[0].translate(DIGITS), text)
     below = re.sub(r"/\((.*)\)", lambda found: "/" + found[1].replace("·", "/"), plain)
     return of_dimension(units.parse_unit(below).dimension)
+
+
+def told_later(problem, lines):
+    """[(number of a line, letter)] of letters that stand in it and that neither the scene has nor lines up to it tell:
+    by what they settle, alone before an equality, or alone among words; but for UNKNOWNS of a form that is tried."""
+    scenes = [problem.scene, problem.system.scene_with_multipliers]
+    known = {*problem.spec.parameters, *problem.scene.parameters.nodes, *problem.spec.coordinates}
+    known |= {node.name for one in scenes for node in (*one.q, *one.v, *one.a, one.time)}
+    known |= {name for one in scenes for name in one.dependent}
+    known |= {name + mark for name in known for mark in ("'", "''")}
+    found = []
+    for number in dict.fromkeys(line.number for line in lines):
+        here = [line for line in lines if line.number == number]
+        known |= {name for line in here for name in (line.letter, line.settles)}
+        known |= {name for line in here for name in _alone(line.parts)}
+        found += [(number, name) for name in dict.fromkeys(name for line in here for name in _names(line.parts))
+                  if name.rstrip("'") not in known and name not in known and not UNKNOWNS.fullmatch(name)]
+    return found
+
+
+def _alone(parts):
+    """Names that stand alone before an equality or among words."""
+    for i, part in enumerate(parts):
+        before, after = (parts[k] if 0 <= k < len(parts) else Words("") for k in (i - 1, i + 1))
+        opens = isinstance(before, Words) or (isinstance(before, str) and not before.endswith(" = "))
+        if opens and (isinstance(after, Words) or (isinstance(after, str) and after.startswith((" = ", "(τ) = ")))):
+            node = part.node if isinstance(part, Factor) else part
+            if not isinstance(node, Name) and not hasattr(node, "table"):
+                continue
+            powers = node.args if getattr(node, "op", "") == "product" and len(node.args) == 1 else ((node, 1),)
+            (base, _), = powers
+            if isinstance(base, Name):
+                yield base.text
+            elif getattr(base, "op", "") == "symbol":
+                yield base.name
+            elif getattr(base, "op", "") == "call":     # tan θ = …
+                yield from _of_node(base)
+
+
+def _names(parts):
+    for before, part in zip(("", *parts), parts, strict=False):
+        if isinstance(part, Name):
+            if not (isinstance(before, str) and before.endswith("∂")):
+                yield part.text
+        elif isinstance(part, SumOfTerms):
+            for node in part.nodes:
+                yield from _of_node(node)
+        elif not isinstance(part, (str, Words)):
+            yield from _of_node(getattr(part, "node", part))
+
+
+def _of_node(node):
+    return [one.name for one in reachable([node]) if one.op == "symbol"] if hasattr(node, "table") else []

@@ -66,7 +66,7 @@ def _matrices(problem: "Problem") -> Iterator[str]:
 def _modes(problem: "Problem", damped: bool = False) -> list[tuple[Any, bool]]:
     """Each mode that is told, and does it grow; in letters all, in closed form, or those that are `damped`."""
     if problem.numeric.has_free_symbols:
-        from vibcli.inverse.letters import closed_modes
+        from vibcli.quantities.letters import closed_modes
 
         modes = [mode for mode in closed_modes(problem) if not damped or mode.zeta is not None]
         _require_ordered(problem, [mode.omega for mode in modes if not mode.unstable])

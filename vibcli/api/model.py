@@ -139,7 +139,7 @@ class Model:
         phases differ; in letters a list of modes, each a list of amplitudes."""
         if self._problem.numeric.has_free_symbols:
             from vibcli.base.errors import NotInLetters
-            from vibcli.inverse.letters import GIVE_VALUES
+            from vibcli.quantities.letters import GIVE_VALUES
 
             modes = self._closed_modes()
             if any(mode.shape is None for mode in modes):
@@ -226,7 +226,7 @@ class Model:
         return document if refusal is None else document._replace(refusal=Refusal(refusal.message, refusal.hint))
 
     def _closed_modes(self, stable: bool = False) -> "list[ClosedMode]":
-        from vibcli.inverse.letters import closed_modes
+        from vibcli.quantities.letters import closed_modes
 
         found = closed_modes(self._problem)
         growing = next((mode.index for mode in found if mode.unstable), None) if stable else None

@@ -148,11 +148,11 @@ def _equations(problem: "Problem", parts: Sequence[str], sections: Sequence[str]
 
 def _responses(problem: "Problem", word: str, parts: Sequence[str], wanted: Wanted) -> Any:
     """Motions in time or frequency responses; null of letters, of which `find` asks formulas, which texts have."""
-    from vibcli.report.sections import frequency_response, response
+    from vibcli.report.sections import frequency_response, motion_data
 
     if word not in parts and problem.numeric.has_free_symbols:
         return None
-    write = response.response_data if word == "response" else frequency_response.frequency_response_data
+    write = motion_data.response_data if word == "response" else frequency_response.frequency_response_data
     return write(problem, wanted or Wanted())
 
 

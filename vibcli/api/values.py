@@ -43,7 +43,7 @@ def quantity_value(problem: "Problem", text: str) -> QuantityValue:
     tree, unit = asked.tree, unit_of(problem.spec, asked)
     of_state = kind_of(problem.spec, tree) in OF_STATE
     if problem.numeric.has_free_symbols or of_state:
-        from vibcli.inverse.letters import expression_in_letters, state_function
+        from vibcli.quantities.letters import expression_in_letters, state_function
 
         node = state_function(problem, tree) if of_state else expression_in_letters(problem, asked)
         return QuantityValue(text, None, unit, 0.0, SymbolicExpression(node, tuple(problem.scene.coordinates)))

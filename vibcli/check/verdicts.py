@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 
 ROUNDING = 1e-13
 NEAR = 1e-4         # relative: what is told as a difference, not as a ratio
+FEW = 1e-6          # relative bound above which it stands beside what is found
 
 
 class Verdict(NamedTuple):
@@ -49,6 +50,15 @@ class Verdict(NamedTuple):
     error: float | None = None
     digits: tuple[str, str] | None = None
     estimated: bool = False
+
+    @property
+    def known(self) -> str | None:
+        """What is found with its bound, where that leaves few digits; None elsewhere."""
+        if not self.error or not self.error > FEW * abs(self.found or 0.0):
+            return None
+        from vibcli.notation.numbers import with_bound
+
+        return with_bound(self.found, self.error)
 
 
 def check(problem: "Problem", mistake: "Mistake | None" = None) -> list[Verdict]:
@@ -140,10 +150,9 @@ def _estimated(problem: "Problem", tree: "QuantityRef") -> bool:
 
 def _uncertain(verdict: Verdict) -> Verdict:
     """The Verdict with the refusal of an answer that the bound of what is found leaves open."""
-    from vibcli.notation.numbers import figure, rounded_up, supported
+    from vibcli.notation.numbers import with_bound
 
-    known, answer = supported(verdict.found, verdict.error, 15, ""), verdict.answer
-    known += "" if "±" in known else f" ± {figure(rounded_up(verdict.error), digits=1)}"
+    known, answer = with_bound(verdict.found, verdict.error), verdict.answer
     cause = "the answer is exact" if is_exact(answer) else "the answer has more digits"
     refusal = PhysicsError(f"{answer.asked.text} is known to be {known}: {cause}, and whether it agrees is uncertain",
                            _advice(verdict), answer.expected.where)

@@ -17,6 +17,8 @@ import click
 
 from vibcli.base.errors import PhysicsError
 
+ENDING = signal.SIGINT, signal.SIGTERM, signal.SIGHUP       # what asks a process for its end
+
 
 class Processes(Executor):
     """So many processes of this machine, begun as there is work, and what is given to them in its order.
@@ -170,15 +172,16 @@ def _work(theirs, copied, threshold):
 
 @contextmanager
 def interrupts_held() -> Iterator[None]:
-    """An interrupt waits until this is done: half a process is none that can be ended. A process that begins meanwhile
-    does not hear of any."""
+    """An interrupt, or what else asks for the end, waits until this is done: half a process is none that can be ended.
+    A process that begins meanwhile does not hear of any: it ends with this one."""
     came: list[int] = []
-    before = signal.signal(signal.SIGINT, lambda number, _: came.append(number))
-    let_through = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+    before = {number: signal.signal(number, lambda number, _: came.append(number)) for number in ENDING}
+    let_through = signal.pthread_sigmask(signal.SIG_BLOCK, ENDING)
     try:
         yield
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, let_through)
-        signal.signal(signal.SIGINT, before)
-        if came:
-            signal.raise_signal(signal.SIGINT)
+        for number, handler in before.items():
+            signal.signal(number, handler)
+        for number in came[:1]:
+            signal.raise_signal(number)

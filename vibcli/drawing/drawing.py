@@ -10,18 +10,28 @@ from vibcli.drawing.symbols import arrow, connection, coordinate, dimension
 from vibcli.drawing.symbols.bodies import carried
 
 GRAVITY, ROOMY = 30.0, 28.0     # points; the least width and height of what has room for a name beside its middle
+COLUMN, BESIDE, FEW = 395.0, 60.0, 8    # points of a column of text; of what stands beside a scene in any scale; bodies
 SHOWN = "bodies bars shafts beams strings springs dampers inerters forces constraints".split()
 SLENDER = ("rod", "arm", "bob", "bar", "ring", "hoop", "rim", "arch", "frame")
 
 
 def draw(problem: Any) -> list[Any]:
-    """The primitives of a scene as drawn, with its names."""
+    """The primitives of a scene as drawn, with its names; not wider than a column of text, where its scale decides."""
     stage = _pleasing(problem) if problem.scene.parameters.free else compose.Scenery(problem.scene)
     if not stage.scene.bodies and not stage.scene.members:
         from vibcli.drawing.symbols import abstract
 
         found = abstract.draw(stage.scene)
         return found + notes.lines(stage, found)
+    found = _drawn(stage)
+    left, _, right, _ = extent(found)
+    if right - left > COLUMN and 0 < len(stage.sketch.frames) <= FEW:
+        found = _drawn(compose.Scenery(stage.scene, (COLUMN - BESIDE) / (right - left - BESIDE)))
+    return found
+
+
+def _drawn(stage):
+    """A scene in the scale of its stage, with its names."""
     found, where = compose.figure(stage, stage.sketch)
     if any("move" in body.record for body in stage.scene.bodies.values()):
         from vibcli.drawing.symbols import path

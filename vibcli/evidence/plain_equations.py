@@ -61,7 +61,7 @@ def plain_equations(motion: "Motion", node: "Node", until: float, feature: str) 
             return _zero(times, values, 3) - _zero(times, values, 1)
         if feature in ("mean", "rms"):
             return float(np.mean(values[:-1]) if feature == "mean" else np.sqrt(np.mean(values[:-1] ** 2)))
-        return float(values[-1]) if feature == "value" else _extreme(times, values, feature)
+        return float(values[-1]) if feature == "value" else extreme(times, values, feature)
 
     return PlainEquations(rates, start, times, read, linear)
 
@@ -78,7 +78,7 @@ def _known(motion, times, states, rates):
     return known
 
 
-def _extreme(times, values, feature):
+def extreme(times: np.ndarray, values: np.ndarray, feature: str) -> float:
     """The top of what passes through the largest of the samples and those about it."""
     sense = -1.0 if feature.endswith("min") else 1.0
     i = int(np.argmax(sense * values))

@@ -11,6 +11,8 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
 ALONE = "no other method is known here"
+BY_DIFFERENCES = "derivative"       # the kind whose data is a function of a step, an estimate by central differences
+LAW = "force law"       # that whose data is a law in floats and a deflection
 
 
 class MethodAnswer(NamedTuple):

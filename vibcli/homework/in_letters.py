@@ -3,10 +3,10 @@
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters, PhysicsError, Where
-from vibcli.inverse.letters import expression_in_letters, state_function
 from vibcli.language.document.nodes import Scalar
 from vibcli.language.reader import Expression
 from vibcli.notation.scene_language import language
+from vibcli.quantities.letters import expression_in_letters, state_function
 from vibcli.quantities.quantity import EQUATION, OF_STATE, kind_of
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.expression_graph import reachable

@@ -8,7 +8,7 @@ import numpy as np
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.homework.keys import ROUTES, AnswerKey
-from vibcli.inverse.letters import expression_in_letters
+from vibcli.quantities.letters import expression_in_letters
 from vibcli.symbolic.array_arithmetic import Arrays
 from vibcli.symbolic.evaluation import evaluate, multiprecision
 

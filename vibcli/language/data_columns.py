@@ -192,6 +192,6 @@ def shown_lines(file: str) -> list[str]:
     """The lines of a file of columns, for a message; none where it cannot be read."""
     try:
         with open(file, "rb") as stream:
-            return stream.read(MAX_BYTES).decode("utf-8-sig", "replace").split("\n")
+            return stream.read(MAX_BYTES).decode("utf-8-sig", "replace").replace("\r\n", "\n").split("\n")
     except (OSError, ValueError):
         return []

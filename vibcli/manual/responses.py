@@ -28,8 +28,11 @@ RESPONSE = [
         ("modes", "Beams, and members with foundation or drag, are followed "
          "by their first exact modes beside what loads do exactly: what is left out are free vibrations of higher "
          "modes, at most 2048 of a uniform beam being counted. Their bound is part of the error of each value: 1e-10 "
-         "of the largest displacement of a beam where it is cheap, far more of moments, most of shears, which are "
-         "refused where the bound is infinite, as after a blow or a force that lets go where nothing has mass. For "
+         "of the largest displacement of a beam where it is cheap, far more of moments, most of shears. These have no "
+         "bound after a blow, or where a force sets in or lets go at once at a place without mass: waves run along a "
+         "beam the faster the shorter they are, and at some instants so many meet that a shear there is infinite. They "
+         "have one where loads rise within a time, are spread along the beam, or act on a mass, and after a while "
+         "where `damping:` damps all modes evenly. For "
          "bars, shafts and strings with drag and foundation in proportion to their mass, beside which nothing has mass "
          "or dampers, values at instants, and forces for which modes know no bound, are integrals over the waves "
          "without both instead, exact but for rounding, as long as fronts stay few."),

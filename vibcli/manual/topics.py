@@ -26,7 +26,7 @@ EXIT_CODES = [
           "(`vibcli check`); or what was found cannot be written"),
     ("5", "nothing was found to check"),
     ("101", "an error of vibcli itself"),
-    ("130", "interrupted"),
+    ("130", "interrupted, or told to end"),
 ]
 
 COMPARED = [

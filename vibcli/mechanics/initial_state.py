@@ -76,15 +76,25 @@ def at_rest(configuration: "Configuration") -> dict[str, float]:
 
 def start_in_letters(symbolic: "SymbolicSystem") -> "list[Node] | None":
     """[deviation from the equilibrium, velocity] of the one coordinate at t = 0; None where the file gives none."""
-    record, (name,) = symbolic.spec.get("initial"), symbolic.scene.coordinates
+    starts = starts_in_letters(symbolic)
+    return None if starts is None else starts[0]
+
+
+def starts_in_letters(symbolic: "SymbolicSystem") -> "list[list[Node]] | None":
+    """The same of each coordinate."""
+    record, names = symbolic.spec.get("initial"), symbolic.scene.coordinates
     if record is None:
         return None
     if symbolic.spec.get(FIELDS):
         raise NotInLetters("motions that start with fields along members are found in numbers",
                            "give numbers with --set")
     held = symbolic.preloaded.equilibrium_position if symbolic.preloaded is not None else {}
-    if any(key != RELEASED and key.rstrip("'") != name for key in record):
+    if any(key != RELEASED and key.rstrip("'") not in names for key in record):
         raise NotInLetters("this start is found in numbers", "give the parameters values with --set")
+    return [_start_of(symbolic, record, held, name) for name in names]
+
+
+def _start_of(symbolic, record, held, name):
     rest = symbolic.equilibrium_position[name]
     place, speed = (symbolic.scene.lower(record[key]) if key in record else None for key in (name, name + "'"))
     if place is None:

@@ -67,6 +67,16 @@ def supported(value: float, error: float, digits: int = SHOWN, mark: str = FEWER
     return figure(value, error / abs(value) if value else 0.0, digits, mark)
 
 
+def with_bound(value: float, error: float) -> str:
+    """17.121 ± 0.003: a number to the first figure of its absolute error, and how far what is written may be off."""
+    if error >= 0.5 * abs(value):
+        return supported(value, error)
+    places = math.floor(math.log10(abs(value))) - math.floor(math.log10(error)) + 1
+    written = f"{value:.{min(places, 17)}g}"
+    off = error + abs(float(written) - value)
+    return f"{_short_exponent(written)} ± {figure(rounded_up(off), digits=1)}"
+
+
 def with_unit(value: float, dimension: "Mapping[str, Fraction | int]") -> str:
     """`0.0785 m`: a number and the SI unit of its dimension."""
     return NEGATIVE.sub("−", "".join(quantity(value, dimension)))

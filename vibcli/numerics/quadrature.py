@@ -9,9 +9,10 @@ ROUNDING = 1e-15        # of the integral of |f| per length
 MOST = 20_000           # panels at once
 
 
-def integral(function: "Callable[[np.ndarray], np.ndarray]", edges: Sequence[float]) -> float | None:
+def integral(function: "Callable[[np.ndarray], np.ndarray]", edges: Sequence[float],
+             off: float = 0.0) -> float | None:
     """Of an array function over the panels between ascending edges; corners and jumps of it are narrowed down to
-    rounding. None where it does not settle."""
+    rounding, and to how far its values may be off. None where it does not settle."""
     at, weights = np.polynomial.legendre.leggauss(POINTS)
 
     def panels(early, late):
@@ -26,7 +27,8 @@ def integral(function: "Callable[[np.ndarray], np.ndarray]", edges: Sequence[flo
         middle = 0.5 * (early + late)
         (first, one), (second, two) = panels(early, middle), panels(middle, late)
         scale = max(scale, one.sum() + two.sum())
-        rough = np.abs(first + second - whole) > ROUNDING * (scale * (late - early) / length + one + two)
+        rough = np.abs(first + second - whole) > ROUNDING * (scale * (late - early) / length + one + two) + (
+            off * (late - early))
         total += (first + second)[~rough].sum()
         if not rough.any():
             return float(total)

@@ -13,20 +13,22 @@ if TYPE_CHECKING:
     from vibcli.plots.paper import Axis, Sheet
 
 _MARGIN = 0.05              # of the height, above and below the curves
-_LONGEST, _AN_INCH = 60, 8  # columns of a label; of one that is written upwards, to an inch of the panel
-_IN_A_ROW = 80              # columns of a row of the legend, of which each entry's line takes some
+_MOST = 10                  # stretches between ticks upwards
+_LONGEST, _AN_INCH = 9.3, 8  # columns to an inch of a label, of one that is written upwards
+_IN_A_ROW = 12              # columns of an inch of a row of the legend, of which each entry's line takes some
 _OF_A_LINE = 8
-_ALONG, _UPWARDS = 10, 3.5  # stretches between ticks, at most; along y, to an inch of the panel
+_ALONG, _UPWARDS = 1.55, 3.5  # stretches between ticks to an inch of the panel, at most
 
 
 def draw(axes: Any, sheet: "Sheet", inches: float) -> None:
     """Everything of a panel so many inches high."""
     panel = sheet.panel
     sheet = sheet._replace(x=_with_margin(sheet.x, _MARGIN * panel.equal), y=_with_margin(sheet.y, _MARGIN))
-    _scale(axes.xaxis, sheet.x, _ALONG if _wide(sheet.x) else _ALONG // 2)
-    _scale(axes.yaxis, sheet.y, min(int(_UPWARDS * inches), _ALONG))
+    across = axes.figure.get_figwidth()
+    _scale(axes.xaxis, sheet.x, int(_ALONG * across) if _wide(sheet.x) else int(_ALONG * across / 2))
+    _scale(axes.yaxis, sheet.y, min(int(_UPWARDS * inches), _MOST))
     axes.tick_params(axis="x", labelbottom=sheet.last)
-    axes.set_xlabel(shortened(panel.x_label, _LONGEST) if sheet.last else "")
+    axes.set_xlabel(shortened(panel.x_label, int(_LONGEST * across)) if sheet.last else "")
     axes.set_ylabel(with_its_unit(panel.y_label, int(_AN_INCH * inches)))
     if panel.equal:
         axes.set_box_aspect(1 / style.RATIO)
@@ -101,7 +103,7 @@ def _curves(axes: Any, sheet: "Sheet") -> list[tuple[Any, str]]:
             lines += 1
             artist = _line(axes, sheet, runs, colour, dashes, 1.5, 2.5)
         if curve.label and curve.kind != "guide":
-            handles.append((artist, shortened(curve.label, _LONGEST)))
+            handles.append((artist, shortened(curve.label, int(_LONGEST * axes.figure.get_figwidth()))))
     return handles
 
 
@@ -144,7 +146,7 @@ def _legend(axes: Any, handles: list[tuple[Any, str]], top: float) -> None:
     from matplotlib.transforms import ScaledTranslation
 
     longest = max(width(label) for _, label in handles) + _OF_A_LINE
-    rows = -(-len(handles) // max(_IN_A_ROW // longest, 1))
+    rows = -(-len(handles) // max(int(_IN_A_ROW * axes.figure.get_figwidth()) // longest, 1))
     raised = axes.transAxes + ScaledTranslation(0, top / 72, axes.figure.dpi_scale_trans)
     legend = axes.legend([artist for artist, _ in handles], ["."] * len(handles), loc="lower right",
                          ncols=-(-len(handles) // rows), bbox_to_anchor=(1, 1), bbox_transform=raised)

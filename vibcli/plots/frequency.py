@@ -28,9 +28,8 @@ def of_frequency_response(Omega: "Sequence[int] | np.ndarray", H: "Mapping[str, 
     together = [size for values in magnitudes.values() for size in values]
     y_log = _spans(together, 100)
     factor, unit = (1.0, unit_text(unit)) if y_log else readable(largest(together), unit_text(unit))
-    name = f"|{next(iter(H))}|" if len(H) == 1 else kind
     marks = [Mark(at, f"{at:.4g}") for at in (*_distinct(peaks), *_distinct(antiresonances))]
-    upper = Panel("Ω [rad/s]", labelled(name or kind, unit), log, y_log, marks=tuple(marks), curves=tuple(
+    upper = Panel("Ω [rad/s]", labelled(kind, unit), log, y_log, marks=tuple(marks), curves=tuple(
         Curve(label, tuple(Omega), tuple(size * factor for size in values)) for label, values in magnitudes.items()))
     lags = {label: lag(values) for label, values in H.items()}
     lower = Panel("Ω [rad/s]", "phase lag [°]", log, degrees=True, tall=0.6, y_range=_turns(lags.values()),

@@ -11,26 +11,26 @@ from vibcli.plots.words import printable, shortened
 if TYPE_CHECKING:
     from vibcli.plots.figure import Figure, Panel
 
-_LINE, _WORD, _LINES = 66, 40, 3      # columns of a line and of a word of the title; its lines
+_LINE, _WORD, _LINES = 10.2, 6.2, 3      # columns of an inch of a line and of a word of the title; its lines
 
 
-def drawn(figure: "Figure") -> Any:
-    """The Matplotlib figure, complete."""
+def drawn(figure: "Figure", inches: float = style.WIDTH) -> Any:
+    """The Matplotlib figure, complete, so many inches wide."""
     from matplotlib.figure import Figure
 
     found = [scaled(sheet, style.RATIO) for sheet in sheets(figure)]
-    heights = [_height(sheet.panel, len(found)) for sheet in found]
-    page = Figure(figsize=(style.WIDTH, sum(heights) or style.HEIGHT), facecolor="white", layout="constrained")
+    heights = [_height(sheet.panel, len(found), inches) for sheet in found]
+    page = Figure(figsize=(inches, sum(heights) or style.HEIGHT), facecolor="white", layout="constrained")
     grid = page.add_gridspec(max(len(found), 1), 1, height_ratios=heights or None)
     for i, sheet in enumerate(found):
         draw(page.add_subplot(grid[i]), sheet, heights[i])
-    words = [shortened(word, _WORD) for word in printable(figure.title).split()]
-    page.suptitle("\n".join(wrap(" ".join(words), _LINE, max_lines=_LINES, placeholder="…")))
+    words = [shortened(word, int(_WORD * inches)) for word in printable(figure.title).split()]
+    page.suptitle("\n".join(wrap(" ".join(words), int(_LINE * inches), max_lines=_LINES, placeholder="…")))
     return page
 
 
-def _height(panel: "Panel", panels: int) -> float:
+def _height(panel: "Panel", panels: int, inches: float) -> float:
     """Inches of a panel with its labels."""
     if panel.equal:
-        return style.WIDTH / style.RATIO
-    return style.HEIGHT * panel.tall * (1.0 if panels == 1 else 0.75)
+        return inches / style.RATIO
+    return style.HEIGHT * panel.tall * (0.75 if panels > 1 else 1.0 if inches == style.WIDTH else 0.9)

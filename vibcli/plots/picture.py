@@ -24,8 +24,8 @@ def library() -> Any:
     return matplotlib
 
 
-def picture(figure: Any, kind: Any) -> bytes:
-    """The bytes of a PNG, SVG or PDF."""
+def picture(figure: Any, kind: Any, inches: float = style.WIDTH) -> bytes:
+    """The bytes of a PNG, SVG or PDF so many inches wide."""
     matplotlib = library()
     with matplotlib.rc_context(), warnings.catch_warnings():
         warnings.simplefilter("ignore")      # letters that no font has are drawn as boxes
@@ -36,7 +36,7 @@ def picture(figure: Any, kind: Any) -> bytes:
         options = _OPTIONS[kind]
         if kind == "svg" and figure.title:      # what a screen reader says of it
             options = {"metadata": {**options["metadata"], "Title": cleaned(figure.title)}}
-        drawn(figure).savefig(data, format=kind, dpi=style.DOTS, **options)
+        drawn(figure, inches).savefig(data, format=kind, dpi=style.DOTS, **options)
     return data.getvalue()
 
 

@@ -8,7 +8,7 @@ DASHES = ("-", (0, (6, 2)), (0, (5, 1.5, 1, 1.5)), (0, (2, 1)), (0, (9, 2)), (0,
 POINTS = ((VERMILION, "x"), (BLUE, "o"), (GREEN, "^"), (PURPLE, "s"), (BLACK, "D"))
 GREY, LIGHT, MIDDLE = "#555555", "#E3E3E3", "#9A9A9A"
 
-WIDTH, HEIGHT = 6.5, 4.0                  # of a figure; of a panel with its labels, in inches
+WIDTH, COLUMN, HEIGHT = 6.5, 4.4, 4.0     # of a figure; of one in a page; of a panel with its labels, in inches
 RATIO = 1.2                               # width to height of axes with equal scales
 TITLE, LABEL, TICK, SMALL = 11, 10, 9, 8  # points
 EM = 0.62                                 # a letter's width to its size, about

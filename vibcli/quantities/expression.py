@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 
 SLACK = 2.0     # of what is known to first order
+VANISHING = "mind the signs under roots, and what may vanish"
 GUARD = 15      # digits beyond those asked, for what cancels in an expression
 NODES: "WeakKeyDictionary[Scene, dict[Any, Node]]" = WeakKeyDictionary()    # of expressions that were asked of a scene
 
@@ -134,8 +135,7 @@ def _real(value, expression, finite):
         raise PhysicsError("this is complex: it is compared by its parts", "ask for re, im, abs or arg of it",
                            expression.where)
     if is_complex or not finite(value):
-        raise PhysicsError("this is not a finite real number", "mind the signs under roots, and what may vanish",
-                           expression.where)
+        raise PhysicsError("this is not a finite real number", VANISHING, expression.where)
     return value
 
 
@@ -190,9 +190,12 @@ def lowered(expression: "Expression", table: "Table", symbol: Callable) -> "Node
 
 
 def number_of(problem: "Problem", tree: Any) -> float:
-    """The value of an argument: an instant or an angular frequency; cycles count as 2π."""
+    """The value of an argument: an instant or an angular frequency; cycles count as 2π. Refused where it is complex or
+    not finite."""
     values = dict(problem.numeric.floats)
     for quantity in parts_of(tree).quantities:
         values[quantity.text] = measure(problem, quantity)[0]
     value = evaluate([lower(tree, problem.scene.table, _symbols(problem.scene))], Floats, values)[0]
+    if isinstance(value, complex) or not isfinite(value):
+        raise PhysicsError("its argument is not a finite real number", VANISHING)
     return value * tau if counts_cycles(problem.spec, tree) else value

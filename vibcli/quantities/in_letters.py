@@ -39,7 +39,7 @@ def response_of(problem: Any, tree: Any) -> "Formula | None":
         return _steady(problem, tree.args[0])
     elif asked != "transmissibility":
         return None
-    return problem.symbolic_frequency_response(*tree.indices, _frequency(problem, tree.args[0]))
+    return problem.symbolic_frequency_response(*tree.indices, frequency_of(problem, tree.args[0]))
 
 
 def _steady(problem, signal):
@@ -47,7 +47,7 @@ def _steady(problem, signal):
     return problem.symbolic_steady_state(asked).formula
 
 
-def _frequency(problem, tree):
+def frequency_of(problem: "Problem", tree: Any) -> "Node":
     """The angular frequency at which a response is asked for, as a node of the scene."""
     if parts_of(tree).quantities:
         raise NotInLetters("a response at such a frequency is found in numbers")

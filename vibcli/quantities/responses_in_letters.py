@@ -26,7 +26,7 @@ def final(problem: "Problem", tree: QuantityRef) -> "Node":
             raise NotInLetters("limits of parts of signals are found in numbers", GIVE_NUMBERS)
         if name in scene.parameters.nodes and not primes:
             return scene.parameters.nodes[name]
-        return _at_rest(problem, name, primes) + problem.symbolic_following(name + "'" * primes, alone=True)
+        return at_rest(problem, name, primes) + problem.symbolic_following(name + "'" * primes, alone=True)
 
     found = textbook(lower(tree.args[0], scene.table, signal))
     if found.mask & scene.time.mask:
@@ -34,7 +34,7 @@ def final(problem: "Problem", tree: QuantityRef) -> "Node":
     return found
 
 
-def _at_rest(problem, name, primes):
+def at_rest(problem: "Problem", name: str, primes: int) -> "Node":
     """The value of a signal in equilibrium."""
     element, part, *_ = signal_name(name)
     if primes or (part == "force" and element in (problem.spec.get("dampers") or {})):
@@ -58,7 +58,7 @@ def _of_one(problem: Any, signal: Any):
     if not isinstance(signal, NameRef):
         raise NotInLetters("means of sums and products are found in numbers", GIVE_NUMBERS)
     steady, table = problem.symbolic_steady_state(signal.name + "'" * signal.primes), problem.scene.table
-    rest = _at_rest(problem, signal.name, signal.primes)
+    rest = at_rest(problem, signal.name, signal.primes)
     middle = rest if steady.mean is None else rest + copied([steady.mean], table)[0]
     above, below = copied(list(steady.formula.square), table)
     return middle, middle * middle + above / below / 2

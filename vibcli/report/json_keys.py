@@ -14,8 +14,8 @@ from vibcli.report.sections.equivalents import KEY as EQUIVALENTS
 from vibcli.report.sections.expansion import KEY as EXPANSION
 from vibcli.report.sections.frequency_response import FREQUENCY_RESPONSE
 from vibcli.report.sections.member_modes import COUNT, MEMBERS
+from vibcli.report.sections.motion_data import MOTION
 from vibcli.report.sections.phase_plane import KEY as PHASE_PLANE
-from vibcli.report.sections.response import MOTION
 from vibcli.report.sections.spectrum_data import DAMPED_MODES, MODES, POLYNOMIAL
 from vibcli.report.sections.statics import REACTIONS
 from vibcli.report.sections.steps import KEY as STEPS

@@ -49,7 +49,7 @@ def _of_motion(problem):
     motion = problem.response
     if motion.KIND == "full" and motion.integrated:
         return motion.trajectory().balance.error
-    if motion.KIND != "small" or not motion.alone.is_followed:       # of what is kept up alone no motion is needed
+    if motion.KIND != "small" or not motion.is_followed:        # of what is kept up alone no motion is needed
         return None
     from vibcli.results.energy_balance import energy_balance
 

@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
 from vibcli.results import feature_errors
+from vibcli.results.cancelled_drifts import next_to_zero, require_cancelled
 from vibcli.results.composed_errors import propagated
 from vibcli.results.feature_errors import SAMPLES
 from vibcli.results.signal import require_finite
-from vibcli.results.signal_features import at_rest, kept_up, lasting
+from vibcli.results.signal_features import at_rest, beside_drift, kept_up
 from vibcli.results.signals import ComposedSignal, LinearSignal
 from vibcli.results.steady_features import common
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -50,6 +51,7 @@ def _over_the_beats(envelope, power):
 def _mean(signal, node):
     """Of a node of the signals of a ComposedSignal."""
     signal.require_no_time("mean")
+    require_cancelled(signal, node)
     parts = {name: _wave_sum(part) for name, part in signal.signals.items()}
     known = {name: found for name, found in parts.items() if found is not None}
     if len(known) == len(parts):
@@ -65,24 +67,26 @@ def _lasts(part):
     """Does a signal move, or stand under loads that oscillate, without end?"""
     if isinstance(part, ComposedSignal):
         return any(map(_lasts, part.signals.values()))
-    return kept_up(part) or any(speed for speed, _ in lasting(part))
+    return kept_up(part) or any(speed for speed, _ in beside_drift(part))
 
 
 def _wave_sum(part):
-    """The WaveSum of what lasts of a signal; None where that has harmonics without end, or is no polynomial."""
+    """The WaveSum of what lasts of a signal, beside what drifts; None where that has harmonics without end, or is no
+    polynomial."""
     from vibcli.analyses.transient.wave_sums import WaveSum
 
     if isinstance(part, ComposedSignal):
+        require_cancelled(part, part.node)
         parts = {name: _wave_sum(one) for name, one in part.signals.items()}
         return None if None in parts.values() else _product(part.node, part.floats, parts)
     if not isinstance(part, LinearSignal):
         return None
     if not kept_up(part):
-        return WaveSum.of(lasting(part), feature_errors.of_lasting(part))
+        return WaveSum.of(beside_drift(part), feature_errors.of_lasting(part))
     steady = part.motion.steady
     if steady.period is not None:
         return None
-    waves = steady.phasors(part.output)
+    waves = [(0.0, complex(steady.polynomial(part.output)[0])), *steady.oscillating(part.output)]
     return WaveSum.of(waves, feature_errors.of_waves(part, waves))
 
 
@@ -102,8 +106,8 @@ def _by_quadrature(signal, node, known):
 
     from vibcli.symbolic.array_arithmetic import Arrays
 
-    others = {name: part.steady if isinstance(part, LinearSignal) else part for name, part in signal.signals.items()
-              if name not in known}
+    others = {name: LinearSignal(part.motion.steady, part.output, "steady") if isinstance(part, LinearSignal) else part
+              for name, part in signal.signals.items() if name not in known}
     speeds = [float(speed) for found in known.values() for speed in found.speeds if speed > 0]
     periods = [part.period for part in others.values()]
     base = None if None in periods else common([*speeds, *(tau / period for period in periods)])
@@ -111,14 +115,17 @@ def _by_quadrature(signal, node, known):
         raise PhysicsError("the vibrations in this signal have no common period: the mean of what is no polynomial of "
                            "signals is found over one", "ask for max(x), or the mean of a power")
 
+    beside = next_to_zero(signal)
+
     def values(t):
-        parts = {name: found.values(t) for name, found in (*known.items(), *others.items())}
+        parts = {name: found.values(t) + beside.get(name, 0.0) for name, found in (*known.items(), *others.items())}
         with np.errstate(all="ignore"):
             found = evaluate([node], Arrays, {**signal.floats, **parts})[0]
         return require_finite(np.broadcast_to(found, t.shape), t)
 
     period = tau / base
-    return _averaged(values, period, speeds), _of_values(signal, node, known, others, period)
+    off = _of_values(signal, node, known, others, period)
+    return _averaged(values, period, speeds, off), 2 * off
 
 
 def _of_values(signal, node, known, others, period):
@@ -134,14 +141,14 @@ def _of_values(signal, node, known, others, period):
     return 2 * max(at(period * (k + 0.5) / SAMPLES) for k in range(SAMPLES))
 
 
-def _averaged(values, period, speeds):
-    """(1/T) ∫ over a period T, of what is made of waves of these angular frequencies."""
+def _averaged(values, period, speeds, off=0.0):
+    """(1/T) ∫ over a period T, of what is made of waves of these angular frequencies, its values `off` at most."""
     import numpy as np
 
     from vibcli.numerics.quadrature import integral
 
     panels = min(MOST_PANELS, max(PANELS, int(PANELS * max(speeds, default=0.0) * period / tau)))
-    found = integral(values, np.linspace(0.0, period, panels + 1).tolist())
+    found = integral(values, np.linspace(0.0, period, panels + 1).tolist(), off)
     if found is None:
         raise PhysicsError("the mean of this signal does not settle: it has no bound, or bends too often",
                            "ask for max(x), or its value at a time")

@@ -7,8 +7,9 @@ import numpy as np
 
 from vibcli.analyses.continuous.modal_grid import divided
 from vibcli.analyses.continuous.modal_search import BENT, LEVELS, MOST, bends, top_between, width_about
+from vibcli.base.errors import NoBound
 from vibcli.results.composed_errors import spread
-from vibcli.results.modal_signals import ModalSignal, by_waves, without_bound
+from vibcli.results.modal_signals import ModalSignal, by_waves
 from vibcli.results.signal import Signal
 from vibcli.results.signals import ComposedSignal
 
@@ -60,8 +61,16 @@ class ComposedOfModes(ComposedSignal):
         cells, values, off = self._searched(start, end, sense)
         highest = float((values + off).max() + (BENT * bends(cells, values)).max())
         if not np.isfinite(highest):
-            raise without_bound()
+            raise self._without_bound(end)
         return max(self.error(top[0]), highest - sense * top[1])
+
+    def _without_bound(self, end):
+        """The refusal of its extremes: that of a part, or its own."""
+        for part in self.signals.values():
+            for stretch in part.modal.stretches(end):
+                part.require_bound(stretch.start)
+        return NoBound("how far this function of signals may be off has no bound, as where it divides by what passes "
+                       "zero", "ask for values at instants, or for its parts")
 
     @property
     def _others(self):

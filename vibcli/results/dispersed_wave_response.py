@@ -17,28 +17,33 @@ NEAR = 1e-6         # of δ²: a σ² next to 0, where what two exponentials lea
 
 
 class DispersedWaveResponse(WaveResponse):
-    """Small oscillations about the equilibrium. NotByWaves where anything but members has mass or dampers, of motions
-    that start with a velocity, of rates, of forces beside shaken ends, and of what is read of loads themselves."""
+    """Small oscillations about the equilibrium. NotByWaves where anything but members has mass or dampers, of
+    accelerations, of forces beside shaken ends, and of what is read of loads themselves."""
 
     @cached_property
     def alone(self) -> "DispersedMotion":
         """The DispersedMotion under the excitation."""
-        from vibcli.analyses.continuous.dispersed_waves import DispersedMotion
+        from vibcli.analyses.continuous.dispersed_waves import DispersedMotion, WaveSource
         from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
 
         (delta, kappa), forces, (q, v) = self._rates, self._forces, self.deviations
         plain = self._pieces([one._replace(piece=one.piece._replace(drag=0, foundation=0)) for one in self.placed])
+        displaced, moving = (_fields(self.fields, number) for number in range(2))
 
-        def under(waves, q, fields):
-            return self._followed(plain, Forcing(forces.channels, [Segment(0.0, waves)]), (q, 0 * v), fields)
+        def under(waves, start, fields):
+            return self._followed(plain, Forcing(forces.channels, [Segment(0.0, waves)]), start, fields)
 
-        found = [(under((Wave(channel, 1.0, 0, 0j),), 0 * q, None).under(forces), channel)
+        found = [WaveSource(under((Wave(channel, 1.0, 0, 0j),), (0 * q, 0 * v), None).under(forces), channel)
                  for channel, node in self._moving.items() if not node.is_zero]
         if kappa and q.any() and None in self.fields:       # at rest on its foundation between its ends, not straight
             raise _refusal()
-        if q.any() or any(field is not None for field in self.fields):
+        if q.any() or displaced is not None:
             start = Forcing(1, [Segment(0.0, tuple(Wave(0, *wave) for wave in _letting_go(delta, kappa)))])
-            found.append((under((), q, self.fields).under(start), 0))
+            found.append(WaveSource(under((), (q, 0 * v), displaced).under(start), 0))
+        if moving is not None:
+            found.append(WaveSource(under((), (0 * q, v), moving), 0, velocity=True))
+        elif v.any():
+            raise _refusal()
         return DispersedMotion(found, delta, delta**2 - kappa, self.problem.work)
 
     def reach(self, until: float) -> None:
@@ -54,9 +59,7 @@ class DispersedWaveResponse(WaveResponse):
                           for one in self.placed])
         if any(one.piece.bending for one in self.placed) or not rates[:, 2].all() or M.any() or C.any():
             raise _refusal()
-        speeds = any(wave.channel for field in self.fields if field is not None
-                     for segment in field.pieces for wave in segment.waves)
-        if speeds or self.deviations[1].any() or damping is not None:
+        if damping is not None:
             raise _refusal()
         found = rates[:, :2] / rates[:, 2:]
         if (np.ptp(found, axis=0) > ALIKE * found.max(axis=0)).any():
@@ -78,10 +81,20 @@ class DispersedWaveResponse(WaveResponse):
 
         shaken = any(channel is not None for _, channel, _ in self._numbered_ends)
         for _, (output, node) in terms:
-            if node is not None or output.v or output.a or output.channels or any(
-                    place.rates or (place.along and shaken) for place in output.places):
+            if node is not None or output.a or output.channels or any(
+                    place.rates > 1 or (place.along and shaken) for place in output.places):
                 raise _refusal()
         return DispersedSignal(*self._driven(constant, terms))
+
+
+def _fields(fields, number):
+    """What pieces start with on one channel alone; None where it is nothing."""
+    from vibcli.analyses.excitation.forcing import Forcing
+
+    found = [None if field is None else Forcing(field.channels, [
+        piece._replace(waves=tuple(wave for wave in piece.waves if wave.channel == number)) for piece in field.pieces])
+        for field in fields]
+    return found if any(piece.waves for field in found if field is not None for piece in field.pieces) else None
 
 
 def _letting_go(delta, kappa):

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 CLOSE = 8e-11       # of the largest value: a remainder that is small enough beside what else is in a bound of 1e-10
 FINEST = {True: 81_920, False: 57_344}      # modes in closed form, and of others
 MARGIN = 1.15       # modes more than a remainder needs
+ROUGH, FEWER = 1e-6, 8      # of forces and rates, which fall so slowly: a small remainder, and a share of those modes
 BLOCK = 512         # modes that are found together: a search takes up to ten counts for each
 
 
@@ -44,14 +45,14 @@ def enough(response: "ModalResponse", motion: "ModalMotion", output: "LinearOutp
 def finest(response: "ModalResponse", motion: "ModalMotion", output: "LinearOutput",
            t: float | None = None) -> "ModalMotion":
     """The motion by as many modes as leave a small remainder, at an instant or ever, as it falls from one doubling to
-    the next, or by the most that are worth it; the same where more of them leave no less. Beyond closed forms
-    displacements alone are."""
-    limit, count, share = response.limit, 2 * motion.count, 0.0
+    the next, or by the most that are worth it; the same where more of them leave no less. Of forces and rates beyond
+    closed forms fewer are."""
+    limit, count, share, small = response.limit, 2 * motion.count, 0.0, CLOSE
     if not (response.closed or _is_displacement(output)):
-        return motion
+        limit, small = limit // FEWER, ROUGH
     if count <= limit:
         share = motion.left_share(output, t)
-    while share > CLOSE and motion.count < count:
+    while share > small and motion.count < count:
         try:
             further = response.motion(count).under(motion.reads)
             less = further.left_share(output, t)
@@ -61,7 +62,7 @@ def finest(response: "ModalResponse", motion: "ModalMotion", output: "LinearOutp
             break
         power = log(share / less) / log(further.count / motion.count)
         motion, share = further, less
-        count = min(ceil(MARGIN * motion.count * (share / CLOSE) ** (1 / power)), limit)
+        count = min(ceil(MARGIN * motion.count * (share / small) ** (1 / power)), limit)
     return motion
 
 

@@ -101,7 +101,7 @@ def mean(signal: "LinearSignal", value: float = 0.0) -> float:
     if not signal_features.kept_up(signal):
         return _at_last(signal) + sum(error for _, error in _lasting(signal))
     steady = signal.motion.steady
-    if steady.period is not None:
+    if steady.period is not None and not steady.powers:
         return steady_errors.of_harmonic(steady, signal.output, 0) + ROUNDING * abs(signal.output.constant)
     constant = ROUNDING * abs(signal.output.constant) + signal.motion.data_errors.of_rest(signal.output)
     return steady_errors.of_waves_in(steady, signal.output).get(0.0, 0.0) + constant

@@ -2,7 +2,7 @@
 what nothing damps. Signals that come to rest are seen to; of all others the mean over all times is the same."""
 
 from functools import cached_property
-from math import inf, tau
+from math import tau
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -16,7 +16,8 @@ from vibcli.base.errors import PhysicsError
 from vibcli.language.signal_names import signal_name
 from vibcli.results.averaged_waves import common_speed
 from vibcli.results.composed_errors import propagated
-from vibcli.results.modal_signals import ModalSignal, without_bound
+from vibcli.results.lasting_products import is_of_modes, mean_of_products, swings
+from vibcli.results.modal_signals import ModalSignal
 from vibcli.results.moved_on import SEEN, moved_on
 from vibcli.results.repeating_signal import DEAD, INNER, MODES, SAMPLES, RepeatingSignal
 from vibcli.results.signal_features import at_rest
@@ -30,7 +31,7 @@ if TYPE_CHECKING:
     from vibcli.results.signal import Signal
 
 GONE = 40.0         # decay times after which nothing is left in floats
-ALIKE = 1e-9        # relative: angular frequencies whose vibrations are taken together and apart
+ALIKE = 1e-9        # of its speed: a decay that is none
 REPEATED = 64.0     # times rounding: how far what repeats itself is from itself
 
 
@@ -148,19 +149,33 @@ class LongAfter:
     def mean(self) -> tuple[float, float]:
         """(over all times, how far it may be off); PhysicsError where it comes to rest."""
         found = self.still
-        if not isinstance(self._kept, LinearSignal):
-            raise PhysicsError("means of functions of signals of members that vibrate freely are not found",
-                               "ask for mean(x) and rms(x) of a single signal")
         if _driven(self.problem.configuration.linear_system):
             raise PhysicsError("a damper drives these members, and where some of what vibrates grows there is no "
                                "mean", "ask for final(x), or for its value at a time")
         if self.problem.modal.damped is not None and self._left is not None:
             raise at_rest()
-        return found
+        return found if isinstance(self._kept, LinearSignal) else self._of_function
+
+    @property
+    def _of_function(self):
+        """Of a function of signals."""
+        signal, repeats = self._by_modes, self.repeating
+        if repeats is not None:
+            return repeats.mean
+        if self.problem.modal.damped is not None or not is_of_modes(signal):
+            raise PhysicsError("means of functions of these signals are not found: some of what vibrates dies out, or "
+                               "is read off waves and modes together", "ask for mean(x) of a single signal")
+        still = {name: _still(part) for name, part in self._kept.signals.items()}
+        return mean_of_products(signal, self._loads.last.start, still)
 
     @cached_property
     def rms(self) -> tuple[float, float]:
         """(root of the mean square over all times, how far it may be off)."""
+        if not isinstance(self._kept, LinearSignal):
+            if self.repeating is not None:
+                return self.repeating.rms
+            raise PhysicsError("the root mean square of functions of signals of members that vibrate freely is not "
+                               "found", "ask for mean(x^2), or for rms(x) of a single signal")
         mean, error = self.mean
         square, off = self._square
         found = (mean**2 + square) ** 0.5
@@ -180,7 +195,8 @@ class LongAfter:
         if not isinstance(signal, ModalSignal):
             raise PhysicsError("the mean square is not found of what is read off waves and modes together",
                                "ask for that of a single signal")
-        return _mean_square(signal, self._loads.last.start)
+        vibrations = swings(signal, self._loads.last.start)
+        return vibrations.product(vibrations)
 
     @cached_property
     def repeating(self) -> RepeatingSignal | None:
@@ -276,21 +292,3 @@ def _drifts(signal):
 def _way(piece):
     """The time in which a wave runs along a piece; 0 where it has no speed."""
     return float(piece.length) * (float(piece.inertia / mean_tension(piece)) ** 0.5 if piece.order == 2 else 0.0)
-
-
-def _mean_square(signal, start):
-    """(Σ |a|²/2 of the free vibrations from an instant on, a bound of the error): vibrations of one frequency are taken
-    together; what modes left out add are others, (Σ |a|)² ≥ Σ |a|²."""
-    motion = signal.modal
-    left = motion.bound(signal.reads, start)
-    if not left < inf:
-        raise without_bound()
-    stretch = next(one for one in reversed(motion.stretches(start)) if one.start <= start)
-    sizes, rates = motion.swings(signal.reads, stretch, motion.count)
-    order = np.argsort(rates.imag)
-    sizes, omega = sizes[order], rates[order].imag
-    groups = np.cumsum(np.diff(omega, prepend=-inf) > ALIKE * omega)
-    together = np.zeros(groups.max(initial=0) + 1, complex)
-    np.add.at(together, groups, sizes)
-    rounding = signal.error(start) - left
-    return float((np.abs(together) ** 2).sum() / 2), left**2 / 2 + 2 * rounding * float(np.abs(together).sum())

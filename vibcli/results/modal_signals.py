@@ -3,8 +3,9 @@
 from math import inf
 from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import NoBound, PhysicsError
+from vibcli.base.errors import PhysicsError
 from vibcli.results.signal import Signal
+from vibcli.results.without_bound import without_bound
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -27,6 +28,7 @@ class ModalSignal(Signal):
                  finest: "Callable | None" = None):
         self.modal, self.reads, self.work, self.asked, self._finest = motion, output, motion.work, asked, finest
         self._tops: dict[tuple, tuple[ModalMotion, tuple[float, float]]] = {}
+        self._of_waves: dict[tuple[float, float], Signal] = {}      # tops that waves tell
 
     def read_at(self, t: float) -> Signal:
         found = by_waves(self, self.asked, t)
@@ -54,7 +56,7 @@ class ModalSignal(Signal):
     def require_bound(self, t: float, order: int = 0) -> None:
         """NoBound where what the modes left out add has no bound."""
         if not self.modal.is_bounded(self.reads, t, order):
-            raise without_bound()
+            raise without_bound(self.modal, self.reads, t)
 
     def error(self, t: float) -> float:
         import numpy as np
@@ -78,15 +80,20 @@ class ModalSignal(Signal):
     def error_of_extreme(self, start: float, end: float, top: tuple[float, float], sense: int) -> float:
         from vibcli.analyses.continuous.modal_search import error_of_extreme
 
+        if top in self._of_waves:
+            return self._of_waves[top].error(top[0])
         motion, known = self._tops.get((start, end, sense), (self.modal, top))
         found = error_of_extreme(motion if known == top else self.modal, self.reads, start, end, top, sense)
         if found == inf:
-            raise without_bound()
+            raise without_bound(motion, self.reads, start)
         return found
 
     def error_of_time(self, t: float) -> float:
         from vibcli.analyses.continuous.modal_search import width_of_top
 
+        for (instant, _), waves in self._of_waves.items():
+            if instant == t:
+                return waves.error_of_time(t)
         near = self.modal.values(self.reads, [t * (1 - 1e-6), t, t * (1 + 1e-6)])
         return width_of_top(self.modal, self.reads, t, 1 if 2 * near[1] >= near[0] + near[2] else -1)
 
@@ -106,9 +113,15 @@ class ModalSignal(Signal):
         """The motion that the extreme is read of, and it."""
         from vibcli.analyses.continuous.fine_search import highest
         from vibcli.analyses.continuous.modal_search import candidates, extreme
+        from vibcli.results.wave_signals import DispersedSignal
 
+        waves, found = by_waves(self, self.asked, end), None
+        if isinstance(waves, DispersedSignal):
+            found = waves.highest(candidates(self.modal, self.reads, start, end, sense), sense)
+        if found is not None:
+            self._of_waves[found] = waves
+            return self.modal, found
         finest = self.modal if self._finest is None else self._finest(self.modal, self.reads)
-        found = None
         if finest is not self.modal:
             cells = candidates(self.modal, self.reads, start, end, sense)
             found = highest(finest, self.reads, cells, self.modal.count, sense)
@@ -150,13 +163,3 @@ def by_waves(signal: Signal, asked: tuple, t: float) -> Signal:
     """The same by waves where these are followed up to an instant."""
     found = asked[0].by_waves(asked[1], t) if asked else None
     return signal if found is None else found.read_at(t)
-
-
-def without_bound() -> NoBound:
-    """Of a series that does not converge absolutely, falls so unevenly that the modes counted do not tell how it does,
-    or is read where unit loads have no finite motion."""
-    return NoBound("what the modes left out add to this signal after what jumps here has no bound that is known: their "
-                   "series does not converge absolutely, falls too unevenly to tell, or is read next to an "
-                   "end without tension",
-                   "loads that begin without a jump, or that act on a mass, leave less to the modes left out; forces, "
-                   "rates and what is next to an end without tension have a bound less often than displacements do")

@@ -3,13 +3,10 @@
 from typing import TYPE_CHECKING
 
 from vibcli.analyses.continuous.modal_reads import Read
-from vibcli.analyses.transient.steady_state import resonance
 from vibcli.base.errors import PhysicsError
 from vibcli.results.modal_signals import ModalSignal
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
-
     from vibcli.results.signal import Signal
 
 SEEN = 1e-12        # of what parts of a signal see: rounding
@@ -33,13 +30,3 @@ def moved_on(signal: "Signal", last: float, longest: float) -> tuple[float, floa
                            "ask for its value at a time, or for a signal that does not see it move")
     return (float(seen @ place + of_rates @ rate),
             float(abs(seen) @ off + abs(of_rates) @ drift) + SEEN * size)
-
-
-def require_alike(parts: "Iterable[tuple[float, Sequence[tuple[complex, float]] | None]]") -> None:
-    """Refuses a sum of signals (factor, ((c, how far that may be off) of t and of t²/2) or None of what stays) in which
-    what drives them off is seen."""
-    drifts = [(factor, drift) for factor, drift in parts if drift is not None]
-    for k in range(2):
-        terms = [(factor * drift[k][0], abs(factor) * drift[k][1]) for factor, drift in drifts]
-        if abs(sum(c for c, _ in terms)) > sum(SEEN * abs(c) + off for c, off in terms):
-            raise resonance(0j)

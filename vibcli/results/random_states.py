@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from weakref import WeakKeyDictionary
 
 from vibcli.base.errors import PhysicsError, SpecError
-from vibcli.language.parameter_samples import sample_values, short_fraction
+from vibcli.language.parameter_samples import FAR_APART, sample_values, short_fraction
 from vibcli.symbolic.evaluation import evaluate
 
 if TYPE_CHECKING:
@@ -21,10 +21,12 @@ STATES, NEAR, SEPARATE, MOST_HALVINGS, CANDIDATES = 5, 1e-4, 12, 30, 40
 
 
 def random_instances(problem: "Problem") -> "Iterator[Problem]":
-    """The problem with random values for its free symbols, whenever the drawing fits together."""
+    """The problem with random values for its free symbols, whenever the drawing fits together; those of the second half
+    far apart, for regimes of large or small ratios."""
     for attempt in range(CANDIDATES):
         values = sample_values(problem.symbolic.letters, attempt)
-        given = {name: short_fraction(value) for name, value in values.items()}
+        spread = FAR_APART if 2 * attempt >= CANDIDATES else 1
+        given = {name: short_fraction(value**spread) for name, value in values.items()}
         candidate = problem.with_values(given)
         try:
             candidate.draw()

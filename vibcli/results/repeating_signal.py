@@ -95,17 +95,28 @@ class RepeatingSignal(Signal):
 
     def mean_square(self, about: float) -> tuple[float, float]:
         """(the mean of the square of its distance from a value over a period, how far that may be off)."""
+        return self._averaged(lambda values: (values - self.aside - about) ** 2,
+                              lambda most: 2 * max(abs(most - self.aside - about)))
+
+    @property
+    def mean(self) -> tuple[float, float]:
+        """(its mean over a period, how far that may be off)."""
+        return self._averaged(lambda values: values - self.aside, lambda most: 1.0)
+
+    def _averaged(self, function, slope):
+        """(the mean of a function of its values over a period, how far that may be off); slope: by how much it changes
+        with some of them at most."""
         self.signal.require_bounded(self.start + self.period)
         edges = _edges(self.period, [self.signal.fronts(self.start + self.period) - self.start])
-        most = max(abs(self.signal.values(self.start + edges) - self.aside - about))
-        known = 2 * float(most) * (self.left + self.signal.error(self.start + self.period))
+        known = float(slope(self.signal.values(self.start + edges))) * (
+            self.left + self.signal.error(self.start + self.period))
         for _ in range(HALVES):
-            fine, coarse = (_panels(lambda t: (self.signal.values(t) - self.aside - about) ** 2, self.start, edges,
-                                    order) / self.period for order in NODES)
+            fine, coarse = (_panels(lambda t: function(self.signal.values(t)), self.start, edges, order) / self.period
+                            for order in NODES)
             off = abs(fine - coarse)
-            if off.sum() <= max(known, DEAD * fine.sum()) or len(off) > MANY:
+            if off.sum() <= max(known, DEAD * abs(fine).sum()) or len(off) > MANY:
                 break
-            steep = off * len(off) > known + DEAD * fine.sum()
+            steep = off * len(off) > known + DEAD * abs(fine).sum()
             edges = np.unique(np.concatenate([edges, (edges[1:] + edges[:-1])[steep] / 2]))
         return float(fine.sum()), float(off.sum()) + known
 

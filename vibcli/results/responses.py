@@ -148,6 +148,11 @@ class SmallResponse(Response):
     def alone(self) -> "LinearMotion":
         return self.moved()
 
+    @property
+    def is_followed(self) -> bool:
+        """Was the motion found, and looked at from its start on?"""
+        return "alone" in vars(self) and self.alone.is_followed
+
     def lasting(self) -> float:
         from vibcli.analyses.transient.duration import duration, fading
 

@@ -178,10 +178,28 @@ def at_rest() -> PhysicsError:
 
 def lasting(signal: "LinearSignal") -> list[tuple[float, complex]]:
     """[(ω, X)] of c + Σ Re X e^{iωt} that does not die out of a free motion, ω = 0 of the constant."""
+    if drifting(signal):
+        raise drifts_or_grows()
+    return beside_drift(signal)
+
+
+def beside_drift(signal: "LinearSignal") -> list[tuple[float, complex]]:
+    """The same of a motion that may drift, of what does not."""
     parts = free_parts(signal)
-    if any(part.amplitude and (part.rate > 0 or (part.power and not part.rate)) for part in parts):
-        raise PhysicsError("this motion drifts or grows: it has no mean over a period", "ask for its value at a time")
+    if any(part.amplitude and (part.rate > 0 or (part.power and part.omega and not part.rate)) for part in parts):
+        raise drifts_or_grows()
     start = signal.motion.forcing.last.start
     waves = [(part.omega, rect(part.amplitude, -part.phase - part.omega * start)) for part in parts
              if part.omega and abs(part.rate) <= UNDYING * part.omega]
-    return [(0.0, complex(sum(part.amplitude for part in parts if not (part.omega or part.rate)))), *waves]
+    return [(0.0, complex(sum(part.amplitude for part in parts if not (part.omega or part.rate or part.power)))),
+            *waves]
+
+
+def drifting(signal: "LinearSignal") -> dict[int, float]:
+    """{k: c} of the c τᵏ in a free motion, τ from the last change of the loads, k ≥ 1."""
+    return {part.power: part.amplitude for part in free_parts(signal)
+            if part.power and part.amplitude and not (part.omega or part.rate)}
+
+
+def drifts_or_grows() -> PhysicsError:
+    return PhysicsError("this motion drifts or grows: it has no mean over a period", "ask for its value at a time")

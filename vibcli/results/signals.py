@@ -91,10 +91,12 @@ class LinearSignal(Signal):
 
     @cached_property
     def steady(self) -> "LinearSignal":
+        self.motion.steady.require_held(self.output)
         return LinearSignal(self.motion.steady, self.output, "steady", part_of(self.source, "steady"))
 
     @cached_property
     def transient(self) -> "LinearSignal":
+        self.motion.steady.require_held(self.output)
         return LinearSignal(self.motion.transient, self.output, "transient", part_of(self.source, "transient"))
 
     @cached_property

@@ -9,7 +9,6 @@ from vibcli.analyses.excitation.linear_output import LinearOutput
 from vibcli.analyses.transient.steady_state import harmonic_forces, lost_forces, resonance, steady_forcing
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signal_names import signal_name
-from vibcli.results.moved_on import require_alike
 from vibcli.results.responses import SmallResponse
 from vibcli.results.steady_features import common
 from vibcli.symbolic.syntax import QuantityRef
@@ -37,7 +36,6 @@ class SteadyResponse(SmallResponse):
         self.reason, self.only = reason, only
         self._channels: dict[str, int] = {}
         self._harmonics: list[Harmonic] = []
-        self._drifts: dict[int, tuple[tuple[complex, float], ...]] = {}     # of channels, of t and t²/2
 
     @property
     def start(self) -> tuple[dict[str, float], dict[str, float]]:
@@ -118,23 +116,18 @@ class SteadyResponse(SmallResponse):
                     found.append(Harmonic(channel, Omega, complex(H * A), size))
         if drifting:
             (H, error, lost), = self._answered(text, drifting, np.zeros(1))
-            if lost:
-                H, error = self._drifting(text, channel, drifting)
-            found.append(Harmonic(channel, 0.0, complex(H), error))
+            found += self._drifting(text, channel, drifting) if lost else [Harmonic(channel, 0.0, complex(H), error)]
         return found
 
     def _drifting(self, text, channel, weights):
-        """(what a signal has beside the motion that nothing holds, how far that may be off); that motion is kept."""
+        """The Harmonics of what a signal has of a motion that nothing holds, t and t²/2, and beside it."""
+        from vibcli.analyses.continuous.kept_up_motion import Harmonic
+
         rest = self._curve(text, weights).drifting
         if rest is None:
             raise resonance(0j)
-        self._drifts[channel] = rest.drift
-        return rest.value, rest.error
-
-    def _linear(self, constant, terms, source=()):
-        """Of signals that together do not see what drifts."""
-        require_alike(((factor, self._drifts.get(i)) for factor, (output, _) in terms for i in output.channels))
-        return super()._linear(constant, terms, source)
+        return [Harmonic(channel, 0.0, c / max(k, 1), off / max(k, 1), k)
+                for k, (c, off) in enumerate([(rest.value, rest.error), *rest.drift])]
 
     def _curve(self, text, weights):
         from vibcli.analyses.frequency_response.member_system import MemberInput

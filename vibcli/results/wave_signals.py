@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 BENDING = "abs", "sign", "ramp", "step", "min", "max"
 FRONT = 1e-12       # relative: how far the instant of a front may be off
+RUNS = 4            # stretches of the time in which an extreme is looked for
 
 
 def _at_front(signal, t):
@@ -133,6 +134,23 @@ class DispersedSignal(Signal):
 
     def require_bounded(self, end: float) -> None:
         self.waves.require_bounded(self.reads, end)
+
+    def highest(self, cells: "np.ndarray", sense: int) -> tuple[float, float] | None:
+        """(instant, value) of the largest (sense 1) or smallest (−1) value within cells, ascending, (…, 2); None where
+        these are many stretches of the time."""
+        import numpy as np
+
+        from vibcli.analyses.continuous.travelling_waves_search import Stretches, extreme, stretches
+
+        first = np.append(True, cells[1:, 0] > cells[:-1, 1])
+        runs = np.stack([cells[first, 0], cells[np.append(first[1:], True), 1]], axis=1)
+        if len(runs) > RUNS:
+            return None
+        self.require_bounded(runs[-1, 1])
+        breaks = self.breaks(runs[-1, 1])
+        found = [stretches(self.values, breaks, low, high, self.work) for low, high in runs.tolist()]
+        t, value = extreme(Stretches(*(np.concatenate(part) for part in zip(*found, strict=True))), sense)
+        return t, float(value)
 
     def error(self, t: float) -> float:
         import numpy as np

@@ -149,6 +149,17 @@ def test_symbols_are_checked_at_several_values():
     assert not agrees(scene, "omega[1]: sqrt(2*k/m)")
 
 
+def test_a_regime_of_uneven_letters_is_found():
+    """Beats need kc below a quarter of k."""
+    assert all(verdict.agrees for verdict in check(problem("""
+parameters: {m: , k: , kc: , x0: }
+bodies: {a: {mass: m, slide: x}, b: {mass: m, slide: y}}
+springs: {s1: {k: k, between: [ground, a]}, s2: {k: kc, between: [a, b]}, s3: {k: k, between: [b, ground]}}
+initial: {x: x0}
+answers: {beat_period(x): 2*pi/(sqrt((k + 2*kc)/m) - sqrt(k/m))}
+""")))
+
+
 # the command
 
 def file(folder, name, text):

@@ -5,6 +5,8 @@ from math import cos, hypot, pi, sin
 import pytest
 from support.scenes import problem
 
+from vibcli.drawing.canvas.primitives import Circle, Hatch, Polygon
+from vibcli.drawing.drawing import draw
 from vibcli.drawing.layout import plane
 from vibcli.drawing.layout.compose import Scenery
 from vibcli.drawing.layout.notes import of
@@ -55,3 +57,19 @@ def test_the_cord_leaves_the_wheel_where_it_moves_as_the_stretch_says(stretch, s
 def test_what_no_cord_of_the_wheel_does_stays_in_words(stretch):
     found = stage(stretch)
     assert found.ties.cords == [] and is_noted(found) and not found.ropes
+
+
+def test_a_fixed_peg_is_held_beside_its_rope():
+    drawn = draw(problem("""
+        parameters: {m: 2 kg, M: 3 kg, l: 1 m, g: 9.81 m/s^2}
+        gravity: g
+        bodies: {crate: {mass: m, at: [0, 0], slide: x}, weight: {mass: M, at: [l, -l], slide: {along: [0, -1], by: x}}}
+        constraints: {rope: {rope: [crate, {over: [l, 0]}, weight]}}
+    """))
+    peg, = [part.centre for part in drawn if isinstance(part, Circle) and part.fill == "ink"]
+    holds = [part for part in drawn if isinstance(part, Polygon) and peg in part.points]
+    rope = [part.points for part in drawn if part.role == "rope"]
+    assert len(holds) == 1 and len(rope) == 2
+    assert min(x + y for x, y in holds[0].points) >= sum(peg) - 1e-9
+    grounds = [part for part in drawn if isinstance(part, Hatch) and min(x + y for x, y in part.points) > sum(peg)]
+    assert len(grounds) == 1

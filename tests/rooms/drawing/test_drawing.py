@@ -52,6 +52,23 @@ def words(found):
     return ["".join(run.text for run in part.runs) for part in texts(found)]
 
 
+def test_figures_are_no_wider_than_a_column_of_text():
+    wide = """
+        parameters: {m: 2 kg, k: 800 N/m, L: 3 m}
+        bodies: {beam: {shape: rod, mass: m, from: [0, 0], to: [L, 0], pin: {at: [0, 0], by: phi}}}
+        springs: {s: {k: k, between: [end, [L, -0.1*L]]}}
+        points: {end: {body: beam, at: [L, 0]}}
+    """
+    names = "abcdef"
+    row = "parameters: {m: 2 kg, k: 800 N/m}\nbodies:\n" + "".join(
+        f"  {name}: {{mass: m, slide: x_{name}}}\n" for name in names) + "springs:\n" + "".join(
+        f"  s{i}: {{k: k, between: [{one}, {two}]}}\n" for i, (one, two) in enumerate(pairwise(names)))
+    for scene in (wide, row):
+        left, _, right, _ = extent(draw(problem(scene)))
+        assert right - left < 425.0
+
+
+
 def overlapping(boxes):
     """Pairs of boxes that share more than an edge."""
     return [(a, b) for a, b in combinations(boxes, 2) if min(a[2], b[2]) - max(a[0], b[0]) > 1e-6

@@ -251,3 +251,9 @@ def test_the_name_of_a_block_stands_beside_the_unbalance_in_it():
     arm = next(part.points for part in drawn if isinstance(part, Polyline) and part.role == "load")
     name = next(part.box for part in drawn if isinstance(part, LetterRuns) and part.runs[0].text == "M")
     assert plane.bounds(block.points)[0] < name[0] and name[2] < min(x for x, _ in arm) - 2.0
+
+
+def test_a_coordinate_is_named_once_where_it_is_the_motion_of_a_body_in_a_row():
+    words = [part for part in kept_drawing_of(EXAMPLES / "belt_drive.yaml") if isinstance(part, LetterRuns)]
+    names = ["".join(run.text for run in word.runs) for word in words if word.role == "coordinate"]
+    assert sorted(names) == ["φ", "χ", "ψ"]

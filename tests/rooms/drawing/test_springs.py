@@ -159,3 +159,28 @@ def test_a_spring_that_is_said_to_stretch_as_a_body_moves_stands_on_a_wall_behin
                      and part.role == "spring")
         wall = max((part for part in drawn if isinstance(part, Hatch)), key=lambda part: -part.points[0][1])
         assert wall.points[0][1] == pytest.approx(coils[0][1]) and coils[-1][1] > coils[0][1] + 20.0
+
+
+def test_a_spring_that_would_lie_along_a_lever_stands_beside_it():
+    drawn = draw(problem("""
+        parameters: {L: 30 mm, a: 10 mm, k: 800 N/m, kt: 0.15 N*m}
+        points: {tip: {body: lever, at: [0, L]}}
+        bodies: {lever: {at: [0, L/2], pin: {at: [0, 0], by: phi}}}
+        springs: {s: {k: k, between: [[0, -a], tip]}, t: {torsion: kt, between: [ground, lever]}}
+    """))
+    lever, = [part.points for part in drawn if isinstance(part, Polyline) and part.width == 2.4]
+    coils = max((part.points for part in drawn if part.role == "spring"), key=lambda points: plane.distance(
+        points[0], points[-1]))
+    assert plane.distance(*lever) == pytest.approx(0.75 * plane.distance(coils[0], coils[-1]))
+    assert min(x for x, _ in coils) > lever[0][0] + 10.0 and touching(drawn) == []
+
+
+def test_the_line_of_a_radius_begins_beside_a_spiral():
+    drawn = draw(problem("""
+        parameters: {R: 1 m, m: 3 kg, kt: 20 N*m}
+        bodies: {d: {shape: disc, radius: R, mass: m, at: [0, 0], pin: {by: phi}}}
+        springs: {s: {torsion: kt, between: [ground, d]}}
+    """))
+    spiral = [part.points for part in drawn if isinstance(part, Polyline) and part.role == "spring"]
+    radius, = [part.points for part in drawn if isinstance(part, Polyline) and part.role == "measure"]
+    assert spiral and not any(cross(line, radius) for line in spiral)

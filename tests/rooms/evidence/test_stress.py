@@ -140,6 +140,14 @@ def test_digits_that_the_data_support():
     assert x.digits < omega.digits
 
 
+def test_rounding_takes_no_digits():
+    """ω√(m/k) = 1, whatever m and k are."""
+    scene = {"parameters": {"m": "2.17 kg", "k": "811 N/m"}, "bodies": {"b": {"mass": "m", "slide": "x"}},
+             "springs": {"s": {"k": "k", "between": ["ground", "b"]}},
+             "answers": {"omega[1]*sqrt(m/k)": "1", "omega[1]^2 - k/m": "0 rad^2/s^2"}}
+    assert [one.digits for one in supported.supported(*scene_read_again(scene))] == [None, None]
+
+
 def test_figures_that_stand_in_elements_are_moved_too():
     """ω = √(k/m) of m = 4.00 kg: half of 0.005/4; what is drawn takes nothing; those of answers are no data."""
     scene = {"bodies": {"b": {"mass": "4.00 kg", "slide": {"by": "x"}, "at": ["0.125 m", "0 m"]}},

@@ -129,3 +129,24 @@ shafts:
 """
     with mpmath.workdps(60):
         assert near(found(text, 2), [(mpmath.pi / 4) ** 2 * 3 / 5, mpmath.mpf(2) / 5])
+
+
+def test_damped_modes_of_a_bar_with_a_damper_at_its_end():
+    """tanh λL/a = −√(EA μ)/c, and a frequency response at the frequency without it, at which it is √(EA μ)/c real."""
+    one = problem_of(text_source(PUSHED % (", right: {c: 4 N*s/m}", AT_END)))
+    quantities = [checked_quantity(one.spec, expression(text, "--of")) for text in (
+        "eigenvalue[1]", "frf[b.u(2 m), F](omega[1])")]
+    modes, response = subjects(one, quantities)
+    with mpmath.workdps(60):
+        Z, rate = mpmath.sqrt(35), mpmath.sqrt(mpmath.mpf(7) / 5) / 2
+        exact = [rate * mpmath.mpc(mpmath.log((Z - 4) / (Z + 4)) / 2, mpmath.pi * (n + mpmath.mpf(1) / 2))
+                 for n in range(3)]
+        assert near(modes.true.values, exact)
+        assert near(response.true.values, [1 / mpmath.mpc(0, 4 * mpmath.pi / 2 * rate)])
+    for subject in (modes, response):
+        ours = subject.ours()
+        assert subject.error(ours.values, subject.true) <= ours.bound < 1e-11
+        assert subject.error([x * (1 + 1e-10) for x in ours.values], subject.true) > ours.bound
+    errors = [subject.error(run.run(Deadline(60)).values, subject.true)
+              for subject in (modes,) for run in list(finite_elements.attempts(subject))[2:5]]
+    assert errors[0] > 10 * errors[2]

@@ -204,6 +204,11 @@ def test_wrong_files_are_explained(text, beside, capsys):
     assert code == 3 and place in said and message in said and "Traceback" not in said
 
 
+def test_line_ends_are_not_shown(beside, capsys):
+    _, said = complaints(beside(text="0,0\r\n0.1,abc\r\n0.2,0\r\n"), capsys)
+    assert "  0.1,abc\n" in said
+
+
 KEYS = {
     "{file: b.csv}": "did you mean 'a.csv'?", "{file: ../a.csv}": "beside the scene", "{file: /etc/passwd}":
     "beside the scene", "{file: 'C:\\a.csv'}": "beside the scene", "{file: sub/../../a.csv}": "beside the scene",

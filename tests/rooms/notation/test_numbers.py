@@ -3,7 +3,9 @@
 from fractions import Fraction
 from math import isclose
 
-from vibcli.notation.numbers import figure, plainly, rounded_up, supported, with_minus
+import pytest
+
+from vibcli.notation.numbers import figure, plainly, rounded_up, supported, with_bound, with_minus
 from vibcli.notation.plain import plain
 from vibcli.symbolic.contents import without_contents
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -65,3 +67,11 @@ def test_contents_are_taken_out_of_sums():
     for one in (node, root, x, table.call("sin", x * 2 + y * 2) * (x * 2 + y * 2)):
         values = {"x": 0.7, "y": 1.3, "z": 2.1}
         assert isclose(*evaluate([one, without_contents(one)], Floats, values), rel_tol=1e-14)
+
+
+@pytest.mark.parametrize(("value", "error", "text"), [
+    (17.12123888, 2.04e-3, "17.121 ± 0.003"), (-0.0123456, 3e-9, "-0.0123456 ± 3e-9"), (20.0, 0.01, "20 ± 0.01"),
+    (1.23456e-7, 1e-8, "1.2e-7 ± 2e-8"), (9.996, 0.02, "10 ± 0.03"), (3.0, 2.0, "0 ± 5")])
+def test_a_number_and_how_far_it_may_be_off(value, error, text):
+    """What is written and its bound hold all that the value and its own bound do: 17.1 ± 0.003 did not."""
+    assert with_bound(value, error) == text

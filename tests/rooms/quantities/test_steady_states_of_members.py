@@ -89,6 +89,10 @@ def test_what_a_constant_force_drives_off_is_bent_as_it_is_drawn_along(load, dam
         with pytest.raises(PhysicsError, match="nothing holds"):
             number(scene, f"mean({seen})")
     if damper:
+        square = number(scene, "rms(a.u(L) - b.u(0 m))")**2
+        assert number(scene, "mean((a.u(L) - b.u(0 m))^2)") == pytest.approx(square, rel=1e-11)
+        with pytest.raises(PhysicsError, match="does not cancel"):
+            number(scene, "mean(x*a.u(L))")
         assert number(scene, "max(steady(s.force))") > 1
         assert number(scene, "rms(s.force)") == pytest.approx(2000 * number(scene, "rms(a.u(L) - b.u(0 m))"), rel=1e-10)
 

@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 from support.scenes import kept_problem_of, problem
 
-from vibcli.inverse.letters import expression_in_letters
 from vibcli.notation.plain import plain
+from vibcli.quantities.letters import expression_in_letters
 from vibcli.report.formats.formula import formula
 from vibcli.report.steps.worked import worked
 

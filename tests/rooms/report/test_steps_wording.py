@@ -41,6 +41,11 @@ def of(name, case=None):
         "sledge.reaction.y = m·g·cos² α"]),
     ("drum_on_a_slope_with_a_cord", None, ["∂V/∂s = (4·k₁ + k₂)·s"]),
     ("gear_pair_and_rack", None, ["ω_two = −r₁·φ̇/r₂, T_two = J₂·ω_two²/2 = J₂·r₁²·φ̇²/(2·r₂²)"]),
+    ("platform_on_rods_dies_down", None, [
+        "left turns about the fixed O₁, C at (L·sin φ/2 − 0.5 m, L − L·cos φ/2): J_O₁ = J_C + m·O₁C² = m·L²/12 + "
+        "m·L²/4 = m·L²/3 = 5.07 kg·m²"]),
+    ("crate_drawn_until_it_sticks", None, ["by the balance along it rope.force = M·g − M·ẍ"]),
+    ("two_parcels_on_belt", None, ["speed across film1: u̇_film1 = ẋ₁ − v₀"]),
     ("press_with_two_blows", None, ["at rest ∂V/∂y = 2·N_left·b₁ + m·g = 0"]),
     ("pointer_lags_behind_a_ramp", None, ["(under-damped, δ′ < ω)"]),
     ("pointer_lags_behind_a_ramp", "largest damping", ["c·w/k = δ"]),
@@ -76,7 +81,8 @@ def test_lines_of_problems(name, case, wanted):
 
 @pytest.mark.parametrize(("name", "noted"), [("shelter_under_a_blast", True), ("garland_of_power_springs", True),
                                              ("scale_pan_on_a_hardening_spring", True), ("gear_pair_and_rack", False),
-                                             ("quarter_car_damped", False), ("lever_on_shaking_floor", False)])
+                                             ("quarter_car_damped", False), ("lever_on_shaking_floor", False),
+                                             ("disc_on_sprung_platform", False), ("platform_on_rods_dies_down", False)])
 def test_it_is_noted_where_numbers_without_their_units_stand_beside_letters(name, noted):
     found, = Path("problems").glob(f"*/{name}.yaml")
     (section,) = steps(kept_problem_of(found), None)

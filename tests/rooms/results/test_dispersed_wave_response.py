@@ -1,14 +1,17 @@
 """Bars with drag or on a foundation in time: against their modes under a smooth window, as between fronts the sums of
 these converge faster than any power of their number."""
 
+import mpmath
 import numpy as np
 import pytest
 from support.scenes import problem
 
 from vibcli.language.signals_of_places import with_places
+from vibcli.quantities.expression import measure
 from vibcli.results.dispersed_wave_response import DispersedWaveResponse
 from vibcli.results.modal_response import ModalResponse
 from vibcli.results.modal_signals import ModalSignal
+from vibcli.results.wave_signals import DispersedSignal
 from vibcli.symbolic.parser import parse
 
 BAR = """
@@ -100,12 +103,71 @@ def test_a_stepped_bar_moves_as_its_modes_do(moved, rest):
 
 def test_what_is_not_followed_goes_by_modes(monkeypatch):
     monkeypatch.setattr(ModalResponse, "limit", 0)
-    moving = problem(BAR.replace("F: 1 N", "V: 1 m/s").replace("REST", "drag: 0.2 N*s/m^2") + "initial: {rod.u': V}\n")
     ramp = problem(BAR.replace("REST", "drag: 0.2 N*s/m^2") + STEP.replace("step(t)", "sin(t/(1 s))"))
     bent = problem(BAR.replace("REST", "foundation: 2 N/m^2") + STEP.replace("*step(t)", "")
                    + "initial: {released: pull}\n")
     assert isinstance(signal(bent, "rod.u(L/2)").read_at(0.3), ModalSignal)
-    assert isinstance(signal(moving, "rod.u(L)").read_at(0.3), ModalSignal)
     assert isinstance(ramp.response._waves, DispersedWaveResponse)
-    assert isinstance(signal(ramp, "rod.u'(L)").read_at(0.3), ModalSignal)
+    assert isinstance(signal(ramp, "rod.u''(L)").read_at(0.3), ModalSignal)
     assert isinstance(signal(ramp, "rod.u(L)").read_at(1e6), ModalSignal)
+
+
+def fading(t, late, c, k):
+    """e^{−pT} of p² = s² + cs + k behind its front, over p, and the rate of that, in time (Doetsch 1974), T = late."""
+    delta, square = mpmath.mpf(c) / 2, mpmath.mpf(c)**2 / 4 - k
+    if t <= late:
+        return mpmath.zeros(1, 3)
+    z, faded = mpmath.sqrt(square * (t * t - late * late)), mpmath.exp(-delta * t)
+    bent = square * (mpmath.besseli(1, z) / z if z else 0.5)
+    found = faded * mpmath.besseli(0, z)
+    return mpmath.matrix([[(faded * late * bent).real, found.real, (faded * t * bent - delta * found).real]])
+
+
+def after_blow(x, t, c, k):
+    """(EA u′, u, u̇) at x after a unit blow at the tip, both ways of all waves."""
+    signs = mpmath.diag([1, -1, -1])
+    return sum(((-1)**n * (fading(t, 2 * n + 1 - x, c, k) + fading(t, 2 * n + 1 + x, c, k) * signs)
+                for n in range(int(t) + 1)), mpmath.zeros(1, 3))
+
+
+def started(t, c, k):
+    """(u, u̇) at the tip after a start with a velocity of 1 everywhere, (1 − 1/cosh p)/p²."""
+    found = []
+    for rate in range(2):
+        parts = [(2 if late else 1) * (-1)**((late + 1) // 2) * (
+            mpmath.quad(lambda T: fading(t, T, c, k)[1 + rate], [late, t]) + rate * mpmath.exp(-c * t / 2))  # noqa: B023
+            for late in [0, *range(1, int(t) + 1, 2)]]
+        found.append(sum(parts))
+    return found
+
+
+def compared(scene, text, t, value):
+    found = signal(scene, text).read_at(t)
+    assert isinstance(found, DispersedSignal)
+    assert abs(found.values(np.array([t]))[0] - float(value)) <= found.error(t) + 1e-15 <= 1e-10
+
+
+@pytest.mark.parametrize(("c", "k"), [(2.0, 1.0), (0.4, 5.0)])
+def test_rates_blows_and_starts_with_a_velocity(c, k):
+    bar, t = BAR.replace("REST", f"drag: {c} N*s/m^2, foundation: {k} N/m^2"), mpmath.mpf("1.7")
+    force, place, rate = after_blow(mpmath.mpf("0.3"), t, c, k)
+    step = problem(bar + STEP)
+    compared(step, "rod.u'(0.3*L)", 1.7, place)
+    compared(step, "rod.u'(L)", 1.7, after_blow(1, t, c, k)[1])
+    blow = problem(bar + STEP.replace("step(t)", "impulse(t/(1 s))"))
+    compared(blow, "rod.u(0.3*L)", 1.7, place)
+    compared(blow, "rod.force(0.3*L)", 1.7, force)
+    compared(blow, "rod.u'(0.3*L)", 1.7, rate)
+    moving = problem(bar.replace("F: 1 N", "V: 1 m/s") + "initial: {rod.u': V}\n")
+    place, rate = started(t, c, k)
+    compared(moving, "rod.u(L)", 1.7, place)
+    compared(moving, "rod.u'(L)", 1.7, rate)
+
+
+def test_extremes_are_read_of_waves_where_modes_leave_them_open():
+    scene = problem(BAR.replace("REST", "drag: 0.2 N*s/m^2") + STEP + "find: [{response: {until: 5 s}}]\n")
+    top, error = measure(scene, with_places(parse("max(rod.u(L))"), scene.spec.members))
+    expected = mpmath.quad(lambda t: after_blow(1, t, 0.2, 0.0)[1], [0, 2])
+    assert abs(top - float(expected)) <= error * top <= 1e-12
+    at, error = measure(scene, with_places(parse("argmax(rod.u(L))"), scene.spec.members))
+    assert abs(at - 2) <= error * at <= 1e-11

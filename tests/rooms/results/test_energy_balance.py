@@ -56,6 +56,12 @@ def test_what_was_not_followed_is_not_followed_for_it():
     assert "energy balance" not in certificate(one) and not one.response.alone.is_followed
 
 
+def test_what_was_not_found_is_not_found_for_it():
+    one = problem(SCENE % (LOADS[0], "3 s"))
+    assert not one.response.is_followed and "response" in one.timings
+    assert "energy balance" not in certificate(one) and "alone" not in vars(one.response)
+
+
 def test_of_integrated_motions_it_is_that_of_their_trajectory():
     one = problem("parameters: {m: 2 kg, k: 100 N/m}\nbodies: {b: {mass: m, slide: x}}\n"
                   "springs: {s: {law: 'k*d + (10 N/m^3)*d^3', between: [ground, b]}}\nmotion: full\n"

@@ -11,8 +11,8 @@ from support.scenes import problem, value
 from support.signals import signal_of
 
 from vibcli.quantities.expression import measure
+from vibcli.report.sections.motion_data import response_data
 from vibcli.report.sections.requested_signals import RequestedSignal, symbol
-from vibcli.report.sections.response import response_data
 from vibcli.report.sections.steady_state import steady_rows
 from vibcli.report.wanted import Wanted
 from vibcli.results import precise_instants, precise_work

@@ -8,7 +8,8 @@ so that, r(τ) being the answer to a unit step without both, which waves bring,
     y(t) = ∫ W(t, τ) dr(τ),   W = e^{−δτ} f(t − τ) + ∫ from τ to t of e^{−δT} σ²τ B(σ²(T² − τ²)) f(t − T) dT,
 
 σ² = δ² − κ, B(z²) = I₁(z)/z (the telegraph equation's; Doetsch, Laplace transforms, 1974). r leaps at fronts and is a
-series between them. What starts displaced and at rest answers so too, to F = (s + 2δ)/p² instead of a load.
+series between them. What starts displaced and at rest answers so too, to F = (s + 2δ)/p² instead of a load. Rates are
+what f′ does, and the jumps of f as blows; these, and what starts with a velocity, are in dispersed_blows.py.
 
 By Gauss's rule on panels of h ≤ 2/(δ + |σ| + |s|), σ²t h ≤ 16: as all but r′ is entire, and grows by less than e²² in
 4h about a panel, 32 places leave less than 8⁻³⁹ e²² ~ 1e-25 of it beside polynomials r′ of degree 25 (Cauchy).
@@ -18,10 +19,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from vibcli.analyses.continuous.dispersed_blows import Dispersal, Told
 from vibcli.analyses.continuous.modal_reads import key_of
 from vibcli.analyses.continuous.travelling_waves_curves import SAME
 from vibcli.analyses.continuous.travelling_waves_station import EPSILON, NotByWaves
 from vibcli.analyses.excitation.linear_output import LinearOutput
+from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -38,10 +41,41 @@ SMALL = 1e-200      # z² of a front
 AT, WEIGHTS = np.polynomial.legendre.leggauss(PLACES)
 
 
-class DispersedMotion:
-    """waves: each the WaveMotion under a unit step, or of a start, and the channel of its loads that is f."""
+class WaveSource(NamedTuple):
+    """What a unit step on a channel brings without dispersion; velocity: what starts with one, and no load."""
 
-    def __init__(self, waves: "Sequence[tuple[WaveMotion, int]]", delta: float, square: float, work: "Work"):
+    motion: "WaveMotion"
+    channel: int
+    velocity: bool = False
+
+    def starts(self, t: float) -> list:
+        """The segments of what moves it up to an instant."""
+        return self.motion.forcing.segments(t * (1 + SAME) + 1e-300, self.motion.work)
+
+    def load(self, times: np.ndarray, order: int, before: bool) -> np.ndarray:
+        """f, or a rate of it."""
+        return self.motion.values(LinearOutput(channels={self.channel: 1.0}), times, order, before)
+
+    def blows(self, t: float, order: int) -> list[tuple[float, float, int]]:
+        """[(instant, size, which rate of what a blow brings)] of a rate of what it brings, up to t."""
+        if self.velocity:
+            return [(0.0, 1.0, order)]
+        found, starts = [], self.starts(t)
+        for segment in starts:
+            found += [(segment.start, float(size), order) for one, size in segment.impulses if one == self.channel]
+        if order:
+            at = np.array([segment.start for segment in starts])
+            after, earlier = self.load(at, 0, False), self.load(at, 0, True) * (at > 0)
+            found += [(start, leap, 0) for start, leap, size in zip(
+                at.tolist(), (after - earlier).tolist(), (abs(after) + abs(earlier)).tolist(), strict=True)
+                if abs(leap) > ROUNDED * EPSILON * size]
+        return found
+
+
+class DispersedMotion:
+    """waves: the WaveSources of all loads, and of a start."""
+
+    def __init__(self, waves: "Sequence[WaveSource]", delta: float, square: float, work: "Work"):
         self.waves, self.delta, self.square, self.work = waves, delta, square, work
         self._known: dict[tuple, tuple[float, float]] = {}
         self._reached = -1.0
@@ -64,67 +98,101 @@ class DispersedMotion:
 
     def _panels_of(self, until):
         """(WaveMotion, how many panels there are) of each load."""
-        for motion, channel in self.waves:
-            starts, pace = self._load(motion, channel, until)
-            yield motion, 1 + len(starts) + until * self._panels(pace, until)
+        for source in self.waves:
+            starts, pace = self._load(source, until)
+            yield source.motion, 1 + len(starts) + until * self._panels(pace, until)
 
     def values(self, output: LinearOutput, times: np.ndarray, order: int = 0, before: bool = False) -> np.ndarray:
-        """The output at instants, of order 0 alone; at a front that after it, or before it."""
+        """The output, or its rate, at instants; at a front that after it, or before it."""
         times = np.asarray(times, float)
         self.reach(times.max(initial=0.0))
-        found = [self._at(output, t, before and t > 0)[0] for t in times.ravel().tolist()]
+        found = [self._at(output, t, before and t > 0, order)[0] for t in times.ravel().tolist()]
         return np.reshape(found, times.shape)
 
     def errors(self, output: LinearOutput, times: np.ndarray) -> np.ndarray:
         """Bounds of the errors of the same values, of rounding alone."""
-        return np.array([self._at(output, float(t), False)[1] for t in times])
+        return np.array([self._at(output, float(t), False, 0)[1] for t in times])
 
     def breaks(self, output: LinearOutput, until: float) -> np.ndarray:
         """The instants between which the output is smooth, ascending."""
         found = [np.zeros(1)]
-        for motion, channel in self.waves:
-            found.append(np.add.outer(motion.breaks(output, until), self._load(motion, channel, until)[0]).ravel())
+        for source in self.waves:
+            starts = self._load(source, until)[0]
+            found += [np.add.outer(source.motion.breaks(part, until), starts).ravel() for _, part in by_rates(output)]
         instants = np.unique(np.concatenate(found))
         return instants[(instants >= 0) & (instants <= until)]
 
     def require_bounded(self, output: LinearOutput, until: float, at: np.ndarray | None = None) -> None:
         """PhysicsError where the output is infinite."""
-        for motion, _ in self.waves:
-            motion.require_bounded(output, until)
+        for source in self.waves:
+            for rates, part in by_rates(output):
+                source.motion.require_bounded(part, until)
+                for start, _, order in source.blows(until, rates):
+                    source.motion.require_bounded(_faster(part, order + (not source.velocity)), until - start,
+                                                  None if at is None else at - start)
 
-    def _at(self, output, t, before):
+    def _at(self, output, t, before, order):
         """(value, bound of its error)."""
-        key = key_of(output), t, before
+        key = key_of(output), t, before, order
         if key not in self._known:
-            parts = [self._of(motion, channel, output, t, before) for motion, channel in self.waves]
+            parts = [self._of(source, part, t, before, rates + order)
+                     for source in self.waves for rates, part in by_rates(output)]
             value, error = (sum(part) for part in zip((0.0, 0.0), *parts, strict=True))
-            self._known[key] = output.constant + value, error + EPSILON * abs(output.constant)
+            constant = 0.0 if order else output.constant
+            self._known[key] = constant + value, error + EPSILON * abs(constant)
         return self._known[key]
 
-    def _load(self, motion, channel, t):
+    def _load(self, source, t):
         """(where it jumps or bends, its fastest rate)."""
-        segments = motion.forcing.segments(t * (1 + SAME) + 1e-300, motion.work)
-        if any(one == channel for segment in segments for one, _ in segment.impulses):
-            raise NotByWaves("a blow on a member that disperses its waves is not followed by these")
-        own = [(segment.start, [abs(wave.exponent) for wave in segment.waves if wave.channel == channel])
-               for segment in segments]
-        starts = np.array([start for start, _ in own])
-        return starts, max((rate for _, rates in own for rate in rates), default=0.0) + self.delta + abs(
-            self.square) ** 0.5
+        pace = self.delta + abs(self.square) ** 0.5
+        if source.velocity:
+            return np.zeros(1), pace
+        own = source.starts(t)
+        rates = [abs(wave.exponent) for segment in own for wave in segment.waves if wave.channel == source.channel]
+        return np.array([segment.start for segment in own]), max(rates, default=0.0) + pace
 
     def _panels(self, pace, t):
         """1/h."""
         return max(pace / PACE, abs(self.square) * t / WIDE)
 
-    def _of(self, motion, channel, output, t, before):
-        """(value, bound of its error) of what one load does."""
-        output, (starts, pace) = output._replace(constant=0.0), self._load(motion, channel, t)
+    def _of(self, source, output, t, before, order):
+        """(value, bound of its error) of what one load does, or its rate."""
+        if order > 1:
+            raise NotByWaves("accelerations of what disperses its waves are not followed by these")
+        found = np.zeros(2) if source.velocity else np.array(self._after_load(source, output, t, before, order))
+        for start, size, faster in source.blows(t, order):
+            later = max(t - start, 0.0)
+            if later > SAME * t or not before:
+                told = self._told(source, output, later, before)
+                found += np.array([size, abs(size)]) * Dispersal(self.delta, self.square).after_blow(
+                    source.motion, int(not source.velocity), output, told, later, before, faster)
+        return found
+
+    def _told(self, source, output, t, before):
+        """What h is up to t: at places of panels, and where it is infinite."""
+        motion, base = source.motion, int(not source.velocity)
+        fronts = motion.breaks(output, t * (1 + SAME))
+        fronts = np.minimum(fronts[(fronts >= 0) & (fronts < t * (1 - SAME) if before else True)], t)
+        first, last = _apart(fronts, 4 * SAME * t)
+        edges = np.union1d(fronts, np.linspace(0.0, t, 2 + int(t * self._panels(self.delta + abs(
+            self.square) ** 0.5, t))))
+        places, weights = (part.ravel() for part in _panels(edges[:-1], edges[1:]))
+        h = weights * motion.values(output, places, base)
+        told = [Told(places, h, np.abs(h), weights * motion.errors(output, places, base))]
+        if base:
+            leaps = motion.values(output, last) - np.where(first, motion.values(output, first, before=True), 0.0)
+            told.append(Told(last, leaps, np.abs(leaps), 2 * motion.errors(output, last)))
+        return told
+
+    def _after_load(self, source, output, t, before, order):
+        """(value, bound of its error) of what a load, or its rate, does between its jumps."""
+        output, motion, (starts, pace) = output._replace(constant=0.0), source.motion, self._load(source, t)
         fronts = motion.breaks(output, t * (1 + SAME))
         fronts = np.minimum(fronts[(fronts >= 0) & (fronts < t * (1 - SAME) if before else True)], t)
         first, last = _apart(fronts, 4 * SAME * t)
         answer = TelegraphWaves(self, np.union1d(np.maximum(t - starts, 0.0), np.linspace(
-            0.0, t, 2 + int(t * self._panels(pace, t)))), lambda times: motion.values(
-            LinearOutput(channels={channel: 1.0}), _snapped(times, starts, SAME * t), 0, before))
+            0.0, t, 2 + int(t * self._panels(pace, t)))), lambda times: source.load(
+            _snapped(times, starts, SAME * t), order, before))
         edges = np.union1d(answer.edges, fronts)
         places, weights = (part.ravel() for part in _panels(edges[:-1], edges[1:]))
         rates, leaps = motion.values(output, places, 1), motion.values(output, last)
@@ -135,6 +203,25 @@ class DispersedMotion:
         late = abs(self.square) * answer.largest * (weights * np.abs(rates) @ places + np.abs(leaps) @ last)
         rounded = EPSILON * ((ROUNDED + 4 * t * pace) * size + 4 * t * late)
         return weights * rates @ W + leaps @ W_at, lost + rounded
+
+
+def by_rates(output: LinearOutput) -> list[tuple[int, LinearOutput]]:
+    """[(rates, output of places alone)] that an output is the sum of those rates of."""
+    parts = [output.q, output.v, output.a]
+    found = []
+    for rates, own in enumerate(parts):
+        places = {place._replace(rates=0): factor for place, factor in output.places.items() if place.rates == rates}
+        if own or places:
+            found.append((rates, LinearOutput(q=own, places=places)))
+    return found
+
+
+def _faster(output, rates):
+    """So high a rate of an output of places."""
+    parts: list[dict] = [{}, {}, {}]
+    parts[rates] = output.q
+    places = {place._replace(rates=rates): x for place, x in output.places.items()}
+    return LinearOutput(0.0, parts[0], parts[1], parts[2], places=places)
 
 
 class TelegraphWaves:

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from vibcli.analyses.continuous.uncounted_damping import CREEPING, Damping, damping_of
 from vibcli.analyses.continuous.uncounted_modes import POWERS, size_of
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
@@ -28,11 +29,9 @@ HIGHEST = 6         # power of 1/ω that is told apart
 LARGEST = 0.6       # x (2ζ + x) of a load whose series is taken
 SMALL = 1e-18       # of the first term: where the series ends
 ROUNDING = 1e-12    # of a load: what is no bend
-FADING = 0.9        # ratio up to which E falls by √((1 + ζ)/(1 − ζ)) e^{−ζωt} at least
-CREEPING = 1.25     # ratio from which on it creeps
 ALMOST = 1e-6       # imaginary part of a root that may be real
 GAINED = 0.25, 0.5, 1.0, 2.0    # powers of 1/ω that even damping brings
-SLOWER = 2.0        # times e^{−rt/2} it falls at least, whatever ζ, r being the slower rate
+TENSION, PACE, FIELD, SERIES, FALL = "tension", "pace", "field", "series", "fall"       # why nothing bounds it
 
 
 class Start(NamedTuple):
@@ -41,54 +40,6 @@ class Start(NamedTuple):
 
     held: np.ndarray
     spread: np.ndarray
-
-
-class Damping(NamedTuple):
-    """Of modes that are not counted: 2ζ, no ω smaller than `highest`, E ≤ `grown` e^{−`fading` t} of its start;
-    `creeping`: ζ grows with ω, and 2ζ/ω is at most that instead, inf where it has no bound; `even`: ζ, where all
-    have the same."""
-
-    double: float
-    highest: float
-    grown: float
-    fading: float
-    creeping: float | None = None
-    even: float = 0.0
-
-    def terms(self, count: int) -> np.ndarray:
-        """Of |Δf⁽ᵐ⁾| ωᴺᵐ, or where they creep of |Δf⁽ᵐ⁾|, in E ω²/|b|."""
-        if self.creeping == inf:
-            return np.ones(count)
-        step = self.double if self.creeping is None else self.creeping
-        back = 1.0 if self.creeping is None else 1 / self.highest
-        u = [1.0, step]
-        while len(u) < count:
-            u.append(step * u[-1] + back**2 * u[-2])
-        return np.array([u[m] + (back * u[m - 1] if m else 0.0) for m in range(count)])
-
-    def reach(self, s: float) -> float:
-        """x (2ζ + x)."""
-        x = s / self.highest
-        return x * (x + (self.double if self.creeping is None else self.creeping * self.highest))
-
-
-def damping_of(squares: np.ndarray, rates: np.ndarray) -> Damping:
-    """Beyond modes with ω² = squares and 2ζω = rates."""
-    omega = np.sqrt(np.abs(squares))
-    highest, half = float(omega[-1]), len(omega) // 2
-    double = rates[half:] / omega[half:]
-    last = float(double[-1])
-    slowest = float(rates[half:].min()) / 2
-    if last > (1 + 1e-9) * float(double.min()):
-        creeping, zeta = last / highest, last / 2
-        if zeta > CREEPING:     # E coth θ/2, cosh θ = ζ, of a slower rate ω² over 2ζω at least
-            return Damping(0.0, highest, sqrt((zeta + 1) / (zeta - 1)), 1 / creeping, creeping)
-        return Damping(0.0, highest, SLOWER, min(slowest, 1 / creeping) / 2, creeping)
-    zeta = float(double.max()) / 2
-    if zeta < FADING:
-        even = zeta if 2 * zeta <= (1 + 1e-9) * float(double.min()) else 0.0
-        return Damping(2 * zeta, highest, sqrt((1 + zeta) / (1 - zeta)), slowest, even=even * (1 - 1e-9))
-    return Damping(2 * zeta, highest, SLOWER, min(slowest, highest / (2 * zeta)) / 2)
 
 
 class Disturbances:
@@ -104,8 +55,8 @@ class Disturbances:
         orders = (_rows_of_waves if creeping else _orders)(segments, self.damping)
         self._spread, self._sizes, self._loads = start.spread, {}, None
         if orders is not None:
-            self._loads = _ends_of_waves(segments, channels, orders, start.held, modes.highest) if creeping else _bends(
-                segments, channels, orders, start.held)
+            loads = _ends_of_waves if creeping else _bends
+            self._loads = loads(segments, channels, orders, start.held, modes.highest)
 
     def sizes(self, part: int) -> np.ndarray:
         """How far what begins with each segment sets one of the UncoupledParts in motion, (segments, powers of 1/ω,
@@ -133,9 +84,8 @@ class Disturbances:
         grown = np.where(beyond, inf, size_of(bends, sums))
         for m, term in enumerate(terms):
             h = min(2 + m, HIGHEST) if damping.creeping is None else 2 + (m == 1 and damping.creeping == inf)
-            rest = 0 if damping.creeping is not None else 2 + m - h
             if term:
-                sizes[:, h, at] += term * damping.highest**-rest * grown[:, m]
+                sizes[:, h, at] += term * damping.highest ** (h - 2 if damping.creeping is None else 0) * grown[:, m]
         sizes[:, 1, at] += np.where((struck[:, ~finite] != 0).any(axis=-1), inf, size_of(struck, sums))
 
     def bound(self, output: "LinearOutput", t: float, order: int = 0) -> float:
@@ -145,6 +95,17 @@ class Disturbances:
     def bounds(self, output: "LinearOutput", t: float, order: int = 0) -> bool:
         """Is that bound finite, as what places show tells that has no sum?"""
         return self._total(output, t, order, self.modes.reaches) < inf
+
+    def obstacle(self, output: "LinearOutput") -> str:
+        """Why it is not, where it is not: an end without TENSION is read; a load's PACE is too fast; the series after a
+        start in a FIELD, or after loads, does not converge absolutely; how amplitudes FALL tells too little."""
+        if any(x and self.modes.begins_of(place) == inf for place, x in output.places.items()):
+            return TENSION
+        if self._loads is None:
+            return PACE
+        if self.damping.creeping is not None:
+            return FALL
+        return FIELD if self._spread.any() else SERIES
 
     def _total(self, output, t, order, reach):
         return sum(self._of(part, own, t, order, reach) for part, own in self.modes.parts.split(output))
@@ -204,24 +165,32 @@ def _orders(segments, damping):
     return count
 
 
-def _bends(segments, channels, orders, held):
-    """Δf⁽ᵐ⁾ at the start of each segment, (segments, orders, channels), and impulses, (segments, channels)."""
-    bends, struck = np.zeros((len(segments), orders, channels)), np.zeros((len(segments), channels))
+def _bends(segments, channels, orders, held, highest):
+    """Δf⁽ᵐ⁾/ωᴺᵐ at the start of each segment, (segments, orders, channels), and impulses, (segments, channels)."""
+    bends = np.zeros((len(segments), orders, channels))
     size = np.zeros(bends.shape)
-    bends[0, :2], size[0, :2] = -held, np.abs(held)
+    bends[0, :2], size[0, :2] = -held / [[1.0], [highest]], np.abs(held) / [[1.0], [highest]]
     for number, segment in enumerate(segments):
-        for channel, impulse in segment.impulses:
-            if channel < channels:
-                struck[number, channel] += impulse
         for wave in segment.waves:
             if wave.channel >= channels:
                 continue
+            turned = wave._replace(coefficient=wave.coefficient / highest**wave.power, exponent=wave.exponent / highest)
             for side in range(min(2, len(segments) - number)):
                 tau = segments[number + 1].start - segment.start if side else 0.0
-                values, sizes = derivatives(wave, tau, orders)
+                values, sizes = derivatives(turned, highest * tau, orders)
                 bends[number + side, :, wave.channel] += -values if side else values
                 size[number + side, :, wave.channel] += sizes
-    return np.where(np.abs(bends) <= ROUNDING * size, 0.0, bends), struck
+    return np.where(np.abs(bends) <= ROUNDING * size, 0.0, bends), _struck(segments, channels)
+
+
+def _struck(segments, channels):
+    """Impulses at the start of each segment, (segments, channels)."""
+    found = np.zeros((len(segments), channels))
+    for number, segment in enumerate(segments):
+        for channel, impulse in segment.impulses:
+            if channel < channels:
+                found[number, channel] += impulse
+    return found
 
 
 def _creep(series, highest, segments):
@@ -252,7 +221,7 @@ def _rows_of_waves(segments, damping):
 def _ends_of_waves(segments, channels, count, held, highest):
     """What E ω²/|b| grows by where waves begin and end, (segments, count, channels), and impulses: of steady loads
     their jumps, of all else |F|/(1 − x)."""
-    found, struck = np.zeros((len(segments), count, channels)), _bends(segments, channels, 2, held)[1]
+    found = np.zeros((len(segments), count, channels))
     found[0, :2] = -held
     for number, segment in enumerate(segments):
         for k, wave in enumerate(segment.waves):
@@ -264,7 +233,7 @@ def _ends_of_waves(segments, channels, count, held, highest):
                     found[number + side, 0, wave.channel] += -F.real if side else F.real
                 else:
                     found[number + side, 2 + 4 * k + 2 * side:4 + 4 * k + 2 * side, wave.channel] += F.real, F.imag
-    return found, struck
+    return found, _struck(segments, channels)
 
 
 def left_to_creep() -> PhysicsError:

@@ -18,20 +18,9 @@ AT, WEIGHTS = (AT + 1) / 2, WEIGHTS / 2     # exact to degree 9
 
 def finite_elements(elements: "FactoredSystem", divisions: int) -> tuple[np.ndarray, np.ndarray]:
     """K and M of a system each of whose pieces is so many elements: (n + inner nodes) square; inner nodes come last."""
-    size, parts = elements.n, []
-    for placed in elements.pieces:
-        half = len(placed.rows) // 2
-        rows = with_slack_ends(placed, size)
-        size += len(slack_ends(placed))
-        nodes = [rows[:half]]
-        for _ in range(divisions - 1):
-            nodes.append(tuple({size + i: 1.0} for i in range(half)))
-            size += half
-        nodes.append(rows[half:])
-        length = placed.piece.length / divisions
-        for i in range(divisions):
-            tension = placed.piece.tension + placed.piece.gradient * i * length
-            parts.append((placed.piece._replace(length=length, tension=tension), (*nodes[i], *nodes[i + 1])))
+    size, nodes = element_nodes(elements, divisions)
+    parts = [(one, (*rows[i], *rows[i + 1])) for placed, rows in zip(elements.pieces, nodes, strict=True)
+             for i, one in enumerate(divided(placed.piece, divisions))]
     K, M = np.zeros((size, size)), np.zeros((size, size))
     discrete = elements.with_parts(pieces=()).arrays()
     M[:elements.n, :elements.n], K[:elements.n, :elements.n] = discrete[0], discrete[3]
@@ -43,6 +32,26 @@ def finite_elements(elements: "FactoredSystem", divisions: int) -> tuple[np.ndar
         K[at] += S.T @ k @ S
         M[at] += S.T @ m @ S
     return K, M
+
+
+def element_nodes(elements: "FactoredSystem", divisions: int) -> tuple[int, list[list[tuple]]]:
+    """(how many coordinates there are, [rows of each node of a piece, its ends among them] of each piece)."""
+    size, found = elements.n, []
+    for placed in elements.pieces:
+        half = len(placed.rows) // 2
+        rows = with_slack_ends(placed, size)
+        size += len(slack_ends(placed))
+        inner = [tuple({size + half * k + i: 1.0} for i in range(half)) for k in range(divisions - 1)]
+        size += half * len(inner)
+        found.append([rows[:half], *inner, rows[half:]])
+    return size, found
+
+
+def divided(piece: "Piece", divisions: int) -> "list[Piece]":
+    """Its elements."""
+    length = piece.length / divisions
+    return [piece._replace(length=length, tension=piece.tension + piece.gradient * i * length)
+            for i in range(divisions)]
 
 
 def slack_ends(placed: "PlacedPiece") -> list[int]:
@@ -75,7 +84,7 @@ def rows_as_array(rows: Any, size: int) -> np.ndarray:
 def element_matrices(piece: "Piece") -> tuple[np.ndarray, np.ndarray]:
     """K and M of one element, of (u₀, u_l), of beams (u₀, u₀′, u_l, u_l′)."""
     length = float(piece.length)
-    values = _cubic(length) if piece.order == 4 else _linear(length)
+    values = shapes(piece.order, length, AT)[:3]
     tension = float(piece.tension) + float(piece.gradient) * AT * length
     K = sum(_products(f, factor * WEIGHTS * length) for f, factor in zip(
         values[::-1], (float(piece.bending), tension, float(piece.foundation))[-len(values):], strict=True))
@@ -86,14 +95,11 @@ def _products(values, weights):
     return (values * weights) @ values.T
 
 
-def _linear(length):
-    """N and N′ at the points of the rule."""
-    return np.array([1 - AT, AT]), np.array([-np.ones(5), np.ones(5)]) / length
-
-
-def _cubic(length):
-    """N, N′ and N″ at the points of the rule."""
-    x = AT
+def shapes(order: int, length: float, x: np.ndarray) -> tuple[np.ndarray, ...]:
+    """N, N′, …, as far as they are not zero, at parts x of the length, for each of the coordinates of an element."""
+    if order == 2:
+        return np.array([1 - x, x]), np.array([0 * x - 1, 0 * x + 1]) / length
     return (np.array([1 - 3*x**2 + 2*x**3, length * (x - 2*x**2 + x**3), 3*x**2 - 2*x**3, length * (x**3 - x**2)]),
             np.array([(6*x**2 - 6*x) / length, 1 - 4*x + 3*x**2, (6*x - 6*x**2) / length, 3*x**2 - 2*x]),
-            np.array([(12*x - 6) / length, 6*x - 4, (6 - 12*x) / length, 6*x - 2]) / length)
+            np.array([(12*x - 6) / length, 6*x - 4, (6 - 12*x) / length, 6*x - 2]) / length,
+            np.array([0*x + 12 / length, 0*x + 6, 0*x - 12 / length, 0*x + 6]) / length**2)

@@ -1,6 +1,7 @@
 """The steady state of a scene with members as harmonics that are known outright: no coordinates, only channels."""
 
 from collections.abc import Sequence
+from math import perm
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,35 +16,41 @@ if TYPE_CHECKING:
 
 
 class Harmonic(NamedTuple):
-    """Re(X e^{iΩt}) of a channel, |δX| ≤ error; Ω = 0 of a constant, whose X is real."""
+    """Re(X tᵏ e^{iΩt}) of a channel, |δX| ≤ error; Ω = 0 of a constant, whose X is real, and k = 0 but of a drift."""
 
     channel: int
     Omega: float
     X: complex
     error: float
+    power: int = 0
 
 
 class KeptUpMotion(SteadyMotion):
     """Harmonics on so many channels, which outputs read."""
 
     def __init__(self, channels: int, harmonics: Sequence[Harmonic], work: "Work"):
-        waves = [Wave(one.channel, one.X, 0, 1j * one.Omega) for one in harmonics if one.X]
+        waves = [Wave(one.channel, one.X, one.power, 1j * one.Omega) for one in harmonics if one.X]
         forcing, none = Forcing(channels, [Segment(0.0, tuple(waves))]), np.zeros((0, 0))
         self.harmonics, self.lasting, self.period = list(harmonics), False, None
-        self.waves, self.powers = [], []
-        for Omega in sorted({one.Omega for one in harmonics}):
+        self.waves = []
+        for Omega in sorted({one.Omega for one in harmonics if one.Omega}):
             row = np.zeros(channels, complex)
             for one in harmonics:
                 row[one.channel] += one.X if one.Omega == Omega else 0.0
-            if Omega:
-                self.waves.append((1j * Omega, np.zeros(0), row))
-            else:
-                self.powers = [(np.zeros(0), row.real)]
+            self.waves.append((1j * Omega, np.zeros(0), row))
+        still = [one for one in harmonics if not one.Omega]
+        rows = np.zeros((max((one.power + 1 for one in still), default=0), 2, channels))
+        for one in still:
+            rows[one.power, :, one.channel] += one.X.real, one.error
+        self.powers, self.lost = [(np.zeros(0), row) for row in rows[:, 0]], rows[:, 1]
         LinearMotion.__init__(self, (none, none, none, None), [], forcing, np.zeros(0), np.zeros(0), work)
 
     @property
     def steady(self) -> "KeptUpMotion":
         return self
+
+    def _sees_drift(self, output):
+        return True
 
     def off(self, wave: tuple[complex, np.ndarray, np.ndarray]) -> np.ndarray:
         found = np.zeros(self.forcing.channels)
@@ -52,6 +59,7 @@ class KeptUpMotion(SteadyMotion):
         return found
 
     def errors(self, output: "LinearOutput", times: np.ndarray, order: int = 0) -> np.ndarray:
-        more: Any = sum(abs(output.channels.get(one.channel, 0.0)) * one.error * one.Omega**order
-                        for one in self.harmonics)
+        more: Any = sum(abs(output.channels.get(one.channel, 0.0)) * one.error * (
+            perm(one.power, order) * times**(one.power - order) if order <= one.power > 0 else one.Omega**order)
+            for one in self.harmonics)
         return super().errors(output, times, order) + more

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from vibcli.analyses.continuous.disturbances import FALL
 from vibcli.analyses.continuous.doubt import aged
 from vibcli.analyses.continuous.modal_reads import Read, key_of
 from vibcli.analyses.continuous.modal_states import FreeStretch, Stroke, followed, lost_by, moved, next_to, parts
@@ -177,6 +178,11 @@ class ModalMotion:
         self.stretches(float(t))
         quick = self._disturbances is not None and self._disturbances.bounds(output, t, order)
         return quick or self.bound(output, t, order) < inf
+
+    def obstacle(self, output: "LinearOutput", t: float) -> str:
+        """Why it is not, where it is not."""
+        self.stretches(float(t))
+        return FALL if self._disturbances is None else self._disturbances.obstacle(output)
 
     def left(self, output: "LinearOutput", start: float, t: float, modes: int) -> float:
         """What those counted beyond the first `modes` can add from an instant on, on the stretch from `start`."""

@@ -96,7 +96,7 @@ class RestOfTransfer:
         """That of a circle about s well inside all poles but the near ones; 0 where there is none."""
         highest, slowest = self.modes.left_out
         if not highest - abs(s) > highest / 4:
-            raise TooSlow(f"a load turns with {abs(s):.4g} rad/s, as fast as the modes that are counted")
+            raise _too_slow(s)
         far = self._apart(s)[~near]
         beyond = abs(s + slowest if s.real > -slowest else s.imag)
         return min(highest - abs(s), beyond, float(far.min(initial=np.inf))) / INSIDE
@@ -128,3 +128,11 @@ class RestOfTransfer:
                     one = LinearOutput(0.0, {}, {}, {}, {}, {place._replace(x=x): factor})
                     found = found + np.abs(self.transfer.at(one, s) * s**read.order)
         return found
+
+
+def _too_slow(s):
+    if complex(s).imag:
+        return TooSlow(f"a load turns with {abs(s):.4g} rad/s, as fast as the modes that are counted",
+                       "ask for steady(…), or let it turn more slowly")
+    return TooSlow(f"a load grows or dies out at {abs(s):.4g} 1/s, as fast as the modes that are counted",
+                   "let it do so more slowly, or take a step or a blow for it")

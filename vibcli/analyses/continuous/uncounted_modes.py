@@ -161,7 +161,7 @@ class UncountedModes:
                     first = self.basis.shapes.T @ row
                     found.append(PartRead(rate, max(self.begins[i] for i, x in part.items() if x),
                                           self._square(row, first), partial(self._of_row, row, first)))
-            found += [PartRead(place.rates, self._begins(place), self._at_end(place) * x**2,
+            found += [PartRead(place.rates, self.begins_of(place), self._at_end(place) * x**2,
                                partial(self._at_place, place, x)) for place, x in output.places.items() if x]
             self._reads[key] = found
         return self._reads[key]
@@ -175,7 +175,7 @@ class UncountedModes:
             return np.inf
         return float(left_of_squares(row @ self.inverse @ row, first @ first))
 
-    def _begins(self, place: "FieldPoint"):
+    def begins_of(self, place: "FieldPoint") -> float:
         """The power from which on sums of a place are finite; infinite beside an end without tension, where a unit
         load, by which they are known, has no finite motion."""
         one = self.pieces[place.piece].piece
@@ -187,7 +187,7 @@ class UncountedModes:
     def _at_end(self, place: "FieldPoint"):
         """Σ c² of u or of a slope at an end of a piece, inf within it, or where nothing there has mass."""
         one, length = self.pieces[place.piece], self.pieces[place.piece].piece.length
-        if self._begins(place) == np.inf:
+        if self.begins_of(place) == np.inf:
             return np.inf
         half = one.piece.order // 2
         if place.along >= half or INSIDE * length < place.x < (1 - INSIDE) * length:

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 TOLERANCE, ROUNDS, MOST, EVEN = 0.004, 12, 4000, 61
 CLOSEST, NARROW = 1e-5, 1e-13       # nearest place to where H is zero or unbounded, and to each other, relative to Ω
+ASIDE = 0.4                         # the part of a gap at which it is divided where its middle is a pole
 LEAST = 1e-14                       # of the largest value, where a curve ends
 
 
@@ -34,19 +35,29 @@ def adaptive(system: "FrequencyResponseFunction", low: float, high: float, log: 
         gaps: Any = np.flatnonzero(_bent(Omega, values, log)) if len(Omega) <= MOST else []
         if not len(gaps):
             break
-        middle = np.sqrt(Omega[gaps] * Omega[gaps + 1]) if log else (Omega[gaps] + Omega[gaps + 1]) / 2
-        middle = _clear(middle, endless)
+        middle = _clear(_between(Omega[gaps], Omega[gaps + 1], log, endless), endless)
         order = np.argsort(np.concatenate([Omega, middle]), kind="stable")
         Omega, values = (np.concatenate(pair)[order] for pair in ((Omega, middle),
                                                                    (values, sampled(system, middle)[0])))
     return Omega, values
 
 
+def _between(low, high, log, endless):
+    """The middles of gaps; beside the middle where that is a pole or a zero."""
+    middle = np.sqrt(low * high) if log else (low + high) / 2
+    aside = low ** (1 - ASIDE) * high ** ASIDE if log else low + ASIDE * (high - low)
+    return np.where(_is_clear(middle, endless), middle, aside)
+
+
 def _clear(Omega, endless):
     """Without what is as good as at a pole or a zero."""
+    return Omega[_is_clear(Omega, endless)]
+
+
+def _is_clear(Omega, endless):
     if not len(endless):
-        return Omega
-    return Omega[np.abs(Omega[:, None] - endless).min(axis=1) > CLOSEST * Omega]
+        return np.ones(len(Omega), bool)
+    return np.abs(Omega[:, None] - endless).min(axis=1) > CLOSEST * Omega
 
 
 def _bent(Omega, values, log):

@@ -2,7 +2,8 @@
 
 Between two points a distance h apart a function strays from the straight line by no more than B h²/8, B a bound of its
 second derivative there, which sums of exponentials give. Stretches that cannot hold more than what was found are left
-out, the others divided: all at once, and where they are very many those with the highest bounds first.
+out, the others divided: all at once, and where they are very many those with the highest bounds first, as long as what
+waits takes little memory: the shortest first beyond that.
 """
 
 from typing import TYPE_CHECKING, Any
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from vibcli.base.work import Task, Work
 
 FINE = 1e-6
+WAITING = 4_000_000     # stretches, 100 MB of them
 MANY, MOST_PARTS = 250, 64      # stretches that take little longer than one: so many are made of few, so many of each
 
 
@@ -90,7 +92,7 @@ class ExtremeSearch:
         cells = curve.first_cells()
         self.left = [(np.inf, 0, cells.divided(_parts(cells, 1)))]
         while self.left:
-            most, level, cells = max(self.left, key=lambda part: part[0])
+            most, level, cells = self._next()
             task.step(steps=curve.steps(cells))
             self.left = [part for part in self.left if part[2] is not cells]
             if most >= self.value - self.rounding - self.margin:
@@ -98,6 +100,11 @@ class ExtremeSearch:
         whole = curve.whole
         self._keep(curve, np.concatenate([whole.segment, whole.segment]), np.concatenate([whole.early, whole.late]),
                    True)
+
+    def _next(self):
+        """What is looked at next of that which is left."""
+        many = sum(len(cells) for *_, cells in self.left) > WAITING
+        return max(self.left, key=lambda part: (part[1], part[0]) if many else part[0])
 
     def _flat(self, times):
         """How wide the top about each instant is within which values are one but for rounding."""

@@ -127,6 +127,9 @@ def kept_up(motion: PreciseMotion, s: "mpmath.mpc", forces: Any) -> "list[mpmath
         return [mp.mpf(0)] * n
     dynamic = mp.matrix([[(real(M[i][j]) * s + real(C[i][j])) * s + real(K[i][j]) for j in range(n)] for i in range(n)])
     for rest in [] if s else _rests(motion):
+        pushed = [left * force for left, force in zip(rest.left, forces[:n], strict=True)]
+        if abs(mp.fsum(pushed)) > mp.sqrt(mp.eps) * mp.fsum(map(abs, pushed)):
+            raise PhysicsError("more digits of what a steady force drives off are not found", "leave --digits out")
         dynamic += mp.matrix(rest.left) * mp.matrix([rest.mean])
     return list(_solved(dynamic, [mp.mpmathify(x) for x in forces[:n]]))
 

@@ -10,6 +10,7 @@ import numpy as np
 from vibcli.analyses.modal.mode_numbers import beyond
 from vibcli.analyses.transient.decoupling import spectrum
 from vibcli.analyses.transient.extremes import extreme
+from vibcli.analyses.transient.following import not_held, sees_what_moves_freely
 from vibcli.analyses.transient.pieces import Pieces, followed
 from vibcli.analyses.transient.static_condensation import condensed
 from vibcli.base.errors import PhysicsError
@@ -165,8 +166,12 @@ class SteadyMotion(LinearMotion):
     """The steady state of a motion, continued back to t = 0.
 
     lasting: free vibrations or a drift that nothing damps remain beside it. period: of periodic forcing, or None; then
-    waves: [(s, Q, F)] of q = Re(Q e^{st}) under the forces Re(F e^{st}).
+    waves: [(s, Q, F)] of q = Re(Q e^{st}) under the forces Re(F e^{st}). powers: [(Qₖ, Fₖ)] of Σ Qₖ tᵏ beside these, of
+    periodic forcing where its mean drives off what nothing holds; lost: how far the first Fₖ may be off beside a
+    rounding.
     """
+
+    lost: Sequence[np.ndarray] | np.ndarray = ()
 
     def __init__(self, motion: LinearMotion, forcing: "Forcing"):
         from vibcli.analyses.transient import steady_state
@@ -179,9 +184,11 @@ class SteadyMotion(LinearMotion):
             q0, v0 = (sum((np.real(s**order * Q) for s, Q, _ in self.waves), np.zeros(len(motion.M)))
                       + sum(Q for Q, _ in self.powers[order:order + 1]) for order in range(2))
         else:
-            from vibcli.analyses.transient.repeating_motion import repeating
+            from vibcli.analyses.transient.repeating_motion import drive_off, repeating
 
-            q0, v0 = repeating(motion, forcing)
+            self.powers, self.lost = drive_off(motion, forcing)
+            self.repeated = repeating(motion, forcing, self.powers)
+            q0, v0 = (row + sum(Q for Q, _ in self.powers[order:order + 1]) for order, row in enumerate(self.repeated))
         super().__init__(motion.matrices, motion.blocks, forcing, q0, v0, motion.work, doubt=self._doubt(motion))
 
     def _doubt(self, motion):
@@ -211,18 +218,32 @@ class SteadyMotion(LinearMotion):
     def phasors(self, output: "LinearOutput") -> list[tuple[float, complex]]:
         """[(Ω, X)] with Re Σ X e^{iΩt} the output, Ω ascending; a constant has Ω = 0. Not of periodic forcing;
         PhysicsError of an output that grows."""
+        still = self._mean(output)
+        return [*([(0.0, complex(still))] if still else []), *self.oscillating(output)]
+
+    def _mean(self, output):
+        """What a polynomial is that does not grow; PhysicsError of one that does."""
         still, *growing = self.polynomial(output)
+        self.require_held(output)
         if any(growing):
             raise PhysicsError("this steady state grows without end", "ask for its value at a time")
-        return [*([(0.0, complex(still))] if still else []), *self.oscillating(output)]
+        return still
+
+    def require_held(self, output: "LinearOutput") -> None:
+        """Refuses an output that sees what loads drive off, which nothing holds."""
+        if any(self.polynomial(output)[1:]) and self._sees_drift(output):
+            raise not_held()
+
+    def _sees_drift(self, output):
+        """Does an output that grows see what nothing holds?"""
+        return sees_what_moves_freely(self.blocks, output)
 
     def oscillating(self, output: "LinearOutput") -> list[tuple[float, complex]]:
         """Those of them that oscillate, beside whatever grows."""
         return [(s.imag, complex(read(output, s, Q, F))) for s, Q, F in self.waves]
 
     def polynomial(self, output: "LinearOutput") -> list[float]:
-        """[cₖ] of the part Σ cₖ tᵏ of the output, from k = 1 on 0 of what its bound does not tell from rounding. Not of
-        periodic forcing."""
+        """[cₖ] of the part Σ cₖ tᵏ of the output, from k = 1 on 0 of what its bound does not tell from rounding."""
         from vibcli.analyses.transient.steady_errors import of_powers_in
 
         nothing, found = (np.zeros(len(self.M)), np.zeros(self.forcing.channels)), []
@@ -247,12 +268,13 @@ class SteadyMotion(LinearMotion):
 
     def mean(self, output: "LinearOutput") -> float:
         """The mean of the output."""
-        if self.period is None:
-            return dict(self.phasors(output)).get(0.0, 0j).real
+        if self.period is None or self.powers:
+            return self._mean(output)
         return self.harmonic(output, 0).real
 
     def rms(self, output: "LinearOutput") -> float:
         """The root of the mean square of the output."""
+        self.require_held(output)
         if self.period is None:
             return math.sqrt(sum(abs(X) ** 2 / (2 if rate else 1) for rate, X in self.phasors(output)))
         from vibcli.analyses.transient.steady_state import mean_square

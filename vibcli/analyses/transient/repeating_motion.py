@@ -2,7 +2,8 @@
 
 What returns after a period whatever it is, a rest where nothing holds, or a free vibration at a harmonic n that no load
 drives, is left open by that. It is taken such that it has no part in that harmonic, (1/T) ∫ c e^{−st} dt, s = 2πin/T;
-of a rest that is the mean.
+of a rest that is the mean. Where the mean of the loads drives off what nothing holds, the motion under this mean, which
+grows with the time, stands beside what the rest of them repeats.
 """
 
 import math
@@ -10,23 +11,38 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from vibcli.analyses.excitation.forcing import Forcing, Segment
+from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
 from vibcli.analyses.transient.exponential_differences import differences
+from vibcli.analyses.transient.following import UNFORCED, driven, moves_freely
 from vibcli.analyses.transient.modal_block import ModalBlock, paths
-from vibcli.analyses.transient.steady_state import RESONANT, UNFORCED, resonance
+from vibcli.analyses.transient.steady_errors import of_powers
+from vibcli.analyses.transient.steady_state import RESONANT, harmonic_forces, lost_forces, resonance
 
 if TYPE_CHECKING:
     from vibcli.analyses.transient.linear_response import LinearMotion, SteadyMotion
 
 
-def repeating(motion: "LinearMotion", forcing: Forcing) -> tuple[np.ndarray, np.ndarray]:
-    """(q, q̇) just before t = 0."""
-    once, period = _once(forcing), forcing.period
+def drive_off(motion: "LinearMotion", forcing: Forcing) -> tuple[list[tuple[np.ndarray, np.ndarray]], list[np.ndarray]]:
+    """([(Qₖ, Fₖ)] of Σ Qₖ tᵏ under the mean of the forces, [how far this may be off]); [] where it drives nothing
+    off."""
+    if moves_freely(motion.blocks):
+        powers = driven(motion, harmonic_forces(forcing, 0)[1][None])
+        if len(powers) > 1:
+            return powers, [lost_forces(forcing, 0)]
+    return [], []
+
+
+def repeating(motion: "LinearMotion", forcing: Forcing,
+              powers: list[tuple[np.ndarray, np.ndarray]]) -> tuple[np.ndarray, np.ndarray]:
+    """(q, q̇) just before t = 0, beside the powers under the mean of the forces."""
+    once, period = _once(forcing, powers), forcing.period
     rest = motion.like(once, *np.zeros((2, len(motion.M)))).pieces(math.inf)
+    sizes = rest if not powers else motion.like(_once(forcing, []), *np.zeros((2, len(motion.M)))).pieces(math.inf)
     found = []
-    for block, states in zip(motion.blocks, rest.states, strict=True):
+    for block, states, whole in zip(motion.blocks, rest.states, sizes.states, strict=True):
         c = _returning(block.B, period) @ states[-1]
-        if np.abs(growth(block.B, period) @ c + states[-1]).max() > UNFORCED * np.abs(states).max():
+        left = np.abs(growth(block.B, period) @ c + states[-1]).max()
+        if left > UNFORCED * max(np.abs(states).max(), np.abs(whole).max()):
             raise resonance(block.nodes[0])
         found.append(c)
     if any(_free(block.B, period) for block in motion.blocks):
@@ -39,8 +55,10 @@ def repeating(motion: "LinearMotion", forcing: Forcing) -> tuple[np.ndarray, np.
 
 def errors_of(motion: "LinearMotion", steady: "SteadyMotion") -> tuple[np.ndarray, np.ndarray]:
     """(δq, δq̇) of the same: what a period adds, over 1 − e^{BT}, and what the mean of the rest is off by."""
-    errors = _summed(motion, _once(steady.forcing), (steady.q0, steady.v0)).pieces(math.inf).errors
+    errors = _summed(motion, _once(steady.forcing, steady.powers), steady.repeated).pieces(math.inf).errors
     q, v = np.zeros((2, len(motion.M)))
+    for row, error in zip((q, v), of_powers(motion, steady.powers, steady.lost), strict=False):
+        row += error
     for block, at in zip(motion.blocks, errors.system.places, strict=True):
         p, ends = len(block.B), errors.starts[at, -1]
         c = np.abs(_returning(block.B, steady.period)) @ ends[-p:] + ends[:-p].reshape(-1, p).sum(0) / steady.period
@@ -49,9 +67,11 @@ def errors_of(motion: "LinearMotion", steady: "SteadyMotion") -> tuple[np.ndarra
     return q, v
 
 
-def _once(forcing):
-    """One period of it, and nothing behind."""
-    return Forcing(forcing.channels, [*forcing.pieces, Segment(forcing.period)])
+def _once(forcing, powers):
+    """One period of it, less its mean where that drives what nothing holds, and nothing behind."""
+    less = tuple(Wave(channel, complex(-F), 0, 0j) for _, row in powers[:1] for channel, F in enumerate(row) if F)
+    pieces = [piece._replace(waves=piece.waves + less) for piece in forcing.pieces]
+    return Forcing(forcing.channels, [*pieces, Segment(forcing.period)])
 
 
 def _state(motion, found):

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from vibcli.analyses.transient.data_errors import DATA
+from vibcli.analyses.transient.following import errors_of, moves_freely
 
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
@@ -37,13 +38,18 @@ def of_waves(motion: "LinearMotion", waves: list, powers: list) -> tuple[np.ndar
     for s, Q, F in waves:
         error = of_phasor(motion.matrices[:3], motion.data_errors, s, Q, F[:len(Q)])
         found += error, abs(s) * (error + 2 * DATA * np.abs(Q))
-    for row, error in zip(found, of_powers(motion.matrices[:3], motion.data_errors, powers), strict=False):
+    for row, error in zip(found, of_powers(motion, powers), strict=False):
         row += error
     return found[0], found[1]
 
 
-def of_powers(matrices: Sequence[np.ndarray], data: "DataErrors", powers: list) -> list[np.ndarray]:
-    """|δQₖ| of K Qₖ = Fₖ − (k+1) C Qₖ₊₁ − (k+2)(k+1) M Qₖ₊₂."""
+def of_powers(motion: "LinearMotion", powers: list,
+              lost: Sequence[np.ndarray] | np.ndarray = ()) -> list[np.ndarray]:
+    """|δQₖ| of K Qₖ = Fₖ − (k+1) C Qₖ₊₁ − (k+2)(k+1) M Qₖ₊₂; lost: how far the first Fₖ may be off beside a
+    rounding."""
+    if powers and moves_freely(motion.blocks):
+        return list(errors_of(motion, powers, lost))
+    matrices, data = motion.matrices[:3], motion.data_errors
     M, C, _ = matrices
     known = [(np.zeros(len(M)), np.zeros(len(M)))] * 2        # (|Q|, |δQ|) of the next two
     for k in reversed(range(len(powers))):
@@ -78,9 +84,9 @@ def of_output(output: "LinearOutput", wave: tuple[complex, np.ndarray, np.ndarra
 
 
 def of_waves_in(motion: "SteadyMotion", output: "LinearOutput") -> dict[float, float]:
-    """{Ω: |δX|} of the phasors of an output; not of periodic forcing."""
+    """{Ω: |δX|} of the phasors of an output; of periodic forcing only of what its mean drives off."""
     found: dict[float, float] = {}
-    for wave, errors in zip(motion.waves, motion.errors_of_waves, strict=True):
+    for wave, errors in zip(motion.waves, motion.errors_of_waves, strict=True) if motion.period is None else ():
         rate = wave[0].imag
         found[rate] = found.get(rate, 0.0) + of_output(output, wave, *errors)
     if motion.powers:
@@ -90,11 +96,12 @@ def of_waves_in(motion: "SteadyMotion", output: "LinearOutput") -> dict[float, f
 
 def of_powers_in(motion: "SteadyMotion", output: "LinearOutput") -> list[float]:
     """[|δcₖ|] of Σ cₖ tᵏ of an output, which has of q̇ and q̈ what follows the higher powers of Σ Qₖ tᵏ."""
-    errors = of_powers(motion.matrices[:3], motion.data_errors, motion.powers)
+    errors = of_powers(motion, motion.powers, motion.lost)
     found = []
     for k, (_, F) in enumerate(motion.powers):
         total = 4 * DATA * abs(output.constant) if not k else 0.0
-        total += sum(abs(x * F[channel]) * 4 * DATA for channel, x in output.channels.items())
+        off = 4 * DATA * abs(F) + (motion.lost[k] if k < len(motion.lost) else 0.0)
+        total += sum(abs(x) * off[channel] for channel, x in output.channels.items())
         for (Q, _), error, factor, coefficients in zip(
                 motion.powers[k:], errors[k:], (1, k + 1, (k + 1) * (k + 2)), (output.q, output.v, output.a),
                 strict=False):

@@ -16,6 +16,7 @@ import numpy as np
 
 from vibcli.analyses.excitation.forcing import Forcing, Segment
 from vibcli.analyses.transient.exponential_differences import differences
+from vibcli.analyses.transient.following import UNFORCED, driven, moves_freely
 from vibcli.analyses.transient.isolating_intervals import fastest, stretches
 from vibcli.analyses.transient.modal_block import ModalBlock
 from vibcli.analyses.transient.time_shift import difference, later, turned
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
 RESONANT, DIGITS = 1e-12, 12      # relative: a frequency that counts as a natural one
 POINTS = 20         # of Gauss's rule
 BATCH, MOST = 400_000, 200_000_000      # values of one exponential each that a mean takes together, and in all
-UNFORCED, EPSILON = 1e-13, 2.0**-52
+EPSILON = 2.0**-52
 
 
 def steady_forcing(forcing: Forcing) -> Forcing:
@@ -133,12 +134,15 @@ def amplitudes(motion: "LinearMotion", forcing: Forcing) -> list[tuple[complex, 
 
 
 def following(motion: "LinearMotion", forcing: Forcing) -> list[tuple[np.ndarray, np.ndarray]]:
-    """[(Qₖ, Fₖ)] of what follows the forces Σ Fₖ tᵏ, F over all channels."""
+    """[(Qₖ, Fₖ)] of what follows the forces Σ Fₖ tᵏ, F over all channels; more of them where these drive off what
+    nothing holds."""
     still = [wave for wave in forcing.pieces[0].waves if not wave.exponent]
     forces = np.zeros((max((wave.power + 1 for wave in still), default=0), forcing.channels))
     for wave in still:
         forces[wave.power, wave.channel] += complex(wave.coefficient).real
     n = len(motion.M)
+    if moves_freely(motion.blocks):
+        return driven(motion, forces)
     Q = np.zeros((len(forces) + 2, n))
     for k in reversed(range(len(forces))):
         inertia = (k + 1) * motion.C @ Q[k + 1] + (k + 2) * (k + 1) * motion.M @ Q[k + 2]

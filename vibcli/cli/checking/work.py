@@ -117,13 +117,15 @@ def _said(verdict):
         return f"uncertain: expected {verdict.answer.expected.text}, {verdict.remark}"
     values = []
     if verdict.expected is not None:
-        values.append("expected {}, found {}".format(*(verdict.digits or _values(verdict.expected, verdict.found))))
+        values.append("expected {}, found {}".format(*(verdict.digits or _values(verdict))))
     return " ".join(values + [f"({verdict.remark})"] * bool(verdict.remark))
 
 
-def _values(*values):
-    """Two values, to the digits in which they differ."""
+def _values(verdict):
+    """Expected and found, to the digits in which they differ, or with the bound of what is found where it knows few."""
+    values = verdict.expected, verdict.found
     if any(isinstance(value, bool) for value in values):
         return ["true" if value else "false" for value in values]
     digits = next((n for n in range(9, 17) if len({f"{value:.{n}g}" for value in values}) > 1), 17)
-    return [f"{value:.{digits}g}" for value in values]
+    expected, found = (f"{value:.{digits}g}" for value in values)
+    return [expected, verdict.known or found]

@@ -57,7 +57,7 @@ class Solver:
     def stop(self) -> None:
         """End the process, whatever it does."""
         if self.process is not None:
-            self.process.terminate()
+            self.process.kill()
             self.process.join()
             self.ours.close()
         self.process, self.busy = None, False

@@ -21,14 +21,15 @@ FINE = 1e9                  # points per metre at which what has a size on paper
 
 
 class Scenery:
-    """What of a drawing does not depend on the position: its scale, the looks of its bodies, its ends and walls."""
+    """What of a drawing does not depend on the position: its scale, `share` times what its places call for, the looks
+    of its bodies, its ends and walls."""
 
-    def __init__(self, scene: "Scene"):
+    def __init__(self, scene: "Scene", share: float = 1.0):
         if len(scene.bodies) > MOST:
             raise PhysicsError(f"a drawing of {len(scene.bodies)} bodies is not legible", f"the limit is {MOST}")
         self.scene = scene
         plain = Sketch(scene, values_at(scene), FINE)
-        self.sketch = Sketch(scene, plain.values, scale_of(plain) * FINE)
+        self.sketch = Sketch(scene, plain.values, share * scale_of(plain) * FINE)
         self.sketch.numbers["size"] = plain.numbers["size"] / FINE
         self.ties = Ties(self.sketch)
         self.looks = looks(self.sketch, self.ties)
@@ -84,7 +85,8 @@ def primitives(stage: Scenery, sketch: Any,
     if stage.ropes:
         from vibcli.drawing.symbols import rope
 
-        found += [part for chain in stage.ropes.values() for part in rope.draw(chain, sketch)]
+        for chain in stage.ropes.values():
+            found += [*rope.draw(chain, sketch), *rope.held(chain, sketch)]
     for end in ties.hinges:
         found += support.hinge(sketch.now(end))
     found += _constraints(sketch)

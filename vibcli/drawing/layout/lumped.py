@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 BOX, LONG, DISC, GAP, LANE, STACK, NAME = 40.0, 68.0, 13.0, 64.0, 22.0, 18.0, 10.0
 HALF, RIM, ROOM, SUPPORT, MARGIN, FOOT = 18.0, 30.0, 46.0, 2.5, 8.0, 8.5
+COLUMN, CLOSEST, NARROWEST = 375.0, 0.5, 0.7    # points of a row; the least shares of gaps and boxes that it may have
 
 
 def layouts(found: Sequence[LumpedRow], sketch: "Sketch", left: float, top: float) -> list[Layout]:
@@ -50,30 +51,40 @@ def _row(row, sketch, left, top, known):
     above = height + 26 + (LANE * len(row.lanes) + 8) * bool(row.lanes) + gears.PINION * bool(racks & set(row.bodies))
     y = top - above
     walled = 0 in row.gaps or any(low < 0 for low, _, _ in row.lanes)
-    x = left + (_gap(row, 0, sketch) if walled else 0.0)
+    share = _share(row, scene)
+    x = left + (_gap(row, 0, sketch, share) if walled else 0.0)
     places = {}
     for i, name in enumerate(row.bodies):
-        half, disc = _half(scene.bodies[name], scene), scene.bodies[name].lumped[0] == "turn"
+        half, disc = _half(scene.bodies[name], scene, share), scene.bodies[name].lumped[0] == "turn"
         gear = 2 if name in racks else 3 if any(mesh.rack and mesh.gear == name for mesh in known) else 0
         places[name] = LumpedPlace((x + half, y), half, height, disc, gear)
-        x += 2 * half + _gap(row, i + 1, sketch)
+        x += 2 * half + _gap(row, i + 1, sketch, share)
     end = len(row.bodies)
     right = x if end in row.gaps or any(high == end for _, high, _ in row.lanes) else None
     return Layout(row, places, left if walled else None, right, y, y + above - 12, sunk=lumped_loads.SUNK * pushed)
 
 
-def _gap(row, column, sketch):
+def _share(row, scene):
+    """How much closer than few ones many bodies stand, so that their row is no wider than a column of text."""
+    bodies = sum(2 * _half(scene.bodies[name], scene) for name in row.bodies)
+    return min(1.0, COLUMN / (bodies + GAP * (len(row.bodies) + 1)))
+
+
+def _gap(row, column, sketch, share):
     """The room between two bodies, in which what is written beside its elements fits."""
     records = [edge.record for edge in row.gaps.get(column, ())]
     named = [captions.quantity(record, symbol(record).NAMED_BY, sketch) for record in records]
-    return max([GAP, lumped_loads.width(row, column, sketch), *(lettering.size(runs)[0] + MARGIN for runs in named)])
+    return max([GAP * max(share, CLOSEST), lumped_loads.width(row, column, sketch),
+                *(lettering.size(runs)[0] + MARGIN for runs in named)])
 
 
-def _half(body, scene):
+def _half(body, scene, share=1.0):
     """Half the width of a body in a row."""
     if body.lumped[0] == "turn":
         return DISC / 2
-    return SUPPORT if _is_support(body, scene) else LONG / 2 if body.record.get("looks") == "bar" else BOX / 2
+    if _is_support(body, scene):
+        return SUPPORT
+    return LONG / 2 if body.record.get("looks") == "bar" else BOX / 2 * max(share, NARROWEST)
 
 
 def _mesh(row, made, known):

@@ -17,14 +17,24 @@ if TYPE_CHECKING:
     from vibcli.language.reader import Record
 
 APART, BRIDGE = 17.0, 8.0
+THIN, ASIDE = ("arm", "bob"), 22.0     # looks; points from the axis of one to what would lie along it
+BESIDE, MOST = 3.0, 3       # points from an axis that are on it; of nine places those that may be
 
 
 class Bunch(NamedTuple):
-    """The Records of elements with the same ends, between two Attachments at the edges of bodies."""
+    """The Records of elements with the same ends, between two Attachments at the edges of bodies; `aside`: how far on
+    the left of these they lie, as they would lie along a body."""
 
     members: list
     one: Attachment
     two: Attachment
+    aside: float = 0.0
+
+    def offsets(self) -> list[float]:
+        """How far across each of its members lies."""
+        from vibcli.drawing.symbols.parts import offsets
+
+        return [t + self.aside for t in offsets(self.members, APART)]
 
 
 def symbol(record: "Record") -> "ModuleType":
@@ -49,7 +59,21 @@ def bunches(sketch: Sketch, looks: "Mapping[str, Look]") -> list[Bunch]:
             continue
         key = tuple(sorted((end.carrier or "", round(end.drawn[0], 3), round(end.drawn[1], 3)) for end in ends))
         found.setdefault(key, (ends, []))[1].append(record)
-    return [Bunch(members, *_at_edges(ends, looks)) for ends, members in found.values()]
+    return [_beside_bodies(Bunch(members, *_at_edges(ends, looks)), looks) for ends, members in found.values()]
+
+
+def _beside_bodies(bunch, looks):
+    """The Bunch, from the ground to a thin body along which it would run on the right of that."""
+    at, length = plane.along(bunch.one.drawn, bunch.two.drawn), plane.distance(bunch.one.drawn, bunch.two.drawn)
+    carried = [end.carrier for end in (bunch.one, bunch.two) if end.carrier is not None]
+    look = looks.get(carried[0]) if len(carried) == 1 else None
+    if look is None or look.kind not in THIN or not isinstance(look.pieces[0], Polyline):
+        return bunch
+    axis = look.pieces[0].points
+    places = [at(0.1 * i * length) for i in range(1, 10)]
+    if sum(plane.distance(place, plane.nearest_on(place, *axis)) < BESIDE for place in places) <= MOST:
+        return bunch
+    return bunch._replace(aside=ASIDE if bunch.two.drawn[1] < bunch.one.drawn[1] else -ASIDE)
 
 
 def _ends(record, sketch):
@@ -103,7 +127,7 @@ def draw(bunch: Bunch, sketch: Sketch) -> tuple[list[Any], dict[str, tuple[Any, 
         return [], {}
     bridge = min(BRIDGE, 0.15 * drawn) if count > 1 else 0.0
     found, where = [], {}
-    sides = parts.offsets(bunch.members, APART)
+    sides = bunch.offsets()
     for record, t in zip(bunch.members, sides, strict=True):
         start, end = at(bridge, t), at(length - bridge, t)
         found += between(record, start, end, drawn - 2 * bridge, sketch.gap(record, sketch.scale))
@@ -111,10 +135,11 @@ def draw(bunch: Bunch, sketch: Sketch) -> tuple[list[Any], dict[str, tuple[Any, 
     for end, place in ((bunch.one, a), (bunch.two, b)):
         if end.carrier is not None and end.carrier not in sketch.moving_points and not end.loose:
             found += support.dot(place)
-    if count > 1:
+    if count > 1 or bunch.aside:
+        low, high = max(sides[0], 0.0), min(sides[-1], 0.0)
         found += [Polyline(line, "spring") for line in (
-            (a, at(bridge)), (at(bridge, sides[0]), at(bridge, sides[-1])),
-            (at(length - bridge, sides[0]), at(length - bridge, sides[-1])), (at(length - bridge), b))]
+            (a, at(bridge)), (at(bridge, low), at(bridge, high)),
+            (at(length - bridge, low), at(length - bridge, high)), (at(length - bridge), b))]
     return found, where
 
 
@@ -132,10 +157,8 @@ def named(record: "Record", start: tuple[float, float], end: tuple[float, float]
 
 def outline(bunch: Bunch, sketch: Sketch) -> list[Any]:
     """The corners of a Bunch, from the middle of its first element to that of its last."""
-    from vibcli.drawing.symbols.parts import offsets
-
     a, b = sketch.now(bunch.one), sketch.now(bunch.two)
-    at, length, sides = plane.along(a, b), plane.distance(a, b), offsets(bunch.members, APART)
+    at, length, sides = plane.along(a, b), plane.distance(a, b), bunch.offsets()
     return [at(s, t) for s, t in ((0.0, sides[0]), (length, sides[0]), (length, sides[-1]), (0.0, sides[-1]))]
 
 

@@ -90,11 +90,12 @@ def _rolling(roll, name, sketch):
 
 
 def wanted(sketch: Sketch) -> "list[tuple[tuple[Run, ...], str, BodyMotion]]":
-    """[(runs, role, Motion)]: each coordinate at the first body that it moves, and every driven motion."""
-    known, found = motions(sketch), []
+    """[(runs, role, Motion)]: each coordinate at the first body that it moves, unless that is in a row, which names
+    it, and every driven motion."""
+    known, found, in_rows = motions(sketch), [], _named_in_rows(sketch)
     for name in sketch.spec.coordinates:
         bare = next((motion for motion in known if (tree := motion.field.tree).kind == "name" and tree.name == name),
-                    None) or _by_rates(name, sketch)
+                    None) or (None if name in in_rows else _by_rates(name, sketch))
         if bare is not None:
             found.append((lettering.named(name), "coordinate", bare))
     for motion in known:
@@ -103,6 +104,16 @@ def wanted(sketch: Sketch) -> "list[tuple[tuple[Run, ...], str, BodyMotion]]":
             runs = captions.expression(motion.field, sketch, 18) or lettering.words("driven")
             found.append((runs, "driven", motion))
     return found
+
+
+def _named_in_rows(sketch):
+    """The coordinates that are themselves the motions of bodies in rows."""
+    if not sketch.lumped:
+        return set()
+    from vibcli.drawing.layout.rows import motion
+
+    trees = [motion(sketch.scene.bodies[name]).tree for name in sketch.lumped]
+    return {tree.name for tree in trees if tree.kind == "name"}
 
 
 def _by_rates(name, sketch):

@@ -20,6 +20,7 @@ FAR = 102.0, 122.0      # of what has no room nearer
 SHORTEST, ROOM, BEYOND, CROWDED, CUT, LEG, STRUCK = 24.0, 5.0, 3.0, 4.0, 2.0, 0.4, 0.4
 OWN = 8.0           # points from a place that are still on the body
 STUB, STEP = 2 * BEYOND, 2.0        # of what leads to a dimension line: its least length, by which it is shorter
+STARTS = 0.1, 0.2, 0.3, 0.4, 0.5, 0.6       # of a radius: where its line may begin
 TIP = 4.5           # points of a dimension line that may lie on the rod of a dashpot at its end, but not on coils
 
 
@@ -127,6 +128,13 @@ def _ray(centre, rim):
 
 
 def _radial(length, space):
+    """From the centre, or from beside a spiral or dashpot that is there."""
+    start = length.one
+    if space.meets(_ray(start, length.two)):
+        at, radius = plane.along(start, length.two), plane.distance(start, length.two)
+        free = [share for share in STARTS if not space.meets([at(share * radius), at(0.9 * radius)])]
+        start = at(free[0] * radius) if free else start
+    length = length._replace(one=start)
     if space.path(_ray(length.one, length.two)) > 2 * CROWDED:
         return None
     parts = [part._replace(width=0.7) for part in arrow.straight(length.one, length.two, "measure", 0.7)]

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from vibcli.elements.rigid_body import Body
 
 HUB, BEYOND = 11.0, 26.0
+STRAIGHT = 1.0 - 1e-6       # the cosine of the angle between places on one line
 
 
 def pinned(body: "Body", centre: Any, pivot: Any, sketch: "Sketch", ties: "Ties") -> Look:
@@ -30,7 +31,10 @@ def pinned(body: "Body", centre: Any, pivot: Any, sketch: "Sketch", ties: "Ties"
         radius = HUB if body.inertia is not None or not slots else 3.0
         return Look([*rail(centre, slots), ball(centre, radius)], "hub")
     if body.mass is None and body.inertia is None:
-        return Look([Polyline((pivot, centre), width=2.4, layer=BODY), *rail(centre, slots)], "arm")
+        along = plane.unit(plane.minus(centre, pivot))
+        beyond = [place for place in carried if plane.dot(plane.unit(plane.minus(place, pivot)), along) > STRAIGHT]
+        end = max([centre, *beyond], key=lambda place: plane.distance(pivot, place))
+        return Look([Polyline((pivot, end), width=2.4, layer=BODY), *rail(centre, slots)], "arm")
     if {"inertia", "gyration"} & set(body.record):
         return _blob(pivot, centre)
     bob = ball(centre, BALL + 1.5)

@@ -10,6 +10,7 @@ from vibcli.drawing.canvas.primitives import Polyline
 from vibcli.drawing.layout import plane
 from vibcli.drawing.layout.sketch import Attachment, Sketch
 from vibcli.drawing.layout.ties import SIDES, Ties
+from vibcli.drawing.symbols import support
 
 if TYPE_CHECKING:
     from vibcli.drawing.layout.cords import Cord
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from vibcli.drawing.symbols.look import Look
     from vibcli.language.reader import Record
 
+ROOM = -0.3     # the cosine of the angle between two pieces of a rope, between which there is room
 NORMAL = dict(zip(SIDES, ((0, 1), (0, -1), (-1, 0), (1, 0)), strict=True))
 
 
@@ -144,6 +146,18 @@ def draw(chain: Sequence[DrawnStop], sketch: Sketch, role: str = "rope", closed:
             if turn < tau - 1e-6:
                 arc = plane.arc(centre, stop.radius, start, start + stop.sense * turn)
                 found.append(Polyline(tuple(arc), role, 1.6))
+    return found
+
+
+def held(chain: Sequence[DrawnStop], sketch: Sketch) -> list[Any]:
+    """What holds the fixed pegs of a rope: between its two pieces where there is room, else beyond them."""
+    found = []
+    for before, stop, after in zip(chain, chain[1:], chain[2:], strict=False):
+        if not stop.radius and sketch.is_fixed(stop.at.carrier):
+            one, two = (plane.unit(plane.minus(other.at.drawn, stop.at.drawn)) for other in (before, after))
+            inward = plane.unit(plane.plus(one, two), (0.0, 1.0))
+            side = 1.0 if plane.dot(one, two) < ROOM else -1.0
+            found += support.bearing(sketch.now(stop.at), plane.times(inward, side))
     return found
 
 

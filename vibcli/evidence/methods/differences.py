@@ -1,10 +1,10 @@
-"""Entries of matrices by numbers alone: K and C + G by central differences of the forces, M by the kinetic energies of
-unit velocities, which are quadratic in them."""
+"""Derivatives by numbers alone: K and C + G by central differences of the forces, M by the kinetic energies of unit
+velocities, which are quadratic in them."""
 
 from collections.abc import Iterator
 from functools import partial
 
-from vibcli.evidence.subject import Deadline, MethodAnswer, MethodRun, Subject
+from vibcli.evidence.subject import BY_DIFFERENCES, Deadline, MethodAnswer, MethodRun, Subject
 
 STEPS = tuple(10.0**-k for k in range(1, 9))        # of the size of a coordinate
 
@@ -14,11 +14,16 @@ def attempts(subject: Subject) -> Iterator[MethodRun]:
     plain = subject.data
     if plain is None:
         return
-    if plain.head == "M":
+    if subject.kind != BY_DIFFERENCES and plain.head == "M":
         yield MethodRun("kinetic energies", "", partial(_energies, plain))
         return
+    run = _estimate if subject.kind == BY_DIFFERENCES else _differences
     for step in STEPS:
-        yield MethodRun("central differences", f"{step:.0e}", partial(_differences, plain, step))
+        yield MethodRun("central differences", f"{step:.0e}", partial(run, plain, step))
+
+
+def _estimate(estimate, step, _: Deadline) -> MethodAnswer:
+    return MethodAnswer([estimate(step)])
 
 
 def _energies(plain, _: Deadline) -> MethodAnswer:

@@ -9,6 +9,7 @@ import numpy as np
 
 from vibcli.analyses.continuous.finite_elements import finite_elements
 from vibcli.evidence.methods.assembled_modes import rates_of
+from vibcli.evidence.reference.member_damped_modes import by_elements
 from vibcli.evidence.reference.members import with_inertia
 from vibcli.evidence.subject import Deadline, MethodAnswer, MethodRun, Subject
 
@@ -27,6 +28,10 @@ def attempts(subject: Subject) -> Iterator[MethodRun]:
         yield from _responses(subject)
         return
     elements, count = subject.data
+    if subject.kind == "damped member modes":
+        for divisions in DIVISIONS:
+            yield MethodRun("finite elements", f"{divisions} a piece", partial(_damped, elements, divisions, count))
+        return
     for divisions in DIVISIONS:
         K, M = with_inertia(*finite_elements(elements, divisions))
         if len(K) >= count:
@@ -83,6 +88,10 @@ def _response(exact: "DrivenMembers", assembled: tuple, given: Mapping[int, comp
     q[driven] = [complex(given.get(i, 0)) for i in driven]
     q[free] = np.linalg.solve(D[np.ix_(free, free)], -D[free] @ q)
     return MethodAnswer([read(sum(s**power * sum(x * q[i] for i, x in row.items()) for power, row in enumerate(rows)))])
+
+
+def _damped(elements: "FactoredSystem", divisions: int, count: int, _: Deadline) -> MethodAnswer:
+    return MethodAnswer(by_elements(elements, divisions)[:count])
 
 
 def _rates(K: np.ndarray, M: np.ndarray, count: int, _: Deadline) -> MethodAnswer:

@@ -82,6 +82,10 @@ class ExponentialPolynomial:
         return sum((ExponentialPolynomial({(rate, power): c * rate, (rate, power - 1): c * power})
                     for (rate, power), c in self.terms.items()), NOTHING)
 
+    def in_floats(self) -> "ExponentialPolynomial":
+        """The same in complex numbers of Python."""
+        return ExponentialPolynomial({(complex(rate), power): complex(c) for (rate, power), c in self.terms.items()})
+
     def image(self, s: Any) -> Any:
         """Its Laplace transform."""
         return sum(c * factorial(power) / (s - rate) ** (power + 1) for (rate, power), c in self.terms.items())

@@ -12,8 +12,7 @@ import mpmath
 
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.reference.settled import TrueValues, settled
-from vibcli.evidence.reference.static_positions import StaticEquations
-from vibcli.mechanics.high_precision import in_its_place
+from vibcli.evidence.reference.static_positions import StaticEquations, resting_place
 from vibcli.symbolic.evaluation import evaluate, multiprecision
 
 if TYPE_CHECKING:
@@ -30,9 +29,8 @@ class TrueMatrices:
         scene, self.static = static.scene, static
         self.arithmetic = multiprecision()
         self.values = configuration.numeric.values(self.arithmetic)
-        drawn = configuration.equilibrium.drawn and not static.parts.gaps
-        place = in_its_place(scene.drawn, self.values, self.arithmetic) if drawn else static.root(self.values)
-        self.place = [place[name] for name in scene.coordinates]
+        rest = resting_place(configuration, static, self.values)
+        self.place = [rest[name] for name in scene.coordinates]
         free = configuration.scene.coordinates
         self.q = [scene.coordinates.index(name) for name in free]
         self.z = [i for i, name in enumerate(scene.coordinates) if name not in free]

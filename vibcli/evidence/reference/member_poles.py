@@ -14,7 +14,6 @@ from typing import Any
 import numpy as np
 
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.evidence.reference.exponential_polynomials import ExponentialPolynomial
 from vibcli.evidence.reference.member_images import MemberImages
 from vibcli.evidence.reference.member_starts import StartedMembers
 
@@ -41,9 +40,6 @@ def in_floats(members: StartedMembers, kind: Any = float) -> StartedMembers:
     def number(x):
         return kind(str(x))
 
-    def field(one):
-        return ExponentialPolynomial({(complex(rate), power): complex(c) for (rate, power), c in one.terms.items()})
-
     def numbers(part):
         return {i: number(x) for i, x in part.items()}
 
@@ -54,10 +50,11 @@ def in_floats(members: StartedMembers, kind: Any = float) -> StartedMembers:
                                                      factor=number(members.place.factor))
     return members._replace(
         elements=members.elements.each(number), start=(places, speeds),
-        fields=[(field(u), field(rate)) for u, rate in members.fields], row=row, place=place,
-        inputs={i: [part._replace(start=number(part.start), function=field(part.function)) for part in parts]
+        fields=[(u.in_floats(), rate.in_floats()) for u, rate in members.fields], row=row, place=place,
+        inputs={i: [part._replace(start=number(part.start), function=part.function.in_floats()) for part in parts]
                 for i, parts in members.inputs.items()},
-        spread=[part._replace(along=field(part.along)) for part in members.spread])
+        spread=[part._replace(along=part.along.in_floats()) for part in members.spread],
+        holding=numbers(members.holding))
 
 
 def damped_in_part(members: StartedMembers, share: float) -> StartedMembers:

@@ -39,7 +39,7 @@ class SpreadPart(NamedTuple):
 class StartedMembers(NamedTuple):
     """elements: with inputs as coordinates from n up to `end`, inputs: {number: what moves it}; start: (q, q̇) of all of
     them at t = 0; fields: (u, u̇) of each piece there, counted from its left end; held: what a signal is counted
-    from."""
+    from; holding: {input: what it is before it lets go}."""
 
     elements: "FactoredSystem"
     n: int
@@ -51,6 +51,7 @@ class StartedMembers(NamedTuple):
     row: "LinearFunction | None"
     place: PlaceOutput | None
     held: Any
+    holding: dict[int, Any]
 
     def at_first(self) -> Any:
         """The signal at t = 0; PhysicsError of accelerations and of what is made of them."""
@@ -83,15 +84,15 @@ def started_members(problem: "Problem", signal: str, until: Any) -> StartedMembe
     spread = [SpreadPart(i, new, along.from_(offset)) for i, piece, along in spread
               for new, offset in cuts[piece]]
     place = place and _in_parts(place, cuts, opened.elements.pieces, elements.pieces)
-    held = mpmath.mpf(0)
+    held, holding = mpmath.mpf(0), {}
     if near.preloaded is not None:
         from vibcli.evidence.reference.member_responses import driven_members
 
-        held, _ = driven_members(problem, signal, configuration, True).at(0, {
-            i: -one[0].function.at(0) for i, one in moves.items() if _lets_go(problem, opened, i)})
+        holding = {i: -one[0].function.at(0) for i, one in moves.items() if _lets_go(problem, opened, i)}
+        held, _ = driven_members(problem, signal, configuration, True).at(0, holding)
     start = _start(problem, opened, elements, fields, moves)
     return StartedMembers(elements, opened.n, opened.elements.n, moves, spread, start, fields, row, place,
-                          mpmath.re(held))
+                          mpmath.re(held), holding)
 
 
 def _require_no_load_at_rest(near):

@@ -117,9 +117,9 @@ def _root(elements, start):
     raise ValueError("no root is found near by")
 
 
-def determinant(elements: "FactoredSystem", z: Any) -> Any:
-    """Of all equations at z = ω², whose roots are the eigenvalues."""
-    return _determinant(equations(elements, z).tolist())
+def determinant(elements: "FactoredSystem", z: Any, s: Any = 0) -> Any:
+    """Of all equations at z = ω², and s = iω where dampers and drag count, whose roots are the eigenvalues."""
+    return _determinant(equations(elements, z, s).tolist())
 
 
 def equations(elements: "FactoredSystem", z: Any, s: Any = 0) -> Any:

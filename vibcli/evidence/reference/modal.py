@@ -33,8 +33,12 @@ def squares(elements: Elements, digits: int = DIGITS) -> TrueValues:
     with its largest component 1, where M is positive definite and K symmetric, else None."""
     first = elements(30)
     _require_few(first, LARGEST)
+    return settled(lambda: _squares(first, elements), digits)
+
+
+def _squares(first, elements):
     plain = not first.massless and not first.circulatory
-    return settled(lambda: (_symmetric if plain else _pencil)(*matrices(elements)[::2]), digits)
+    return (_symmetric if plain else _pencil)(*matrices(elements)[::2])
 
 
 def rates(elements: Elements, digits: int = DIGITS) -> TrueValues:
@@ -45,8 +49,19 @@ def rates(elements: Elements, digits: int = DIGITS) -> TrueValues:
 def as_rates(found: TrueValues) -> TrueValues:
     """√−ω² of each, with Im λ ≥ 0."""
     with mpmath.workdps(found.working):
-        roots = [mpmath.sqrt(-x) for x in found.values]
-        return found._replace(values=[-x if mpmath.im(x) < 0 else x for x in roots], digits=found.digits - 1)
+        return found._replace(values=_upper_roots(found.values), digits=found.digits - 1)
+
+
+def rates_at_once(elements: Elements) -> list:
+    """λ = iω of a system without C, at the working precision, of which nothing tells how good they are."""
+    first = elements(30)
+    _require_few(first, LARGEST_DAMPED)
+    return _quadratic(*matrices(elements)) if any(first.G.values()) else _upper_roots(_squares(first, elements)[0])
+
+
+def _upper_roots(squares):
+    roots = [mpmath.sqrt(-x) for x in squares]
+    return [-x if mpmath.im(x) < 0 else x for x in roots]
 
 
 def matrices(elements: Elements) -> tuple:

@@ -14,6 +14,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.reference.settled import TrueValues, settled
 from vibcli.mechanics.equations_of_motion import Dynamics, dynamics
+from vibcli.mechanics.high_precision import in_its_place
 from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING
 from vibcli.mechanics.linearise import without_time
 from vibcli.mechanics.static_preload import take_over
@@ -52,10 +53,10 @@ class StaticEquations(NamedTuple):
         return dict(zip(self.names, _root(residual, self.near), strict=True))
 
 
-def equations(configuration: "Configuration", released: bool = False) -> StaticEquations:
+def equations(configuration: "Configuration", released: bool = False, rests: bool = True) -> StaticEquations:
     """Of the equilibrium of a Configuration, with its supports `released` where they are asked for; PhysicsError where
-    members bend or forces jump."""
-    if configuration.scene.members or configuration.equilibrium.jumps is not None:
+    members bend or forces jump; not `rests`: where it moves alone, jumps there being no matter."""
+    if configuration.scene.members or (rests and configuration.equilibrium.jumps is not None):
         raise PhysicsError("no reference is found of static positions of members, or where forces jump")
     scene = _unloaded(configuration, released)
     redundant = configuration.scene.freedom.redundant
@@ -77,6 +78,13 @@ def equations(configuration: "Configuration", released: bool = False) -> StaticE
     near = [float(known[q.name]) for q in scene.q[:count]] + [0.0] * len(ties)
     return StaticEquations(scene, [*forces[:count], *substitute(parts.gaps, still)],
                            [*(q.name for q in scene.q[:count]), *(tie.name for tie in ties)], near, told, still, parts)
+
+
+def resting_place(configuration: "Configuration", static: StaticEquations, known: Mapping[str, Any]) -> dict[str, Any]:
+    """{coordinate: number} at the working precision where it rests: as drawn, if that is there and nothing is tied."""
+    if configuration.equilibrium.drawn and not static.parts.gaps:
+        return in_its_place(static.scene.drawn, known, multiprecision())
+    return static.root(known)
 
 
 def _unloaded(configuration, released):

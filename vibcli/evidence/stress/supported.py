@@ -1,6 +1,7 @@
 """How many digits of an answer the figures of its file support: each moved by half a unit of its last digit.
 
-|y(p + δp) − y(p)| of each figure that is written with three digits or more (fewer are exact), summed over all.
+|y(p + δp) − y(p)| of each figure that is written with three digits or more (fewer are exact), summed over all; what
+lies within the bounds of both is no move.
 """
 
 import math
@@ -10,7 +11,7 @@ from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.stress.figures import figures
 from vibcli.language.document.nodes import Mapping
-from vibcli.quantities.expression import value_of
+from vibcli.quantities.expression import bounded
 from vibcli.quantities.quantity import COMPLEX, LEAPING, OF_STATE, kind_of
 from vibcli.results.problem import Problem
 
@@ -48,8 +49,8 @@ def supported(problem: Problem, top: Mapping, remade: Callable[[Callable[[Mappin
 
 def _support(problem, asked, moved):
     try:
-        value = value_of(problem, asked)[0]
-        apart = {told: abs(value_of(other, asked)[0] - value) for told, other in moved.items()}
+        value, error = bounded(problem, asked)
+        apart = {told: _apart(value, error, *bounded(other, asked)) for told, other in moved.items()}
     except PhysicsError as error:
         return SupportedAnswer(asked.text, None, None, "", error.message)
     total = sum(apart.values())
@@ -57,3 +58,8 @@ def _support(problem, asked, moved):
         return SupportedAnswer(asked.text, float(value), None, "")
     digits = min(-math.log10(total / abs(value)), MOST) if value else 0.0
     return SupportedAnswer(asked.text, float(value), max(digits, 0.0), max(apart, key=apart.__getitem__))
+
+
+def _apart(value, error, there, error_there):
+    off = abs(there - value)
+    return off if off > error + error_there else 0.0

@@ -4,10 +4,10 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.modal.modal_analysis import ModalAnalysis
 from vibcli.base.errors import PhysicsError
-from vibcli.evidence.reference import members, modal
+from vibcli.evidence.reference import member_damped_modes, members, modal
 from vibcli.evidence.reference.settled import relative_error
 from vibcli.evidence.subject import MethodAnswer, Subject
-from vibcli.evidence.subjects import NATURAL, SUBJECTS
+from vibcli.evidence.subjects import DAMPED, NATURAL, SUBJECTS
 from vibcli.quantities.modal import counted
 
 if TYPE_CHECKING:
@@ -37,7 +37,7 @@ def natural(problem: "Problem", tree: Any) -> Subject:
 
 def _of_members(problem, elements, tree):
     """As many as the highest that is asked for, at least so many."""
-    configuration, count = problem.configuration, _highest(problem, tree)
+    configuration, count = problem.configuration, _highest(problem, tree, NATURAL)
     true = modal.as_rates(members.squares(lambda digits: _undamped(configuration.precise_system(digits)), count))
 
     def ours():
@@ -47,10 +47,10 @@ def _of_members(problem, elements, tree):
                    ours, (elements.each(float), count), relative_error)
 
 
-def _highest(problem, tree):
+def _highest(problem, tree, kind):
     asked = [*(part for answer in problem.spec.answers for part in answer.asked.parts.quantities), *[tree] * bool(tree)]
     numbers = [int(part.indices[0]) for part in asked
-               if SUBJECTS.get(part.head) == NATURAL and part.indices and part.indices[0].isdecimal()]
+               if SUBJECTS.get(part.head) == kind and part.indices and part.indices[0].isdecimal()]
     return min(max([*numbers, LEAST]), MOST)
 
 
@@ -59,15 +59,15 @@ def _rates(modes):
                         max(mode.error for mode in modes))
 
 
-def damped(problem: "Problem", _: Any) -> Subject:
+def damped(problem: "Problem", tree: Any) -> Subject:
     """The eigenvalues with dampers, of each conjugate pair one."""
     elements = _element_data(problem)
     if problem.modal.member_damping is not None:
         raise PhysicsError("`damping:` gives the modes of members their ratios: there is nothing to compare")
-    if elements.pieces:
-        raise PhysicsError("no reference is found of damped modes of members")
     if not problem.modal.damps:
         raise PhysicsError("nothing damps: the damped modes are the natural ones", "ask for omega[1]")
+    if elements.pieces:
+        return _damped_of_members(problem, elements, tree)
     configuration = problem.configuration
     M, C, G, K = elements.arrays()
     true = modal.eigenvalues(configuration.precise_system)
@@ -78,6 +78,19 @@ def damped(problem: "Problem", _: Any) -> Subject:
 
     title = f"damped modes, {counted(len(true.values), 'eigenvalue')} λ with Im λ ≥ 0"
     return Subject("damped modes", "eigenvalue", title, problem, true, ours, (M, C + G, K), relative_error)
+
+
+def _damped_of_members(problem, elements, tree):
+    """As many eigenvalues as the highest mode that is asked for, at least so many."""
+    configuration, count = problem.configuration, _highest(problem, tree, DAMPED)
+    true = member_damped_modes.eigenvalues(configuration.precise_system, count)
+
+    def ours() -> MethodAnswer:
+        modes = ModalAnalysis(configuration).damped.first(count)
+        return MethodAnswer([complex(mode.eigenvalue) for mode in modes], max(mode.error for mode in modes))
+
+    return Subject("damped member modes", "eigenvalue", f"damped modes of members, the lowest {count} eigenvalues λ "
+                   "with Im λ ≥ 0", problem, true, ours, (elements.each(float), count), relative_error)
 
 
 def _element_data(problem):

@@ -10,9 +10,11 @@ from vibcli.evidence.reference import frequency_response as reference
 from vibcli.evidence.reference import member_responses, rated_members
 from vibcli.evidence.reference.settled import relative_error
 from vibcli.evidence.subject import ALONE, MethodAnswer, Subject
+from vibcli.evidence.subjects.eigenvalues import natural
 from vibcli.quantities.cycle_count import counts_cycles
-from vibcli.quantities.expression import argument_in_letters, measure, number_of
+from vibcli.quantities.expression import measure, number_of
 from vibcli.symbolic.evaluation import evaluate, multiprecision
+from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import QuantityRef, parts_of
 
 if TYPE_CHECKING:
@@ -25,19 +27,19 @@ def at_frequency(problem: "Problem", tree: QuantityRef) -> Subject:
     """frf[x, F](Ω), a complex number, or transmissibility[x, F](Ω), its size."""
     if not tree.args:
         raise PhysicsError(f"'{tree.text}' is a function of frequency", f"write {tree.text}(5 Hz)")
-    if parts_of(tree.args[0]).quantities:
-        raise PhysicsError("its frequency is another quantity, of which a reference would be needed first")
-    node, cycles = argument_in_letters(problem, tree.args[0]), counts_cycles(problem.spec, tree.args[0])
+    known, cycles = _asked_elsewhere(problem, tree.args[0]), counts_cycles(problem.spec, tree.args[0])
+    node = lower(tree.args[0], problem.scene.table, lambda name, primes, part: problem.scene.table.parameter(
+        name, positive=False) if name in known else problem.scene.parameters.nodes[name])
 
     def Omega() -> Any:
-        found, = evaluate([node], multiprecision(), problem.numeric.values(multiprecision()))
+        found, = evaluate([node], multiprecision(), {**problem.numeric.values(multiprecision()), **known})
         return 2 * mpmath.pi * found if cycles else found
 
     (signal, driver), value = tree.indices, number_of(problem, tree.args[0])
     read: Callable = abs if tree.head == "transmissibility" else complex
     data: tuple
     if problem.configuration.linear_system.pieces and problem.spec.get("damping") is not None:
-        kind, data = "member motion", ()
+        kind, data = "rated response", ()
         true = rated_members.at_frequency(problem, signal, Omega,
                                           lambda: member_responses.given_by(problem, driver)(Omega()), mpmath.mpc)
     elif problem.configuration.linear_system.pieces:
@@ -53,6 +55,19 @@ def at_frequency(problem: "Problem", tree: QuantityRef) -> Subject:
         with mpmath.workdps(true.working):
             true = true._replace(values=[abs(true.values[0])])
     return _subject(problem, tree, kind, "frequency response at a frequency", true, (*data, value, read))
+
+
+def _asked_elsewhere(problem, tree):
+    """{omega[1]: number …} of what a frequency is made of besides parameters."""
+    found = {}
+    for part in parts_of(tree).quantities:
+        if part.head not in ("omega", "frequency") or len(part.indices) > 1:
+            raise PhysicsError("its frequency is another quantity, of which a reference would be needed first")
+        true = natural(problem, part).true
+        with mpmath.workdps(true.working):
+            rate = mpmath.im(true.values[int(part.indices[0]) - 1])
+            found[part.text] = rate / (2 * mpmath.pi) if part.head == "frequency" else rate
+    return found
 
 
 def of_curve(problem: "Problem", tree: QuantityRef) -> Subject:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from vibcli.base.errors import PhysicsError
+from vibcli.evidence.meshed_members import members_in_time
 from vibcli.evidence.plain_equations import plain_equations
 from vibcli.evidence.reference import member_fronts, member_vibrations, periodic, swings
 from vibcli.evidence.reference import motion as reference
@@ -65,13 +66,16 @@ def of_member_motion(problem: "Problem", tree: QuantityRef) -> Subject:
     name = of.name + "'" * of.primes
     bends = problem.spec.get("damping") is not None or any(
         placed.piece.order == 4 for placed in problem.configuration.linear_system.pieces)
+    until = problem.response.until
     if tree.head == "value":
+        until = number_of(problem, tree.args[1])
         true = (member_vibrations.at_instant if bends else member_fronts.at_instant)(
             problem, name, exact(problem, tree.args[1]))
     else:
         true = (member_vibrations.extremes if bends else member_fronts.extremes)(
-            problem, name, problem.response.until, SENSES[tree.head], tree.head.startswith("arg"))
-    return of_signal("member motion", problem, tree, f"of {problem.response.words}", true, None)
+            problem, name, until, SENSES[tree.head], tree.head.startswith("arg"))
+    return of_signal("member motion", problem, tree, f"of {problem.response.words}", true,
+                     members_in_time(problem, name, until, tree.head))
 
 
 def period(problem: "Problem", tree: QuantityRef) -> Subject:

@@ -57,7 +57,7 @@ def _of_members(problem, tree):
     text = of.name + "'" * of.primes
     given = member_steady_states.given_inputs(problem)
     if problem.spec.get("damping") is not None:
-        return _wave(problem, tree, "member motion", member_steady_states.of_rated(given, text, tree.head), None)
+        return _wave(problem, tree, "rated response", member_steady_states.of_rated(given, text, tree.head), None)
     true = member_steady_states.of_wave(given, text, tree.head)
     with mpmath.workdps(30):
         (Omega, inputs), = given.phasors()

@@ -6,7 +6,7 @@ or loops are closed in numbers, multipliers stay in it as symbols lambda_NAME.
 
 from typing import TYPE_CHECKING
 
-from vibcli.mechanics.inputs_outputs.reactions import Released
+from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING, Released
 from vibcli.mechanics.lagrange import equation_of
 from vibcli.mechanics.static_preload import pivots, solve_linear
 from vibcli.symbolic.derivatives import gradient, substitute
@@ -25,9 +25,10 @@ READABLE = 60           # letters of a reaction; beyond, the shorter of both for
 FIRST = 6               # equations, the shortest, of which each is once the first to give multipliers
 
 
-def along_the_motion(numeric: "NumericSystem") -> "dict[str, Node]":
+def along_the_motion(numeric: "NumericSystem", ties: bool = False) -> "dict[str, Node]":
     """{signal: expression} of the supports in coordinates, velocities and accelerations; B.normal of bodies that slide
-    or roll on a surface, or slide along a direction."""
+    or roll on a surface, or slide along a direction. ties: of ropes and other constraints too, where all multipliers
+    are eliminated."""
     released = Released(numeric)
     scene, table = released.scene, released.scene.table
     still = {node: table.zero for symbol in released.held
@@ -37,15 +38,22 @@ def along_the_motion(numeric: "NumericSystem") -> "dict[str, Node]":
               for row in (gradient(constraint.node) for constraint in scene.constraints)]
     slopes = [substitute(row, still) for row in slopes]
     parts = scene.unrooted(substitute([equation_of(scene, i) for i in range(len(scene.q))], still))
-    ties = [[row[i] * symbol for row, symbol in zip(slopes, symbols, strict=True)] for i in range(len(scene.q))]
+    tied = [[row[i] * symbol for row, symbol in zip(slopes, symbols, strict=True)] for i in range(len(scene.q))]
     equations = {q: textbook(table.total([part, *forces]))
-                 for q, part, forces in zip(scene.q, parts, ties, strict=True)}
+                 for q, part, forces in zip(scene.q, parts, tied, strict=True)}
     free = [table.zero, *(equations[q] for q in released.real)]      # what a free coordinate does costs no reaction
     found = {symbol.name: equations[symbol] for symbol in released.held
              if not any(is_zero(equations[symbol] - sign * node) for node in free for sign in (1, -1))}
     found |= dict(_normals(released, found, still))
     ways = _eliminated(released, symbols, slopes, parts)
-    return {signal: _shorter(node, ways) for signal, node in found.items()} if ways else found
+    if not ways:
+        return found
+    known = {tie.signal: symbol if tie.form in LENGTHENING else -symbol
+             for tie, symbol in zip(scene.constraints, symbols, strict=True)
+             if ties and all(symbol in way for way in ways)}
+    return {signal: _shorter(node, ways) for signal, node in found.items()} | {
+        signal: min((textbook(substitute([node], way)[0]) for way in ways), key=letters)
+        for signal, node in known.items()}
 
 
 def _normals(released, found, still) -> "Iterator[tuple[str, Node]]":

@@ -24,6 +24,10 @@ COLUMNS = 105       # of plain text, in a row of a formula
 DISPLAYED = ' displaystyle="true"'
 _PROLOGUE = re.compile(r"<\?xml.*?\?>|<!DOCTYPE[^>]*>|<metadata>.*?</metadata>", re.DOTALL)
 _GAPS = re.compile(r"<path(?![^>]*\sd=)")       # letters without strokes, as gaps are drawn
+_TEXT = re.compile(r'<text[^>]* font-size="([^"]*)"')
+_WIDE = re.compile(r'<svg\b[^>]*? width="([\d.]+)pt"')
+READABLE = 8.5      # pixels of a screen: the least size of the main letters of a picture
+_INDEXED, LOWERED = re.compile(r"(?<!\w)(\w)_(\w)(?!\w)"), r"\1<sub>\2</sub>"       # a letter with its index
 _DEFINED = re.compile(r'\bid="|href="#|url\(#')
 
 
@@ -98,7 +102,8 @@ def _heading(block, level):
 
 
 def _table(block, _):
-    head = "".join(f'<th scope="col">{_cell(cell)}</th>' if cell else "<td></td>" for cell in block.head)
+    head = "".join(f'<th scope="col">{_INDEXED.sub(LOWERED, _cell(cell))}</th>' if cell else "<td></td>"
+                   for cell in block.head)
     body = "\n".join(map(_row, block.rows))
     return f'<div class="wide"><table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{body}\n</tbody>\n</table></div>'
 
@@ -126,12 +131,22 @@ def _refusal(refusal, _):
 
 
 def _picture(block, _):
-    """The SVG with names of its own for what it defines, so that pictures of one page do not mix."""
+    """The SVG, as wide as the page as long as its letters can be read, with names of its own for what it defines, so
+    that pictures of one page do not mix."""
     drawn = block.draw("svg") if block.animated is None else block.animated()
     svg = _PROLOGUE.sub("", drawn.decode()).strip()
     svg = _DEFINED.sub(rf"\g<0>{re.sub('[^A-Za-z0-9]', '-', block.name)}-", svg)
     svg = _GAPS.sub('<path d=""', svg)
-    return f"<figure>{svg}<figcaption>{words(block.caption)}</figcaption></figure>"
+    return f"<figure>{_readable(svg)}<figcaption>{words(block.caption)}</figcaption></figure>"
+
+
+def _readable(svg):
+    """The SVG, at least so wide that its main letters can be read."""
+    letters, wide = _TEXT.findall(svg), _WIDE.match(svg)
+    if not letters or wide is None:
+        return svg
+    least = READABLE * float(wide[1]) / max(map(float, letters))
+    return svg.replace("<svg ", f'<svg style="min-width: {least:.0f}px" ', 1)
 
 
 _RENDER = {Equations: _equations, Paragraph: _paragraph, Heading: _heading, TableBlock: _table,

@@ -33,14 +33,21 @@ p { margin: 0.5em 0 0.5em 1.5em; }
 p, ul.items li, figure { overflow-x: auto; overflow-y: hidden; padding-bottom: 0.15em; }
 .question, .source { margin-left: 0; }
 .refusal { border-left: 4px solid #b00020; padding-left: 0.8em; }
-figure { margin: 1em 0; } figure svg { max-width: max(100%, 34rem); height: auto; } figcaption { font-size: 0.9rem; }
+figure { margin: 1em 0; } figure svg { max-width: 100%; height: auto; } figcaption { font-size: 0.9rem; }
 :focus-visible { outline: 2px solid; outline-offset: 2px; }
+@media (max-width: 40rem) {
+  body { margin: 1rem auto; } h1 { font-size: 1.4rem; } h2 { font-size: 1.2rem; }
+  p, ul.items, table { margin-left: 0; } ul.items { padding-left: 0; } .equation { padding-left: 0; }
+  .label { min-width: 0; } .equation, table { font-size: 0.9rem; } th, td { padding: 0.2em 0.45em; }
+  th:first-child, td:first-child { padding-left: 0; }
+}
 @media print {
   :root { color-scheme: light; }
   body { max-width: none; margin: 0; font-size: 10.5pt; color: #000; background: #fff; }
   nav { display: none; }
   h1, h2, h3, h4 { break-after: avoid; } .equation, tr, figure { break-inside: avoid; }
-  .equation, .wide, p, ul.items li, figure { overflow: visible; } figure svg { max-width: 100%; }
+  .equation, .wide, p, ul.items li, figure { overflow: visible; }
+  figure svg { max-width: 100%; min-width: 0 !important; }
   th, td { white-space: normal; padding: 0.15em 0.5em; }
   article + article { break-before: page; border: 0; margin: 0; }
 }

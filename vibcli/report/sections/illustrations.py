@@ -70,10 +70,11 @@ def _moving(problem, index, normalise):
 
 
 def plot(name: str, caption: str, figure: Any) -> Picture:
-    """A Picture of a Figure."""
+    """A Picture of a Figure, in the width of a column."""
     from vibcli.plots.picture import picture
+    from vibcli.plots.style import COLUMN
 
-    return Picture(name, caption, partial(picture, figure))
+    return Picture(name, caption, partial(picture, figure, inches=COLUMN))
 
 
 def drawing(name: str, caption: str, primitives: Any, about: str = "") -> Picture:

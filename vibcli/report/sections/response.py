@@ -1,23 +1,20 @@
-"""The motion in time: where it starts, what drives it, its free part as a formula, its steady state, its extremes; and
-as data."""
+"""The motion in time: where it starts, what drives it, its free part as a formula, its steady state, its extremes."""
 
 from collections.abc import Iterator
 from contextlib import suppress
 from math import inf
 from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import NotInLetters, PhysicsError, Unknown
+from vibcli.base.errors import NoBound, NotInLetters, PhysicsError, Unknown
 from vibcli.base.units import TIME, times
 from vibcli.language.sections.initial import FIELDS
 from vibcli.notation.numbers import figure, supported, with_unit
 from vibcli.reader.sections.find import RESPONSE
 from vibcli.report import blocks
 from vibcli.report.blocks import Name, Section, TableBlock, line, maths, paragraph, section
-from vibcli.report.keys import Key, data
-from vibcli.report.sections.expanded_motion import PERIODS, compared_periods
 from vibcli.report.sections.parameters import as_given
 from vibcli.report.sections.requested_signals import RequestedSignal, extremes, if_known, signals_asked, trees_asked
-from vibcli.report.sections.steady_state import harmonics_of, phase_in, steady_state
+from vibcli.report.sections.steady_state import steady_state
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -39,7 +36,7 @@ def response(problem: "Problem", report: "Report") -> Iterator[Section]:
         yield from _in_letters(problem, report.wanted)
         return
     motion, asked = problem.response, signals_asked(problem, report.wanted.signals)
-    _require_quick(problem, asked, report.wanted)
+    require_quick(problem, asked, report.wanted)
     if motion.KIND == "prescribed":
         yield from section(f"Motion in time ({motion.words})", paragraph("nothing moves freely"))
     else:
@@ -93,13 +90,14 @@ def _by_waves(motion, asked):
             yield from section("End of the motion", paragraph(f"all is at rest from t = {figure(end)} s on"))
 
 
-def _require_quick(problem, asked, wanted):
+def require_quick(problem: "Problem", asked: list[RequestedSignal], wanted: "Wanted") -> None:
     """PhysicsError, before anything is computed, where the digits asked for would take long."""
     if wanted.digits is not None:
-        from vibcli.results.precise_work import estimated_steps, require_quick
+        from vibcli.results import precise_work
 
-        require_quick(sum(max(estimated_steps(one.signal, float(t), wanted.digits) for one in asked)
-                          for _, t in wanted.at), wanted.digits, problem.work)
+        steps = sum(max(precise_work.estimated_steps(one.signal, float(t), wanted.digits) for one in asked)
+                    for _, t in wanted.at)
+        precise_work.require_quick(steps, wanted.digits, problem.work)
 
 
 def at_instants_alone(motion: Any, wanted: "Wanted") -> bool:
@@ -201,7 +199,20 @@ def _extremes(asked, until, digits):
             cells[1::2] = ["always"] * 2
         rows.append((f"{one.label} [{one.unit}]".replace(" []", ""), *cells))
     yield from section(f"Extremes for 0 ≤ t ≤ {figure(until)} s",
-                       TableBlock(("signal", "largest", "at t [s]", "smallest", "at t [s]"), tuple(rows)))
+                       TableBlock(("signal", "largest", "at t [s]", "smallest", "at t [s]"), tuple(rows)),
+                       *map(paragraph, dict.fromkeys(filter(None, (without_bound(one, until) for one in asked)))))
+
+
+def without_bound(one: RequestedSignal, until: float) -> str | None:
+    """Why extremes of a signal up to an instant have no bound, and what helps; None where they have one."""
+    for sense in (1, -1):
+        try:
+            one.signal.bounded_extreme(0.0, until, sense)
+        except NoBound as refusal:
+            return f"{refusal.CELL}: {refusal.message}; {refusal.hint}"
+        except PhysicsError:
+            return None
+    return None
 
 
 def extreme_cells(signal: "Signal", found: "BoundedExtreme", until: float, sense: int,
@@ -212,83 +223,3 @@ def extreme_cells(signal: "Signal", found: "BoundedExtreme", until: float, sense
             t, value = signal.precise_extreme(0.0, until, sense, digits)
             return precise_text(value, digits), precise_text(t, digits)
     return supported(found.value, found.error), supported(found.time, found.error_of_time)
-
-
-def response_data(problem: "Problem", wanted: "Wanted") -> dict[str, Any]:
-    """A motion in time as data, as far as it is known."""
-    motion, asked = problem.response, signals_asked(problem, wanted.signals)
-    _require_quick(problem, asked, wanted)
-    places, speeds = motion.start
-    known = known_until(motion, wanted)
-    instants = [_values(problem, one, wanted, known) for one in asked]
-    alone = at_instants_alone(motion, wanted)
-    end = None if alone else min(known, motion.until)
-    ends = [(one, None, None) for one in asked] if alone else extremes(asked, end)
-    found = [SIGNALS.row(one.text, one.unit, *(number for which in both for number in (
-                         (None, None) if which is None or isinstance(which, str) else (which.value, which.time))),
-                         None if alone else _steady(motion, one.signal, wanted.phase), values,
-                         [] if alone else one.signal.leaps(end))
-             for (one, *both), values in zip(ends, instants, strict=True)]
-    missing = unknown(problem, wanted)
-    return data((*KNOWN, PERIODS, UNKNOWN, ESTIMATED), {
-        "until": end, "initial": {} if alone else {**places, **{name + "'": v for name, v in speeds.items()}},
-        "signals": found, "balance": motion.trajectory().balance.error if motion.KIND == "full" else None,
-        "unknown": missing and missing.message, "estimated": motion.estimated,
-        "periods": compared_periods(problem, motion)})
-
-
-def _values(problem, one, wanted, known):
-    """[(t, value)] at the instants asked for; with --digits as texts; None beyond what is known."""
-    def value(t):
-        from vibcli.results.escalation import value_of_signal
-
-        if float(t) > known:
-            return None
-        if wanted.digits is not None:
-            return value_at(problem, one, t, wanted.digits)
-        return if_known(lambda: value_of_signal(one.signal.read_at(float(t)), t)[0], lambda _: None)
-
-    return [(t, value(t)) for _, t in wanted.at]
-
-
-def _steady(motion, signal, convention):
-    """[(Ω, X, phase)] of the steady state; None where there is none."""
-    if not motion.drive or not hasattr(signal, "output"):
-        return None
-    try:
-        return [(Omega, X, phase_in(convention, X)) for Omega, X, _ in harmonics_of(signal)]
-    except PhysicsError:
-        return None
-
-
-SIGNALS = Key("signals", "a list, one entry to each signal", each=(
-    Key("signal", "the signal as written"),
-    Key("unit", "its unit"),
-    Key("max", "its largest value for 0 ≤ t ≤ until; null of a force that statics alone does not fix at all of these "
-        "instants"),
-    Key("argmax", "the instant of that, in s"),
-    Key("min", "its smallest value; null as above"),
-    Key("argmin", "the instant of that, in s"),
-    Key("steady", "a list of the harmonics of the steady state, of a periodic load the first; null where there is none",
-        each=(
-            Key("Omega", "angular frequency of a harmonic", lambda one: one[0]),
-            Key("amplitude", "its amplitude X", lambda one: abs(one[1])),
-            Key("phase", "its θ in X sin(Omega t − θ), or as --phase says", lambda one: one[2]))),
-    Key("at", "a list, one entry to each --at; empty without", each=(
-        Key("t", "the instant, in s", lambda one: float(one[0])),
-        Key("value", "the value then, null where it is not known; with --digits a decimal", lambda one: one[1]))),
-    Key("fronts", "a list of the fronts of travelling waves at which the signal leaps; empty of other motions", each=(
-        Key("t", "the instant, in s", lambda one: one[0]),
-        Key("before", "the value before it", lambda one: one[1]),
-        Key("after", "the value after it", lambda one: one[2])))))
-KNOWN = (
-    Key("until", "its end, in s, as far as it is known; null where a motion that is all prescribed is asked for at "
-        "instants alone"),
-    Key("initial", "{coordinate, or velocity x': value at t = 0}"), SIGNALS,
-    Key("balance", "what the energies of an integrated motion fail to balance by, relative to the largest; null of "
-        "small oscillations, and of a motion that --digits follows by series"))
-UNKNOWN = Key("unknown", "null, or why the motion is known up to `until` alone, though more was asked for")
-ESTIMATED = Key("estimated", "true where errors of members by modes are estimates of what modes left out add, and no "
-                "bounds; those of travelling waves always are bounds")
-MOTION = Key("response", "of `vibcli response`, and where `find` asks: the motion in time; null where symbols have no "
-             "value", of=(UNKNOWN, *KNOWN, PERIODS, ESTIMATED))

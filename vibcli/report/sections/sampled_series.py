@@ -146,7 +146,10 @@ def frequency_figure(problem: "Problem", curves: Sequence[SampledCurve], nyquist
     title = problem.spec.get("title") or ""
     if nyquist:
         return frequency.nyquist(Omega, values, _unit(curves), at=peaks, title=title)
-    kind = f"|H| to {symbol(curves[0].driver)}"
+    driver = symbol(curves[0].driver)
+    if curves[0].driver in problem.spec.coordinates:        # the force along it
+        driver = f"Q_{driver}"
+    kind = f"|H| to {driver}" if len(curves) > 1 else f"|{_factor(next(iter(values)))}/{_factor(driver)}|"
     return frequency.of_frequency_response(Omega, values, kind, _unit(curves), peaks, dips, title=title)
 
 
@@ -169,9 +172,15 @@ def _smooth(Omega, responses, found):
     return Omega, found
 
 
+def _factor(name):
+    """A name as it stands in a quotient: in brackets where it is more than one name."""
+    return f"({name})" if any(sign in name for sign in " ·/") else name
+
+
 def _unit(curves):
+    """The unit that all curves have; none of a ratio of like quantities."""
     units = {curve.unit for curve in curves}
-    return units.pop() if len(units) == 1 else ""
+    return units.pop() if len(units) == 1 and units != {"1"} else ""
 
 
 def frequency_columns(curves: Sequence[SampledCurve]) -> "list[tuple[str, str, np.ndarray]]":

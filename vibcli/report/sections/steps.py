@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 BARE = re.compile(r"(?<![\w.^√])(\d+\.\d+|\d{3,})·(?!i\b)[^\W\d]")        # halves and thirds have no unit
 JOINS, FACTORS = ("springs", "dampers"), ("mass", "inertia", "k", "c", "torsion")
 PUT_IN = re.compile(r"to order|expanded|^balance\[")        # what lines settle in which numbers stand for letters
+WITH_UNITS = re.compile(r"modal_mass\[|normal coordinates|motion of ")       # what lines settle whose units are told
+RAISED = {ord(sign): f"^{digit}" for digit, sign in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")}
 SI = "Numbers that stand beside letters without a unit are in SI units."
 
 
@@ -36,9 +38,25 @@ def _has_bare_numbers(problem, found):
     if 1 in hidden and any(_is_literal(record.get(key)) for kind in ("bodies", *JOINS) for record in (
             problem.spec.get(kind) or {}).values() for key in FACTORS):
         return True         # 1 kg is not seen at all
-    lines = found if hidden else [one for one in found if PUT_IN.search(one.settles)]
+    lines = [one for one in found if not (WITH_UNITS.match(one.settles) or _is_homogeneous(one))] if hidden else [
+        one for one in found if PUT_IN.search(one.settles)]
     return any(BARE.search(formula([part for part in one.parts if not isinstance(part, blocks.WithNumbers)], plain))
                for one in lines)
+
+
+def _is_homogeneous(one):
+    """Has what a line settles its unit by its letters alone, so that its numbers are pure?"""
+    from vibcli.base import units
+    from vibcli.notation.units_in_sums import ALL_PURE, dimension_of
+
+    if one.node is None or not one.unit or one.node.table.dimension is None:
+        return False
+    text = one.unit.translate(RAISED)
+    try:
+        wanted = units.parse_unit(text).dimension
+    except ValueError:
+        return False
+    return dimension_of(one.node, one.node.table.dimension, ALL_PURE) == wanted
 
 
 def _is_literal(field):

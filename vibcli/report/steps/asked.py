@@ -6,14 +6,17 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.notation.as_printed import as_printed
 from vibcli.quantities.expression import lowered, value_of
-from vibcli.quantities.in_letters import quantity_in_letters
+from vibcli.quantities.in_letters import response_of
+from vibcli.quantities.letters import any_quantity
 from vibcli.quantities.quantity import OF_STATE, is_choice, quantity_of
 from vibcli.report.blocks import Words
 from vibcli.report.steps.agreement import same, samples_of, tidy
 from vibcli.report.steps.characteristic import LONG
 from vibcli.report.steps.directions import tell_direction
 from vibcli.report.steps.free_vibration import tell_of_free
+from vibcli.report.steps.in_numbers_alone import tell_left
 from vibcli.report.steps.instants import tell_instant
+from vibcli.report.steps.kept_up import tell_of_kept_up
 from vibcli.report.steps.place_of_rest import as_counted
 from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -50,27 +53,52 @@ def tell_asked(problem: "Problem", sheet: WorkedSolution) -> None:
 
 def _tell_in_letters(problem, sheet):
     """The expressions of quantities that answers of a scene in letters ask, with a number where all that is left has
-    one."""
-    samples, known = samples_of(problem, {}), problem.scene.parameters.values(Floats)
-    settled = {line.settles for line in sheet.steps}
+    one; then what is told in numbers alone."""
+    settled, left = {line.settles for line in sheet.steps}, []
     for asked in [one.asked for one in problem.spec.answers if _untold(problem.spec, one.asked)
                   or getattr(one.asked.tree, "head", "") in OF_LETTERS]:
-        with suppress(PhysicsError, SpecError):
-            alone = isinstance(asked.tree, QuantityRef)
-            if alone and (asked.text in settled or tell_instant(problem, sheet, asked)):
-                continue
-            node = short_quantity(problem, asked.tree) if alone else tidy(_of_quantities(problem, asked), samples)
-            value, unit = None, unit_told(problem.spec, asked)
-            with suppress(KeyError):
-                value, = evaluate([node], Floats, known)
-            if letters(node) <= LONG and node.op != "number":
-                text = as_printed(asked.text, {*problem.spec.parameters, *problem.spec.coordinates})
-                sheet.write(Words(f"{text}:  "), node, *(() if value is None else number(value, unit)), node=node,
-                            settles=asked.text, value=value, unit=unit * (value is not None), uses=[sheet.last])
+        if asked.text in settled:
+            continue
+        try:
+            ways = (_by_frequency, tell_instant, tell_of_free) if isinstance(asked.tree, QuantityRef) else ()
+            if not any(tell(problem, sheet, asked) for tell in (*ways, tell_of_kept_up, _told_as_expression)):
+                left.append(asked)
+        except (PhysicsError, SpecError):
+            left.append(asked)
+    tell_left(problem, sheet, left)
+
+
+def _by_frequency(problem, sheet, asked):
+    """Is a period told by the letter of its frequency?"""
+    tree = asked.tree
+    line = next((one for one in sheet.steps if tree.head == "period" and not tree.args and one.letter
+                 and one.settles == f"omega[{', '.join(tree.indices)}]" and one.node is not None), None)
+    if line is None:
+        return False
+    table = problem.scene.table
+    node = 2 * table.pi / table.parameter(line.letter)
+    sheet.write(Words(f"{as_printed(asked.text)}:  "), node, settles=asked.text, node=node, uses=[line.number])
+    return True
+
+
+def _told_as_expression(problem, sheet, asked):
+    """Is its expression in letters written down, as it is not long?"""
+    samples, known = samples_of(problem, {}), problem.scene.parameters.values(Floats)
+    alone = isinstance(asked.tree, QuantityRef) or response_of(problem, asked.tree) is not None
+    node = short_quantity(problem, asked.tree) if alone else tidy(_of_quantities(problem, asked), samples)
+    value, unit = None, unit_told(problem.spec, asked)
+    with suppress(KeyError):
+        value, = evaluate([node], Floats, known)
+    if letters(node) > LONG or node.op == "number":
+        return node.op == "number"
+    text = as_printed(asked.text, {*problem.spec.parameters, *problem.spec.coordinates})
+    sheet.write(Words(f"{text}:  "), node, *(() if value is None else number(value, unit)), node=node,
+                settles=asked.text, value=value, unit=unit * (value is not None), uses=[sheet.last])
+    return True
 
 
 def _of_quantities(problem, asked):
-    found = {part.text: quantity_in_letters(problem, part) for part in asked.parts.quantities}
+    found = {part.text: any_quantity(problem, part) for part in asked.parts.quantities}
     return lowered(asked, problem.scene.table, lambda name, primes, part: found[part.text] if isinstance(
         part, QuantityRef) else problem.scene.parameters.nodes[name])
 
@@ -93,6 +121,8 @@ def _is_number(spec, tree):
 
 def _tell(problem, sheet, asked, joined):
     for tell in BY_LETTERS if isinstance(asked.tree, QuantityRef) else ():
+        if joined and tell is tell_of_free:
+            sheet.join_next()
         with suppress(PhysicsError, SpecError):
             if tell(problem, sheet, asked):
                 return
@@ -129,7 +159,7 @@ def _in_letters(problem: "Problem", asked: "Expression", value: float) -> "Node 
 def short_quantity(problem: "Problem", tree: Any) -> "Node":
     """A quantity in letters, in its shortest form; NotInLetters where it is found in numbers."""
     samples = samples_of(problem, {})
-    found = without_bars(quantity_in_letters(problem, tree), samples)
+    found = without_bars(any_quantity(problem, tree), samples)
     shortest = min(tidy(found, samples), found, key=letters)
     return min(_rooted(shortest, samples), shortest, key=letters)
 

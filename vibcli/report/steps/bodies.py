@@ -9,7 +9,7 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.notation.names import lowered
 from vibcli.notation.plain import plain
 from vibcli.report.blocks import Factor, Name, SumOfTerms, Words
-from vibcli.report.steps.step import WorkedSolution, number
+from vibcli.report.steps.step import WorkedSolution, number, place_told
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import is_zero, textbook
@@ -116,7 +116,7 @@ class Bodies:
         x, y = map(about.shifted, body.frame.point(*body.centre))
         if how and letters(x) + letters(y) <= LONG:
             where = Words(f"{body.name} turns about the fixed {axis}, {centre} at  ")
-            turns = [where, "(", x, ", ", y, ")", Words(":  ")]
+            turns = [where, *place_told(x, y), Words(":  ")]
         line = self.sheet.write(*turns, Name(letter), " = ", *how, *told, J,
                                 *self._number(J), settles=letter, node=J, value=about.value(J), unit="kg·m²")
         return self._energy(body.name, [(J, omega)], line, [self.about.letter(letter) * rate ** 2 / 2])
@@ -195,7 +195,7 @@ class Bodies:
         x, y = self.about.shifted(x), self.about.shifted(y)
         if all(node.op == "symbol" or not node.mask for node in (x, y)) or letters(x) + letters(y) > LONG:
             return None
-        return self.sheet.write(Words(f"mass centre of {body.name}:  "), "C = (", x, ", ", y, ")")
+        return self.sheet.write(Words(f"mass centre of {body.name}:  "), "C = ", *place_told(x, y))
 
     def _of_terms(self, name, terms):
         """½ w ṡ² of what has no place; of a body v or ω first, where that is more than the rate of a coordinate."""

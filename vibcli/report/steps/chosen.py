@@ -10,7 +10,11 @@ from vibcli.report.sections.design_parameters import condition_parts, condition_
 from vibcli.report.sections.parameters import as_given
 from vibcli.report.steps.asked import short_quantity
 from vibcli.report.steps.characteristic import LONG
+from vibcli.report.steps.degree import Degree
 from vibcli.report.steps.instants import at_instant
+from vibcli.report.steps.one_degree import OneDegree
+from vibcli.report.steps.place_of_rest import about_rest
+from vibcli.report.steps.small_oscillations import Derivation
 from vibcli.report.steps.step import WorkedSolution
 from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.syntax import parts_of
@@ -52,6 +56,18 @@ def tell_chosen(problem: "Problem", sheet: WorkedSolution) -> None:
         written = _written_out(problem, sheet, problem.spec.choices[name]["so"])
         sheet.write(Words(told), *written, *parts, Words(left), settles=name, node=form, uses=uses or [sheet.last],
                     value=None if value is None else float(value), unit=unit.strip())
+
+
+def tell_chosen_motion(problem: "Problem", sheet: WorkedSolution) -> None:
+    """The free motion of one degree of freedom whose damping is chosen in letters: how it goes follows from that."""
+    letters = with_letters(problem)
+    if letters is problem or len(problem.scene.q) != 1 or any(line.settles == "free motion" for line in sheet.steps):
+        return
+    with suppress(PhysicsError):
+        aside = WorkedSolution([])
+        about = about_rest(problem, aside)
+        degree = Degree(about, sheet, Derivation(about, aside).equations())
+        OneDegree(degree).write_motion([sheet.last])
 
 
 def _written_out(problem, sheet, condition) -> list[Any]:

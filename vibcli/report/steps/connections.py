@@ -16,7 +16,7 @@ from vibcli.report.blocks import Name, SumOfTerms, Words
 from vibcli.report.steps.bodies import LONG, EnergyPart
 from vibcli.report.steps.parts_in_series import tell_parts
 from vibcli.report.steps.small import AboutRest, Small
-from vibcli.report.steps.step import WorkedSolution, number
+from vibcli.report.steps.step import WorkedSolution, number, place_told
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters
@@ -115,6 +115,8 @@ class Connections:
         letter = about.letter(delta)
         formula = shown * letter + k * letter ** 2 / 2
         more = [" + …", Words(LIMP)] if node.is_zero and not hasattr(term, "weight") else []
+        what = "moment" if self._unit(term.owner) == "N·m" else "force"
+        more += [Words(",  "), Name(N), Words(f" its {what} at rest")] if loaded and not node.is_zero else []
         line = sheet.write(Name(V), *([] if formula.is_zero else [" = ", formula]), " = ", node, *more, settles=V,
                            node=node, uses=[told], joined=exact and letters(moves) <= AT_ONCE)
         kept = shown if loaded and about.know(shown, about.value(tension)) else tension
@@ -154,7 +156,7 @@ class Connections:
             turned = any(node.op == "call" and node.mask for node in reachable(place))
             if turned and sum(map(letters, place)) <= LONG:
                 self._located.add(name)
-                parts += [Words(f", {name} at  "), "(", place[0], ", ", place[1], ")"]
+                parts += [Words(f", {name} at  "), *place_told(*place)]
         return [*parts, Words(":  ")]
 
     @property

@@ -51,24 +51,23 @@ class TurningBack(NamedTuple):
 def tell_extremes(degree: Degree, swing: Swing) -> None:
     """Write down the extremes that are asked of the coordinate, and their instants, where the engine finds the same."""
     asked = _asked(degree) if not degree.problem.spec.choices else []
-    of = instances(degree.problem, degree.sheet.steps) if asked else []
-    found = list(_found(degree, swing, asked, of, {}))
+    found = list(_found(degree, swing, asked, {}))
     numbers = sorted({turn.number for _, turn, _ in found if turn.letter is not None})
     if len(numbers) > 1:
-        found = list(_found(degree, swing, asked, of, {number: place for place, number in enumerate(numbers, 1)}))
+        found = list(_found(degree, swing, asked, {number: place for place, number in enumerate(numbers, 1)}))
     lines: dict = {}
     for turn in sorted((turn for _, turn, _ in found), key=lambda turn: turn.number):
         if turn.instant is not None and (swing.B is None or turn.letter is not None) and turn.number not in lines:
-            lines[turn.number] = _tell_turn(degree, swing, turn, of[0][1], bool(lines))
+            lines[turn.number] = _tell_turn(degree, swing, turn, bool(lines))
     before = degree.sheet.last
     for one, turn, node in found:
         _tell(degree, one, node, lines.get(turn.number, swing.line), joined=degree.sheet.last > before)
 
 
-def _found(degree, swing, asked, of, letters):
+def _found(degree, swing, asked, letters):
     """(what is asked, its TurningBack, its expression), with letters t₁, t₂ … by the numbers of places."""
     for one in asked:
-        form = _form_of(degree, swing, one, found_at(of, one), letters)
+        form = _form_of(degree, swing, one, found_at(degree.problem, degree.sheet, one), letters)
         if form is not None:
             yield one, *form
 
@@ -81,7 +80,7 @@ def _asked(degree):
         one.tree.args[0], NameRef) and (one.tree.args[0].name, one.tree.args[0].primes) == (degree.name, 0)]
 
 
-def _tell_turn(degree, swing, turn, known, joined):
+def _tell_turn(degree, swing, turn, joined):
     """The line of where it turns back."""
     table, t, rate = degree.about.table, degree.problem.scene.time, _rate(degree)
     if swing.B is None:
@@ -89,7 +88,9 @@ def _tell_turn(degree, swing, turn, known, joined):
         speed = -(swing.A * degree.omega ** 2 * wave / rate)
         return degree.sheet.write(Name(degree.name + "'"), " = ", speed, Words(",  zero first at  "), "t = ",
                                   swing.begins + turn.instant, settles="turning back", uses=[swing.line])
-    value = None if degree.problem.numeric.has_free_symbols else _at(turn, known)[turn.letter.name]
+    value = None
+    if not degree.problem.numeric.has_free_symbols:
+        value = _at(turn, next(instances(degree.problem, degree.sheet))[1])[turn.letter.name]
     tangent = table.call("tan", rate * turn.letter)
     return degree.sheet.write(Name(degree.name + "'"), " = 0", Words(" at  "), turn.letter, Words("  with  "), tangent,
                               " = ", _tangent(degree, swing), *(() if value is None else (

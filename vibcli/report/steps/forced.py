@@ -233,6 +233,7 @@ def _series(degree, wave, argument, F):
                          settles=f"series of {wave}")
     n, X = degree.about.letter(sheet.letter("n")), sheet.letter("X", "n")
     force = F * factor / (table.pi * n)
+    asked = {one.asked.text for one in degree.problem.spec.answers}
     orders = ", ".join(str(1 + k * step) for k in range(TOLD))
     general = sheet.write(Words("to its n-th harmonic belongs  "), Name(X), " = ", _size_of(force) / _resistance(
         degree, n * Omega), Words(f",   n = {orders}, …"), settles=X, uses=[series, *degree.found.lines])
@@ -240,9 +241,9 @@ def _series(degree, wave, argument, F):
         order = table.number(1 + k * step)
         node = _size_of(F * factor / (table.pi * order)) / _resistance(degree, order * Omega)
         letter: Any = degree.about.letter(sheet.letter(f"X{1 + k * step}"))
-        if degree.about.value(node) is not None:
-            degree.settled([letter], node, degree.unit, f"harmonic[{1 + k * step}]({degree.name})", [general],
-                           letters=False, joined=k > 0)
+        quantity = f"harmonic[{1 + k * step}]({degree.name})"
+        if degree.about.value(node) is not None or (quantity in asked and not degree.C.is_zero):
+            degree.settled([letter], node, degree.unit, quantity, [general], letters=False, joined=k > 0)
 
 
 def _size_of(node: "Node") -> "Node":

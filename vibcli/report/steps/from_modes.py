@@ -7,8 +7,11 @@ where nothing damps or what damps leaves the modes apart; and beats, where two m
 from math import pi, sqrt
 from typing import TYPE_CHECKING, Any
 
+from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
+from vibcli.mechanics.initial_state import starts_in_letters
 from vibcli.report.blocks import Factor, Name, Words
+from vibcli.report.steps.free_waves import ToldMotion, from_start
 from vibcli.report.steps.held import SmallEquations
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number, told
@@ -23,7 +26,7 @@ if TYPE_CHECKING:
 
 ALIKE = 1e-9            # relative: of sums that vanish, and of amplitudes that are the same
 CLOSE = 0.2             # of the difference of two frequencies over their sum, up to which they beat
-START = "at t = 0 of mode {}, its shape by M by the start over its modal mass:  "
+START = "share of mode {} in the start, its shape times M times what is there at t = 0 over its modal mass:  "
 
 
 class ModeFromStart(NamedTuple):
@@ -188,43 +191,74 @@ def _product(wave, first, second, t):
 
 
 def tell_in_letters(about: AboutRest, sheet: WorkedSolution, found: SmallEquations,
-                    modes: "Sequence[tuple[Node, Node]]", uses: "Sequence[int]") -> None:
-    """The same of two undamped coordinates with letters; `modes`: the ω² and the ratio of amplitudes of each."""
-    start = _start_in_letters(about)
-    if start is None or found.C or found.G or found.drive or about.problem.spec.in_full:
+                    modes: "Sequence[tuple[Node, Sequence[Node]]]", uses: "Sequence[int]") -> None:
+    """The same of two coordinates with letters, which damping leaves apart; `modes`: ω² and the shape of each."""
+    start = None if found.G or found.drive or about.problem.spec.in_full else _start_in_letters(about)
+    if start is None or not (is_zero(between(found.C, *(u for _, u in modes))) if found.C else True):
         return
-    table, t, zero = about.table, about.scene.time, about.table.zero
-    omegas = [zero if square.is_zero else about.letter(sheet.letter(f"omega{k}")) for k, (square, _) in enumerate(
-        modes, 1)]
-    weights, lines = [], []
-    for k, (_, ratio) in enumerate(modes, 1):
-        u = (table.one, ratio)
-        mass = table.total([node * u[i] * u[j] for (i, j), node in found.M.items()])
-        p, v = (about.tidy(table.total([node * u[i] * x[j] for (i, j), node in found.M.items()]) / mass) for x in start)
-        letter = sheet.letter(f"p{k}")
-        told = [Name(letter), " = ", p, Words(",  "), Name(letter + "'"), " = ", v]
-        lines.append(sheet.write(Words(START.format(k)), *told, settles=f"start of mode {k}", node=p, uses=uses))
-        weights.append([(p * r, v * r) for r in u])
+    told = [_mode_in_letters(about, sheet, found, k, *mode, start, uses) for k, mode in enumerate(modes, 1)]
+    if None in told:
+        return
+    table, t = about.table, about.scene.time
     for i, name in enumerate(about.scene.coordinates):
-        cosines = [about.tidy(weight[i][0]) for weight in weights]
-        speeds = [about.tidy(weight[i][1]) for weight in weights]
-        node = table.total([a + b * t if omega.is_zero else a * table.call("cos", omega * t) + b / omega * table.call(
-            "sin", omega * t) for a, b, omega in zip(cosines, speeds, omegas, strict=True)])
-        line = sheet.write(Words("so  "), Name(name), " = ", node, settles=f"motion of {name}", node=node, uses=lines)
-        alike = [sign for sign in (1, -1) if is_zero(cosines[0] - sign * cosines[1])]
-        if alike and not (cosines[0].is_zero or omegas[0].is_zero) and all(one.is_zero for one in speeds):
-            sheet.write(Words("which beats where the frequencies are near each other:  "), Name(name), " = ", Factor(
-                2 * cosines[0]), "·", *_product("cos" if alike == [1] else "sin", *omegas, t),
-                settles=f"beats of {name}", uses=[line])
+        waves = [from_start(about.tidy(p * u[i]), about.tidy(v * u[i]), *rates)
+                 for (p, v, *rates, _), (_, u) in zip(told, modes, strict=True)]
+        node = table.total([wave.at(t) for wave in waves])
+        line = sheet.write(Words("so  "), Name(name), " = ", node, settles=f"motion of {name}", node=node,
+                           uses=[line for *_, line in told])
+        sheet.waves[name] = ToldMotion([wave for wave in waves if not (wave.a.is_zero and wave.b.is_zero)], line)
+        _beats_in_letters(about, sheet, name, waves, line)
+
+
+def between(matrix: "Mapping[tuple[int, int], Node]", one: "Sequence[Node]", other: "Sequence[Node]") -> "Node":
+    """uᵀ M v."""
+    return one[0].table.total([node * one[i] * other[j] for (i, j), node in matrix.items()])
+
+
+def _mode_in_letters(about, sheet, found, k, square, u, start, uses):
+    """(p, ṗ, ω, δ, the line of its start); None of one that damping alone lets die out."""
+    table, omega = about.table, about.letter(sheet.letter(f"omega{k}"))
+    mass = between(found.M, u, u)
+    p, v = (about.tidy(between(found.M, u, x) / mass) for x in start)
+    delta = about.tidy(between(found.C, u, u) / (2 * mass)) if found.C else table.zero
+    if square.is_zero:
+        if not delta.is_zero:
+            return None
+        omega = table.zero
+    damped: list[Any] = []
+    if not delta.is_zero:
+        of_delta, rate = (about.letter(sheet.letter(f"{letter}{k}")) for letter in ("delta", "omega_d"))
+        root = table.sqrt(omega ** 2 - of_delta ** 2)
+        damped = [Words(",  "), of_delta, " = ", delta, Words(",  "), rate, " = ", root,
+                  Words("   (under-damped)")]
+    letter, line = sheet.letter(f"p{k}"), uses[-1]
+    if not any(part.is_zero for part in u):
+        told = [Words(START.format(k)), Name(letter), " = ", p, Words(",  "), Name(letter + "'"), " = ", v, *damped]
+        line = sheet.write(*told, settles=f"start of mode {k}", node=p, uses=uses)
+    elif damped:
+        line = sheet.write(Words(f"mode {k} is damped with"), *damped[1:], settles=f"damping of mode {k}", uses=uses)
+    if not damped:
+        return p, v, omega, delta, line
+    for one, node in ((of_delta, delta), (rate, root)):
+        sheet.write(settles=one.name, node=node, joined=True, letter=one.name)
+    return p, v, rate, of_delta, line
+
+
+def _beats_in_letters(about, sheet, name, waves, line):
+    """The product of a slow and a fast wave that two cosines of one amplitude are."""
+    one, other = waves
+    alike = [sign for sign in (1, -1) if is_zero(one.a - sign * other.a)]
+    if alike and not (one.a.is_zero or one.rate.is_zero) and all(
+            wave.b.is_zero and wave.delta.is_zero for wave in waves):
+        sheet.write(Words("which beats where the frequencies are near each other:  "), Name(name), " = ", Factor(
+            2 * one.a), "·", *_product("cos" if alike == [1] else "sin", one.rate, other.rate, about.scene.time),
+            settles=f"beats of {name}", uses=[line])
 
 
 def _start_in_letters(about):
-    """[the places, the speeds] at t = 0 from rest, None where the file gives none or rest is not as drawn."""
-    record, scene = about.problem.spec.get("initial"), about.scene
-    names = {name + mark for name in scene.coordinates for mark in ("", "'")}
-    if record is None or not about.problem.symbolic.balanced_as_drawn or any(key not in names for key in record):
+    """[the places, the speeds] at t = 0 from rest, None where the file gives none in letters."""
+    try:
+        starts = starts_in_letters(about.problem.symbolic)
+    except PhysicsError:
         return None
-    rest = [scene.drawn[scene.symbol(name)] for name in scene.coordinates]
-    lowered = {key: scene.lower(record[key]) for key in record}
-    return ([lowered.get(name, at) - at for name, at in zip(scene.coordinates, rest, strict=True)],
-            [lowered.get(name + "'", about.table.zero) for name in scene.coordinates])
+    return None if starts is None else list(zip(*starts, strict=True))

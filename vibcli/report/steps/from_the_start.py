@@ -10,9 +10,11 @@ from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.degree import Degree
+from vibcli.report.steps.free_waves import FreeWave, ToldMotion
 from vibcli.report.steps.step import number
-from vibcli.symbolic.derivatives import substitute
+from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.normal_form import is_zero
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
@@ -56,9 +58,15 @@ def _write(degree, wave, x0, v0, lines):
     free = A * table.call("cos", rate * t) + B * table.call("sin", rate * t)
     decay = [table.call("exp", -(degree.delta * t)), "·"] if damped else []
     kept = _kept(wave, t)
+    whole = kept + (decay[0] * free if damped else free)
     line = sheet.write(Words("with a free motion  "), Name(degree.name), " = ", kept, " + ", *decay,
-                       Factor(free) if damped else free, settles="motion", uses=lines)
+                       Factor(free) if damped else free, settles="motion", uses=lines, node=whole)
     place, speed = _at_start(degree, wave)
+    Omega = gradient(wave.steady.argument)[t]
+    if wave.theta is None and wave.steady.mean is None and is_zero(wave.steady.argument - Omega * t):
+        a, b = (wave.X, table.zero) if wave.steady.wave == "cos" else (table.zero, wave.X)
+        free = FreeWave(table.zero if (x0 - place).is_zero else A, B, rate, table.zero)
+        sheet.waves[degree.name] = ToldMotion([FreeWave(a, b, Omega, table.zero), free], line)
     ahead = v0 - speed + (degree.delta * A if damped else table.zero)
     values = _values(degree, wave, x0 - place, v0 - speed)
     told: list[Any] = []
@@ -67,6 +75,9 @@ def _write(degree, wave, x0, v0, lines):
         told += [Words(",  " * bool(told)), letter, *shown, *(() if value is None else number(value, unit))]
     sheet.write(Words("at t = 0  "), Name(degree.name), " = ", x0, Words(",  "), Name(degree.name + "'"), " = ", v0,
                 Words(":  "), *told, settles="motion from the start", uses=[line])
+    for letter, form, value in zip((A, B), (x0 - place, ahead / rate), values, strict=True):
+        sheet.write(settles=letter.name, node=form, value=value, joined=True, letter=letter.name,
+                    unit="" if value is None else degree.unit)
 
 
 def _kept(wave, t) -> "Node":

@@ -116,7 +116,7 @@ class FullEnergies:
         """(the letter of a stretch or speed, the lines that it follows from); a symbol itself needs no line."""
         if node.op == "symbol":
             return node, []
-        name = self._letter(letter, term.owner)
+        name = self._letter(letter.removesuffix("'"), term.owner) + letter[-1] * letter.endswith("'")
         shown, = self.short(node)
         line = self.sheet.write(Words(f"{words} {term.owner}:  "), Name(name), " = ", shown, settles=name, node=node)
         return self.motion.letter(name), [line]

@@ -40,6 +40,7 @@ class FullEquations:
         uses = [energies.sum(letter, parts, node) for letter, parts, node in zip(
             ("T", "V", "Phi"), (T, V, Phi), total, strict=True)]
         sums = [self._total(parts) for parts in (T, V, Phi)]
+        conditions = [*conditions, *self._multipliers(conditions)]
         lines = [self._equation(i, sums, Q[i], [*uses, *conditions]) for i in range(len(self.scene.q))]
         if self.problem.spec.get("damping") is not None:
             self.sheet.write(Words(WITHOUT), uses=lines)
@@ -47,6 +48,15 @@ class FullEquations:
 
     def _total(self, parts):
         return self.scene.table.total([part.node for part in parts if part.node is not None])
+
+    def _multipliers(self, conditions):
+        """The line of the letters by which conditions add to the equations."""
+        known = self.problem.symbolic.equations.multipliers
+        if not known:
+            return []
+        told = [part for symbol, name in known.items() for part in (Words(",  "), symbol, Words(f" for '{name}'"))]
+        return [self.sheet.write(Words("each condition adds to the equation of a coordinate its slope by that times a "
+                                       "multiplier:  "), *told[1:], settles="multipliers", uses=conditions)]
 
     def _equation(self, i, sums, Q, uses) -> int:
         """Lagrange's derivatives of a coordinate, then its equation: Untold where they are not that of the

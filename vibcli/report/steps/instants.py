@@ -5,11 +5,11 @@ from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
-from vibcli.mechanics.initial_state import start_in_letters
+from vibcli.mechanics.initial_state import starts_in_letters
 from vibcli.notation.as_printed import as_printed
 from vibcli.quantities.expression import value_of
 from vibcli.report.blocks import Words
-from vibcli.report.steps.instances import found_at, instances, is_found
+from vibcli.report.steps.instances import found_at, is_found
 from vibcli.report.steps.place_of_rest import as_counted
 from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.symbolic.derivatives import gradient, substitute
@@ -21,6 +21,9 @@ if TYPE_CHECKING:
     from vibcli.language.reader import Expression
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
+
+
+MOTIONS = "motion", "motion from the start"        # lines that tell how the only coordinate moves under a load
 
 
 def tell_instant(problem: "Problem", sheet: WorkedSolution, asked: "Expression") -> bool:
@@ -50,8 +53,9 @@ def _found(problem, sheet, asked) -> "tuple[Node, int | None] | None":
     if getattr(tree, "head", "") != VALUE or not isinstance(tree.args[0], NameRef) or (
             tree.args[0].primes > 1 or parts_of(tree.args[1]).quantities):
         return None
-    values = found_at(instances(problem, sheet.steps), asked)
-    return next((form for form in _forms(problem, sheet, tree) if is_found(form[0], values)), None)
+    forms = _forms(problem, sheet, tree)
+    values = found_at(problem, sheet, asked) if forms else []
+    return next((form for form in forms if is_found(form[0], values)), None)
 
 
 def _forms(problem, sheet, tree) -> "list[tuple[Node, int | None]]":
@@ -63,7 +67,8 @@ def _forms(problem, sheet, tree) -> "list[tuple[Node, int | None]]":
         return []       # its unit would not stand beside letters
     found: list = [(node, None) for node in _start(problem, name, primes)] if t.is_zero else []
     for line in sheet.steps:
-        if line.settles == name and line.node is not None:
+        told = line.settles == name or (line.settles in MOTIONS and scene.coordinates == [name])
+        if told and line.node is not None:
             motion = gradient(line.node).get(scene.time, scene.table.zero) if primes else line.node
             found.append((substitute([motion], {scene.time: t})[0], line.number))
     if name in scene.coordinates and not primes and not problem.symbolic.balanced_as_drawn:
@@ -79,7 +84,7 @@ def _start(problem, name, primes) -> "list[Node]":
     if record is not None and key in record:
         return [problem.scene.lower(record[key])]
     try:
-        start = start_in_letters(problem.symbolic) if len(problem.scene.coordinates) == 1 else None
+        starts = starts_in_letters(problem.symbolic) if name in problem.scene.coordinates else None
     except PhysicsError:
-        start = None
-    return [] if start is None else [start[primes]]
+        starts = None
+    return [] if starts is None else [starts[problem.scene.coordinates.index(name)][primes]]

@@ -2,6 +2,7 @@
 start."""
 
 from math import tau
+from typing import TYPE_CHECKING
 
 from vibcli.analyses.closed_form.free_response import CRITICAL, OVER, UNDAMPED, UNDER, regime_at
 from vibcli.base.errors import PhysicsError
@@ -10,10 +11,14 @@ from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.degree import Degree
 from vibcli.report.steps.extremes import Swing, tell_extremes
 from vibcli.report.steps.forced import tell_forced
+from vibcli.report.steps.free_waves import FreeWave, ToldMotion
 from vibcli.report.steps.step import number
 from vibcli.symbolic.common_denominator import single
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import is_zero, textbook
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 FACTORS = {"M": ("acceleration", "kg", "kg·m²"), "C": ("speed", "N·s/m", "N·m·s/rad"),
            "K": ("coordinate", "N/m", "N·m/rad")}       # {matrix: what it stands before, its unit, that of a turn}
@@ -49,9 +54,10 @@ class OneDegree:
         tell_forced(self.degree)
 
     def _factors(self):
-        """The factors of acceleration, speed and coordinate that sheets ask for."""
-        rules = self.problem.spec.get("variants")
-        asked = [one.asked for one in rules.ask] if rules is not None else []
+        """The factors of acceleration, speed and coordinate that sheets and answers ask for."""
+        rules, answers = self.problem.spec.get("variants"), self.problem.spec.answers
+        asked = [one.asked for one in (*(rules.ask if rules is not None else ()), *(
+            () if self.problem.numeric.has_free_symbols else answers))]
         told = {one.text: one.tree.head for one in asked if one.tree.kind == "quantity" and one.tree.head in FACTORS
                 and not one.tree.component and not one.tree.args and not self._is_read_off(one.tree.head)}
         for i, (text, head) in enumerate(told.items()):
@@ -87,9 +93,14 @@ class OneDegree:
         shown = () if value is None or zeta is self.about.table.one else number(value)
         line = self.sheet.write(self.zeta, " = ", self.delta / self.omega, " = ", zeta, *shown, *kind,
                                 uses=[of_delta, of_omega], settles="zeta[1]", node=zeta, value=value)
-        if value is None or abs(value) < 1:
+        if (value is None or abs(value) < 1) and not self._is_chosen_critical():
             return self._damped_frequency(delta, [of_omega, of_delta, line])
         return line
+
+    def _is_chosen_critical(self):
+        """Does the scene choose a parameter so that ζ is one?"""
+        conditions = [record["so"] for record in (self.problem.spec.choices or {}).values()]
+        return any(not so.word and (so.left.text, so.right.text.strip()) == ("zeta[1]", "1") for so in conditions)
 
     def _by_acceleration(self):
         """Parts that say what δ is: the equation over the factor of the acceleration, where nothing drives."""
@@ -115,6 +126,10 @@ class OneDegree:
         parts = [self.omega_d, " = ", self.about.table.sqrt(self.omega ** 2 - self.delta ** 2)]
         return self.degree.settled(parts, omega_d, "rad/s", "omega_d[1]", uses, more=[] if known else [
             Words("   (under-damped, "), self.delta, " < ", self.omega, Words(")")])
+
+    def write_motion(self, uses: "Sequence[int]") -> None:
+        """Write down the free motion of one whose frequency and damping lines tell."""
+        self._free_motion(uses)
 
     def _free_motion(self, uses):
         """The constants of the free motion from the start that the file gives."""
@@ -161,6 +176,9 @@ class OneDegree:
         exact = self.about.table.sqrt(self.K / self.M - delta ** 2)
         line = self._constants([*decay, Factor(wave) if decay else wave], start, (x0, ahead / rate),
                                (start[0], (start[1] + delta * start[0]) / exact), uses)
+        self.sheet.waves[self.degree.name] = ToldMotion([FreeWave(A, table.zero if start[1].is_zero and self.C.is_zero
+                                                                  else B, rate, table.zero if self.C.is_zero
+                                                                  else self.delta)], line)
         tell_extremes(self.degree, Swing(self.about.place[self.about.scene.q[0]], A, None if start[1].is_zero else B,
                                          table.zero, line))
 
@@ -168,8 +186,11 @@ class OneDegree:
         A, B, x0, v0 = self._letters(start)
         t = self.problem.scene.time
         delta = single(self.C / (2 * self.M))
-        self._constants([Factor(A + B * t), "·", self.about.table.call("exp", -(self.delta * t))], start,
-                        (x0, v0 + self.delta * x0), (start[0], start[1] + delta * start[0]), uses, of_speed=True)
+        line = self._constants([Factor(A + B * t), "·", self.about.table.call("exp", -(self.delta * t))], start,
+                               (x0, v0 + self.delta * x0), (start[0], start[1] + delta * start[0]), uses,
+                               of_speed=True)
+        wave = FreeWave(A, B, self.about.table.zero, self.delta)
+        self.sheet.waves[self.degree.name] = ToldMotion([wave], line)
 
     def _overdamped(self, start, uses):
         table, t = self.about.table, self.problem.scene.time

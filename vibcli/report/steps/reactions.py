@@ -32,7 +32,8 @@ def tell_statics(problem: "Problem", sheet: WorkedSolution) -> None:
 
     found = problem.symbolic.reactions
     _hold(problem, found, {})
-    lines = []
+    lines: list[int] = []
+    _tell_letters(sheet, found, list(found.conditions.values()))
     for name, node in found.conditions.items():
         about = words_of(problem, name)
         told = f",  {about}" if about else ""
@@ -47,6 +48,15 @@ def tell_statics(problem: "Problem", sheet: WorkedSolution) -> None:
     _tell_values(problem, sheet, found, told, lines)
 
 
+def _tell_letters(sheet, found, nodes):
+    """What letters of forces in balances stand for, beside the first of these."""
+    here = {name for node in nodes for name in _names(node)}
+    told = [part for symbol, signal in found.forces.items() if symbol.name in here
+            for part in (Words(",  "), symbol, Words(f" for {signal}"))]
+    if told:
+        sheet.write(Words("cut free, with  "), *told[1:], opens=True)
+
+
 def _readable(problem, found, node):
     """Parts of a balance, in numbers where it is long and has them."""
     if problem.numeric.has_free_symbols or letters(node) <= READABLE:
@@ -57,7 +67,10 @@ def _readable(problem, found, node):
 def tell_forces(problem: "Problem", sheet: WorkedSolution) -> None:
     """Forces of constraints and supports that the scene asks for: at rest, from rest where nothing holds it, or along
     the motion; nothing where they are not told so."""
-    text = " ".join(answer.asked.text for answer in problem.spec.answers)
+    asked = [answer.asked for answer in problem.spec.answers]
+    text = " ".join(one.text for one in asked)
+    at_rest = " ".join(one.text for one in asked if not problem.spec.in_full or any(
+        tree.head == "equilibrium" for tree in one.parts.quantities) or not getattr(one.tree, "args", ()))
     everything = "reactions" in (problem.spec.get("find") or ())
     if not everything and "." not in text:      # as every such signal has
         return
@@ -67,7 +80,7 @@ def tell_forces(problem: "Problem", sheet: WorkedSolution) -> None:
         _along(problem, sheet, text)
         return
     wanted = [signal for signal, node in found.values.items()
-              if node is not None and not node.is_zero and (everything or signal in text)]
+              if node is not None and not node.is_zero and (everything or signal in at_rest)]
     if wanted and not found.degree:
         _tell_balance(problem, sheet, found, wanted, moves)
     elif not wanted:
@@ -93,8 +106,11 @@ def _tell_balance(problem, sheet, found, wanted, moves):
     _hold(problem, shown, moves, found.values)
     symbols = {symbol for symbol, signal in shown.forces.items() if any(signal in one or one in signal
                                                                        for one in wanted)}
+    told = {name: node for name, node in shown.conditions.items() if any(symbol.name in _names(node)
+                                                                        for symbol in symbols)}
+    _tell_letters(sheet, shown, list(told.values()))
     lines = [sheet.write(Words("balance along "), Name(name), Words(":  "), node, " = 0", settles=f"balance[{name}]")
-             for name, node in shown.conditions.items() if any(symbol.name in _names(node) for symbol in symbols)]
+             for name, node in told.items()]
     balances = {signal: node for signal, node in shown.supports.items() if signal in wanted and not is_zero(
         node - found.values[signal])}
     _tell_values(problem, sheet, found, wanted, lines, balances)
@@ -160,7 +176,7 @@ def _along(problem, sheet, text):
     """What supports exert along the motion, by the balance in it; at rest, if nothing else is asked."""
     from vibcli.mechanics.inputs_outputs.reactions_along_motion import along_the_motion
 
-    found: Any = along_the_motion(problem.numeric)
+    found: Any = along_the_motion(problem.numeric, ties=True)
     for signal, node in found.items():
         if signal in text and text.count(signal) == text.count(f"equilibrium[{signal}]") and (
                 problem.symbolic.balanced_as_drawn and all(node.is_zero for node in problem.scene.drawn.values())):

@@ -60,6 +60,8 @@ class SeveralDegrees:
             tell_roots(self.about, self.sheet, self.found, lines)
         tell_estimates(self.about, self.sheet, self.found, matrices)
         tell_damped(self.about, self.sheet, self.found, matrices)
+        if self.two is not None:
+            self.two.motion_in_letters()
         tell_from_start(self.about, self.sheet, self.found, lines)
         tell_loads(self.about, self.sheet, self.found)
 

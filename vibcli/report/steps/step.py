@@ -9,6 +9,7 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.notation.as_printed import as_printed
 from vibcli.notation.names import GREEK, split_name
 from vibcli.notation.numbers import with_minus
+from vibcli.notation.units_in_sums import unit_beside
 from vibcli.quantities.dimensions import unit_of
 from vibcli.report.blocks import Name, Words
 from vibcli.symbolic.syntax import Call, Product, QuantityRef
@@ -16,6 +17,8 @@ from vibcli.symbolic.syntax import Call, Product, QuantityRef
 if TYPE_CHECKING:
     from vibcli.language.reader import Expression
     from vibcli.language.spec import Spec
+    from vibcli.report.steps.free_waves import ToldMotion
+    from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
 MARKED = "′", "′′", "′′′"
@@ -50,6 +53,8 @@ class WorkedSolution:
         self._taken = set(map(_printed, taken))
         self._letters: dict[str, str] = {}
         self._beside: WorkedLine | None = None
+        self.drawn: dict[Problem, tuple] = {}       # scenes in numbers that were drawn of one in letters
+        self.waves: dict[str, ToldMotion] = {}      # of coordinates that move freely by the letters of lines
 
     @property
     def last(self) -> int:
@@ -89,6 +94,10 @@ class WorkedSolution:
         self._beside = self.steps[-1] if opens else None
         return number
 
+    def join_next(self) -> None:
+        """Let the next line be joined to the last one."""
+        self._beside = self.steps[-1] if self.steps else None
+
     @property
     def opened(self) -> bool:
         """Will the next line be joined to the last one?"""
@@ -127,6 +136,22 @@ def of_time(sheet: WorkedSolution, omega: float) -> list:
 def told(value: float) -> str:
     """A number as mathematics."""
     return with_minus(value)
+
+
+def place_told(*place: "Node") -> list:
+    """Parts of (x, y); a number beside letters that does not tell its unit, or alone, is in metres."""
+    parts: list[Any] = []
+    for node in place:
+        fixed = node.coefficient if node.op in ("sum", "number") else 0
+        parts.append(", " if parts else "(")
+        known = node.table.dimension is None or not node.table.hidden or (node.op == "sum" and unit_beside(node))
+        if not fixed or known:
+            parts.append(node)
+            continue
+        sign = "−" if fixed < 0 else ""
+        head = [node - node.table.number(fixed), f" {sign or '+'} "] if node.op == "sum" else [sign]
+        parts += [*head, told(abs(float(fixed))), Words("\u00a0m")]
+    return [*parts, ")"]
 
 
 def unit_told(spec: "Spec", asked: "Expression") -> str:

@@ -15,7 +15,7 @@ from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters
-from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.normal_form import is_zero, textbook
 from vibcli.symbolic.radicals import root
 from vibcli.symbolic.rationals import HALF, fraction_of
 
@@ -36,6 +36,7 @@ class TwoDegrees:
         for power in (2, 1, 0):         # before ω, so that they stand before its powers
             about.letter(sheet.letter(f"a{power}"))
         self.omega = about.letter(sheet.letter("omega"))
+        self._told: tuple | None = None         # what modes in letters have, and the lines that tell them
         self.row = self._first([i for i in range(2) if not self._stiffened(i, 1).is_zero])
 
     def _first(self, rows):
@@ -95,12 +96,17 @@ class TwoDegrees:
         """Write down the roots where their square root is none, else those of closed form, and the ratios."""
         found = self._squares()
         lines = [self._root_in_letters(k, node, uses) for k, node in enumerate(found, 1)]
+        if self._apart() and (alone := self._alone(found)):
+            self._told = alone, [*uses, *lines]
+            return
         coupled = not (self.found.G or self.row is None or self._stiffened(self.row, 0).is_zero)
         ratio = self.ratio([*uses, *lines]) if coupled else None
         if not found:
             tell_roots(self.about, self.sheet, self.found, uses)
         if not coupled:
             return
+        if not found and ratio is not None:
+            self._told = self._lettered(ratio)
         shapes = []
         for k, node in enumerate(found, 1):
             x, y = map(Name, self.names)
@@ -108,11 +114,48 @@ class TwoDegrees:
             if not below.is_zero:
                 above, = substitute([self._stiffened(self.row, 0)], {self.omega: self.table.sqrt(node)})
                 shape = self._quotient(-above, below)
-                shapes.append((node, shape))
+                shapes.append((node, (self.table.one, shape)))
                 last = self.sheet.write(Words(f"in mode {k}  "), y, "/", x, " = ", shape, node=shape, uses=[
                     ratio, lines[k - 1]], settles=f"mode[{k}][{self.names[1]}]")
         if len(shapes) == 2:
-            tell_in_letters(self.about, self.sheet, self.found, shapes, [*lines, last])
+            self._told = shapes, [*lines, last]
+
+    def _lettered(self, ratio):
+        """Modes whose frequencies and ratios have letters, told where the file starts a motion that nothing damps."""
+        if self.found.C or self.found.drive or self.about.problem.spec.get("initial") is None:
+            return None
+        a2, a1, a0 = self.coefficients
+        known = [self.table.sqrt((a1 + sign * self.table.sqrt(a1 * a1 - 4 * a0 * a2)) / (2 * a2)) for sign in (-1, 1)]
+        letters, modes = [], []
+        told: list[Any] = [Words("with the ratios  ")]
+        for k, node in enumerate(known, 1):
+            omega, r = (self.about.letter(self.sheet.letter(f"{letter}{k}")) for letter in ("omega", "r"))
+            letters += [(omega, node), (r, self.shape_at(k))]
+            modes.append((omega ** 2, (self.table.one, r)))
+            told += [Words(",  " * (k > 1)), r, " = ", self.shape_at(k)]
+        line = self.sheet.write(*told, settles="ratios of amplitudes", uses=[ratio])
+        for letter, node in letters:
+            self.sheet.write(settles=letter.name, node=node, joined=True, letter=letter.name)
+            for values in self.about.samples:
+                values[letter.name], = evaluate([node], Floats, values)
+        return modes, [ratio, line]
+
+    def motion_in_letters(self) -> None:
+        """Write down the free motion from the start that the file gives, by modes that were told in letters."""
+        if self._told is not None:
+            tell_in_letters(self.about, self.sheet, self.found, *self._told)
+
+    def _apart(self):
+        """Does no equation have both coordinates, but perhaps by damping?"""
+        return not (self.found.G or any(i != j for matrix in (self.found.M, self.found.K) for i, j in matrix))
+
+    def _alone(self, squares):
+        """[(ω², the shape)] of modes in which one coordinate moves; none where the letters leave open which."""
+        shapes = (self.table.one, self.table.zero), (self.table.zero, self.table.one)
+        of = [[i for i in range(2) if is_zero(node * self.entry("M", i, i) - self.entry("K", i, i))]
+              for node in squares]
+        return [(node, shapes[i]) for node, (i,) in zip(squares, of, strict=True)] if of in ([[0], [1]], [
+            [1], [0]]) else []
 
     def _quotient(self, above, below):
         """above/below, without a root of a number below where it is shorter so."""
@@ -128,7 +171,7 @@ class TwoDegrees:
     def _root_in_letters(self, k, node, uses):
         omega, letter = root(node, self.about.samples), self.about.letter(self.sheet.letter(f"omega{k}"))
         return self.sheet.write(letter ** 2, " = ", node, Words(",  "), letter, " = ", omega, node=omega,
-                                settles=f"omega[{k}]", uses=uses)
+                                settles=f"omega[{k}]", uses=uses, letter=letter.name)
 
     def _squares(self):
         """[ω₁², ω₂²] where the square root of their formula comes out; else none."""

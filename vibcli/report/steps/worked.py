@@ -7,7 +7,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.nonsmooth import require_smooth
 from vibcli.report.steps.asked import tell_asked
 from vibcli.report.steps.by_amplitude import tell_by_amplitude
-from vibcli.report.steps.chosen import tell_chosen, with_letters
+from vibcli.report.steps.chosen import tell_chosen, tell_chosen_motion, with_letters
 from vibcli.report.steps.coordinates import tell_conditions, tell_constraints, tell_coordinates, tell_loops
 from vibcli.report.steps.degree import Degree
 from vibcli.report.steps.dry_friction import tell_friction
@@ -42,6 +42,7 @@ def worked(problem: "Problem") -> list[WorkedLine]:
     tell_by_amplitude(problem, sheet)
     if problem.choice is not None:
         tell_chosen(problem, sheet)
+        tell_chosen_motion(problem, sheet)
     tell_asked(problem, sheet)
     return sheet.steps
 

@@ -392,6 +392,14 @@ def test_the_grid_sees_every_peak(kind, log):
         assert np.abs(np.log(exactly / missing))[far].max() < 0.15
 
 
+@pytest.mark.parametrize(("log", "low", "high"), [(True, 2.0, 50.0), (False, 2.0, 18.0)])
+def test_the_grid_comes_close_to_a_pole_in_its_middle(log, low, high):
+    system = TransferFunction(np.eye(1), np.zeros((1, 1)), 100.0 * np.eye(1), unit(1, 0), unit(1, 0))
+    Omega, values = adaptive(system, low, high, log)
+    below, above = Omega[Omega < 10.0], Omega[Omega > 10.0]
+    assert 10.0 not in Omega and above[0] - below[-1] < 0.01 and np.abs(values).max() > 1e3 * np.abs(values[0])
+
+
 def test_slopes_of_derivatives():
     for order in (0, 1, 2):
         system = oscillator(0.2, order=order)

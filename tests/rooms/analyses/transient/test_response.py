@@ -9,6 +9,7 @@ from support.responses import EPS, FREE, STEP, case, chain, errors, exact_values
 
 from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
 from vibcli.analyses.excitation.linear_output import LinearOutput
+from vibcli.analyses.transient import extremes, isolating_intervals
 from vibcli.analyses.transient.exponential_differences import differences
 from vibcli.analyses.transient.extremes import ExtremeSearch
 from vibcli.analyses.transient.high_precision import precise_value, precise_values
@@ -273,6 +274,27 @@ def test_an_extreme_is_found_in_few_looks(monkeypatch):
     turn = math.pi / math.sqrt(8.91)
     assert abs(t - turn) <= 1e-7 and abs(x + math.exp(-0.3 * turn)) <= 4 * EPS
     assert len(looks) <= 4 and max(looks) <= 500
+
+
+def test_where_very_much_waits_the_shortest_stretches_come_first(monkeypatch):
+    """Then what waits does not grow with the length of the search, and the extreme is the same."""
+    load = Segment(0.0, (Wave(0, 1.0, 0, 3.0001j),))
+    found, waited, ask = [], [], ExtremeSearch._next
+
+    def asked(search):
+        part = ask(search)
+        waited[-1].append((sum(len(cells) for *_, cells in search.left), part[1] == max(p[1] for p in search.left)))
+        return part
+
+    monkeypatch.setattr(ExtremeSearch, "_next", asked)
+    monkeypatch.setattr(isolating_intervals, "BATCH", 0)
+    for waiting in (extremes.WAITING, 0):
+        monkeypatch.setattr(extremes, "WAITING", waiting)
+        waited.append([])
+        found.append(one(1.0, 1e-6, 9.0, (load,), 1.0).extreme(q(0), 0.0, 500.0, "max"))
+    (many, deep), (fewer, deepest) = (zip(*one, strict=True) for one in waited)
+    assert found[0] == found[1] and max(fewer) < max(many)
+    assert all(deepest) and not all(deep)
 
 
 def test_what_has_died_out_is_no_zero_and_what_never_moves_is():

@@ -198,7 +198,7 @@ REFUSED = {
 def test_no_steady_state(name):
     c, k, pieces, message = REFUSED[name]
     with pytest.raises(PhysicsError, match=message) as refusal:
-        one(1.0, c, k, pieces).steady                       # noqa: B018
+        one(1.0, c, k, pieces).steady.mean(q(0))
     assert refusal.value.hint
 
 
@@ -240,8 +240,11 @@ def test_periodic_load_on_a_free_mass_needs_no_mean():
     free_mass = linear_motion([[1.0]], [[0.0]], [[0.0]], Forcing(1, pieces, 2.0), [0.0], [0.0])
     assert close(free_mass.steady.values(v(0), [0.0])[0], -0.5) and free_mass.steady.lasting
     pieces = (Segment(0.0, (Wave(0, 1.0, 0, 0j),)), Segment(1.0))
-    with pytest.raises(PhysicsError, match="nothing holds"):
-        linear_motion([[1.0]], [[0.0]], [[0.0]], Forcing(1, pieces, 2.0), [0.0], [0.0]).steady       # noqa: B018
+    driven = linear_motion([[1.0]], [[0.0]], [[0.0]], Forcing(1, pieces, 2.0), [0.0], [0.0]).steady
+    assert close(driven.mean(LinearOutput(a={0: 1.0})), 0.5)
+    for seen in (q(0), v(0)):
+        with pytest.raises(PhysicsError, match="nothing holds"):
+            driven.mean(seen)
 
 
 # limits

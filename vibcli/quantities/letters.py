@@ -1,6 +1,6 @@
 """Quantities of scenes in letters: modes of several degrees by their closed forms, others as conditions take them."""
 
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.quantities.energies import equation_number, require_sum
@@ -27,7 +27,7 @@ def expression_in_letters(problem: "Problem", expression: "Expression") -> "Node
     response = response_of(problem, tree)
     if response is not None:
         return size_of(problem, response)
-    found = {part.text: _quantity(problem, part) for part in parts_of(tree).quantities}
+    found = {part.text: any_quantity(problem, part) for part in parts_of(tree).quantities}
     return lowered(expression, scene.table, lambda name, primes, part: found[part.text]
                    if isinstance(part, QuantityRef) else scene.parameters.nodes[name])
 
@@ -36,19 +36,19 @@ def state_function(problem: "Problem", tree: QuantityRef) -> "Node":
     """T, V, Phi or Q[q], or the left side of an equation of motion, as a function of coordinates and velocities."""
     if tree.head in ("T", "V", "Phi"):
         require_sum(problem, tree.head)
-        return cast("Node", problem.symbolic.energies[tree.head])
+        return problem.symbolic.energies[tree.head]
     if tree.head == "Q":
-        return cast("Node", declared(tree).symbolic(problem, tree))
+        return declared(tree).symbolic(problem, tree)
     if tree.head == "motion" and problem.spec.expanded:
-        return cast("Node", declared(tree).symbolic(problem, tree))
+        return declared(tree).symbolic(problem, tree)
     i = equation_number(problem, tree.indices[0])
     equations, name = problem.symbolic.equations, problem.scene.coordinates[i]
     if tree.head == "motion" and equations.full:
-        return cast("Node", equations.full[equations.names.index(name)])
+        return equations.full[equations.names.index(name)]
     if tree.head == "equation" and equations.refusal is not None:
         raise equations.refusal
     if tree.head == "equation" and equations.in_letters:
-        return cast("Node", equations.linear[i] - equations.drive.get(i, problem.scene.table.zero))
+        return equations.linear[i] - equations.drive.get(i, problem.scene.table.zero)
     raise NotInLetters(f"'{tree.text}' is not found in letters", "matrices of numbers are M[x, x], C[x, x], K[x, x]")
 
 
@@ -60,8 +60,10 @@ def closed_modes(problem: "Problem") -> list["ClosedMode"]:
     return sorted(forms.modes, key=lambda mode: mode.index)
 
 
-def _quantity(problem: "Problem", tree: QuantityRef) -> "Node":
-    if tree.head not in OF_MODES or tree.args or len(tree.indices) != 1 + (tree.head == "mode"):
+def any_quantity(problem: "Problem", tree: Any) -> "Node":
+    """A quantity as an expression of the parameters, those of modes by the closed forms; NotInLetters where it is found
+    in numbers."""
+    if getattr(tree, "head", None) not in OF_MODES or tree.args or len(tree.indices) != 1 + (tree.head == "mode"):
         return quantity_in_letters(problem, tree)
     number, forms = int(tree.indices[0]), problem.closed_forms
     if problem.scene.pieces:
@@ -74,7 +76,7 @@ def _quantity(problem: "Problem", tree: QuantityRef) -> "Node":
     return _of_mode(problem, tree, modes[number - 1])
 
 
-def _amplitude(problem: "Problem", shape: "list[Node]", name: str) -> "Node":
+def _amplitude(problem, shape, name):
     """Of a coordinate, or Σ (∂s/∂qᵢ) φᵢ at rest of one that follows others; None of other signals, and of closed loops
     whose rest is not as drawn."""
     scene = problem.scene
@@ -91,7 +93,7 @@ def _amplitude(problem: "Problem", shape: "list[Node]", name: str) -> "Node":
     return None if found.mask else textbook(found)
 
 
-def _of_mode(problem: "Problem", tree: QuantityRef, mode: "ClosedMode") -> "Node":
+def _of_mode(problem, tree, mode):
     table, head = problem.scene.table, tree.head
     if head == "mode":
         found = None if mode.shape is None else _amplitude(problem, mode.shape, tree.indices[1])
@@ -102,7 +104,7 @@ def _of_mode(problem: "Problem", tree: QuantityRef, mode: "ClosedMode") -> "Node
         if head != "growth_rate" or not mode.unstable:
             raise PhysicsError(f"mode {mode.index} is {'un' * mode.unstable}stable: it has no such number",
                                f"ask for {'growth_rate' if mode.unstable else 'omega'}[{mode.index}]")
-        return cast("Node", mode.omega)
+        return mode.omega
     if head in ("zeta", "omega_d", "period_d", "decay") and mode.zeta is None:
         return quantity_in_letters(problem, tree)
     if head == "period" and mode.omega.is_zero:
@@ -111,4 +113,4 @@ def _of_mode(problem: "Problem", tree: QuantityRef, mode: "ClosedMode") -> "Node
              "period": lambda: mode.period, "zeta": lambda: mode.zeta, "omega_d": lambda: mode.omega_d,
              "period_d": lambda: 2 * table.pi / mode.omega_d,
              "decay": lambda: mode.zeta * mode.omega}
-    return cast("Node", forms[head]())
+    return forms[head]()

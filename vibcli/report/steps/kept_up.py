@@ -1,0 +1,125 @@
+"""What is asked in letters of what a load of one frequency keeps up, by H(iΩ) = s (a + iΩ b)/(c + iΩ d):
+
+    lag  θ = −arg H = atan2(Ω (a d − b c), a c + Ω² b d),   mean power of a dashpot  ½ c |u̇|²,   mean energy of a
+    spring  ½ k ⟨Δ²⟩;
+
+resonances and antiresonances of one that has them in closed form."""
+
+from typing import TYPE_CHECKING, Any
+
+from vibcli.base.errors import NotInLetters
+from vibcli.quantities.in_letters import frequency_of, size_of
+from vibcli.report.blocks import Words
+from vibcli.report.steps.agreement import samples_of
+from vibcli.report.steps.held_against import tell_found
+from vibcli.report.steps.step import WorkedSolution
+from vibcli.symbolic.derivatives import substitute
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.radicals import without_bars
+from vibcli.symbolic.syntax import Call, NameRef, QuantityRef
+from vibcli.symbolic.transfer_between_tables import copied
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from vibcli.language.reader import Expression
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
+
+PARTS = "re", "im", "arg", "phase"
+
+
+def tell_of_kept_up(problem: "Problem", sheet: WorkedSolution, asked: "Expression") -> bool:
+    """Is what is asked of a steady state, or read off a frequency response, written down in letters?"""
+    tree = asked.tree
+    at = _response_at(tree)
+    forms = ((node, [node]) for node in _forms(problem, tree)) if at is None else _at_a_frequency(
+        problem, sheet, tree, at)
+    return tell_found(problem, sheet, asked, forms, [sheet.last])
+
+
+def _response_at(tree):
+    """The response whose size, part or lag at a frequency is asked; None of another tree."""
+    head = getattr(tree, "head", getattr(tree, "name", ""))
+    if head == "transmissibility":
+        return tree
+    first = next(iter(getattr(tree, "args", ())), None)
+    at = isinstance(first, QuantityRef) and first.head == "frf" and first.args
+    return first if at and head in ("abs", *PARTS) else None
+
+
+def _at_a_frequency(problem, sheet, tree, response):
+    """That by the expression of H; the frequency has a letter where it is a number with a unit."""
+    given = frequency_of(problem, response.args[0])
+    fixed = not any(part.op == "symbol" for part in reachable([given]))
+    Omega = problem.scene.table.parameter(sheet.letter("Omega")) if fixed else given
+    formula = problem.symbolic_frequency_response(*response.indices, Omega)
+    head = tree.name if isinstance(tree, Call) else tree.head
+    node = textbook(_part(problem, formula, head)) if head in PARTS else size_of(problem, formula)
+    samples = [{**one, Omega.name: value} for one in samples_of(problem, {}) for value in evaluate(
+        [given], Floats, one)] if fixed else samples_of(problem, {})
+    node = without_bars(node, samples)
+    if fixed:
+        yield substitute([node], {Omega: given})[0], [Words("with  "), Omega, " = ", given, Words(" rad/s:  "), node]
+    else:
+        yield node, [node]
+
+
+def _forms(problem, tree: Any) -> "Iterator[Node]":
+    head, args = getattr(tree, "head", getattr(tree, "name", "")), getattr(tree, "args", ())
+    if not args:
+        return
+    first = args[0]
+    of_response = isinstance(first, QuantityRef) and first.head == "frf"
+    if head == "phase":
+        steady = problem.symbolic_steady_state(_named(first))
+        lag, quarter = _part(problem, steady.formula, "phase"), problem.scene.table.pi / 2
+        yield from (lag, lag - quarter, lag + 3 * quarter) if steady.wave == "cos" else (lag,)
+    elif head in ("peak", "antiresonance") and of_response and not first.args:
+        yield from _read_off(problem, tree, problem.symbolic_frequency_response(*first.indices))
+    elif head == "mean" and isinstance(first, NameRef):
+        yield from _means(problem, first)
+
+
+def _named(signal):
+    return signal.name + "'" * signal.primes if isinstance(signal, NameRef) else signal
+
+
+def _part(problem, formula, head) -> "Node":
+    """The real or the imaginary part of H, its angle, or its lag."""
+    table = problem.scene.table
+    a, b, c, d, s, Omega = copied([*formula.numerator, *formula.denominator, formula.scale, formula.Omega], table)
+    across, along = Omega * (a * d - b * c), a * c + Omega ** 2 * b * d
+    if head in ("phase", "arg"):
+        s = table.one if table.is_positive(s) else s
+        lag = table.call("atan2", textbook(s * across), textbook(s * along))
+        return lag if head == "phase" else -lag
+    return (s * along if head == "re" else -(s * across)) / (c ** 2 + Omega ** 2 * d ** 2)
+
+
+def _read_off(problem, tree, formula) -> "Iterator[Node]":
+    """Where one degree of freedom has its peak, and how high that is; where what nothing damps stands still."""
+    table = problem.scene.table
+    if tree.indices != ("1",):
+        return
+    if tree.head == "antiresonance":
+        if formula.zeros is not None:
+            yield from copied([formula.zeros], table)
+    elif formula.peak is not None:
+        Omega, size, at = copied([formula.Omega, formula.amplitude, formula.peak.Omega], table)
+        yield at if tree.component == "Omega" else substitute([size], {Omega: at})[0]
+
+
+def _means(problem, signal) -> "Iterator[Node]":
+    """Of a power of a dashpot, or of the energy of a spring."""
+    owner, _, part = signal.name.partition(".")
+    record = (problem.spec.get("dampers" if part == "power" else "springs") or {}).get(owner)
+    key = {"power": "c", "energy": "k"}.get(part)
+    if record is None or key not in record or signal.primes:
+        raise NotInLetters("this mean is found in numbers")
+    factor = problem.scene.lower(record[key])
+    steady = problem.symbolic_steady_state(f"{owner}.stretch" + "'" * (part == "power"))
+    above, below = copied(list(steady.formula.square), problem.scene.table)
+    yield factor * above / below / (2 if part == "power" else 4)
