@@ -7,6 +7,7 @@ in letters where the conditions are known in letters, and by a search over the a
 substituted into a scene built anew; solutions of scenes with letters at several values of these.
 """
 
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -40,7 +41,7 @@ def settled(problem: "Problem", thorough: bool = False) -> "Problem":
     return _in_numbers(problem, rest, thorough)
 
 
-def _balanced_first(problem):
+def _balanced_first(problem: "Problem") -> "Problem":
     """The problem with the parameters chosen for equilibrium defined in letters, where that is possible."""
     if not any(record["so"].is_balance for record in problem.spec.choices.values()):
         return problem
@@ -52,7 +53,7 @@ def _balanced_first(problem):
     return problem if found is None else choosing(found, left)
 
 
-def _in_numbers(problem, rest, thorough):
+def _in_numbers(problem: "Problem", rest: "Problem", thorough: bool) -> "Problem":
     system, solutions, refusal = ConditionSystem(problem), [], None
     searched = system if rest is problem else ConditionSystem(rest, system.limits)
     with problem.work.task(f"the search for {listed(problem.spec.choices)}", MOST):
@@ -77,7 +78,7 @@ def _in_numbers(problem, rest, thorough):
     return found.with_choice(Chosen(problem.spec.choices, solutions, searched=searched), problem)
 
 
-def _all_values(problem, rest, values):
+def _all_values(problem: "Problem", rest: "Problem", values: Sequence[Fraction]) -> dict[str, Fraction]:
     """{name: Fraction} of the parameters found and of those that they define."""
     found = {name: Fraction(value) for name, value in zip(rest.spec.choices, values, strict=True)}
     held = held_by_balance(problem, rest)

@@ -1,6 +1,7 @@
 """Where a chosen parameter is looked for: its admissible range, and a grid over it about the natural scale."""
 
 import math
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
@@ -13,6 +14,7 @@ from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.semantics import literal_unit
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from fractions import Fraction
 
     import mpmath
@@ -67,11 +69,11 @@ def ends(problem: "Problem", name: str, turning: bool) -> tuple[float, float, bo
     return low, high, bounds[0] is not None and low == bounds[0], bounds[1] is not None
 
 
-def _bound(problem, expression):
+def _bound(problem: "Problem", expression: Expression) -> float:
     scene = problem.scene
     node = lowered(expression, scene.table, lambda name, primes, part: scene.parameters.nodes[name])
     try:
-        return evaluate([node], Floats, known(problem, Floats))[0]
+        return float(evaluate([node], Floats, known(problem, Floats))[0])
     except KeyError:
         raise PhysicsError("this bound has no value", "write a number, or parameters that have one",
                            expression.where) from None
@@ -80,7 +82,8 @@ def _bound(problem, expression):
 def known(problem: "Problem", arithmetic: Any) -> "dict[str, float | mpmath.mpf]":
     """The parameters of a problem that have a value, in an arithmetic."""
     given = {name: arithmetic.number(value) for name, value in problem.numeric.given.items()}
-    return problem.scene.parameters.values(arithmetic, given)
+    values: dict[str, Any] = problem.scene.parameters.values(arithmetic, given)
+    return values
 
 
 def turns(problem: "Problem", name: str) -> bool:
@@ -120,7 +123,7 @@ def natural_scale(spec: "Spec", name: str) -> float:
     return math.exp(max(-100.0, min(100.0, exponent)))
 
 
-def _values(spec):
+def _values(spec: "Spec") -> "Iterator[tuple[float, Mapping[str, Fraction | int]]]":
     """(size, dimension) of every number of the scene that is not zero."""
     for expression in _expressions([value for key, value in spec.sections.items() if key != "answers"]):
         for literal in expression.parts.numbers:
@@ -129,7 +132,7 @@ def _values(spec):
                 yield unit.in_si(abs(literal.value)), unit.dimension
 
 
-def _expressions(whole):
+def _expressions(whole: list[Any]) -> Iterator[Expression]:
     """Every expression below records, lists and mappings; the sides of conditions too."""
     pending = [whole]
     while pending:
@@ -164,7 +167,7 @@ def grid(span: Range) -> list[float]:
     return sorted(points)
 
 
-def _ratios(scale):
+def _ratios(scale: float) -> list[float]:
     """Powers of ten about the scale, closer together within DENSE decades of it."""
     outer = range(DENSE * COARSE + 1, DECADES * COARSE + 1)
     exponents = {i / FINE for i in range(-DENSE * FINE, DENSE * FINE + 1)}

@@ -7,7 +7,7 @@ at other values, these have the same expressions.
 
 from collections.abc import Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.mechanics.linearisation import nodes_of
@@ -27,7 +27,7 @@ FEW, MOST = 4, 3        # scenes drawn anew before one is shared; drawings that 
 class AlikeDrawings:
     """The Problems of one with values for its symbols, drawn anew or by the expressions of another."""
 
-    def __init__(self, problem: "Problem"):
+    def __init__(self, problem: "Problem") -> None:
         self.problem = problem
         self._drawn, self._known = 0, []
         self._newest: Problem | None = None
@@ -40,7 +40,8 @@ class AlikeDrawings:
             self._newest = None
         drawing = next((drawing for drawing in self._known if drawing.serves(given)), None)
         if drawing is not None:
-            return drawing.problem.sharing(given)
+            shared: Problem = drawing.problem.sharing(given)
+            return shared
         self._drawn, self._newest = self._drawn + 1, self.problem.with_values(given)
         return self._newest
 
@@ -53,13 +54,13 @@ class AlikeDrawings:
 class _Drawing:
     """A Problem that was looked at, and what the numbers of its scene decided: at which others would it be the same?"""
 
-    def __init__(self, problem):
+    def __init__(self, problem: "Problem") -> None:
         self.problem, self._decisions, self._parts = problem, Decisions(), set()
         self._watched = MechanicalSystem(problem.spec, problem.system.given, watched=self._decisions.watched)
         self.is_alike = "linearisation" in self._derived and _closed_form(problem.system) and self._is_derived_alike()
 
     @property
-    def _derived(self):
+    def _derived(self) -> set[str]:
         """The parts that were derived of the system until now."""
         system = self.problem.system
         return {part for part in vars(system) if isinstance(getattr(type(system), part, None), cached_property)}
@@ -69,7 +70,7 @@ class _Drawing:
         """Was more derived since that was watched?"""
         return self._derived != self._parts
 
-    def _is_derived_alike(self):
+    def _is_derived_alike(self) -> bool:
         """Does the same follow from numbers that are watched?"""
         self._parts = self._derived
         try:
@@ -92,16 +93,16 @@ class _Drawing:
         return self._decisions.hold(scene.sample, sample)
 
 
-def _closed_form(system):
+def _closed_form(system: MechanicalSystem) -> bool:
     """Is a scene nothing but expressions of its parameters?"""
     table = system.scene.table
     return system.settled is None and not (table.functions or table.records or table.definitions)
 
 
-def _fingerprint(system):
+def _fingerprint(system: MechanicalSystem) -> tuple[tuple[Any, ...], ...]:
     scene = system.scene
     return fingerprint([*scene.contents.nodes, *scene.drawn.values(), *nodes_of(system.linearisation)])
 
 
-def _floats(given):
+def _floats(given: "Mapping[str, Fraction]") -> dict[str, float]:
     return {name: float(value) for name, value in given.items()}

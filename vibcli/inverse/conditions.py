@@ -24,6 +24,7 @@ from vibcli.symbolic.syntax import Number
 
 if TYPE_CHECKING:
     from vibcli.inverse.folds import Limit
+    from vibcli.reader.sections.choose import Condition
     from vibcli.results.problem import Problem
     from vibcli.results.shared_friction import SharedFriction
     from vibcli.symbolic.node import Node
@@ -39,16 +40,18 @@ class ConditionSystem:
     free: int
     rigid: int | None
 
-    def __init__(self, problem: "Problem", limits: dict[Any, Any] | None = None):
+    def __init__(self, problem: "Problem", limits: dict[Any, Any] | None = None) -> None:
         self.problem, self.names = problem, list(problem.spec.choices)
         self.conditions = [record["so"] for record in problem.spec.choices.values()]
         self.ranges = [admissible(problem, name) for name in self.names]
         self.shares = not in_geometry(problem, self.names)
         self._drawings = AlikeDrawings(problem)
-        self.refusal, self._measured, self._substituted, self.rigid, self.free = None, {}, {}, None, None
+        self.refusal, self.rigid, self.free = None, None, None
+        self._measured: dict[tuple[float | Fraction, ...], list[list[tuple[float, float]]] | None] = {}
+        self._substituted: dict[tuple[Fraction, ...], tuple[Problem, list[list[tuple[float, float]]]]] = {}
         self.scales = [0.0] * len(self.conditions)
         self.rest, self.ends = {}, []                               # Configurations; where following them ends
-        self.limits = {} if limits is None else limits              # {value: Limit} that was followed to (folds.py)
+        self.limits: dict[Any, Limit] = {} if limits is None else limits      # those followed to, by value (folds.py)
 
     def measured(self, values: Sequence[float | Fraction]) -> list[list[tuple[float, float]]]:
         """[[(L, R), …] of each condition] at numbers for the parameters, None where the scene has no such answer."""
@@ -77,7 +80,7 @@ class ConditionSystem:
 
         return found.about(at_limit(found.configuration, limit.position, limit.felt))
 
-    def _given(self, values):
+    def _given(self, values: Sequence[float | Fraction]) -> dict[str, Fraction]:
         return {name: Fraction(value) for name, value in zip(self.names, values, strict=True)}
 
     def know(self, limits: Any, ends: Any) -> None:
@@ -89,7 +92,7 @@ class ConditionSystem:
         """The Limit that was followed to at these values; None elsewhere."""
         return self.limits.get(Fraction(values[0])) if len(values) == 1 else None
 
-    def _measure(self, instance):
+    def _measure(self, instance: "Problem") -> list[list[tuple[float, float]]] | None:
         import numpy as np
 
         self.problem.work.step()
@@ -111,14 +114,14 @@ class ConditionSystem:
         signed = instance.with_signs()
         return [self._pairs(signed if _vanishing(condition) else instance, condition) for condition in self.conditions]
 
-    def _pairs(self, instance, condition):
+    def _pairs(self, instance: "Problem", condition: "Condition") -> list[tuple[float, float]]:
         if condition.is_balance:
             return balance(instance)
         if condition.word:
             return [self._slowest(instance)]
         return [(value_of(instance, condition.left)[0], value_of(instance, condition.right)[0])]
 
-    def _slowest(self, instance):
+    def _slowest(self, instance: "Problem") -> tuple[float, float]:
         """What restores and what drives away, in the unstable mode that grows fastest or else the slowest one; with
         loads or damping that may drive a mode, its margin to flutter and divergence; where coordinates have no inertia,
         of the least stiffness, or the margin of the decay."""
@@ -154,7 +157,7 @@ class ConditionSystem:
             return None
         return self._misfits_of(found)
 
-    def _misfits_of(self, found):
+    def _misfits_of(self, found: list[list[tuple[float, float]]]) -> list[float]:
         return [misfit(pair, scale) for pairs, scale in zip(found, self.scales, strict=True) for pair in pairs]
 
     def settle_scales(self, places: Sequence[list[float]]) -> None:
@@ -173,7 +176,7 @@ class ConditionSystem:
                 self.scales[i] = sizes[len(sizes) // 2]
 
     @property
-    def _is_plain(self):
+    def _is_plain(self) -> bool:
         """Are all conditions equations of quantities where the scene rests as it is drawn, so that nothing else is
         learnt where they are measured?"""
         return not any(one.word for one in self.conditions) and (
@@ -204,7 +207,7 @@ class ConditionSystem:
         followed = self.limit(values) is not None
         return residual <= HOLDS and (followed or all(self._passed(i, values) for i in limits)), residual
 
-    def _passed(self, i, values):
+    def _passed(self, i: int, values: Sequence[float | Fraction]) -> bool:
         """Does the slowest mode change its stability with its parameter?"""
         signs = []
         for factor in (1 - 1e-4, 1 + 1e-4):
@@ -214,17 +217,17 @@ class ConditionSystem:
             signs.append(found is not None and misfit(found[i][0], 0.0))
         return signs[0] * signs[1] < 0
 
-    def admits(self, values: Sequence[Fraction]) -> bool:
+    def admits(self, values: Sequence[float | Fraction]) -> bool:
         return all(isfinite(x) and span.holds(x) for x, span in zip(values, self.ranges, strict=True))
 
 
-def _vanishing(condition):
+def _vanishing(condition: "Condition") -> bool:
     """Is a condition an equation of which one side is written as 0?"""
     return not condition.word and any(
         isinstance(side.tree, Number) and not side.tree.value for side in condition.sides)
 
 
-def _roughly(instance):
+def _roughly(instance: "Problem") -> "Problem":
     """The same with element data about an equilibrium that is not drawn, in floats: for a first look, not to the last
     digit."""
     from vibcli.mechanics.numeric_linearisation import in_numbers
@@ -237,7 +240,7 @@ def _roughly(instance):
     return instance.about(configuration.about(configuration.equilibrium, elements))
 
 
-def _nothing_held():
+def _nothing_held() -> PhysicsError:
     return PhysicsError("nothing holds this scene: it has no limit of stability", "add a spring")
 
 
@@ -270,4 +273,5 @@ def in_geometry(problem: "Problem", names: Sequence[str]) -> bool:
 
 
 def summed(table: Any, terms: "Sequence[Node]") -> "Node":
-    return table.sum(*((term, ONE) for term in terms))
+    total: Node = table.sum(*((term, ONE) for term in terms))
+    return total

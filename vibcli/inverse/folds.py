@@ -3,7 +3,7 @@ the next, to a limit point (fold) where it meets an unstable one and both vanish
 
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.equilibrium.continuation import Branch
@@ -23,10 +23,10 @@ class Limit(NamedTuple):
     lowest eigenvalue relative to K, and what is stiff along each coordinate."""
 
     value: float
-    position: dict
+    position: dict[str, Any]
     fold: bool
     residual: float
-    felt: tuple
+    felt: tuple[Any, ...]
 
 
 class End(NamedTuple):
@@ -38,7 +38,7 @@ class End(NamedTuple):
     runs: str
 
 
-def followed(system: "ConditionSystem", places: Sequence[list[float]]) -> tuple[list[Limit], list[End]]:
+def followed(system: "ConditionSystem", places: Sequence[float]) -> tuple[list[Limit], list[End]]:
     """([Limit], [End]) of the stable equilibria of a ConditionSystem with one parameter,
     from each of the ascending places to its neighbours."""
     limits, ends = [], []
@@ -52,11 +52,11 @@ def followed(system: "ConditionSystem", places: Sequence[list[float]]) -> tuple[
     return limits, ends
 
 
-def _same(a, b):
+def _same(a: float, b: float) -> bool:
     return abs(a - b) <= SAME * max(abs(a), abs(b))
 
 
-def _between(system, one, other):
+def _between(system: "ConditionSystem", one: float, other: float) -> tuple[list[Limit], list[End]] | None:
     """(limits, ends) on the way from one value to another; None where the equilibria of both are on one branch."""
     here, there = (system.rest.get((value,)) for value in (one, other))
     if here is None or here.system.is_linear or here.equilibrium.drawn:
@@ -79,7 +79,7 @@ def _between(system, one, other):
     return [], [End(one, found.place.value, _runs_off(branch, found))]
 
 
-def _limit(branch, place, fold):
+def _limit(branch: Branch, place: Any, fold: bool) -> Limit:
     felt = tuple(branch.size / float(scale) ** 2 for scale in branch.scale)
     return Limit(place.value, place.position, fold, abs(lowest(place.K)) / branch.size, felt)
 
@@ -90,13 +90,13 @@ def lowest(K: "np.ndarray") -> float:
     return float(np.linalg.eigvals(K).real.min())
 
 
-def _branching(branch, way):
+def _branching(branch: Branch, way: Sequence[Any]) -> Limit | None:
     """The Limit where the lowest eigenvalue of K changes its sign on a followed way; None where it keeps it."""
     for a, b in pairwise(way):
         if lowest(b.K) <= 0:
             places = {}
 
-            def function(value, start=a, places=places):
+            def function(value: float, start: Any = a, places: dict[float, Any] = places) -> float | None:
                 found = branch.followed(start, value)
                 places[value] = found.place
                 return lowest(found.place.K) / branch.size if found.arrived else None
@@ -106,9 +106,9 @@ def _branching(branch, way):
     return None
 
 
-def _runs_off(branch, found):
+def _runs_off(branch: Branch, found: Any) -> str | None:
     """The coordinate that grows without bound as the way ends; None where none does."""
     first, middle, last = found.way[0], found.way[len(found.way) // 2], found.place
     before, grown = abs(middle.q - first.q), abs(last.q - first.q)
     i = int(grown.argmax())
-    return branch.names[i] if grown[i] > FARTHER * before[i] else None
+    return str(branch.names[i]) if grown[i] > FARTHER * before[i] else None

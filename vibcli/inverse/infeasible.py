@@ -15,8 +15,11 @@ from vibcli.notation.plain import plain
 if TYPE_CHECKING:
     from fractions import Fraction
 
+    from vibcli.base.errors import Where
     from vibcli.inverse.admissible_ranges import Range
+    from vibcli.inverse.folds import End
     from vibcli.numerics.root_finding import Scan
+    from vibcli.reader.sections.choose import Condition
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
@@ -36,7 +39,7 @@ def undetermined(problem: "Problem", tried: Sequence[float] | None = None) -> Ph
                         "ask for another condition", where)
 
 
-def _where(problem):
+def _where(problem: "Problem") -> "Where":
     return next(iter(problem.spec.choices.values())).where
 
 
@@ -45,7 +48,7 @@ def texts(problem: "Problem") -> str:
     return listed(list(dict.fromkeys(_in_words(record["so"]) for record in problem.spec.choices.values())))
 
 
-def _in_words(condition):
+def _in_words(condition: "Condition") -> str:
     if condition.word is None:
         return condition.text
     return "equilibrium as drawn" if condition.is_balance else "a limit of stability"
@@ -90,7 +93,7 @@ def not_held(system: ConditionSystem) -> NotHeld:
                    "give its range with from and to, or choose another parameter", _where(system.problem))
 
 
-def _of_several(system, proven):
+def _of_several(system: ConditionSystem, proven: bool) -> PhysicsError:
     """No common solution of several conditions."""
     names, where = listed(system.names), _where(system.problem)
     found = "" if proven else "were found that "
@@ -99,7 +102,7 @@ def _of_several(system, proven):
                             "" if proven else ", or give the range of each with from and to"), where)
 
 
-def _stability(system, scan, proven):
+def _stability(system: ConditionSystem, scan: "Scan", proven: bool) -> str:
     """Is the equilibrium stable or unstable wherever it was looked at, and where does it end?"""
     if system.ends:
         end = system.ends[0]
@@ -115,7 +118,7 @@ def _stability(system, scan, proven):
     return f": the equilibrium is {kind} " + ("for all of them" if proven else _tried(system, scan))
 
 
-def _stable_since(scan, end, up):
+def _stable_since(scan: "Scan", end: "End", up: bool) -> float | None:
     """The value farthest from an End to which the equilibrium is stable at all that were tried, going back from it."""
     since, places = end.start, scan.defined()
     for x, h in reversed(places) if up else places:
@@ -126,7 +129,7 @@ def _stable_since(scan, end, up):
     return since
 
 
-def _tried(system, scan):
+def _tried(system: ConditionSystem, scan: "Scan") -> str:
     """The values at which there is an answer, in words, and why there is none at others."""
     places, unit = [x for x, _ in scan.defined()], units.text(system.problem.spec.dimensions.of(system.names[0]))
     count = f"all {len(places)}" if len(places) == len(scan.points) else f"{len(places)} of {len(scan.points)}"
@@ -136,7 +139,7 @@ def _tried(system, scan):
     return f"{found} (elsewhere for example: {system.refusal.message})"
 
 
-def _reach(system, scan):
+def _reach(system: ConditionSystem, scan: "Scan") -> tuple[str, bool]:
     """(from where to where the sides of an equation go, does that hold what is asked for?)"""
     pairs = [system.measured([x])[0][0] for x, _ in scan.defined()]
     left, right = zip(*pairs, strict=True)
@@ -154,15 +157,15 @@ def _reach(system, scan):
     return f"{condition.left.text} is {sense} than {condition.right.text} {tried}", False
 
 
-def _figure(value):
+def _figure(value: float) -> str:
     return figure(value, digits=4)
 
 
-def _within(system, span):
+def _within(system: ConditionSystem, span: "Range") -> str:
     """The admissible range in words."""
     unit = units.text(system.problem.spec.dimensions.of(system.names[0]))
 
-    def end(x):
+    def end(x: float) -> str:
         known = {0.0: "0", inf: "∞", -inf: "−∞", pi: "π", -pi: "−π", tau: "2π"}
         return known.get(x) or f"{figure(x)} {unit}".strip()
 
@@ -203,7 +206,7 @@ def unbalanced(problem: "Problem", instance: Any, pairs: Sequence[tuple[float, f
                         problem.spec.choices[names[0]].where)
 
 
-def _valued(problem, name, value):
+def _valued(problem: "Problem", name: str, value: float) -> str:
     return f"{name} = {figure(value)} {units.text(problem.spec.dimensions.of(name))}".rstrip()
 
 

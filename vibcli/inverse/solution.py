@@ -33,11 +33,11 @@ class Solution(NamedTuple):
     is this a limit point, at which the equilibrium and an unstable one vanish? counts: in letters, the Conditions
     under which it is a solution."""
 
-    values: dict
-    forms: dict
+    values: dict[str, Any]
+    forms: dict[str, Any]
     residual: float
     fold: bool = False
-    counts: tuple = ()
+    counts: tuple[Any, ...] = ()
 
 
 class Chosen:
@@ -48,7 +48,7 @@ class Chosen:
     __slots__ = ("_errors", "_searched", "conditions", "draws", "solutions")
 
     def __init__(self, choices: Mapping[str, Record], solutions: Sequence[Solution], draws: "Sequence[Problem]" = (),
-                 searched: "Sequence[SearchedNumbers]" = ()):
+                 searched: "Sequence[SearchedNumbers]" = ()) -> None:
         self.draws, self._searched = draws, searched
         self._errors: dict[int, dict[str, float]] = {}
         self.conditions = {name: record["so"].text for name, record in choices.items()}
@@ -90,7 +90,7 @@ def shortened(x: float, digits: int = SHORT) -> Fraction:
     return Fraction(f"{x:.{digits}g}")
 
 
-def _is_decimal(value, error):
+def _is_decimal(value: Fraction, error: float) -> bool:
     """Is a number a decimal of so few digits, known so well, that one in a million would be as near one by chance?"""
     return value == shortened(float(value), FEW) and error <= CLOSE * abs(value)
 
@@ -116,7 +116,8 @@ def defined(problem: "Problem", forms: "Mapping[str, Node]", sample: Mapping[str
 
 def choosing(problem: Any, choices: Any) -> "Problem":
     """The problem with these to choose instead, {name: record}."""
-    return problem.with_spec(problem.spec._replace(choices=choices))
+    chosen: Problem = problem.with_spec(problem.spec._replace(choices=choices))
+    return chosen
 
 
 def in_numbers(problem: "Problem", nodes: "Sequence[Node]") -> list[Fraction] | None:
@@ -135,10 +136,11 @@ def in_numbers(problem: "Problem", nodes: "Sequence[Node]") -> list[Fraction] | 
         return [_fraction(mpmath.re(value)) for value in found]
 
 
-def _fraction(value):
+def _fraction(value: Any) -> Fraction:
     """An mpmath number as the rational that it is."""
     sign, mantissa, exponent, _ = value._mpf_
-    return (-1) ** sign * Fraction(int(mantissa)) * Fraction(2) ** exponent
+    size: Fraction = Fraction(int(mantissa)) * Fraction(2) ** exponent
+    return -size if sign else size
 
 
 def stable_in_floats(problem: "Problem", nodes: "Sequence[Node]", values: Sequence[Fraction]) -> bool:

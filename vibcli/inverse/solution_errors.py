@@ -20,6 +20,8 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.running_errors import UNIT, Rounded, RunningErrors, error_in
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from vibcli.inverse.conditions import ConditionSystem
     from vibcli.results.problem import Problem
 
@@ -44,7 +46,7 @@ class Move(NamedTuple):
 class SearchedNumbers:
     """The numbers of a solution that were searched for, in a ConditionSystem."""
 
-    def __init__(self, system: "ConditionSystem", values: "Sequence[Fraction]"):
+    def __init__(self, system: "ConditionSystem", values: "Sequence[Fraction]") -> None:
         self._system, self._values = system, list(values)
         self._moves: list[list[Move]] | None = None
 
@@ -64,7 +66,7 @@ class SearchedNumbers:
                            for i in range(len(self._values))]
         return self._moves
 
-    def _moved(self, i, size):
+    def _moved(self, i: int, size: float) -> Move | None:
         import numpy as np
 
         x, span = float(self._values[i]), self._system.ranges[i]
@@ -79,7 +81,7 @@ class SearchedNumbers:
         except (SpecError, PhysicsError, ArithmeticError, np.linalg.LinAlgError):
             return None
 
-    def _linearised(self):
+    def _linearised(self) -> "tuple[np.ndarray, np.ndarray, np.ndarray]":
         """(what f may be off by where the solution is, its slopes, its bends), a condition a row."""
         import numpy as np
 
@@ -108,13 +110,14 @@ def _solved(off: Any, slopes: Any, bends: Any) -> list[float]:
     return [SLACK * x for x in inverse.sum(axis=1).tolist()]
 
 
-def _of_one(off, slope, bend):
+def _of_one(off: float, slope: float, bend: float) -> float:
     if slope * slope > 4 * abs(bend) * off:
         return SLACK * off / abs(slope)
     return TOUCHES * sqrt(2 * off / abs(bend)) if bend else inf
 
 
-def _known(system, instance, pairs):
+def _known(system: "ConditionSystem", instance: "Problem",
+           pairs: Sequence[Sequence[tuple[float, float]]]) -> "tuple[np.ndarray, np.ndarray]":
     """L − R of each condition, and their bounds."""
     import numpy as np
 
@@ -122,7 +125,8 @@ def _known(system, instance, pairs):
     return np.array(differences), np.array(_errors(system, instance, pairs))
 
 
-def _errors(system, instance, pairs):
+def _errors(system: "ConditionSystem", instance: "Problem",
+            pairs: Sequence[Sequence[tuple[float, float]]]) -> list[float]:
     """The bounds of L − R of each condition."""
     found: list[float] = []
     for condition, its in zip(system.conditions, pairs, strict=True):

@@ -4,7 +4,10 @@ With C, or loads that follow velocities: 鈭抦ax Re 位. Without: of the 渭 = 鈭捨
 which is negative where two have met and left the real axis (flutter).
 """
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.factored_system import FactoredSystem
 
 ZERO, FREE = 1e-9, 1e-13
 
@@ -39,10 +42,10 @@ def free_roots(elements: Any) -> int:
     along = directions[values <= FREE * values.max()].T
     resisted = np.linalg.svd((C + G) @ along)[1] if along.size else np.array([])
     size = max(abs(C + G).max(), 1e-300)
-    return 2 * along.shape[1] - int((resisted > FREE * size).sum())
+    return 2 * int(along.shape[1]) - int((resisted > FREE * size).sum())
 
 
-def _eigenvalues(elements, damped):
+def _eigenvalues(elements: "FactoredSystem", damped: bool) -> list[complex]:
     """All 位 of 位虏M + 位(C + G) + K, in floats."""
     import numpy as np
 

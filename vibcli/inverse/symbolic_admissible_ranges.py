@@ -5,7 +5,7 @@ Values are spread about the natural scale of the other numbers of the file, less
 all of them is not told.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from math import isfinite, pi
 from typing import TYPE_CHECKING, Any
@@ -20,6 +20,7 @@ from vibcli.symbolic.expression_graph import reachable
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
 
 MANY, SPREADS, DIGITS = 400, (0.0, 0.5, 1.5, 3.0), 6
@@ -40,7 +41,7 @@ class Letters:
     """Values for the letters of a problem, and what solutions {name: node} are there; `rest`: the problem in whose
     letters they are written."""
 
-    def __init__(self, problem: "Problem", rest: "Problem", solutions: "Sequence[dict[str, Node]]"):
+    def __init__(self, problem: "Problem", rest: "Problem", solutions: "Sequence[dict[str, Node]]") -> None:
         self.problem, self.rest, self.solutions = problem, rest, solutions
         self.turning = {name: turns(problem, name) for name in problem.spec.choices}
         self.scales = {name: natural_scale(problem.spec, name) for name in problem.symbolic.letters}
@@ -62,7 +63,7 @@ class Letters:
         powers = {name: spread * (2 * (value - 0.6) / 1.7 - 1) for name, value in plain.items()}
         return {name: Fraction(f"{self.scales[name] * 10**power:.{DIGITS}g}") for name, power in powers.items()}
 
-    def _counts(self, i, given):
+    def _counts(self, i: int, given: Mapping[str, Fraction]) -> bool:
         """Is a solution real and admissible? Conditions that fail are noted, those of its range where it is real."""
         problem, forms = self.problem.sharing(given), self.solutions[i]
         try:
@@ -80,7 +81,7 @@ class Letters:
         self.told[i].update(dict.fromkeys(failed))
         return not failed
 
-    def _outside(self, problem, name, value):
+    def _outside(self, problem: "Problem", name: str, value: float) -> Iterator[Bound]:
         """The conditions of the range of a parameter that its value does not meet."""
         try:
             low, high, low_given, high_given = ends(problem, name, self.turning[name])
@@ -92,13 +93,14 @@ class Letters:
         if value > high or (value == high and not high_given):
             yield Bound(None, name, "≤" if high_given else "<", self._bound(name, "to", high_given, high))
 
-    def _bound(self, name, key, given, value):
+    def _bound(self, name: str, key: str, given: bool, value: float) -> "Node":
         """An end of the range of a parameter as a node: as the scene gives it, else 0 or a multiple of π."""
         scene = self.rest.scene
         if given:
             bound = self.problem.spec.choices[name][key]
             return lowered(bound, scene.table, lambda part, *_: scene.parameters.nodes[part])
-        return scene.table.pi * round(value / pi) if value else self.zero
+        end: Node = scene.table.pi * round(value / pi) if value else self.zero
+        return end
 
     def conditions(self, i: int) -> list[Any]:
         """The Conditions under which a solution counts, those of its roots first."""
@@ -107,7 +109,7 @@ class Letters:
         return sorted(self.told[i], key=lambda condition: condition.node is None)
 
 
-def _radicands(table, forms):
+def _radicands(table: "Table", forms: "dict[str, Node]") -> "list[Node]":
     """What stands under even roots and may be negative."""
     found = {}
     for part in reachable(list(forms.values())):

@@ -119,7 +119,7 @@ def balanced(problem: "Problem") -> "dict[str, Node] | None":
     return {names[j]: textbook(node) for j, node in zip(picked, found, strict=True)}
 
 
-def _row(node, unknowns):
+def _row(node: "Node", unknowns: "Sequence[Node]") -> "list[Node]":
     """[∂node/∂x of each unknown, the rest] where the node is linear in all of them, else None."""
     row, zero = [], node.table.zero
     for x in unknowns:
@@ -130,7 +130,7 @@ def _row(node, unknowns):
     return [*row, substitute([node], dict.fromkeys(unknowns, zero))[0]]
 
 
-def _vanishing(problem, condition):
+def _vanishing(problem: "Problem", condition: "Condition") -> "list[Node]":
     """Expressions that vanish where a condition holds."""
     if condition.is_balance:
         return [summed(problem.scene.table, terms) for terms in problem.system.drawn_residual]
@@ -161,7 +161,7 @@ def _vanishing(problem, condition):
     return [side(problem, condition.left) - side(problem, condition.right)]
 
 
-def _limit(problem):
+def _limit(problem: "Problem") -> "Node":
     """det K, and of two degrees under follower forces also the discriminant of det(K − λM), which vanishes where
     flutter begins."""
     M, C, _, K = problem.symbolic.matrices
@@ -184,7 +184,7 @@ def require_no_modes(condition: "Condition") -> None:
         raise NotInLetters("the small oscillations of this scene are not known in letters")
 
 
-def _characteristic(problem, square):
+def _characteristic(problem: "Problem", square: "Node") -> "Node":
     """det(K − λ M) in letters."""
     M, _, G, K = problem.symbolic.matrices
     n, zero = len(problem.scene.q), problem.scene.table.zero

@@ -42,7 +42,7 @@ def solved(problem: "Problem", rest: "Problem") -> "Problem":
     return _with_letters(problem, trials, letters, order)
 
 
-def _never_admissible(problem, letters):
+def _never_admissible(problem: "Problem", letters: Letters) -> PhysicsError | None:
     """The refusal of the only solution, real everywhere, that never lies in the range of its parameter."""
     told = letters.told[0]
     if len(letters.solutions) > 1 or len(told) != 1 or next(iter(told)).relation in ("", "≥"):
@@ -56,7 +56,7 @@ class Trials:
 
     refusal: Any
 
-    def __init__(self, problem: "Problem", rest: "Problem", solutions: "Sequence[dict[str, Node]]"):
+    def __init__(self, problem: "Problem", rest: "Problem", solutions: "Sequence[dict[str, Node]]") -> None:
         self.problem, self.rest, self.solutions = problem, rest, solutions
         self.held, self.failed = {}, dict.fromkeys(range(len(solutions)), 0)
         self.draws, self.refusal = [], None
@@ -66,7 +66,7 @@ class Trials:
         """Are there enough trials of each solution that may be one?"""
         return len(self.draws) >= TRIALS or all(map(self._enough, self.failed))
 
-    def _enough(self, i):
+    def _enough(self, i: int) -> bool:
         held = len(self.held.get(i, ()))
         return held >= ENOUGH or (not held and self.failed[i] >= SPURIOUS)
 
@@ -115,7 +115,7 @@ class Trials:
         return [self.draws[number] for _, number in sorted(found)]
 
 
-def _with_letters(problem, trials, letters, order):
+def _with_letters(problem: "Problem", trials: Trials, letters: Letters, order: list[int]) -> "Problem":
     solutions = []
     for i in order:
         counts = letters.conditions(i)
@@ -123,7 +123,7 @@ def _with_letters(problem, trials, letters, order):
             counts.append(Bound(words=infeasible.texts(problem)))
         residual = max(solution.residual for _, solution in trials.held[i])
         in_order = {name: trials.solutions[i][name] for name in problem.spec.choices}
-        solutions.append(Solution(dict.fromkeys(in_order), in_order, residual, counts=counts))
+        solutions.append(Solution(dict.fromkeys(in_order), in_order, residual, counts=tuple(counts)))
     draws = trials.draws_of(order[0])
     sample = {name: draws[0].numeric.given[name] for name in problem.symbolic.letters}
     scene = defined(problem, solutions[0].forms, sample)
