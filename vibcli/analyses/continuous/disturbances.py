@@ -53,7 +53,7 @@ class Disturbances:
         channels = modes.inputs.shape[1]
         self.times = np.array([segment.start for segment in segments])
         orders = (_rows_of_waves if creeping else _orders)(segments, self.damping)
-        self._spread, self._sizes, self._loads = start.spread, {}, None
+        self._start, self._sizes, self._loads = start, {}, None
         if orders is not None:
             loads = _ends_of_waves if creeping else _bends
             self._loads = loads(segments, channels, orders, start.held, modes.highest)
@@ -74,7 +74,7 @@ class Disturbances:
         sums = self.modes.load_sums(active.tolist()) if len(active) else {}
         for power, among in sums.items():
             self._add(found, power, among, self.modes.begins[active] < power, bends[..., active], struck[:, active])
-        found[0, 2:4] += self._spread
+        found[0, 2:4] += self._start.spread
         return found
 
     def _add(self, sizes, power, sums, finite, bends, struck):
@@ -105,7 +105,7 @@ class Disturbances:
             return PACE
         if self.damping.creeping is not None:
             return FALL
-        return FIELD if self._spread.any() else SERIES
+        return FIELD if self._start.spread.any() or self._start.held.any() else SERIES
 
     def _total(self, output, t, order, reach):
         return sum(self._of(part, own, t, order, reach) for part, own in self.modes.parts.split(output))
