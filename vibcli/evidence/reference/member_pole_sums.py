@@ -35,7 +35,7 @@ CIRCLE, GROWTH = 0.25, 10       # radius of a circle: of the distance to the nex
 OCTAVES = 4             # between the places at which the sum is tested
 AT_FIRST, ALL = 1e-18, 1e-6     # how near it is to be at the first of them, and at the others, of what it is summed of
 MOST, WORK = 32, 1.2e8      # blocks of poles, and entries of matrices for them
-FEW, MANY = 1000, 1 << 21       # even poles that are summed at the working precision, and of all
+FEW, MANY = 1000, 1 << 20       # even poles that are summed at the working precision, and of all
 LIKELY = 8              # times the root of the sum of squares of what is as likely up as down; roundings of a residue
 LAST = 16               # poles by which those beyond are judged
 
