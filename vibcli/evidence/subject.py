@@ -12,6 +12,7 @@ if TYPE_CHECKING:
 
 ALONE = "no other method is known here"
 BY_DIFFERENCES = "derivative"       # the kind whose data is a function of a step, an estimate by central differences
+MOMENT = "moment of a body"     # whose data is a function of a quadrature rule, and whether it matters
 LAW = "force law"       # that whose data is a law in floats and a deflection
 
 
