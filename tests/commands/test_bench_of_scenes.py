@@ -3,9 +3,11 @@
 import json
 
 import pytest
+from support.scenes import problem
 
 from vibcli.cli.program import run
 from vibcli.evidence import timing
+from vibcli.evidence.asked import subjects
 
 SCENE = """title: A damped mass that is driven
 parameters: {m: 2 kg, k: 800 N/m, c: 8 N*s/m}
@@ -51,7 +53,7 @@ def test_what_the_file_asks_and_what_has_no_other_method(scene, capsys):
     out = out_of(capsys, scene).out
     assert "omega: natural modes, one rate λ = iω" in out and "47 digits alike with 60 and 120" in out
     assert all(name in out for name in ("vibcli", "scipy eigh", "numpy eigh", "numpy eig", "scipy eig"))
-    assert "Not compared\n  stable: no other method is known here." in out and "eigenvalue:" not in out
+    assert "Not compared\n  stable: it is no number." in out and "eigenvalue:" not in out
 
 
 @pytest.mark.parametrize(("quantity", "kind", "others"), [
@@ -153,7 +155,15 @@ def test_without_a_file_options_of_scenes_are_refused(capsys):
 def test_what_is_found_by_vibcli_alone_has_no_picture(scene, tmp_path, capsys):
     path = tmp_path / "none.svg"
     told = out_of(capsys, scene, "--of", "stable", "-o", str(path))
-    assert "no other method is known here" in told.out and "no picture is written" in told.err and not path.exists()
+    assert "stable: it is no number" in told.out and "no picture is written" in told.err and not path.exists()
+
+
+def test_energies_and_equations_are_no_numbers_and_counts_have_no_digits(scene):
+    with open(scene, encoding="utf-8") as file:
+        one = problem(file.read().replace("  stable: true\n", "  T: 0\n  motion[x]: m*x'' = 0\n  equilibria: 1\n"))
+    told = {each.asked: each.why for each in subjects(one, [answer.asked for answer in one.spec.answers][1:])}
+    assert told == {"T": "it is no number", "motion[x]": "it is no number",
+                    "equilibria": "it is a count, which has no digits to compare"}
 
 
 def test_without_a_file_the_own_measurements_are_made(monkeypatch):

@@ -63,7 +63,7 @@ def command(file: str | None, quantities: Sequence[str], settings: Sequence[str]
         refuse(path, (*PICTURES, *REPORTS), force)
     for name in ONE_THREAD:         # processor time counts what threads wait for; before NumPy is imported
         os.environ.setdefault(name, "1")
-    from vibcli.evidence.subject import ALONE
+    from vibcli.evidence.subject import NOTHING_ELSE
 
     before = _older(against)
     problem = chosen(load(file, settings, patience), case)[0][1]
@@ -73,7 +73,7 @@ def command(file: str | None, quantities: Sequence[str], settings: Sequence[str]
     _told(found, as_json)
     for path in map(Path, outputs):
         _write(found, path, force)
-    return 0 if found.compared or all(one.why == ALONE for one in found.left_out) else 4
+    return 0 if found.compared or all(one.why in NOTHING_ELSE for one in found.left_out) else 4
 
 
 def _skipped(file, as_json):

@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.evidence.subject import ALONE, Subject
+from vibcli.evidence.subject import ALONE, COUNTED, NO_NUMBER, Subject
 from vibcli.evidence.subjects import DAMPED, NATURAL, SUBJECTS
 from vibcli.quantities import FORMS
-from vibcli.quantities.quantity import declared, named
+from vibcli.quantities.quantity import COUNT, OF_STATE, TRUTH, declared, named
 from vibcli.symbolic.syntax import QuantityRef
 
 if TYPE_CHECKING:
@@ -38,7 +38,7 @@ def subjects(problem: "Problem", asked: "Iterable[Expression]", or_modes: bool =
             continue
         made.add(one)
         if make is None:
-            yield NotCompared(text, ALONE)
+            yield NotCompared(text, _why_not(tree))
         else:
             try:
                 yield _function(make)(problem, tree)
@@ -61,6 +61,12 @@ def _maker(tree: QuantityRef):
     made = declared(tree)
     found = SUBJECTS.get(next((form for form in FORMS if form in SUBJECTS and made is named(form)), tree.head))
     return None if found in (NATURAL, DAMPED) and tree.args else found
+
+
+def _why_not(tree: QuantityRef | None) -> str:
+    """Why nothing else finds it."""
+    kind = declared(tree).kind if tree else None
+    return COUNTED if kind == COUNT else NO_NUMBER if kind in (*OF_STATE, TRUTH) else ALONE
 
 
 def _function(make) -> Callable[["Problem", QuantityRef | None], Subject]:

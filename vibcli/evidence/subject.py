@@ -10,8 +10,12 @@ if TYPE_CHECKING:
     from vibcli.evidence.reference.settled import TrueValues
     from vibcli.results.problem import Problem
 
-ALONE = "no other method is known here"
+ALONE, NO_NUMBER = "no other method is known here", "it is no number"
+COUNTED = "it is a count, which has no digits to compare"
+NOTHING_ELSE = (ALONE, NO_NUMBER, COUNTED)      # why what vibcli finds by itself is not compared
 BY_DIFFERENCES = "derivative"       # the kind whose data is a function of a step, an estimate by central differences
+MOMENT = "moment of a body"     # whose data is a function of a quadrature rule, and whether it matters
+ESTIMATE = "estimate"               # whose data is a formula in floats
 LAW = "force law"       # that whose data is a law in floats and a deflection
 
 

@@ -21,6 +21,9 @@ BENCH = [
         ("sensitivity[1, m], V[x^4] …", "central differences, at the same steps, of what is solved anew, of energies "
          "and of forces; so stiffness[P].max, law[s, d^3], stiffness_correction[s, x]"),
         ("law[s](2 cm)", "`root` of SciPy on the deflections of parts in series"),
+        ("rayleigh, dunkerley, ritz[1]", "their formulas, by `solve` and `eigh` of assembled K and M"),
+        ("J[b, O], centre[b].x, mass[b]", "sums over 1 … 1000 cells a side of its shapes, and Gauss's quadratures "
+         "of 1 … 32 points"),
         ("backbone[1](x)(10 cm)", "the integrators, over two periods of one coordinate"),
         ("omega, zeta, frf of members", "1 … 128 finite elements a piece, and `eigh`, `eig`, or LU at that frequency"),
         ("peak[1](frf[x, F]).value", "grids of 100 … 1,000,000 frequencies, with parabolas and without"),

@@ -50,7 +50,7 @@ QUANTITIES = {
         ("number", "square"), dimension=_dimension, symbolic=_kappa_in_letters, several=True),
     "backbone()": Declaration(
         "angular frequency of the free motion of family i in which a signal has this amplitude, half its range, about "
-        "the equilibrium; dampers and loads in time are left out", "rad/s", _backbone, ("number",),
+        "the equilibrium; dampers are left out, and there is none under loads in time", "rad/s", _backbone, ("number",),
         ("signal", "amplitude"), several=True),
     "fold": Declaration(
         "value of a parameter p at which two equilibria meet and vanish (limit point, limit load, snap-through): the "

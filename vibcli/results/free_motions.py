@@ -1,4 +1,4 @@
-"""Families of free motions about the equilibrium of a Problem, dampers and loads in time left out."""
+"""Families of free motions about the equilibrium of a Problem that nothing drives, dampers left out."""
 
 from collections.abc import Sequence
 from functools import cached_property

@@ -18,9 +18,14 @@ def require_families(problem: "Problem") -> None:
     if problem.spec.members:
         raise PhysicsError("members take part in small motions alone: their frequencies hang on no amplitude",
                            "ask for omega[1]")
-    if not has_potential(problem.scene.resting):
-        raise PhysicsError("the forces of this scene have no potential: it has no family of free motions",
-                           "loads that follow the motion or change with time, and closed loops, are such")
+    scene = problem.scene.resting
+    if scene.timed:
+        raise PhysicsError("loads or displacements in time drive this scene: it has no family of free motions",
+                           "leave them out, or ask for its motion in time")
+    if not has_potential(scene):
+        raise PhysicsError("families of free motions are found of open chains whose forces have a potential",
+                           "this scene has closed loops" if scene.loops is not None else
+                           "a load of this scene follows its motion")
 
 
 def require_positive(amplitude: float) -> None:

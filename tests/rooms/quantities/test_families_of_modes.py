@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 from support.motions import problem
+from support.references import CLOSED_LOOP
 
 from vibcli.api.values import given_expression
 from vibcli.base.errors import PhysicsError
@@ -106,7 +107,8 @@ def test_dampers_are_left_out():
     (PAIR, "backbone[1](x')(1 m/s)", "a displacement or a spring"),
     (PAIR, "backbone[1](x)(0 m)", "positive"),
     (PAIR.replace("c: 1.3 N/m", "c: 20 N/m"), "backbone[1](x)(1 m)", "mode 2 has 3 times the frequency of mode 1"),
-    (PAIR + "forces: {p: {at: left, force: (1 N)*sin((2 rad/s)*t)}}\n", "backbone[1](x)(1 m)", "no potential"),
+    (PAIR + "forces: {p: {at: left, force: (1 N)*sin((2 rad/s)*t)}}\n", "backbone[1](x)(1 m)", "in time drive"),
+    (CLOSED_LOOP, "backbone[1](phi)(0.1 rad)", "closed loops"),
     (TRUSS, "backbone[1](x)(1 m)", "family 1 is followed up to 0.37.* more than 64 harmonics"),
     (TURNING, "backbone[1](x)(10 cm)", "turn with the sense of the motion"),
     (TRUSS.replace("- b*d^3", "+ b*(1 m^3)*sign(d)"), "backbone[1](x)(1 m)", "bend or jump at the equilibrium"),

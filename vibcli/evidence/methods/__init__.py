@@ -3,7 +3,8 @@
 METHODS = {
     "ours": (("modes", "damped modes", "motion", "full motion", "steady motion", "response",
               "peak", "member modes", "damped member modes", "member response", "rated response", "member motion",
-              "static position", "vibrations", "matrix entry", "derivative", "force law"),
+              "static position", "vibrations", "matrix entry", "derivative", "force law", "moment of a body",
+              "estimate"),
              "vibcli itself, from the element data on"),
     "assembled_modes": (("modes",), "eigh and eig of assembled K and M"),
     "state_eigenvalues": (("damped modes",), "eig of the state matrix and of the pencil that is assembled"),
@@ -18,5 +19,7 @@ METHODS = {
     "differences": (("matrix entry", "derivative"),
                     "central differences of forces, energies …; kinetic energies of unit velocities"),
     "inner_forces": (("force law",), "SciPy's root, hybr and lm, of the deflections of parts in series"),
+    "plain_estimates": (("estimate",), "solve and eigh of NumPy and SciPy on assembled K and M"),
+    "over_shapes": (("moment of a body",), "sums over 1 … 1000 cells a side of shapes, and Gauss's quadratures"),
     "dense_grids": (("peak",), "grids of 100 … 1,000,000 frequencies, with parabolas and without"),
 }

@@ -21,6 +21,8 @@ SUBJECTS = {
     "backbone()": ("backbones", "by_amplitude"),
     "M()": ("states", "of_state"), "K()": ("states", "of_state"), "C()": ("states", "of_state"),
     "Q()": ("states", "of_state"),
+    "mass": ("bodies", "moment"), "centre": ("bodies", "moment"), "J": ("bodies", "moment"),
+    "rayleigh": ("estimates", "rayleigh"), "dunkerley": ("estimates", "dunkerley"), "ritz": ("estimates", "ritz"),
     "sensitivity": ("sensitivities", "sensitivity"),
     "equilibrium": ("static_positions", "at_rest"),
     "frf": ("frequency_responses", "at_frequency"), "transmissibility": ("frequency_responses", "at_frequency"),
