@@ -37,7 +37,8 @@ SOURCES = {
     "weakly_coupled_pendulums": Source(
         "Greiner, Classical Mechanics: Systems of Particles, Exercise 7.2", PENDULUMS.replace("START", "0, y: A"), (
             "x:  m·L²·ẍ + ", "y:  m·L²·ÿ − ", "ω₁² = g/L", "ω₂² = ", "in mode 1  y/x = 1", "in mode 2  y/x = −1",
-            "p₁ = A/2", "p₂ = −A/2", "x = A·cos(ω₁·t)/2 − A·cos(ω₂·t)/2", "x = A·sin((ω₂ − ω₁)·t/2)·sin((ω₁ + ω₂)·t/2)",
+            "p₁(0) = u₁·M·q(0)/(u₁·M·u₁) = A/2", "p₂(0) = u₂·M·q(0)/(u₂·M·u₂) = −A/2",
+            "x = A·cos(ω₁·t)/2 − A·cos(ω₂·t)/2", "x = A·sin((ω₂ − ω₁)·t/2)·sin((ω₁ + ω₂)·t/2)",
             "y = A·cos(ω₁·t)/2 + A·cos(ω₂·t)/2", "y = A·cos((ω₂ − ω₁)·t/2)·cos((ω₁ + ω₂)·t/2)")),
     "beating_pendulums": Source(
         "Thomson, Theory of Vibration with Applications, Example 5.2-2", PENDULUMS.replace("START", "A, y: 0"), (

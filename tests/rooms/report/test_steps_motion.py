@@ -311,11 +311,37 @@ springs: {s: {k: k, between: [P, Q]}}
 initial: {x: A, y: 0}
 """))}
     told = {name: formula(line.parts, plain).replace("\u00a0", " ") for name, line in lines.items()}
-    assert "p₁ = A/2" in told["start of mode 1"] and "p₂ = A/2" in told["start of mode 2"], told
+    assert told["start of mode 1"] == ("with  q = (x, y)  and the shape of mode 1  u₁ = (1, 1):  "
+                                       "p₁(0) = u₁·M·q(0)/(u₁·M·u₁) = A/2,  ṗ₁(0) = 0")
+    assert told["start of mode 2"].endswith("p₂(0) = u₂·M·q(0)/(u₂·M·u₂) = A/2,  ṗ₂(0) = 0"), told
     assert told["motion of x"] == "so  x = A·cos(ω₁·t)/2 + A·cos(ω₂·t)/2"
     assert told["motion of y"] == "so  y = A·cos(ω₁·t)/2 − A·cos(ω₂·t)/2"
     assert told["beats of x"].endswith("x = A·cos((ω₂ − ω₁)·t/2)·cos((ω₁ + ω₂)·t/2)")
     assert told["beats of y"].endswith("y = A·sin((ω₂ − ω₁)·t/2)·sin((ω₁ + ω₂)·t/2)")
+
+
+def test_the_start_of_modes_meets_no_name_of_the_scene():
+    """Two coupled masses m and 2m, one drawn aside and the other pushed; p = uᵀM q(0)/uᵀMu by hand. Their coordinates,
+    a spring and masses have the letters q, u₁, p₁ and M."""
+    p = problem("""
+parameters: {M: 2 kg, p1: 800 N/m, A: 0.1 m, v: 1 m/s, L: 1 m}
+coordinates: {q: , u1: }
+bodies:
+  one: {mass: M, at: [0, 0], slide: {along: [1, 0], by: q}}
+  two: {mass: 2*M, at: [L, 0], slide: {along: [1, 0], by: u1}}
+springs:
+  a: {k: p1, between: [[-L, 0], one]}
+  b: {k: p1, between: [one, two]}
+initial: {q: A, u1': v}
+""")
+    lines = {line.settles: formula(line.parts, plain) for line in worked(p)}
+    for k, root in ((1, -1), (2, 1)):
+        x = 2 - (5 + root * 17**0.5) / 4        # (2k − ω²m)/k with ω² = (5 ∓ √17)k/(4m)
+        mass = 1 + 2 * x * x
+        start, speed = re.findall(r"·D·\S*\(0\)/\(\S*·D·\S*\) = (\S+)\s", lines[f"start of mode {k}"])
+        assert float(start) == pytest.approx(0.1 / mass, rel=1e-5)
+        assert float(speed.replace("−", "-")) == pytest.approx(2 * x / mass, rel=1e-5), lines
+    assert lines["start of mode 1"].startswith("with  q′ = (q, u₁)  and the shape of mode 1  u₁′ = (1, 1.7"), lines
 
 
 @pytest.mark.parametrize("path", ["vibcli/examples/given_matrices.yaml", "problems/6_two_degrees/unround_shaft.yaml"])

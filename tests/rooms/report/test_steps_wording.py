@@ -46,6 +46,9 @@ def of(name, case=None):
         "m·L²/4 = m·L²/3 = 5.07 kg·m²"]),
     ("crate_drawn_until_it_sticks", None, ["by the balance along it rope.force = M·g − M·ẍ"]),
     ("two_parcels_on_belt", None, ["speed across film1: u̇_film1 = ẋ₁ − v₀"]),
+    ("load_under_a_movable_pulley", None, [
+        "S_rope_3 for rope.force.3, at rest s1.force = m₁·g, s2.force = g·(mp/2 + m₁/2 − m₂), balance along y: "
+        "g·(mp + m₁) − S_rope_1 − S_rope_2 = 0", "balance along w: g·(mp + m₁)/2 − S_rope_3 = 0"]),
     ("press_with_two_blows", None, ["at rest ∂V/∂y = 2·N_left·b₁ + m·g = 0"]),
     ("pointer_lags_behind_a_ramp", None, ["(under-damped, δ′ < ω)"]),
     ("pointer_lags_behind_a_ramp", "largest damping", ["c·w/k = δ"]),

@@ -26,7 +26,6 @@ if TYPE_CHECKING:
 
 ALIKE = 1e-9            # relative: of sums that vanish, and of amplitudes that are the same
 CLOSE = 0.2             # of the difference of two frequencies over their sum, up to which they beat
-START = "share of mode {} in the start, its shape times M times what is there at t = 0 over its modal mass:  "
 
 
 class ModeFromStart(NamedTuple):
@@ -97,8 +96,8 @@ def tell_modes(about: AboutRest, sheet: WorkedSolution, modes: "Sequence[ModeFro
                kept: "Mapping[str, list]") -> None:
     """Write down their sum; `kept`: what is added to coordinates, [" + ", part, …]."""
     names = about.scene.coordinates
-    unit = "m" if about.problem.system.dimension(names[0]) else "rad"
-    lines = [_start_of(about, sheet, mode, unit, uses) for mode in modes]
+    rest = [not any(getattr(mode, part) for mode in modes) for part in ("place", "speed")]
+    lines = [_start_of(about, sheet, mode, rest, uses) for mode in modes]
     moved = [mode for mode in modes if abs(mode.place) + abs(mode.B) > ALIKE * max(
         abs(one.place) + abs(one.B) for one in modes)]
     for i, name in enumerate(names):
@@ -109,20 +108,36 @@ def tell_modes(about: AboutRest, sheet: WorkedSolution, modes: "Sequence[ModeFro
             _beats(about, sheet, name, [(mode, mode.shape[i]) for mode in moved], line)
 
 
-def _start_of(about, sheet, mode, unit, uses):
-    """The line of p(0) and ṗ(0) of a mode, and of δ and ω_d where it is damped."""
-    p = Name(sheet.letter(f"p{mode.order}"))
+def _start_of(about, sheet, mode, rest, uses):
+    """The line of p(0) and ṗ(0) of a mode, and of δ and ω_d where it is damped; `rest`: are all of them zero?"""
+    units = ["m" if about.problem.system.dimension(name) else "rad" for name in about.scene.coordinates]
+    unit = next(one for one, x in zip(units, mode.shape, strict=True) if x)
     damped: list[Any] = []
     if mode.delta:
         delta, rate = (sheet.letter(f"{letter}{mode.order}") for letter in ("delta", "omega_d"))
         damped = [Words(",  "), Name(delta), *number(mode.delta, "1/s"), Words(",  "), Name(rate), " = ",
                   about.table.sqrt(_letter(about, sheet, "omega", mode) ** 2 - about.letter(delta) ** 2),
                   *number(mode.rate, "rad/s")]
-    return sheet.write(Words(START.format(mode.order)), p,
-                       *number(_cleared(mode.place, mode.speed / mode.omega), unit), Words(",  "),
-                       Name(sheet.letter(f"p{mode.order}") + "'"),
-                       *number(_cleared(mode.speed, mode.place * mode.omega), f"{unit}/s"), *damped,
+    values = (number(_cleared(mode.place, mode.speed / mode.omega), unit),
+              number(_cleared(mode.speed, mode.place * mode.omega), f"{unit}/s"))
+    shape = [part for one, x in zip(units, mode.shape, strict=True) for part in (
+        ", ", told(x), *([Words(f"\u00a0{one}/{unit}")] if x and one != unit else []))][1:]
+    return sheet.write(*_parts_of_start(about, sheet, mode.order, shape, values, rest), *damped,
                        settles=f"start of mode {mode.order}", value=mode.place, unit=unit, uses=uses)
+
+
+def _parts_of_start(about, sheet, order, shape, values, rest):
+    """Parts of `with the shape of mode 1  u₁ = (…):  p₁(0) = u₁·M·q(0)/(u₁·M·u₁) = …,  ṗ₁(0) = …`, with
+    the first also what q is; `rest`: is nothing moved, does nothing move?"""
+    q, u, p, M = (Name(name) for name in (sheet.letter("q"), sheet.letter(f"u{order}"), sheet.letter(f"p{order}"),
+                                          sheet.matrix("M")))
+    names = [part for name in about.scene.coordinates for part in (", ", Name(name))][1:]
+    head = [Words("with  "), q, " = (", *names, ")", Words("  and ")] if order == 1 else [Words("with ")]
+    parts: list[Any] = [*head, Words(f"the shape of mode {order}  "), u, " = (", *shape, ")", Words(":  ")]
+    for dot, value, still in zip(("", "'"), values, rest, strict=True):
+        formula = [] if still else [" = ", u, "·", M, "·", Name(q.text + dot), "(0)/(", u, "·", M, "·", u, ")"]
+        parts += [Words(",  " * bool(dot)), Name(p.text + dot), "(0)", *formula, *value]
+    return parts
 
 
 def _cleared(value, beside):
@@ -231,10 +246,12 @@ def _mode_in_letters(about, sheet, found, k, square, u, start, uses):
         root = table.sqrt(omega ** 2 - of_delta ** 2)
         damped = [Words(",  "), of_delta, " = ", delta, Words(",  "), rate, " = ", root,
                   Words("   (under-damped)")]
-    letter, line = sheet.letter(f"p{k}"), uses[-1]
+    line = uses[-1]
     if not any(part.is_zero for part in u):
-        told = [Words(START.format(k)), Name(letter), " = ", p, Words(",  "), Name(letter + "'"), " = ", v, *damped]
-        line = sheet.write(*told, settles=f"start of mode {k}", node=p, uses=uses)
+        shape = [part for x in u for part in (", ", x)][1:]
+        rest = [all(x.is_zero for x in given) for given in start]
+        told = _parts_of_start(about, sheet, k, shape, ((" = ", p), (" = ", v)), rest)
+        line = sheet.write(*told, *damped, settles=f"start of mode {k}", node=p, uses=uses)
     elif damped:
         line = sheet.write(Words(f"mode {k} is damped with"), *damped[1:], settles=f"damping of mode {k}", uses=uses)
     if not damped:

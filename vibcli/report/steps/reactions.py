@@ -12,7 +12,7 @@ from vibcli.report.sections.too_long import brief
 from vibcli.report.steps.agreement import ALIKE, samples_of
 from vibcli.report.steps.held import HINT, UNTOLD
 from vibcli.report.steps.step import WorkedSolution, number
-from vibcli.symbolic.derivatives import substitute
+from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters
@@ -33,7 +33,7 @@ def tell_statics(problem: "Problem", sheet: WorkedSolution) -> None:
     found = problem.symbolic.reactions
     _hold(problem, found, {})
     lines: list[int] = []
-    _tell_letters(sheet, found, list(found.conditions.values()))
+    _tell_letters(problem, sheet, found, found.conditions)
     for name, node in found.conditions.items():
         about = words_of(problem, name)
         told = f",  {about}" if about else ""
@@ -48,13 +48,30 @@ def tell_statics(problem: "Problem", sheet: WorkedSolution) -> None:
     _tell_values(problem, sheet, found, told, lines)
 
 
-def _tell_letters(sheet, found, nodes):
-    """What letters of forces in balances stand for, beside the first of these."""
-    here = {name for node in nodes for name in _names(node)}
+def _tell_letters(problem, sheet, found, balances):
+    """What letters of forces in {coordinate: balance} stand for, and the forces of springs that are put into these,
+    beside the first of them."""
+    here = {name for node in balances.values() for name in _names(node)}
     told = [part for symbol, signal in found.forces.items() if symbol.name in here
             for part in (Words(",  "), symbol, Words(f" for {signal}"))]
+    told += [part for k, (signal, node) in enumerate(_put_in(problem, balances)) for part in (
+        Words(f",  {'' if k else 'at rest  '}{signal} = "), node)]
     if told:
-        sheet.write(Words("cut free, with  "), *told[1:], opens=True)
+        sheet.write(Words("cut free, with  "), Words(told[0].text.removeprefix(",  ")), *told[1:], opens=True)
+
+
+def _put_in(problem, balances):
+    """[(signal of a spring, its force)] of those that have it from rest as drawn and act along these coordinates."""
+    known = {name: node for name, node in problem.system.preloads.items() if not node.is_zero}
+    if not known:
+        return []
+    scene = problem.numeric.scene.with_released_supports()
+    acting = {term.owner for term in scene.springs if term.owner in known
+              for q, slope in gradient(term.s).items() if getattr(q, "name", None) in balances
+              and not is_zero(substitute([slope], scene.drawn_position)[0])}
+    springs = problem.spec.get("springs") or {}
+    return [(f"{name}.{'moment' if 'torsion' in springs.get(name, {}) else 'force'}", node)
+            for name, node in known.items() if name in acting]
 
 
 def _readable(problem, found, node):
@@ -108,11 +125,11 @@ def _tell_balance(problem, sheet, found, wanted, moves):
                                                                        for one in wanted)}
     told = {name: node for name, node in shown.conditions.items() if any(symbol.name in _names(node)
                                                                         for symbol in symbols)}
-    _tell_letters(sheet, shown, list(told.values()))
-    lines = [sheet.write(Words("balance along "), Name(name), Words(":  "), node, " = 0", settles=f"balance[{name}]")
-             for name, node in told.items()]
     balances = {signal: node for signal, node in shown.supports.items() if signal in wanted and not is_zero(
         node - found.values[signal])}
+    _tell_letters(problem, sheet, shown, {**balances, **told} if told else {})
+    lines = [sheet.write(Words("balance along "), Name(name), Words(":  "), node, " = 0", settles=f"balance[{name}]")
+             for name, node in told.items()]
     _tell_values(problem, sheet, found, wanted, lines, balances)
 
 
