@@ -585,7 +585,7 @@ def test_pictures_are_drawn_into_the_page_and_beside_the_others(scene):
     named = [element.get("id") for element in root.iter() if element.get("id")]
     assert len(named) == len(set(named))
     assert run(["solve", scene, "--pictures", "-o", "r.tex"]) == 0
-    shown = re.findall(r"\\includegraphics.*?\{(.*?)\}", Path("r.tex").read_text())
+    shown = re.findall(r"\\drawn\{(.*?)\}", Path("r.tex").read_text())
     assert len(shown) == 3 and all(Path(name).read_bytes().startswith(b"%PDF") for name in shown)
     assert run(["solve", scene, "--pictures", "-o", "r.md"]) == 0
     shown = re.findall(r"!\[.*?\]\((.*?)\)", Path("r.md").read_text())
@@ -609,10 +609,15 @@ def test_names_within_pictures_do_not_mix():
     assert re.findall(r'(?:id="|href="#|url\(#)(?!scene)(\w+-p)', text) == ["one-p"] * 3 + ["two-p"] * 3
 
 
-def test_letters_above_columns_have_their_indices_lowered():
+@pytest.mark.parametrize(("write", "lowered", "kept"), [
+    (html, '<th scope="col">ω<sub>d</sub> [rad/s]</th>', ">x_left<"),
+    (render_latex, r"\ensuremath{\omega}$_{d}$ [rad/s]", r"x\_left"),
+    (render_typst, r"[$ω_d$ \[rad/s\]]", r"[x\_left]"), (asciidoc, "|stem:[ω_d] [rad/s]", "x&#95;left"),
+    (markdown, "| $ω _ d$ [rad/s] |", r"x\_left")])
+def test_letters_above_columns_have_their_indices_lowered(write, lowered, kept):
     table = Cells(("mode", "ω_d [rad/s]", "x_left"), (("1", "2", "3"),))
-    text = html.render([Document("t", None, (), (Section("s", (table,)),), None)])
-    assert '<th scope="col">ω<sub>d</sub> [rad/s]</th>' in text and ">x_left<" in text
+    text = write.render([Document("t", None, (), (Section("s", (table,)),), None)], None)
+    assert lowered in text and kept in text
 
 
 def test_pictures_are_no_narrower_than_their_letters_can_be_read():

@@ -10,7 +10,7 @@ from vibcli.drawing.symbols import arrow, connection, coordinate, dimension
 from vibcli.drawing.symbols.bodies import carried
 
 GRAVITY, ROOMY = 30.0, 28.0     # points; the least width and height of what has room for a name beside its middle
-COLUMN, FEW = 350.0, 8          # points of a column of text less what is written beside a scene; bodies
+COLUMN, FEW = 340.0, 8          # points of a column of text less what is written beside a scene; bodies
 SHOWN = "bodies bars shafts beams strings springs dampers inerters forces constraints".split()
 SLENDER = ("rod", "arm", "bob", "bar", "ring", "hoop", "rim", "arch", "frame")
 
@@ -242,16 +242,26 @@ def _within(points):
 
 
 def _gravity(sketch, drawn):
-    """An arrow beside the upper right corner of what is drawn."""
+    """An arrow beside the upper right corner of what is drawn; in it, or above it, where that is wide."""
     gravity = sketch.scene.gravity
     if gravity is None:
         return []
     direction = plane.unit([sketch.scene.number(part) for part in gravity], (0.0, -1.0))
-    box = extent(drawn)
-    middle = box[2] + 18.0, box[3] - GRAVITY / 2
-    start, tip = (plane.plus(middle, direction, side * GRAVITY / 2) for side in (-1, 1))
     field = sketch.spec.get("gravity")
     runs = () if isinstance(field, list) else captions.expression(field, sketch) or ()
     if not runs or runs[0].text[0].isdigit():
         runs = (*lettering.named("g"), *(lettering.words(" = ") if runs else ()), *runs)
-    return [*arrow.straight(start, tip, "ink"), lettering.text(runs, middle[0] + 5, middle[1] - 4)]
+    x, y = _corner(drawn, lettering.size(runs)[0])
+    start, tip = (plane.plus((x, y), direction, side * GRAVITY / 2) for side in (-1, 1))
+    return [*arrow.straight(start, tip, "ink"), lettering.text(runs, x + 5, y - 4)]
+
+
+def _corner(drawn, room):
+    """The middle of the arrow of gravity, beside which a name has room."""
+    left, _, right, top = extent(drawn)
+    if right - left < COLUMN:
+        return right + 18.0, top - GRAVITY / 2
+    middle = right - room - 5.0
+    boxes = [extent([part]) for part in drawn]
+    highest = max(box[3] for box in boxes if box[2] > middle - 18.0)
+    return middle, max(top, highest + GRAVITY + 6.0) - GRAVITY / 2

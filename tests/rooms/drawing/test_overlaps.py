@@ -7,7 +7,18 @@ import pytest
 from support.overlaps import cross, crossed, grounded, measured, struck, touching
 from support.scenes import kept_drawing_of, problem
 
-from vibcli.drawing.canvas.primitives import ARROW, JOINT, LEADER, SURFACE, Circle, Hatch, LetterRuns, Polygon, Polyline
+from vibcli.drawing.canvas.primitives import (
+    ARROW,
+    JOINT,
+    LEADER,
+    SURFACE,
+    Circle,
+    Hatch,
+    LetterRuns,
+    Polygon,
+    Polyline,
+    extent,
+)
 from vibcli.drawing.drawing import draw
 from vibcli.drawing.layout import lettering, plane
 from vibcli.drawing.layout.space import Space
@@ -275,3 +286,12 @@ def test_an_arc_begins_at_no_tip_of_another_arrow():
     arcs, shafts = ([points for points in arrows if (len(points) > 2) == arc] for arc in (True, False))
     assert (len(arcs), len(shafts)) == (2, 8)
     assert min(plane.distance(arc[0], place) for arc in arcs for shaft in shafts for place in shaft) > 8.0
+
+
+@pytest.mark.parametrize("path", ["problems/7_forced_two_degrees/car_over_a_bump_with_both_axles.yaml",
+                                  "problems/3_free_undamped/eccentric_cylinder.yaml"])
+def test_the_arrow_of_gravity_makes_no_wide_figure_wider(path):
+    drawn = kept_drawing_of(ROOT / path)
+    name, = [part for part in drawn if isinstance(part, LetterRuns) and _text(part).startswith("g")]
+    others = extent([part for part in drawn if part is not name])
+    assert name.box[2] <= others[2] + 1e-9 < others[0] + 424.0 and touching(drawn) == crossed(drawn) == []

@@ -16,7 +16,7 @@ from vibcli.report.blocks import (
     Refusal,
     TableBlock,
 )
-from vibcli.report.formats.formula import apart, formula, without_words
+from vibcli.report.formats.formula import INDEXED, apart, formula, without_words
 from vibcli.report.formats.latex import COLUMNS, aligned, is_signed
 
 _SPECIAL = re.compile(r"[*_`#^~+{<>&|\\@]|(?<!\s)\[|\[(?=\[)|:(?=[:/])|\((?=\(|[CR]\)|TM\))|(?<=-)-|\.(?=\.\.)|"
@@ -87,7 +87,7 @@ def _paragraph(block):
 
 def _table(block):
     head, *body = ("".join(f"|{_cell(cell)} " for cell in row).rstrip() for row in (block.head, *block.rows))
-    return "\n".join(["[%autowidth,options=header]", "|===", head, "", *body, "|==="])
+    return "\n".join(["[%autowidth,options=header]", "|===", INDEXED.sub(r"stem:[\1_\2]", head), "", *body, "|==="])
 
 
 def _cell(cell):

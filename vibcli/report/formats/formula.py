@@ -26,6 +26,7 @@ CLAUSE, GAP = ",  ", "  "       # what ends a clause, and what begins one
 WORD = re.compile(r"^\s+|\S+\s*")
 TENS = re.compile(r"(?<![\w.])(\d+(?:\.\d+)?)e([+-]?)0*(\d+)\b")
 BREAK = re.compile(r"(?= [+−=<>] )")
+INDEXED = re.compile(r"(?<!\w)(\w|\\ensuremath\{\\\w+\})(?:\\?_|&#95;)(\w)(?!\w)")  # a letter, its index, as escaped
 
 
 def formula(parts: Sequence[Any], write: Any) -> str:

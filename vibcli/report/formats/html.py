@@ -16,7 +16,7 @@ from vibcli.report.blocks import (
     Refusal,
     TableBlock,
 )
-from vibcli.report.formats.formula import formula, rows, without_words
+from vibcli.report.formats.formula import INDEXED, formula, rows, without_words
 from vibcli.report.formats.html_page import page, words
 from vibcli.report.formats.latex import is_signed
 
@@ -27,7 +27,7 @@ _GAPS = re.compile(r"<path(?![^>]*\sd=)")       # letters without strokes, as ga
 _TEXT = re.compile(r'<text[^>]* font-size="([^"]*)"')
 _WIDE = re.compile(r'<svg\b[^>]*? width="([\d.]+)pt"')
 READABLE = 8.5      # pixels of a screen: the least size of the main letters of a picture
-_INDEXED, LOWERED = re.compile(r"(?<!\w)(\w)_(\w)(?!\w)"), r"\1<sub>\2</sub>"       # a letter with its index
+LOWERED = r"\1<sub>\2</sub>"
 _DEFINED = re.compile(r'\bid="|href="#|url\(#')
 
 
@@ -102,7 +102,7 @@ def _heading(block, level):
 
 
 def _table(block, _):
-    head = "".join(f'<th scope="col">{_INDEXED.sub(LOWERED, _cell(cell))}</th>' if cell else "<td></td>"
+    head = "".join(f'<th scope="col">{INDEXED.sub(LOWERED, _cell(cell))}</th>' if cell else "<td></td>"
                    for cell in block.head)
     body = "\n".join(map(_row, block.rows))
     return f'<div class="wide"><table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{body}\n</tbody>\n</table></div>'

@@ -19,11 +19,11 @@ from vibcli.report.blocks import (
     Refusal,
     TableBlock,
 )
-from vibcli.report.formats.formula import apart, formula, rows, rows_and_plain, without_words
+from vibcli.report.formats.formula import INDEXED, apart, formula, rows, rows_and_plain, without_words
 from vibcli.report.formats.text import running
 
 COLUMNS = 95        # of plain text, in a row of a formula
-FITTING, ROWS = 60, 30      # columns of a row, or of a table of so many rows, that surely fits a page
+FITTING, ROWS = 60, 30      # columns of a row that surely fits a page, rows of a table that stays on one
 LABEL, BESIDE = 20, 8       # of a label beside its formula, and beside formulas that fill the page
 BOX = 30                    # of a definition that is not broken
 WIDE, MADE = r"\wide", r"\wide{$\displaystyle "          # what is made smaller where it would not fit; a formula there
@@ -38,9 +38,14 @@ HEAD = r"""\documentclass[11pt,a4paper,fleqn]{article}
 \usepackage[margin=22mm]{geometry}
 \setlength{\parindent}{0pt}
 \setlength{\parskip}{4pt}
+\renewcommand{\arraystretch}{1.3}
 \raggedright
 \allowdisplaybreaks
 \newcommand{\wide}[1]{\resizebox{\ifdim\width>0.82\linewidth 0.82\linewidth\else\width\fi}{!}{#1}}
+\newsavebox{\figurebox}
+\newcommand{\drawn}[1]{\sbox{\figurebox}{\includegraphics{#1}}%
+\ifdim\ht\figurebox>0.4\textheight\sbox{\figurebox}{\includegraphics[height=0.4\textheight]{#1}}\fi
+\wide{\usebox{\figurebox}}}
 \begin{document}
 """
 
@@ -109,13 +114,15 @@ def _heading(block):
 
 
 def _table(block):
-    """A table; where it may be too wide, it is made smaller."""
+    """A table, on one page unless it is long; where it may be too wide, it is made smaller."""
     head, *body = (" & ".join(map(_cell, row)) + r" \\" for row in (block.head, *block.rows))
+    head = INDEXED.sub(r"\1$_{\2}$", head)
     layout, lines = "l" * len(block.head), "".join(f"{{}}{row}\n" for row in body)
     columns = zip(block.head, *block.rows, strict=True)
     size = sum(max(width(running((cell,))) + 2 for cell in column) for column in columns)
-    if size > FITTING and len(body) <= ROWS:
-        return f"\\wide{{\\begin{{tabular}}{{{layout}}}\n{head} \\hline\n{lines}\\end{{tabular}}}}\n"
+    if len(body) <= ROWS:
+        table = f"\\begin{{tabular}}{{{layout}}}\n{head} \\hline\n{lines}\\end{{tabular}}"
+        return f"\\wide{{{table}}}\n" if size > FITTING else f"{table}\n"
     return f"\\begin{{longtable}}[l]{{{layout}}}\n{head} \\hline\n\\endhead\n{lines}\\end{{longtable}}"
 
 
@@ -143,9 +150,7 @@ def _refusal(refusal):
 
 
 def _picture(block, place):
-    size = r"width=0.8\linewidth,height=0.4\textheight,keepaspectratio"
-    return (f"\\begin{{center}}\n\\includegraphics[{size}]{{{place(block)}}}\\\\\n"
-            f"{{}}{escaped(block.caption)}\n\\end{{center}}")
+    return f"\\begin{{center}}\n\\drawn{{{place(block)}}}\\\\\n{{}}{escaped(block.caption)}\n\\end{{center}}"
 
 
 _RENDER = {Equations: _equations, Paragraph: _paragraph, Heading: _heading, TableBlock: _table,

@@ -17,7 +17,7 @@ from vibcli.report.blocks import (
     Refusal,
     TableBlock,
 )
-from vibcli.report.formats.formula import apart, formula, without_words
+from vibcli.report.formats.formula import INDEXED, apart, formula, without_words
 from vibcli.report.formats.latex import COLUMNS, aligned, is_signed
 
 _SPECIAL = re.compile(r"[\\`*_#|~]|\](?=[(\[:])")
@@ -107,7 +107,7 @@ def _heading(block):
 
 def _table(block):
     head, *body = ("| " + " | ".join(map(_cell, row)) + " |" for row in (block.head, *block.rows))
-    return "\n".join([head, "|" + " --- |" * len(block.head), *body])
+    return "\n".join([INDEXED.sub(r"$\1 _ \2$", head), "|" + " --- |" * len(block.head), *body])
 
 
 def _cell(cell):

@@ -19,7 +19,7 @@ from vibcli.report.blocks import (
     Refusal,
     TableBlock,
 )
-from vibcli.report.formats.formula import apart, formula, rows, without_words
+from vibcli.report.formats.formula import INDEXED, apart, formula, rows, without_words
 from vibcli.report.formats.latex import is_signed
 
 COLUMNS = 95        # of plain text, in a row of a formula
@@ -119,6 +119,7 @@ def _table(block):
     broken = total > WIDEST and total - widest < WIDEST - WORDS
     columns = ", ".join("1fr" if broken and i == sizes.index(widest) else "auto" for i in range(len(sizes)))
     head, *body = (", ".join(map(_cell, row)) for row in rows_of_all)
+    head = INDEXED.sub(r"$\1_\2$", head)
     lines = "".join(f"  {row},\n" for row in body)
     table = f"table(columns: ({columns},),\n  table.header({head}),\n  table.hline(stroke: 0.5pt),\n{lines})"
     if total > WIDEST and not broken:

@@ -38,7 +38,7 @@ def mode_pictures(problem: "Problem", report: "Report") -> Iterator[Section]:
     moving = [mode for mode in shown(problem, report.wanted) if not mode.rigid][:SHOWN]
     pictures: list[Picture] = []
     for mode in moving:
-        drawn = draw(problem, mode.index, normalise=report.normalise)
+        drawn = draw(problem, mode.index, normalise=report.normalise)[:-1]     # its caption stands below it
         pictures.append(drawing(f"mode-{mode.index}", caption(mode), drawn)._replace(
             animated=partial(_moving, problem, mode.index, report.normalise)))
         if len(pictures) < 2 * DIAGRAMS:
