@@ -1,5 +1,6 @@
 """`vibcli check` twice: what has not changed is taken from the cache, what has is not; nothing of it can mislead."""
 
+import errno
 import json
 import os
 import subprocess
@@ -9,6 +10,7 @@ from pathlib import Path
 
 import pytest
 from support.checked import SCENE
+from support.few_files import files_left
 
 from vibcli.cli.checking import cache as caching
 from vibcli.cli.program import run
@@ -169,6 +171,29 @@ def test_a_cache_that_cannot_be_used_is_said_and_left(folder, capfd, make, said)
     make(folder / ".vibcli_cache")
     (code, _, err, _), kept = checked(capfd)
     assert code == 3 and kept == 0 and "cannot keep results" in err and said in err
+
+
+def test_few_files_that_may_be_opened_are_enough(folder, capfd):
+    run(["check", "sets"])      # all is imported
+    with files_left(2):
+        (code, _, err, _), kept = checked(capfd, "--cache-dir", "new")
+    assert code == 3 and kept == 0 and "warning" not in err and "of its own" not in err
+    assert checked(capfd, "--cache-dir", "new")[1] == 5
+
+
+def test_what_it_hangs_on_cannot_be_read(folder, capfd, monkeypatch):
+    def closed(folder):
+        raise OSError(errno.EMFILE, os.strerror(errno.EMFILE))
+
+    monkeypatch.setattr(caching, "_machinery", closed)
+    (code, _, err, _), kept = checked(capfd)
+    assert code == 3 and kept == 0 and "cannot keep results: Too many open files; all is checked anew" in err
+
+
+def test_jobs_that_cannot_be_begun_are_refused(folder, capfd):
+    with files_left(6):
+        assert run(["check", "sets", "--jobs", "2", "--no-cache"]) == 2
+    assert "no process can be begun: Too many open files; leave --jobs out" in capfd.readouterr().err
 
 
 def test_a_folder_of_others_is_no_cache(folder, capfd):

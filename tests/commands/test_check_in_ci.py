@@ -12,11 +12,12 @@ import pytest
 import yaml
 from support.checked import SCENE
 
+from vibcli.base.errors import LostDigits, NoBound, NotInLetters, PhysicsError, Unknown
 from vibcli.base.rules import RULES
-from vibcli.check import comparison
+from vibcli.check import comparison, verdicts
 from vibcli.cli.checking import work
 from vibcli.cli.checking.cache import folder_of
-from vibcli.cli.checking.found import CheckedFile
+from vibcli.cli.checking.found import CheckedAnswer, CheckedFile
 from vibcli.cli.checking.text import summary
 from vibcli.cli.program import run
 
@@ -114,10 +115,26 @@ def test_json_tells_why_a_file_could_not_be_checked(folder, capsys, monkeypatch)
 
 def test_what_is_told_at_the_end():
     done, failed = (CheckedFile("a", 3 * wrong, wrong) for wrong in (False, True))
+    refused = CheckedFile("a", 4, True, [CheckedAnswer({}, rule, (1, 1, 1), "x", "", False)
+                                         for rule in ("answer-differs", "cannot-be-solved")])
+    assert summary([refused]) == "0 answers agree, 1 differs, 1 cannot be found in 1 file"
     for files, said in (([failed], "1 file, which could not be checked"), ([done], "1 file"),
                         ([done, failed, failed], "3 files, 2 of which could not be checked"),
                         ([failed, failed], "2 files, none of which could be checked")):
         assert summary(files) == f"0 answers agree in {said}"
+
+
+@pytest.mark.parametrize("refusal", [NoBound, LostDigits, NotInLetters, Unknown, PhysicsError])
+def test_an_answer_that_is_not_known_is_not_told_to_be_none(refusal, folder, capsys, monkeypatch):
+    def refused(problem, answer):
+        raise refusal("nothing bounds it")
+
+    monkeypatch.setattr(verdicts, "compared", refused)
+    assert run(["check", "sets/differs.yaml", "--no-cache"]) == 4
+    said = "no such answer" if refusal is PhysicsError else "not known"
+    shown = capsys.readouterr().out
+    assert f"({said}: nothing bounds it)" in shown
+    assert shown.endswith("0 answers agree, 1 cannot be found in 1 file\n")
 
 
 def test_places_are_those_of_the_answers(folder, capsys):

@@ -185,16 +185,17 @@ def test_refusals_leave_nothing_behind(course, capsys):
     (course / "few.yaml").write_text(SCENE.replace("k: [620 N/m, 820 N/m, 1.1 kN/m]}", "k: [800 N/m]}").replace(
         "from: 1.2 kg, to: 3.2 kg, step: 0.4 kg", "from: 1 kg, to: 2 kg, step: 1 kg"), encoding="utf-8")
     refused(4, "3 students, 2 variants: up to 2 share one", "few.yaml", *known, "--distinct")
-    refused(4, "there is no folder nowhere", "block.yaml", "-o", "nowhere/out", *known[2:])
+    refused(2, "there is no folder nowhere", "block.yaml", "-o", "nowhere/out", *known[2:])
+    refused(2, "File name too long", "block.yaml", "-o", 300 * "a", *known[2:])
     (course / "empty").mkdir()
     os.chdir("empty")
     try:
-        refused(4, "is not replaced", "../block.yaml", "-o", ".", "--paper", "2", "--salt-file", "../salt")
+        refused(2, "is not replaced", "../block.yaml", "-o", ".", "--paper", "2", "--salt-file", "../salt")
     finally:
         os.chdir("..")
     (course / "full").mkdir()
     (course / "full" / "thesis.txt").write_text("mine")
-    assert homework(out="full") == 4 and homework("--force", out="full") == 4
+    assert homework(out="full") == 2 and homework("--force", out="full") == 2
     assert (course / "full" / "thesis.txt").read_text() == "mine"
 
 

@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from support.few_files import files_left
 
 from vibcli.cli.processes import Processes, interrupts_held
 
@@ -95,6 +96,13 @@ def test_what_a_task_raises_is_raised_here_and_the_others_are_done():
             with pytest.raises(error):
                 task.result()
         assert pool.submit(abs, -4).result() == 4
+
+
+def test_where_few_files_may_be_opened_there_are_fewer():
+    with files_left(15), Processes(6, "fork") as pool:
+        tasks = [pool.submit(abs, -number) for number in range(6)]
+        assert [task.result() for task in tasks] == list(range(6))
+        assert 1 <= len(pool._processes) <= 3
 
 
 @pytest.mark.parametrize("start", ["fork", "spawn"])

@@ -7,7 +7,7 @@ constant, at random states. A scene with symbols is checked at several sets of r
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import PhysicsError
+from vibcli.base.errors import LostDigits, NoBound, NotInLetters, PhysicsError, Unknown
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.check.comparison import compared
 from vibcli.check.instances import Instances
@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 
 ROUNDING = 1e-13
 NEAR = 1e-4         # relative: what is told as a difference, not as a ratio
+UNKNOWN = LostDigits, NoBound, NotInLetters, Unknown    # there is an answer that is not known
 FEW = 1e-6          # relative bound above which it stands beside what is found
 
 
@@ -90,8 +91,8 @@ def _verdict(instances: Instances, answer: "Answer", case: str | None, mistake: 
             found = _compare(instance, answer, case, mistake)
         except PhysicsError as error:
             if verdict is None:
-                verdict = Verdict(answer, False, remark="no such answer: " + error.message,
-                                  refusal=error.told(answer.asked.where))
+                said = "not known: " if isinstance(error, UNKNOWN) else "no such answer: "
+                verdict = Verdict(answer, False, remark=said + error.message, refusal=error.told(answer.asked.where))
             continue
         verdict, count = found if not count or not found.agrees else verdict, count + 1
         if found.agrees is False or count == instances.wanted:

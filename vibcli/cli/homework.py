@@ -12,6 +12,7 @@ from vibcli.base.diagnostics import escaped
 from vibcli.base.enumeration import amount
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError, Where
 from vibcli.cli.common import color_option, patience_option, problem_in, source_of
+from vibcli.cli.pictures import refused_as_usage
 from vibcli.cli.workers import worker_options, workers
 from vibcli.homework.exports import FORMATS
 
@@ -53,7 +54,8 @@ def command(course: str, folder: Path, students: str | None, paper: int | None, 
     course systems. See vibcli explain homework, and vibcli explain exports."""
     from vibcli.homework.folder import refuse_folder
 
-    refuse_folder(folder, force)
+    with refused_as_usage():
+        refuse_folder(folder, force)
     if from_manifest:
         if students or paper or distinct or pool or formats:
             raise click.UsageError("--from-manifest knows its students: leave --students, --paper, --distinct, --pool "

@@ -1,7 +1,8 @@
 """What the commands that write a picture share: options, the name of the file, what is said of it."""
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from functools import reduce
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -62,12 +63,19 @@ def refuse(path: Path, suffixes: Sequence[str] | None, force: bool) -> None:
     """A usage error where a file cannot be written, or is there already."""
     from vibcli.base.output_files import refuse_unwritable
 
-    try:
+    with refused_as_usage():
         refuse_unwritable(path, suffixes)
-    except PhysicsError as error:
-        raise click.UsageError(f"{error.message}; {error.hint}") from None
     if path.exists() and not force:
         raise exists(path)
+
+
+@contextmanager
+def refused_as_usage() -> Iterator[None]:
+    """What is refused of a place to write to is an error of the command line."""
+    try:
+        yield
+    except PhysicsError as error:
+        raise click.UsageError(f"{error.message}; {error.hint}") from None
 
 
 def exists(path: Path | str) -> click.UsageError:

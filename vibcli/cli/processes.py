@@ -17,6 +17,7 @@ import click
 
 from vibcli.base.errors import PhysicsError
 
+SPARE = 5       # pipes, more than who begins a process and that one itself open
 ENDING = signal.SIGINT, signal.SIGTERM, signal.SIGHUP       # what asks a process for its end
 
 
@@ -25,16 +26,18 @@ class Processes(Executor):
 
     Between one of them and this process there is a pipe, no thread and no lock: an interrupt, wherever it falls, leaves
     nothing that waits for another. However this process ends, they end with it, whatever they do. What is found is
-    taken in while a result is waited for. Where a process dies, which is said, its task is done again once. `start`:
-    fork, spawn or forkserver, None for what is usual here."""
+    taken in while a result is waited for. Where a process dies, which is said, its task is done again once. Where no
+    more files may be opened there are fewer processes, and without any a usage error. `start`: fork, spawn or
+    forkserver, None for what is usual here."""
 
     def __init__(self, jobs: int, start: str | None = "spawn"):
         self._jobs, self._context = jobs, cast(Any, get_context(start))
+        self._processes: dict[Connection, Any] = {}
+        self._tasks: dict[Connection, _Pending] = {}        # of those that are at work
+        self._require_room()
         if self._context.get_start_method() != "fork":
             resource_tracker.ensure_running()       # where it begins it lets interrupts through
         self._waiting: deque[_Pending] = deque()
-        self._processes: dict[Connection, Any] = {}
-        self._tasks: dict[Connection, _Pending] = {}        # of those that are at work
 
     def submit(self, work: Callable, /, *args: Any, **named: Any) -> Any:
         """What gives the result when it is asked for."""
@@ -47,6 +50,9 @@ class Processes(Executor):
         while self._waiting and len(self._tasks) < self._jobs:
             ours = next((one for one in self._processes if one not in self._tasks), None)
             if ours is None:
+                if not self._require_room():
+                    self._jobs = len(self._processes)
+                    continue
                 with interrupts_held():
                     ours = self._begun()
             task = self._waiting.popleft()
@@ -58,6 +64,22 @@ class Processes(Executor):
             with suppress(OSError):     # where it died while it had nothing to do: as if it had died of this
                 ours.send_bytes(data)
             self._tasks[ours] = task
+
+    def _require_room(self):
+        """May so many files be opened as another process takes? A usage error where there is none yet."""
+        opened = []
+        try:
+            for _ in range(SPARE):
+                opened += os.pipe()
+        except OSError as error:
+            if not self._processes:
+                raise click.UsageError(f"no process can be begun: {error.strerror}; leave --jobs out, or let more "
+                                       "files be open at a time (ulimit -n)") from None
+            return False
+        finally:
+            for descriptor in opened:
+                os.close(descriptor)
+        return True
 
     def _begun(self):
         ours, theirs = self._context.Pipe()

@@ -1,7 +1,7 @@
 """The command line as a whole: arguments in, results on stdout, diagnostics on stderr, exit code out.
 
 0 all well · 1 an answer differs · 2 command line · 3 a file is invalid · 4 a scene cannot be solved · 5 nothing was
-collected · 101 our own fault · 130 interrupted.
+collected · 101 our own fault · 130 interrupted, or told to end.
 """
 
 import os

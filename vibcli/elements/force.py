@@ -59,7 +59,8 @@ ELEMENT = Element(
     {
         "at": Field(_AT, "the point or body that it acts on"),
         "force": Field(OneOf("a force, or its components [Fx, Fy]", scalar=Load("N"),
-                             sequence=vector("N", "components [Fx, Fy]", Load)), "the force"),
+                             sequence=vector("N", "components [Fx, Fy]", Load)),
+                       "the force, as 3 N, [0, -9.81 N] or 3 N*cos(2 rad/s*t)"),
         "carrier": Field(BODY, "the body with which the force turns (a follower force); fixed without it"),
         "body": Field(_BodyOrMember(), "the body that a moment acts on"),
         "moment": Field(Load("N*m"), "the moment, counter-clockwise"),

@@ -132,7 +132,7 @@ def write_folder(path: Path, found: Iterator[tuple[str, bytes]], force: bool) ->
             os.replace(path, before)
         os.replace(beside, path)
     except OSError as error:
-        raise PhysicsError(f"{path} cannot be written: {error.strerror}", "name another folder") from None
+        raise _unwritable(path, error) from None
     finally:
         if before.exists() and not path.exists():
             os.replace(before, path)
@@ -143,6 +143,17 @@ def write_folder(path: Path, found: Iterator[tuple[str, bytes]], force: bool) ->
 
 def refuse_folder(path: Path, force: bool) -> None:
     """A refusal, before anything is computed, of a folder that cannot be written."""
+    try:
+        _refuse_place(path, force)
+    except (OSError, ValueError) as error:      # as of a name that is too long
+        raise _unwritable(path, error) from None
+
+
+def _unwritable(path, error):
+    return PhysicsError(f"{path} cannot be written: {getattr(error, 'strerror', None) or error}", "name another folder")
+
+
+def _refuse_place(path, force):
     if path.is_symlink():
         raise PhysicsError(f"{path} is a link, and nothing is written through links", "name the folder it leads to")
     if path.exists() and not path.is_dir():

@@ -55,11 +55,11 @@ class Cache:
             for name, text in BESIDE.items():
                 if not (folder / name).exists():
                     _write(folder / name, text.encode())
+            self._machinery = _machinery(folder)
         except (OSError, PhysicsError) as error:
             raise Unusable(getattr(error, "strerror", None) or str(error)) from None
         if not os.access(folder, os.W_OK | os.X_OK):
             raise Unusable("it may not be written to")
-        self._machinery = _machinery(folder)
 
     def find(self, file: str) -> CheckedFile | None:
         """What was found of a file when it was as it is now; None where that is not known."""
@@ -193,12 +193,13 @@ def _sources(kept):
 def _files(folder):
     """The paths of Python files in a folder and all below it."""
     with os.scandir(folder) as entries:
-        for entry in entries:
-            if entry.is_dir(follow_symlinks=False):
-                if entry.name != "__pycache__":
-                    yield from _files(entry.path)
-            elif entry.name.endswith(".py"):
-                yield entry.path
+        inside = list(entries)
+    for entry in inside:
+        if entry.is_dir(follow_symlinks=False):
+            if entry.name != "__pycache__":
+                yield from _files(entry.path)
+        elif entry.name.endswith(".py"):
+            yield entry.path
 
 
 def _digest(*parts):

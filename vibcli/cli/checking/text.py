@@ -67,7 +67,7 @@ def summary(found: Sequence[CheckedFile]) -> str:
     """How many answers agree, and what does not."""
     rules = [answer.rule for one in found for answer in one.answers]
     agree, differ, uncertain, unsolved = map(rules.count, ("", DIFFERS, UNCERTAIN, UNSOLVED))
-    failed = sum(one.failed for one in found)
+    failed = sum(one.failed and not one.answers for one in found)
     parts = [f"{amount(agree, 'answer')} agree" + "s" * (agree == 1)]
     if differ:
         parts.append(f"{differ} differ" + "s" * (differ == 1))
