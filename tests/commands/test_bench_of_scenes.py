@@ -141,7 +141,8 @@ answers:
 def test_a_parameter_is_no_quantity_to_be_compared(tmp_path, capsys):
     path = tmp_path / "chosen.yaml"
     path.write_text(CHOSEN, encoding="utf-8")
-    for options, compared in (["--of", "2*m"], []), ([], ["omega"]), (["--of", "omega", "--of", "m"], ["omega"]):
+    for options, compared in [(["--of", "2*m"], []), (["--of", "m[1]"], []), ([], ["omega"]),
+                              (["--of", "omega", "--of", "m"], ["omega"])]:
         found = json.loads(out_of(capsys, str(path), "--json", *options).out)
         assert [one["asked"] for one in found["compared"]] == compared
         left, = found["not compared"]

@@ -65,7 +65,8 @@ def _maker(tree: QuantityRef):
 
 def _why_not(tree: QuantityRef | None) -> str:
     """Why nothing else finds it."""
-    kind = declared(tree).kind if tree else None
+    quantity = declared(tree) if tree else None     # none of a value of a parameter that is chosen
+    kind = quantity.kind if quantity else None
     return COUNTED if kind == COUNT else NO_NUMBER if kind in (*OF_STATE, TRUTH) else ALONE
 
 

@@ -16,6 +16,7 @@ NOTHING_ELSE = (ALONE, NO_NUMBER, COUNTED)      # why what vibcli finds by itsel
 BY_DIFFERENCES = "derivative"       # the kind whose data is a function of a step, an estimate by central differences
 MOMENT = "moment of a body"     # whose data is a function of a quadrature rule, and whether it matters
 ESTIMATE = "estimate"               # whose data is a formula in floats
+FOLD = "fold"       # whose data is a FoldEquations, where to begin, and what is read off its unknowns
 LAW = "force law"       # that whose data is a law in floats and a deflection
 
 

@@ -30,7 +30,7 @@ def sensitivity(configuration: Configuration, number: int, name: str) -> TrueVal
         p = configuration.numeric.values(arithmetic)[name]
         size = abs(p) or mpmath.mpf(1)
         h = size * mpmath.mpf(10) ** (-mpmath.mp.dps // 2)
-        before, after = (_frequency(configuration, {name: _rational(x)}, number) for x in (p, p + h))
+        before, after = (_frequency(configuration, {name: rational(x)}, number) for x in (p, p + h))
         rate = (after - before) / h
         nothing = abs(rate) * size <= before * mpmath.mpf(10) ** (-mpmath.mp.dps // 3)
         return [mpmath.mpf(0) if nothing else rate], max(abs(rate), before / size)
@@ -38,7 +38,8 @@ def sensitivity(configuration: Configuration, number: int, name: str) -> TrueVal
     return settled(found, DIGITS, START, LIMIT, sized=True)
 
 
-def _rational(x):
+def rational(x: Any) -> Fraction:
+    """A number of mpmath as it is."""
     return Fraction(*map(int, mpmath.libmp.to_rational(x._mpf_)))
 
 

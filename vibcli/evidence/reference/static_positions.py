@@ -5,7 +5,7 @@
 of a support that a displacement ρ would release. The forces are those of the full equations of motion, without loads in
 time; their root is found by Newton's method in mpmath, with differences for the derivatives, from what floats know."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import mpmath
@@ -50,7 +50,7 @@ class StaticEquations(NamedTuple):
         def residual(*x: Any) -> list:
             return evaluate(self.residuals, arithmetic, {**known, **dict(zip(self.names, x, strict=True))})
 
-        return dict(zip(self.names, _root(residual, self.near), strict=True))
+        return dict(zip(self.names, newton(residual, self.near), strict=True))
 
 
 def equations(configuration: "Configuration", released: bool = False, rests: bool = True) -> StaticEquations:
@@ -110,7 +110,7 @@ def true_position(problem: "Problem", static: StaticEquations, node: "Node", siz
     return settled(found, limit=LIMIT, sized=True)
 
 
-def _root(residual, near):
+def newton(residual: Callable[..., Sequence[Any]], near: Sequence[Any]) -> Any:
     """Where the steps get no smaller; RuntimeError where they do not become small."""
     x, last = mpmath.matrix(near), mpmath.inf
     for _ in range(STEPS):

@@ -23,6 +23,8 @@ SUBJECTS = {
     "Q()": ("states", "of_state"),
     "mass": ("bodies", "moment"), "centre": ("bodies", "moment"), "J": ("bodies", "moment"),
     "rayleigh": ("estimates", "rayleigh"), "dunkerley": ("estimates", "dunkerley"), "ritz": ("estimates", "ritz"),
+    "fold": ("folds", "fold"), "fold()": ("folds", "fold"),
+    "overshoot": ("overshoots", "overshoot"),
     "sensitivity": ("sensitivities", "sensitivity"),
     "equilibrium": ("static_positions", "at_rest"),
     "frf": ("frequency_responses", "at_frequency"), "transmissibility": ("frequency_responses", "at_frequency"),
