@@ -188,6 +188,9 @@ class Notation:
         return self.power(self.brackets(text) if bracketed else text, self.number(exponent))
 
 
+WRITTEN = {"log": "ln"}     # functions that print has under another name
+
+
 class Plain(Notation):
     """Unicode text; a no-break space holds a function and its argument together."""
 
@@ -245,7 +248,7 @@ class Plain(Notation):
         if name == "abs":
             return f"|{self.write(arg, 0)}|"
         indexed = name in BESSEL
-        name = self.symbol(name) if indexed else name
+        name = self.symbol(name) if indexed else WRITTEN.get(name, name)
         head = name if exponent == 1 else name + decimal(exponent).translate(_SUPERSCRIPT)
         inner = self.write(arg, 0)
         return f"{head}\u00a0{inner}" if arg.op in ("symbol", "pi") and not indexed else f"{head}({inner})"

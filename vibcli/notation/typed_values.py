@@ -46,6 +46,8 @@ def set_in_print(text: str, symbol: Callable[[str], str], known: Collection[str]
 def _named(part: str, symbol: Callable[[str], str], known: Collection[str] | None) -> str:
     if part == "sqrt":
         return "√"
+    if part == "log":
+        return "ln"
     return symbol(part) if known is None or part.rstrip("'") in known else MICRO.get(part, part)
 
 

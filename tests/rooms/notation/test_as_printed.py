@@ -4,8 +4,11 @@ import pytest
 
 from vibcli.notation.as_printed import as_printed
 from vibcli.notation.latex import latex
+from vibcli.notation.mathml import mathml
 from vibcli.notation.plain import plain
+from vibcli.notation.scene_language import language
 from vibcli.notation.typed_tree import typeset
+from vibcli.notation.typst import typst
 from vibcli.symbolic.expression import Table
 from vibcli.symbolic.parser import parse
 
@@ -22,6 +25,15 @@ from vibcli.symbolic.parser import parse
     ("2*(abs(k - 1) + 1)", "2·(|k − 1| + 1)"), ("4 N/m^12.5", "4 N/m^12.5"), ("zeta[1] = zeta1", "zeta[1] = ζ₁")])
 def test_signs_are_those_of_print(typed, printed):
     assert as_printed(typed, {"f1", "m1", "g", "k", "omega", "phi", "zeta1"}) == printed
+
+
+def test_the_natural_logarithm_is_ln_in_every_notation():
+    x = Table().parameter("x")
+    node = x.table.call("log", 2 * x)
+    for write in (plain, latex, typst, mathml):
+        assert "ln" in write(node) and "log" not in write(node)
+    assert as_printed("1200*log(x)/log(2)", {"x"}) == "1200·ln(x)/ln(2)"
+    assert language(node) == "log(2*x)"         # which reads no other
 
 
 def test_places_on_members_are_set_in_print():

@@ -2,9 +2,10 @@
 letters of lines; lags and responses; and what is left to numbers is named."""
 
 import math
+from pathlib import Path
 
 import pytest
-from support.scenes import problem
+from support.scenes import kept_problem_of, problem
 from support.worked_lines import told_later
 
 from vibcli.notation.plain import plain
@@ -244,3 +245,18 @@ def test_harmonics_of_a_square_wave_that_are_asked_in_letters():
     found, = evaluate([lines["harmonic[3](x)"].node], Floats, {"m": 2.0, "c": 0.8, "k": 50.0, "F": 3.0, "W": 2.0})
     assert found == pytest.approx(4 * 3 / (3 * math.pi) / math.hypot(50 - 2 * 36, 0.8 * 6)) and len(lines) > 3
     assert not any(line.startswith("harmonic[1]") for line in lines)
+
+
+def test_the_force_of_a_thread_that_swings_wide_is_derived():
+    """m(v²/L + g cos α) of the ball at any place of its circle, by Newton, from the line of its multiplier."""
+    path = Path("problems/3_free_undamped/ball_let_go_on_a_thread.yaml")
+    lines: dict = {}
+    for line in worked(kept_problem_of(path)):
+        lines.setdefault(line.settles, line)
+    m, L, g, alpha, speed = 0.4, 1.1, 9.81, 0.7, 1.3
+    place = {"x": L * math.sin(alpha), "y": L * (1 - math.cos(alpha)), "x'": speed * math.cos(alpha),
+             "y'": speed * math.sin(alpha)}
+    found = evaluate([lines["thread.force"].node], Floats, {"m": m, "L": L, "g": g, **place})[0]
+    assert found == pytest.approx(m * (speed**2 / L + g * math.cos(alpha)), rel=1e-12)
+    assert text_of(lines["thread.force"]).startswith("by these and the equations  thread.force = λ_thread = ")
+    assert text_of(lines["rate[thread]"]).endswith("x·ẍ/L − ÿ + y·ÿ/L + ẋ²/L + ẏ²/L = 0")

@@ -46,6 +46,9 @@ def of(name, case=None):
         "m·L²/4 = m·L²/3 = 5.07 kg·m²"]),
     ("crate_drawn_until_it_sticks", None, ["by the balance along it rope.force = M·g − M·ẍ"]),
     ("two_parcels_on_belt", None, ["speed across film1: u̇_film1 = ẋ₁ − v₀"]),
+    ("three_weights_two_pulleys", None, ["at rest ∂V/∂x₂ = N_s2 − N_s3 = 0", "in mode 1 x₂/x₁ = −1",
+                                         "in mode 2, by that row, x₁ = 0"]),
+    ("half_disc_pendulum_decrement", None, ["time_to[0.5](φ): ln(2)/δ"]),
     ("load_under_a_movable_pulley", None, [
         "S_rope_3 for rope.force.3, at rest s1.force = m₁·g, s2.force = g·(mp/2 + m₁/2 − m₂), balance along y: "
         "g·(mp + m₁) − S_rope_1 − S_rope_2 = 0", "balance along w: g·(mp + m₁)/2 − S_rope_3 = 0"]),

@@ -11,6 +11,7 @@ from vibcli.report.sections.statics import condition_in_numbers
 from vibcli.report.sections.too_long import brief
 from vibcli.report.steps.agreement import ALIKE, samples_of
 from vibcli.report.steps.held import HINT, UNTOLD
+from vibcli.report.steps.multipliers import tell_multipliers
 from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -200,6 +201,7 @@ def _along(problem, sheet, text):
             _at_rest(problem, sheet, signal, node)
         elif signal in text:
             sheet.write(Words(f"by the balance along it  {signal}"), " = ", brief(node), settles=signal, node=node)
+    tell_multipliers(problem, sheet, text)
 
 
 def _at_rest(problem, sheet, signal, node):

@@ -137,7 +137,7 @@ class Derivation:
         for one in acting:
             slopes.setdefault(one.shown, []).append(one.s.slopes[i])
         found = [shown * self.about.tidy(self.scene.table.total(several)) for shown, several in slopes.items()]
-        return found if any(not term.is_zero for term in found) else [one.shown * one.s.slopes[i] for one in acting]
+        return [term for term in found if not term.is_zero] or [one.shown * one.s.slopes[i] for one in acting]
 
     def _tension(self, one, line, joined):
         """The tension of a spring at rest: what the balance leaves for it, or what its law gives there."""

@@ -110,9 +110,12 @@ class TwoDegrees:
         shapes = []
         for k, node in enumerate(found, 1):
             x, y = map(Name, self.names)
-            below = self.about.tidy(substitute([self._stiffened(self.row, 1)], {self.omega: self.table.sqrt(node)})[0])
+            above, below = (self.about.tidy(found) for found in substitute(
+                [self._stiffened(self.row, j) for j in range(2)], {self.omega: self.table.sqrt(node)}))
+            if below.is_zero and not above.is_zero:
+                self.sheet.write(Words(f"in mode {k}, by that row,  "), x, " = 0", uses=[ratio, lines[k - 1]],
+                                 settles=f"mode[{k}][{self.names[0]}]", node=self.table.zero)
             if not below.is_zero:
-                above, = substitute([self._stiffened(self.row, 0)], {self.omega: self.table.sqrt(node)})
                 shape = self._quotient(-above, below)
                 shapes.append((node, (self.table.one, shape)))
                 last = self.sheet.write(Words(f"in mode {k}  "), y, "/", x, " = ", shape, node=shape, uses=[
