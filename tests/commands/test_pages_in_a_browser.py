@@ -47,8 +47,9 @@ def test_brackets_grow_with_the_fraction_within(tall, tmp_path):
 
 
 @pytest.mark.sweep
-def test_brackets_stay_small_around_a_letter(tall, tmp_path):
-    bracket, formula = first_sign(page("(a)² = ", tall), tmp_path)
+@pytest.mark.parametrize("words", ["(a)² = ", "|a| = "])
+def test_brackets_and_bars_stay_small_around_a_letter(words, tall, tmp_path):
+    bracket, formula = first_sign(page(words, tall), tmp_path)
     assert bracket < 0.5 * formula
 
 

@@ -74,14 +74,14 @@ def annotations(stage: Any, found: Any,
         made.append(space.put(runs, places, role))
     for runs, places, own in thin:
         made.append(space.put(runs, places, of=own))
-    for parts, runs, places in _shaken(stage):
+    shaken = _shaken(stage)
+    for parts, _, _ in shaken:
         put(parts)
-        if runs:
-            made.append(space.put(runs, places, "driven"))
     for name, (middle, normal, *sides) in where.items():
         beside = [plane.plus(middle, normal, 7.0 * side) for side in sides or (1.0, -1.0)]
         runs, role = _gap(*name, sketch) if isinstance(name, tuple) else (_element(name, sketch), "ink")
         made += [space.put(runs, beside, role)] if runs else []
+    made += [space.put(runs, places, "driven") for _, runs, places in shaken if runs]
     made += _lengths(stage, space)
     put(_gravity(sketch, found + made))
     return made + notes.lines(stage, found + made)

@@ -23,7 +23,8 @@ def row(text: str) -> str:
 
 
 def _operator(symbol: str, form: str | None = None) -> str:
-    return f'<mo form="{form}">{escape(symbol)}</mo>' if form else f"<mo>{escape(symbol)}</mo>"
+    kept = ' stretchy="false"' if symbol == "|" and not form else ""        # of two in words both would open
+    return f'<mo form="{form}">{escape(symbol)}</mo>' if form else f"<mo{kept}>{escape(symbol)}</mo>"
 
 
 class MathML(Stacked):

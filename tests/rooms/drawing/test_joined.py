@@ -193,3 +193,16 @@ def test_a_path_without_a_length_is_as_wide_as_high(slope):
     """)
     left, bottom, right, top = extent([part for part in draw(found) if getattr(part, "dashed", False)])
     assert 0.2 < (top - bottom) / (right - left) < 1.2
+
+
+def test_an_arch_is_joined_to_the_pin_beside_it_and_to_none_on_it():
+    for pin, count in ("[0, 0]", 1), ("[0, -R]", 0):
+        drawn = draw(problem(f"""
+            parameters: {{m: 2 kg, R: 0.3 m, a: 50 deg, g: 9.81 m/s^2}}
+            gravity: g
+            bodies: {{arch: {{shape: arch, mass: m, radius: R, half_angle: a, angle: -pi/2, at: [0, 0],
+              pin: {{at: {pin}, by: q}}}}}}
+        """))
+        lines = [part for part in drawn if isinstance(part, Polyline)]
+        arc, = [part.points for part in lines if part.width == 3.0]
+        assert [part.points[::2] for part in lines].count((arc[0], arc[-1])) == count

@@ -295,3 +295,10 @@ def test_the_arrow_of_gravity_makes_no_wide_figure_wider(path):
     name, = [part for part in drawn if isinstance(part, LetterRuns) and _text(part).startswith("g")]
     others = extent([part for part in drawn if part is not name])
     assert name.box[2] <= others[2] + 1e-9 < others[0] + 424.0 and touching(drawn) == crossed(drawn) == []
+
+
+def test_the_name_of_a_damper_stands_beside_it_above_that_of_the_support_that_moves_it():
+    drawn = kept_drawing_of(ROOT / "problems/5_forced/trailer_over_a_half_sine_bump.yaml")
+    words = {_text(part): part.box for part in drawn if isinstance(part, LetterRuns)}
+    heights = [y for part in drawn if part.role == "damper" for _, y in part.points]
+    assert min(heights) < words["c"][1] < words["c"][3] < max(heights) and words["wheel"][3] < words["c"][1]

@@ -59,7 +59,7 @@ def test_loads_alone_drive_nothing():
 def test_where_all_is_held_the_forces_are_its_equilibrium():
     found = problem(HELD)
     made = report(found, solution(found))
-    assert made.refusal is None and "b.reaction.x  -8 N" in text.render([made.document()])
+    assert made.refusal is None and "b.reaction.x  −8 N" in text.render([made.document()])
 
 
 def test_nothing_is_called_back_without_stiffness():

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from vibcli.drawing.layout.ties import Ties
     from vibcli.elements.rigid_body import Body
 
-RIM, CORNER, KNOT = 8.0, 4.5, 2.4
+RIM, CORNER, KNOT, JOINED = 8.0, 4.5, 2.4, 4.0       # points; from a pin to what it lies on
 
 
 def looks(sketch: "Sketch", ties: "Ties") -> dict[str, Look]:
@@ -88,8 +88,17 @@ def _shaped(record, sketch, ties):
         centre, whole = sketch.centre(record.name), sketch.length(record["radius"])
         pieces += [Polygon(tuple(plane.circle(centre, radius)), "inner")
                    for radius in ties.radii.get(record.name, ()) if radius < whole * (1 - 1e-6)]
+    if record.get("shape") == "arch" and (pivot := sketch.pivot(record.name)) is not None:
+        pieces += _spokes(pivot.drawn, parts[0].points)
     core = list(pieces[0].points) if record.get("shape") == "rectangle" else None
     return Look(pieces, record.get("shape", "parts"), core)
+
+
+def _spokes(pivot, points):
+    """What joins the ends of an arch to a pin beside it."""
+    if min(plane.distance(pivot, point) for point in points) < JOINED:
+        return []
+    return [Polyline((points[0], pivot, points[-1]), width=0.9, layer=BODY)]
 
 
 def _piece(part):

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.enumeration import listed
 from vibcli.base.errors import Kinked, PhysicsError
-from vibcli.notation.numbers import figure, quantity
+from vibcli.notation.numbers import figure, quantity, with_minus
 from vibcli.report.blocks import Name, Paragraph, Section, Words, equations, line, maths, paragraph, section, separated
 from vibcli.report.keys import Key
 from vibcli.symbolic.rationals import ONE
@@ -66,7 +66,7 @@ def _in_numbers(problem):
 def _jumping(found):
     """What stands for the jumps in the balance of forces."""
     for node, value in found.jumps.senses.items() if found.jumps else ():
-        yield paragraph("balanced with ", maths(node), " = " + figure(value), hang=None)
+        yield paragraph("balanced with ", maths(node), " = " + with_minus(value), hang=None)
 
 
 def _of_members(problem):
@@ -163,7 +163,7 @@ def slack_ropes(problem: "Problem") -> list[Paragraph]:
         return []
     from vibcli.mechanics.inputs_outputs.reactions import slack
 
-    return [paragraph(f"{signal} = {figure(value)} N would be a push: the rope goes slack", hang=None)
+    return [paragraph(f"{signal} = {with_minus(value)} N would be a push: the rope goes slack", hang=None)
             for signal, value in slack(problem.configuration.reactions)]
 
 

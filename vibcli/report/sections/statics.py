@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.notation.abbreviations import abbreviated
-from vibcli.notation.numbers import figure
+from vibcli.notation.numbers import with_minus
 from vibcli.report import blocks
 from vibcli.report.blocks import Name, Section, TableBlock, Words, line, maths, note, paragraph, section
 from vibcli.report.keys import Key
@@ -84,9 +84,9 @@ def reactions(problem: "Problem", report: "Report") -> Iterator[Section]:
     title, signs = "Reactions in equilibrium", SIGNS
     if not problem.numeric.has_free_symbols:
         rows = [(reaction.signal, "not fixed by statics" if reaction.value is None else
-                 f"{figure(reaction.value)} {_unit(problem, reaction.signal)}")
+                 f"{with_minus(reaction.value)} {_unit(problem, reaction.signal)}")
                 for reaction in problem.configuration.reactions if reaction.value != 0.0]
-        rows += [(signal, f"{figure(value)} N") for signal, value in _normals(problem)]
+        rows += [(signal, f"{with_minus(value)} N") for signal, value in _normals(problem)]
         if any(".drive" in signal for signal, _ in rows):
             signs = signs.replace("supports", "supports and drives")
         pushed = slack_ropes(problem) if problem.scene.held else []
