@@ -13,7 +13,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.cli.sampled import asked
 from vibcli.evidence.asked import NotCompared, subjects
 from vibcli.evidence.methods import integrators
-from vibcli.evidence.plain_equations import _extreme, _zero
+from vibcli.evidence.plain_equations import _zero, extreme
 from vibcli.evidence.reference import periodic, swings
 from vibcli.evidence.reference.motion import full
 from vibcli.evidence.subject import Deadline
@@ -104,8 +104,8 @@ def test_what_is_read_off_samples_is_no_coarser_than_these(shift):
     values = np.exp(-0.01 * times) * np.sin(times + shift)
     assert _zero(times, values, 3) == pytest.approx(3 * np.pi - shift, rel=1e-14)
     turn = np.arctan(100) - shift
-    assert _extreme(times, values, "argmax") == pytest.approx(turn, rel=1e-11)
-    assert _extreme(times, -values, "min") == pytest.approx(-np.exp(-0.01 * turn) * np.sin(turn + shift), rel=1e-15)
+    assert extreme(times, values, "argmax") == pytest.approx(turn, rel=1e-11)
+    assert extreme(times, -values, "min") == pytest.approx(-np.exp(-0.01 * turn) * np.sin(turn + shift), rel=1e-15)
 
 
 def test_a_jump_of_the_slope_beside_a_zero_is_not_smoothed():
