@@ -179,7 +179,7 @@ def _alone(parts):
     for i, part in enumerate(parts):
         before, after = (parts[k] if 0 <= k < len(parts) else Words("") for k in (i - 1, i + 1))
         opens = isinstance(before, Words) or (isinstance(before, str) and not before.endswith(" = "))
-        if opens and (isinstance(after, Words) or (isinstance(after, str) and after.startswith((" = ", "(τ) = ")))):
+        if opens and (isinstance(after, Words) or (isinstance(after, str) and after.startswith((" = ", "(τ) = ", "(0) = ")))):
             node = part.node if isinstance(part, Factor) else part
             if not isinstance(node, Name) and not hasattr(node, "table"):
                 continue
