@@ -17,6 +17,7 @@ SMALL = 1e-4        # of angles in radians, lengths in metres: how far from rest
 OTHERS = {"kg": 1.37, "m": 0.83, "s": 1.19}     # how much of an SI unit others are
 RAISED = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+")
 UNKNOWNS = re.compile(r"(omega|lambda|D|[acdnp]\d+|[MCGK]|[ABEFX]|theta|[ZF]|tau|n|u|alpha|kappa|𝔇)\d*′*")
+TELLS = " = ", "(τ) = ", "(0) = "        # behind a letter
 DIGITS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 
 
@@ -179,7 +180,7 @@ def _alone(parts):
     for i, part in enumerate(parts):
         before, after = (parts[k] if 0 <= k < len(parts) else Words("") for k in (i - 1, i + 1))
         opens = isinstance(before, Words) or (isinstance(before, str) and not before.endswith(" = "))
-        if opens and (isinstance(after, Words) or (isinstance(after, str) and after.startswith((" = ", "(τ) = ")))):
+        if opens and (isinstance(after, Words) or (isinstance(after, str) and after.startswith(TELLS))):
             node = part.node if isinstance(part, Factor) else part
             if not isinstance(node, Name) and not hasattr(node, "table"):
                 continue

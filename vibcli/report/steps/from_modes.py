@@ -136,7 +136,8 @@ def _parts_of_start(about, sheet, order, shape, values, rest):
     parts: list[Any] = [*head, Words(f"the shape of mode {order}  "), u, " = (", *shape, ")", Words(":  ")]
     for dot, value, still in zip(("", "'"), values, rest, strict=True):
         formula = [] if still else [" = ", u, "·", M, "·", Name(q.text + dot), "(0)/(", u, "·", M, "·", u, ")"]
-        parts += [Words(",  " * bool(dot)), Name(p.text + dot), "(0)", *formula, *value]
+        told = [*formula, *value]
+        parts += [Words(",  " * bool(dot)), Name(p.text + dot), f"(0){told[0]}", *told[1:]]
     return parts
 
 
