@@ -1,5 +1,6 @@
 """Long work: counted in steps, told of on a terminal, given up beyond a limit that --patience multiplies."""
 
+import math
 import re
 from contextlib import suppress
 
@@ -269,3 +270,14 @@ def test_each_command_stops_at_its_limit_and_goes_on_with_patience(tmp_path, mon
     assert re.search(r"(the motion|the search|the curve).* is given up after 0 steps", out + err)
     assert "--patience 10 allows" in out + err
     assert run([name, "scene.yaml", *options, "--patience", "1000000"]) == (name == "check")
+
+
+def test_the_largest_value_of_a_slow_resonance_is_found_soon(tmp_path, monkeypatch, capsys):
+    """Of a billion seconds: x = (1 − e^{−ct/2})/c sin t but for parts of 1e-9."""
+    monkeypatch.setattr(extremes, "MOST", 1500)
+    path = tmp_path / "slow.yaml"
+    path.write_text("bodies: {a: {mass: 1 kg, slide: x}}\nsprings: {s: {k: 1 N/m, between: [ground, a]}}\n"
+                    "dampers: {d: {c: 2e-11 N*s/m, between: [ground, a]}}\nforces: {f: {at: a, force: 1 N*cos(1 rad/s*t"
+                    ")}}\nfind: [{response: {until: 1e9 s}}]\n"
+                    f"answers: {{max(x): {{value: {-math.expm1(-0.01) / 2e-11!r} m, rtol: 1e-5}}}}\n")
+    assert run(["check", str(path), "--no-cache"]) == 0, capsys.readouterr()

@@ -17,6 +17,7 @@ import numpy as np
 
 NEAR = 2.0
 TERMS, SINH = 40, 8
+BEATING = 1 / 8     # of their size, the distance within which nodes beat slowly
 
 
 def exponential(node: complex, t: np.ndarray) -> np.ndarray:
@@ -131,7 +132,21 @@ def _bounds(nodes, early, late, known):
             apart = (bounds(nodes[:j] + nodes[j + 1:], early, late, known)
                      + bounds(nodes[:i] + nodes[i + 1:], early, late, known))
             found = np.minimum(found, apart / gap)
+            if m == 2 and gap < BEATING * abs(nodes[0]):
+                found = np.minimum(found, fastest * _beat(nodes, early, late) / gap)
     return found
+
+
+def _beat(nodes, early, late):
+    """What |e^{at} − e^{bt}| does not exceed on the intervals beside the faster of the two, nor as it is found in
+    floats: |1 − q e^{2iy}|² = (1 − q)² + 4 q sin²y, with the decay q of the one beside the other and half the angle y
+    between them."""
+    a, b = nodes
+    apart, turns = abs(a.real - b.real), abs(a.imag - b.imag) / (2 * math.pi)
+    sine = np.maximum(*(np.abs(np.sin(math.pi * turns * t)) for t in (early, late)))
+    sine = np.where(np.floor(turns * late - 0.5) > np.floor(turns * early - 0.5), 1.0, sine)
+    beat = np.hypot(np.expm1(-apart * late), 2 * np.exp(-apart * early / 2) * sine)
+    return beat + 2**-51 * max(abs(a), abs(b)) * late * np.minimum(1.0, abs(a - b) * late)
 
 
 def real_sum(terms: Sequence[tuple[int, tuple[complex, ...], np.ndarray | slice, complex | np.ndarray]],

@@ -118,6 +118,18 @@ def bound(nodes, t):
     return bounds(tuple(map(complex, nodes)), np.array([t]), np.array([t]))[0]
 
 
+@pytest.mark.parametrize("gap", [1e-11, -0.05, 0.1j, 1e-3 + 0.02j])
+def test_nodes_that_beat_stay_within_their_bounds(gap):
+    """Nowhere above them, and for short times no more than these are long below."""
+    from vibcli.analyses.transient.exponential_differences import bounds
+
+    nodes, early = (-1e-3 + 1j, -1e-3 + 1j + gap), np.linspace(0, 400, 4001)
+    inside = np.abs([differences(nodes, early + part * 0.1) for part in np.linspace(0, 1, 11)]).max(axis=0)
+    bound = bounds(nodes, early, early + 0.1)
+    assert (inside <= bound * (1 + 1e-12)).all()
+    assert (bound <= inside + 0.101 * np.maximum(1.0, np.exp((gap.real - 1e-3) * early))).all()
+
+
 # textbook forms
 
 def test_textbook_forms():
