@@ -21,7 +21,7 @@ BENCH = [
         ("sensitivity[1, m], V[x^4] …", "central differences, at the same steps, of what is solved anew, of energies "
          "and of forces; so stiffness[P].max, law[s, d^3], stiffness_correction[s, x]"),
         ("law[s](2 cm)", "`root` of SciPy on the deflections of parts in series"),
-        ("fold[1, P], fold[1, P](x)", "`root` of SciPy, begun beside the fold, which vibcli has to look for: a tenth "
+        ("fold[1, P], fold[1, P](x)", "`root` of SciPy, begun beside the fold, which ours has to look for: a tenth "
          "of the way back to the given equilibrium"),
         ("rayleigh, dunkerley, ritz[1]", "their formulas, by `solve` and `eigh` of assembled K and M"),
         ("J[b, O], centre[b].x, mass[b]", "sums over 1 … 1000 cells a side of its shapes, and Gauss's quadratures "

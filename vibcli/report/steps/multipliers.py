@@ -26,10 +26,12 @@ READABLE = 40       # letters of a second rate or a multiplier, up to which it i
 def tell_multipliers(problem: "Problem", sheet: WorkedSolution, text: str) -> None:
     """The second rates of conditions, and what follows from these and the equations for the forces that `text` asks;
     nothing where the equations have no multipliers."""
+    lines = {line.settles: line.number for line in sheet.steps}
+    if "multipliers" not in lines:
+        return
     equations, scene = problem.symbolic.equations, problem.system.scene_with_multipliers
     ties = list(zip(equations.multipliers, scene.constraints, strict=False))
-    lines = {line.settles: line.number for line in sheet.steps}
-    if not equations.full or "multipliers" not in lines or not any(tie.signal in text for _, tie in ties):
+    if not equations.full or not any(tie.signal in text for _, tie in ties):
         return
     rates = [textbook(scene.rate(scene.rate(tie.node))) for _, tie in ties]
     uses = [number for name, number in lines.items() if name.startswith("motion[")]
