@@ -21,6 +21,11 @@ springs: {l: {k: k, between: [ground, a]}, r: {k: k, between: [b, ground]}, s: {
 %s
 """
 VALUES = {"m": 2.0, "k": 50.0, "q": 7.0, "A": 0.02, "V": 0.3, "T": 1.3, "c": 0.8}
+DAMPED = """
+        parameters: {m: , c: , k: , F: , W: }
+        bodies: {b: {mass: m, slide: x}}
+        springs: {s: {k: k, between: [ground, b]}}
+        dampers: {d: {c: c, between: [ground, b]}}"""
 
 
 def two(parameters, rest):
@@ -115,11 +120,7 @@ def test_where_several_coordinates_start_as_a_force_lets_go():
 
 
 def test_lags_and_responses_at_a_frequency_with_a_unit():
-    lines = lines_of("""
-        parameters: {m: , c: , k: , F: , W: }
-        bodies: {b: {mass: m, slide: x}}
-        springs: {s: {k: k, between: [ground, b]}}
-        dampers: {d: {c: c, between: [ground, b]}}
+    lines = lines_of(DAMPED + """
         forces: {f: {at: b, force: F*sin(W*t)}}
         answers: {phase(x): 0 rad, "abs(frf[x, f](40 Hz))": 1 m/N, "peak[1](frf[x, f]).Omega": 1 rad/s,
                   mean(d.power): 1 W, mean(x^4): 1 m^4}
@@ -234,11 +235,7 @@ def test_two_modes_whose_frequencies_have_long_formulas_have_letters():
 
 
 def test_harmonics_of_a_square_wave_that_are_asked_in_letters():
-    lines = lines_of("""
-        parameters: {m: , c: , k: , F: , W: }
-        bodies: {b: {mass: m, slide: x}}
-        springs: {s: {k: k, between: [ground, b]}}
-        dampers: {d: {c: c, between: [ground, b]}}
+    lines = lines_of(DAMPED + """
         forces: {f: {at: b, force: F*square(W*t)}}
         answers: {"harmonic[3](x)": 1 m}
     """)
