@@ -1,7 +1,14 @@
 """Arithmetic with a root λ of a polynomial: elements u₀ + u₁λ + … are lists of coefficients."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from math import prod
 from typing import Any
+
+MOST = 1e8      # numbers by which common factors of two elements are looked for
+
+
+class TooManyLetters(ArithmeticError):
+    """The common factors of elements would take far too long to find."""
 
 
 class Extension:
@@ -26,9 +33,13 @@ class Extension:
         return self.reduced(self._product(a, b))
 
     def minus(self, a: Sequence[Any], b: Sequence[Any]) -> list[Any]:
+        _require_short(a, b)
         n = max(len(a), len(b))
         a, b = (list(x) + [self.zero] * (n - len(x)) for x in (a, b))
         return _trimmed([x - y for x, y in zip(a, b, strict=True)])
+
+    def quotient(self, a: Sequence[Any], b: Sequence[Any]) -> list[Any]:
+        return self.times(self.reduced(list(a)), self.inverse(self.reduced(list(b))))
 
     def inverse(self, a: Sequence[Any]) -> list[Any]:
         """1/a by Euclid's algorithm on (p, a)."""
@@ -40,6 +51,7 @@ class Extension:
         return self.reduced([c / r[1][0] for c in s[1]])
 
     def _product(self, a, b):
+        _require_short(a, b)
         found = [self.zero] * (len(a) + len(b) - 1)
         for i, x in enumerate(a):
             for j, y in enumerate(b):
@@ -49,6 +61,7 @@ class Extension:
     def _divided(self, a, b):
         a, quotient = list(a), [self.zero] * max(0, len(a) - len(b) + 1)
         while len(a) >= len(b):
+            _require_short(a, b, a[-1:])
             factor, shift = a[-1] / b[-1], len(a) - len(b)
             quotient[shift] = factor
             a = _trimmed([x - factor * b[i - shift] if i >= shift else x for i, x in enumerate(a)][:-1])
@@ -78,6 +91,24 @@ class Extension:
         for row, column in zip(work, pivots, strict=False):
             vector[column] = self.minus([], row[free])
         return vector
+
+
+def unless_long(work: Callable, *args: Any) -> Any:
+    """What work gives; None where it is TooManyLetters."""
+    try:
+        return work(*args)
+    except TooManyLetters:
+        return None
+
+
+def _require_short(*elements):
+    """TooManyLetters where sums or products of their coefficients have. SymPy puts a number for one letter after the
+    other, each as many times longer as that letter's degree (Char, Geddes & Gonnet, GCDHEU, 1989), so that the product
+    of all degrees tells how long they become."""
+    degrees = [[max(column) for column in zip(*(part.degrees() for c in element if c for part in (c.numer, c.denom)),
+                                             strict=True)] for element in elements]
+    if prod(1 + sum(column) for column in zip(*filter(None, degrees), strict=True)) > MOST:
+        raise TooManyLetters
 
 
 def _trimmed(element):

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from vibcli.analyses.closed_form.algebraic_extension import Extension
+from vibcli.analyses.closed_form.algebraic_extension import Extension, unless_long
 from vibcli.analyses.closed_form.amplitude_ratios import OMEGA, of_omega
 from vibcli.analyses.closed_form.characteristic import Characteristic
 from vibcli.analyses.closed_form.characteristic_roots import Turning
@@ -31,7 +31,7 @@ def block_modes(table: "Table", n: int, part: "DecoupledBlock", damping: "Mappin
             left += [chi.polynomial(modulus)] * power
             continue
         vectors = chi.null_vectors(modulus) or [None] * power
-        shapes = [vector and _amplitudes(chi, modulus, part, vector, n) for vector in vectors[:power]]
+        shapes = [vector and unless_long(_amplitudes, chi, modulus, part, vector, n) for vector in vectors[:power]]
         modes += [_mode(table, root, shape, shares, values) for root in roots for shape in shapes]
     return modes, left
 

@@ -7,7 +7,7 @@ Degree one: a quotient. Degree two: (B ∓ S√D)/A. Higher: s + t·2cos(jπ/N) 
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from vibcli.analyses.closed_form.algebraic_extension import Extension
+from vibcli.analyses.closed_form.algebraic_extension import Extension, unless_long
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.radicals import positive, root
 from vibcli.symbolic.rationals import HALF
@@ -72,8 +72,8 @@ class Turning:
         quotients = self.parts.quotients
         field = Extension(quotients.field, self.modulus)
         a, b = ([quotients(node) * self.sign ** i for i, node in enumerate(nodes)] for nodes in (above, below))
-        found = field.times(field.reduced(a), field.inverse(field.reduced(b)))
-        return quotients.node(found[0]) if len(found) == 1 else None
+        found = unless_long(field.quotient, a, b)
+        return quotients.node(found[0]) if found is not None and len(found) == 1 else None
 
     def omega(self, samples: Sequence[dict[str, float]], sign: int = 1) -> "Node":
         return positive(self.frequency, samples)

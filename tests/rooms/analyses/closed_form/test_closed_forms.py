@@ -8,8 +8,10 @@ import pytest
 from support.closed_forms import TEXTBOOK, chain, pendulums, ring
 from support.scenes import number, problem
 from support.trees import new_table, symbol
+from sympy import QQ
+from sympy.polys.rings import PolyRing
 
-from vibcli.analyses.closed_form.algebraic_extension import Extension
+from vibcli.analyses.closed_form.algebraic_extension import Extension, TooManyLetters, unless_long
 from vibcli.analyses.closed_form.toeplitz_chains import cosines
 from vibcli.base.errors import PhysicsError
 from vibcli.check.instances import Instances
@@ -266,12 +268,22 @@ def test_letters_of_any_sign():
 
 @pytest.mark.parametrize("modulus", [[-2, 0, 1], [-2, 0, 0, 3], [1, 1, 0, 0, 1], [3, 5]])
 def test_arithmetic_with_a_root_is_that_of_a_field(modulus):
-    generator, field = random.Random(len(modulus)), Extension(Fraction, list(map(Fraction, modulus)))
+    ground = PolyRing("x", QQ, "lex").to_field()
+    generator, field = random.Random(len(modulus)), Extension(ground, list(map(ground, modulus)))
     for _ in range(30):
-        a, b, c = (field.reduced([Fraction(generator.randint(-5, 5)) for _ in range(len(modulus) + k)])
+        a, b, c = (field.reduced([ground(generator.randint(-5, 5)) for _ in range(len(modulus) + k)])
                    for k in range(3))
         if a:
             assert field.times(a, field.inverse(a)) == [1]
             assert field.times(field.times(b, a), field.inverse(a)) == b
         assert field.minus(field.times(a, b), field.times(a, c)) == field.times(a, field.minus(b, c))
         assert field.minus(field.minus(a, b), a) == field.minus([], b)
+
+
+def test_shapes_are_not_told_where_common_factors_of_many_letters_would_take_minutes():
+    ground = PolyRing([f"a{i}" for i in range(12)], QQ, "lex").to_field()
+    one, other = (1 + sum(gen**power for gen in ground.gens) for power in (2, 3))
+    field = Extension(ground, [one, other, ground(1)])
+    with pytest.raises(TooManyLetters):
+        field.inverse([one, 1 / other])
+    assert unless_long(field.quotient, [one, 1 / other], [other, 1 / one]) is None
