@@ -7,6 +7,7 @@ from support.references import assert_true
 from support.scenes import problem
 
 from vibcli.evidence.reference import member_fronts
+from vibcli.evidence.reference.member_fronts import ArrivedFront, SignalInFronts
 from vibcli.evidence.subjects.motions import of_member_motion
 
 BAR = """
@@ -42,3 +43,14 @@ def test_at_the_start_no_front_has_set_out():
     one = problem(BAR % ("", LET_GO, "rod.u(1 m)(0 s)"))
     found = of_member_motion(one, one.spec.answers[0].asked.tree)
     assert found.error(found.ours().values, found.true) <= 1e-15
+
+
+@pytest.mark.parametrize("digits", [64, 128, 256])
+def test_no_turn_is_looked_for_where_rounding_alone_is_left(digits):
+    """A string that a pulse of two passages presses aside, and that rests from then on."""
+    with mpmath.workdps(digits):
+        unit = mpmath.sqrt(2) / 3
+        fronts = [ArrivedFront(delay * unit, [mpmath.mpf(0), (-1)**delay * mpmath.eps, mpmath.mpf(bend)])
+                  for delay, bend in ((0, 1), (1, -2), (3, 2), (4, -1))]
+        found = SignalInFronts(mpmath.mpf(0), fronts, 44 * unit).extreme(1)
+        assert all(abs(x - y) < 1e-40 for x, y in zip(found, (2 * unit, 2 * unit**2), strict=False))

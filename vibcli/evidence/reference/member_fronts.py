@@ -80,8 +80,9 @@ class SignalInFronts:
         """(instant, value) of the largest (1) or smallest value (−1), the first of several, and the largest size."""
         sampled = self.sampled()
         tops = [(t, y) for t, y, _, _ in sampled]
+        flat = mpmath.mpf(10) ** -SAME * max(abs(rate) for _, _, rate, _ in sampled)
         for one, two in pairwise(sampled):
-            if one[3] == two[3] and sense * one[2] > 0 > sense * two[2]:
+            if one[3] == two[3] and sense * one[2] > 0 > sense * two[2] and abs(one[2] - two[2]) > flat:
                 tops.append(self._turn(one, two))
         best, size = max(sense * y for _, y in tops), max(abs(y) for _, y in tops)
         small = mpmath.mpf(10) ** -SAME * size
