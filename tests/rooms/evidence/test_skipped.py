@@ -87,3 +87,11 @@ def test_what_is_skipped_would_have_a_cost():
 def test_stages_of_members_have_a_cost_or_none_that_is_found(scene):
     problem = problem_of(text_source("parameters: {L: 1 m}\n" + scene))
     assert [one.stage for one in stage_costs(problem, {"modes"})] == list(STAGES)
+
+
+def test_a_law_of_which_no_small_motion_is_told_has_its_other_stages():
+    """A backbone is compared of it, which takes no response."""
+    problem = problem_of(text_source("bodies: {a: {mass: 1 kg, slide: x}}\n"
+                                     "springs: {s: {law: (4 N/m)*d + (4 N/m^3)*d^3, between: [ground, a]}}\n"))
+    found = {one.stage: one for one in stage_costs(problem, {"full motion"})}
+    assert found["linear_system"].taken and found["equations"].seconds and not found["equations"].taken
