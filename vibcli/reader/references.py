@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.diagnostics import quoted
 from vibcli.base.spelling import nearest
+from vibcli.language.reader import article
 from vibcli.language.spec import MEMBERS
 
 if TYPE_CHECKING:
@@ -12,6 +13,9 @@ if TYPE_CHECKING:
 
 _KINDS = {"points": "point", "surfaces": "surface", "forces": "force", "bodies": "body", "coordinates": "coordinate",
           "members": "member"}
+# the sections whose names stand before `.force`
+_WITH_FORCES = {"springs": "spring", "dampers": "damper", "inerters": "inerter", "forces": "force",
+                "constraints": "constraint"}
 
 
 def check_references(spec: "Spec", reader: "Reader") -> None:
@@ -20,6 +24,7 @@ def check_references(spec: "Spec", reader: "Reader") -> None:
     spaces["members"] = dict.fromkeys(reader.members)
     spaces |= {"ground": {"ground": None}, "coordinates": spec.coordinates}
     _of_one_name(spec, reader, spaces)
+    _of_one_force(spec, reader)
     for name, namespaces, wants in reader.references:
         if any(name.text in spaces[space] for space in namespaces) or (
                 namespaces == ("coordinates",) and not reader.sound):
@@ -59,3 +64,15 @@ def _of_one_name(spec, reader, spaces):
                 kind = seen.get(name, "the ground")
                 reader.report(record.where, f"'{name}' is a {kind} and a {section[:-1]}", "rename one of them")
             seen[name] = section[:-1]
+
+
+def _of_one_force(spec, reader):
+    """`s.force` is that of one element, so no two of them share a name; kinetic energy is told by the names of bodies
+    and inerters."""
+    seen = {name: section[:-1] for section in MEMBERS if reader.members for name in spec.get(section) or ()}
+    for section, kind in _WITH_FORCES.items():
+        for name, record in (spec.get(section) or {}).items():
+            other = seen.get(name) or (kind == "inerter" and name in spec.named.get("bodies", ()) and "body")
+            if other:
+                reader.report(record.where, f"'{name}' is {article(other)} and {article(kind)}", "rename one of them")
+            seen[name] = kind
