@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.diagnostics import quoted
 from vibcli.base.spelling import nearest
+from vibcli.language.kinds import in_square_brackets
 from vibcli.language.reader import article
 from vibcli.language.spec import MEMBERS
 
@@ -49,7 +50,7 @@ def check_references(spec: "Spec", reader: "Reader") -> None:
             continue
         kind = " or ".join(_KINDS[space] for space in namespaces if space in _KINDS)
         reader.report(name.where, f"there is no {kind} {quoted(name.text)}",
-                      nearest(name.text, valid) or f"expected {wants}")
+                      in_square_brackets(name.text) or nearest(name.text, valid) or f"expected {wants}")
 
 
 def _of_one_name(spec, reader, spaces):
