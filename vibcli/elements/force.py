@@ -79,7 +79,8 @@ ELEMENT = Element(
     settle=_settle,
     example="forces",
     instead={"angle": "a force has components: [F*cos(alpha), F*sin(alpha)]", "torque": "did you mean 'moment'?",
-             "F": "did you mean 'force'?", "point": "did you mean 'at'?"},
+             "F": "did you mean 'force'?", "point": "did you mean 'at'?",
+             "on": "did you mean 'at'?"},
 )
 
 

@@ -95,7 +95,7 @@ def _fits(spec, reader, expression, found, expected):
         message = f"expected {wanted}, found {_found(expression, spec.dimensions.resolve(found))}"
         _, factor = reader.along.get(expression.scalar, (None, None))
         reader.report(expression.scalar.place(0, len(expression.text)), message, "give each value the unit of its "
-                      "coordinate" if factor else _unit_hint(spec, expression))
+                      "coordinate" if factor else _unit_hint(spec, expression, wanted))
 
 
 def _found(expression, dimension):
@@ -108,11 +108,12 @@ def _found(expression, dimension):
     return units.name(dimension)
 
 
-def _unit_hint(spec, expression):
+def _unit_hint(spec, expression, wanted):
     """A number without unit: where and how to write it."""
     literal = expression.parts.whole
     if not expression.unit:
-        return None
+        unit = re.search(r"\((\S+)\)$", wanted)
+        return f"{UNIT_DUE} {expression.text} {unit[1]}" if unit and literal and not literal.units else None
     found = literal_unit(literal.units).dimension if literal else None
     if expression.unit == "N/m" and found == units.parse_unit("N*m").dimension:
         return "a torsional stiffness is given as `torsion:`"
@@ -206,6 +207,9 @@ def _unknown(spec, name, names, moves, local):
     power = re.fullmatch(r"([A-Za-z]+)([2-4])", name)
     if power and power.group(1) in units.UNITS:
         return f"unknown name '{name}'", f"a power of a unit is written {power.group(1)}^{power.group(2)}"
+    factors = [(name[:i], name[i:]) for i in range(1, len(name)) if name[:i] in names and name[i:] in names]
+    if factors and len(set(factors[0])) > 1:
+        return f"unknown name '{name}'", f"a product is written with *: {'*'.join(factors[0])}"
     if name in _CONSTANTS and (near(name, names) or "").lower() != name.lower():
         return f"unknown name '{name}'", _CONSTANTS[name]
     hint = nearest(name, names)

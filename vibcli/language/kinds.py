@@ -85,6 +85,10 @@ class MotionField(Quantity):
     __slots__ = ()
     kept = "motions"
 
+    @property
+    def sample(self) -> str:
+        return "x" if self.unit == "m" else "phi"
+
 
 class Load(Quantity):
     """An expression of the time, coordinates and velocities."""
@@ -203,7 +207,8 @@ class Many(NamedTuple):
                     f"a list of {self.least} to {self.most} items")
                 return reader.report(node.where, f"expected {wants}, found {count}", self._miscounted(node.items))
             text = node.text.strip() if isinstance(node, Scalar) else ""
-            return reader.expected(node, self.wants, f"write [{text[:40]}]" if text and isinstance(self.kind, Choice)
+            one = self.least <= 1 and plain_name(text).isidentifier()
+            return reader.expected(node, self.wants, f"write [{text[:40]}]" if one
                                    else in_square_brackets(text, self.least, self.most))
         items = [self.kind.read(item, reader) for item in node.items]
         return None if any(item is None for item in items) else items

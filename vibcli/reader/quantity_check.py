@@ -114,7 +114,10 @@ def arguments_fit(spec: "Spec", reader: "Reader", expression: "Expression", tree
         reader.report(place, f"'{tree.text}' is a function of frequency", f"write {tree.text}(5 Hz)")
         return False
     if len(args) != len(quantity.args) and not bare:
-        if head == VALUE:
+        name = tree.args[0].name if head == VALUE and isinstance(tree.args[0], NameRef) else None
+        if name in FAMILIES and named(name).indices:
+            reader.report(place, f"'{name}' needs an index", f"write {usage(name, spec)}")
+        elif head == VALUE:
             applied(reader, expression, tree)
         else:
             wanted = {1: "one argument in round brackets", 2: "a signal and a number, each in round brackets"}
@@ -171,6 +174,7 @@ def _signal(spec, reader, expression, tree, arg):
         quantity = declared(part)
         if quantity is None or quantity.kind != OF_SIGNAL:
             reader.report(expression.scalar.place(part.start, part.end - part.start), f"'{part.text}' is no signal",
+                          f"write {part.text[:-3]}" if part.text.endswith("(t)") else
                           "signals are made of coordinates, points, springs, forces and parameters")
         elif not arguments_fit(spec, reader, expression, part):
             return False
@@ -189,25 +193,21 @@ def _all_names(tree):
 
 
 def _unknown(spec, reader, tree, name, place):
+    from vibcli.language.signals import signal_meant
+
     if spec.members and not _is_placed(spec, reader, place, name):
         return
     if name in FAMILIES and named(name).indices:
         reader.report(place, f"'{name}' needs an index", f"write {usage(name, spec)}")
     elif tree.head == VALUE and isinstance(tree.args[0], NameRef):
+        from vibcli.reader.quantity_spelling import quantity_meant
         from vibcli.symbolic.function_names import function_meant
 
         hint = None if near(name, spec.coordinates) else function_meant(name)
-        reader.report(place, f"unknown quantity or signal {quoted(name)}", hint or _hint(spec, name))
+        reader.report(place, f"unknown quantity or signal {quoted(name)}",
+                      hint or signal_meant(spec, name, quantity_meant(name, None)))
     else:
-        reader.report(place, f"this scene has no coordinate or signal {quoted(name)}",
-                      _hint(spec, name))
-
-
-def _hint(spec, name):
-    from vibcli.language.signals import signal_meant
-    from vibcli.reader.quantity_spelling import quantity_meant
-
-    return signal_meant(spec, name, quantity_meant(name, None))
+        reader.report(place, f"this scene has no coordinate or signal {quoted(name)}", signal_meant(spec, name))
 
 
 def _dimension(spec, reader, expression, tree):

@@ -1,5 +1,6 @@
 """References by name: each names something of its namespace, and no name stands for two things."""
 
+import re
 from typing import TYPE_CHECKING
 
 from vibcli.base.diagnostics import quoted
@@ -48,9 +49,18 @@ def check_references(spec: "Spec", reader: "Reader") -> None:
             reader.report(name.where, f"'{name.text}' is a member, expected {wants}",
                           f"a place on it is a point, `points: {{p: {{body: {name.text}, at: …}}}}`")
             continue
+        if namespaces == ("coordinates",) and (written := _as_written(name.text, valid)):
+            reader.report(name.where, f"there is no coordinate {quoted(name.text)}", f"write {written}")
+            continue
         kind = " or ".join(_KINDS[space] for space in namespaces if space in _KINDS)
         reader.report(name.where, f"there is no {kind} {quoted(name.text)}",
                       in_square_brackets(name.text) or nearest(name.text, valid) or f"expected {wants}")
+
+
+def _as_written(text, coordinates):
+    """What x(0), x_dot or x'(0) are at a start, x or x'; None of what is no coordinate then either."""
+    written = re.sub(r"_?dot$", "'", re.sub(r"\(0(?: s)?\)$", "", text))
+    return written if written != text and written.rstrip("'") in coordinates else None
 
 
 def _of_one_name(spec, reader, spaces):

@@ -122,7 +122,7 @@ def test_a_root_mean_square_is_told_by_the_factors_of_the_amplitude():
     ("{k: 2 kN/m, between: [ground_end, slider], preload: static}", "N", 0.5 * 3 * 9.81 / math.tan(0.6)),
     ("{torsion: 90 N*m/rad, between: [ground, one], preload: static}", "N·m", 3 * 9.81 * 0.5 * math.cos(0.6))])
 def test_a_tension_that_balances_open_loops_is_told_with_its_number(spring, unit, wanted):
-    """Two light rods of the length 0.5 m, joined under 3 kg: a static preload is a symbol of the open loops' energies."""
+    """Two light rods of the length 0.5 m, joined under 3 kg: a static preload is a symbol where loops are open."""
     found = problem(f"""
         parameters: {{L: 0.5 m, M: 3 kg, a: 0.6 rad, g: 9.81 m/s^2}}
         gravity: g

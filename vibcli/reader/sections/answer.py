@@ -51,7 +51,9 @@ class Answers(Kind):
                 reader.report(key.place(error.offset, error.width), error.message, error.hint)
                 continue
             quantity = declared(tree) if isinstance(tree, QuantityRef) else None
-            element = _EQUATION if quantity is not None and quantity.kind == EQUATION else ELEMENT
+            equation = key.text.startswith(("equation", "motion")) or (
+                quantity is not None and quantity.kind == EQUATION)
+            element = _EQUATION if equation else ELEMENT
             record = element.read(value, reader, key.text, key.where)
             if record is not None:
                 answers.append(Answer(Expression(key, tree), record["value"], record.get("rtol")))

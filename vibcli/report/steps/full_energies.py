@@ -14,8 +14,8 @@ from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import textbook
-from vibcli.symbolic.transfer_between_tables import copied
 from vibcli.symbolic.rationals import ONE
+from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
     from vibcli.scene.energy_terms import Term
@@ -110,8 +110,8 @@ class FullEnergies:
         name, value = self._letter("N", term.owner), self.motion.value(balanced)
         unit = "N·m" if "torsion" in record else "N"
         self.sheet.write(Words(f"tension of {term.owner} as drawn, where the forces balance:  "), Name(name), " = ",
-                         *((N, " = ") if balanced is not N else ()), self.short(balanced)[0], *(() if value is None else number(value, unit)), settles=name, node=N,
-                         value=value, unit=unit)
+                         *((N, " = ") if balanced is not N else ()), self.short(balanced)[0],
+                         *(() if value is None else number(value, unit)), settles=name, node=N, value=value, unit=unit)
         return self.motion.letter(name)
 
     def _balanced(self, name, N):
