@@ -55,4 +55,4 @@ def of_form(text: str) -> str | None:
         above, below, unit = fraction.groups()
         return f"{above}/{below} {unit} is {above}/({below} {unit}): write {above} {unit}/{below}"
     root = _ROOT.search(text)
-    return root and f"{root.group()} is the power 1, divided by {root[1]}: write ^(1/{root[1]})"
+    return f"{root.group()} is the power 1, divided by {root[1]}: write ^(1/{root[1]})" if root else None
