@@ -87,7 +87,7 @@ CAR = """
 parameters: {m: , J: , k: , c: , a: }
 bodies: {car: {mass: m, inertia: J, at: [0, 0], move: [0, y, phi]}}
 springs: {s: {k: k, stretch: y - a*phi}, t: {k: k, stretch: y + a*phi}}
-dampers: {s: {c: c, stretch: y - a*phi}, t: {c: c, stretch: y + a*phi}}
+dampers: {d: {c: c, stretch: y - a*phi}, e: {c: c, stretch: y + a*phi}}
 """
 ROTOR = """
 parameters: {J: , Jp: , k: {unit: N*m}, Omega: }

@@ -13,10 +13,14 @@ def unit_meant(word: str) -> str:
     split = [f"{word[:i]}*{word[i:]}" for i in range(1, len(word)) if word[:i] in UNITS and word[i:] in UNITS]
     if word in TAKEN:
         return TAKEN[word]
-    same = [unit for unit in UNITS if unit.lower() == word.lower()]
-    spelt = [_SPELT[one.lower()]] if one.lower() in _SPELT else []
-    found = split or same or spelt or get_close_matches(word, UNITS, 1)
+    found = split or spelt_otherwise(word) or get_close_matches(word, UNITS, 1)
     return found[0] if found else None
+
+
+def spelt_otherwise(word: str) -> list[str]:
+    """The units that a word is when it is written in other letters, or in full: KN, seconds."""
+    one = word.removesuffix("s").lower()
+    return [unit for unit in UNITS if unit.lower() == word.lower()] or ([_SPELT[one]] if one in _SPELT else [])
 
 
 TAKEN = {"t": "tonne", "d": "day"}     # what books write so is the time and a deflection here

@@ -29,8 +29,9 @@ def mode(problem: Any, index: int) -> Any:
     found = modes.numbered(index, index)
     if not found:
         if not modes:
-            raise PhysicsError(f"this scene has no mode {index}: without its dampers nothing would hold what has no "
-                               "inertia", "look at its motion in time, as `vibcli animate --response` shows it")
+            why = problem.configuration.linear_system.why_modeless
+            raise PhysicsError(f"this scene has no mode {index}: {why}",
+                               "look at its motion in time, as `vibcli animate --response` shows it")
         count = ("those from 1 on" if not modes.finite else
                  "only mode 1" if len(modes) == 1 else f"modes 1 to {len(modes)}")
         raise PhysicsError(f"this scene has no mode {index}", f"it has {count}")

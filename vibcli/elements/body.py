@@ -63,6 +63,8 @@ ELEMENT = Element(
                ("shape", "parts"), ("shape", "looks"), ("parts", "looks")),
     settle=body_checks.body,
     example="bodies_of_every_shape",
+    instead={"hinge": "did you mean 'pin'?", "pivot": "did you mean 'pin'?", "weight": "did you mean 'mass'?",
+             "J": "did you mean 'inertia'?", "length": "a rod has two ends: `from` and `to`"},
 )
 
 

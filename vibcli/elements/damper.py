@@ -52,6 +52,7 @@ ELEMENT = Element(
     needs=(("c", "torsion", "law", "friction", *PARTS), ("between", "stretch")),
     settle=_settle,
     example="mass_spring_damper",
+    instead={"damping": "did you mean 'c'?", "ct": "did you mean 'torsion'?", "mu": "did you mean 'friction'?"},
     signals={"stretch": ("m", "rad"), "force": ("N", "N*m"), "power": ("W", "W")},
 )
 

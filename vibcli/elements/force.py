@@ -78,6 +78,9 @@ ELEMENT = Element(
     needs=(("force", "moment", "value", "unbalance", "per_length"),),
     settle=_settle,
     example="forces",
+    instead={"angle": "a force has components: [F*cos(alpha), F*sin(alpha)]", "torque": "did you mean 'moment'?",
+             "F": "did you mean 'force'?", "point": "did you mean 'at'?",
+             "on": "did you mean 'at'?"},
 )
 
 

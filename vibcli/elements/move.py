@@ -38,6 +38,7 @@ ELEMENT = Element(
     },
     short="by",
     example="bounce_and_pitch",
+    instead={"body": "did you mean 'carrier'?"},
 )
 
 

@@ -21,6 +21,7 @@ ELEMENT = Element(
     },
     short="by",
     example="double_pendulum",
+    instead={"body": "did you mean 'carrier'?", "angle": "did you mean 'by'?"},
 )
 
 

@@ -28,6 +28,7 @@ ELEMENT = Element(
     exclusive=(("along", "surface"), ("carrier", "surface")),
     short="by",
     example="spring_on_incline",
+    instead={"body": "did you mean 'carrier'?"},
 )
 
 

@@ -78,6 +78,8 @@ ELEMENT = Element(
     needs=(("k", "torsion", "law", *PARTS), ("between", "stretch")),
     settle=_settle,
     example="preloaded_spring",
+    instead={"tension": "did you mean 'preload'?", "stiffness": "did you mean 'k'?", "kt": "did you mean 'torsion'?",
+             "l0": "did you mean 'free_length'?"},
     signals={"stretch": ("m", "rad"), "deflection": ("m", "rad"), "force": ("N", "N*m"), "energy": ("J", "J")},
 )
 

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 TIMED = ("impulse", "square", "sawtooth")
 APART = r"(?<![\w.])(\d+(?:\.\d+)?(?:[eE][+-]?\d+)?)\s*([*/])\s*$"     # a number and an operator
 UNIT_DUE = "write the unit:"
+_CONSTANTS = {"Pi": "did you mean 'pi'?", "PI": "did you mean 'pi'?", "e": "e to the power of x is written exp(x)"}
 NO_NUMBERS = ("nan", "inf", "infinity", "null", "none", "true", "false", "yes", "no", "on", "off")
 
 
@@ -94,7 +95,7 @@ def _fits(spec, reader, expression, found, expected):
         message = f"expected {wanted}, found {_found(expression, spec.dimensions.resolve(found))}"
         _, factor = reader.along.get(expression.scalar, (None, None))
         reader.report(expression.scalar.place(0, len(expression.text)), message, "give each value the unit of its "
-                      "coordinate" if factor else _unit_hint(spec, expression))
+                      "coordinate" if factor else _unit_hint(spec, expression, wanted))
 
 
 def _found(expression, dimension):
@@ -107,11 +108,12 @@ def _found(expression, dimension):
     return units.name(dimension)
 
 
-def _unit_hint(spec, expression):
+def _unit_hint(spec, expression, wanted):
     """A number without unit: where and how to write it."""
     literal = expression.parts.whole
     if not expression.unit:
-        return None
+        unit = re.search(r"\((\S+)\)$", wanted)
+        return f"{UNIT_DUE} {expression.text} {unit[1]}" if unit and literal and not literal.units else None
     found = literal_unit(literal.units).dimension if literal else None
     if expression.unit == "N/m" and found == units.parse_unit("N*m").dimension:
         return "a torsional stiffness is given as `torsion:`"
@@ -122,8 +124,11 @@ def _unit_hint(spec, expression):
     if name in spec.parameters and value is None:
         return f"'{name}' is {units.name(spec.dimensions.of(name))} in another place"
     literal = value and value.parts.whole
-    unit = unit_of_a_number(expression.unit)
-    return f"give '{name}' its unit: {value.text} {unit}" if literal and not literal.units else None
+    if literal and not literal.units:
+        return f"give '{name}' its unit: {value.text} {unit_of_a_number(expression.unit)}"
+    from vibcli.symbolic.foreign_signs import of_form
+
+    return of_form(value.text if value else expression.text)
 
 
 def unit_of_a_number(unit: str) -> str:
@@ -144,8 +149,9 @@ def applied(reader: "Reader", expression: "Expression", tree: QuantityRef) -> No
     """Something like x(2), where it can be neither a function nor a value in time."""
     inner, start = tree.args[0], tree.start
     if isinstance(inner, NameRef):
-        near = nearest(inner.name, FUNCTIONS)
-        hint = near if near and near.startswith("did") else "functions: " + " ".join(FUNCTIONS)
+        from vibcli.symbolic.function_names import function_meant
+
+        hint = function_meant(inner.name) or "functions: " + " ".join(FUNCTIONS)
         reader.report(expression.scalar.place(start, inner.end - start), f"unknown function '{inner.name}'", hint)
         return
     bracket = expression.text.index("(", inner.end)
@@ -168,10 +174,15 @@ def _primes(spec, reader, expression, name, primes, start, end):
 
 
 def _misplaced_unit(expression, name, start, names):
-    """Of a unit in brackets, 2 N*(s/m), or after an operator, 3*N/m: what is wrong and what to write; None of another
-    name."""
+    """Of a unit in brackets, 2 N*(s/m), or after an operator, 3*N/m, or misspelt, 3 m/sec: what is wrong and what to
+    write; None of another name."""
     if name not in units.UNITS:
-        return None
+        from vibcli.base.unit_suggestions import spelt_otherwise
+
+        joined = any(number.units and expression.text[number.end:start].strip() in ("*", "/", "·")
+                     for number in expression.parts.numbers)
+        meant = spelt_otherwise(name) if joined and not near(name, names) else None
+        return (f"unknown name '{name}'", f"did you mean '{meant[0]}'?") if meant else None
     from vibcli.language.unit_brackets import opened
 
     text = opened(expression.text, start)
@@ -196,6 +207,11 @@ def _unknown(spec, name, names, moves, local):
     power = re.fullmatch(r"([A-Za-z]+)([2-4])", name)
     if power and power.group(1) in units.UNITS:
         return f"unknown name '{name}'", f"a power of a unit is written {power.group(1)}^{power.group(2)}"
+    factors = [(name[:i], name[i:]) for i in range(1, len(name)) if name[:i] in names and name[i:] in names]
+    if factors and len(set(factors[0])) > 1:
+        return f"unknown name '{name}'", f"a product is written with *: {'*'.join(factors[0])}"
+    if name in _CONSTANTS and (near(name, names) or "").lower() != name.lower():
+        return f"unknown name '{name}'", _CONSTANTS[name]
     hint = nearest(name, names)
     if local and not (hint or "").startswith("did"):
         return (f"unknown name '{name}'",

@@ -85,6 +85,10 @@ class MotionField(Quantity):
     __slots__ = ()
     kept = "motions"
 
+    @property
+    def sample(self) -> str:
+        return "x" if self.unit == "m" else "phi"
+
 
 class Load(Quantity):
     """An expression of the time, coordinates and velocities."""
@@ -123,6 +127,14 @@ class NameOf(Kind):
 
     def schema(self) -> dict[str, Any]:
         return {"type": "string"}
+
+
+def in_square_brackets(text: str, least: int = 2, most: int = 2) -> str | None:
+    """The hint for a list of two or more that stands in round brackets or in none; None for all else."""
+    inner = text[1:-1] if text.startswith("(") and text.endswith(")") else text
+    parts = [part.strip() for part in inner.split(",")]
+    fits = least <= len(parts) <= most and all(parts) and "(" not in inner
+    return f"write [{', '.join(parts)}]" if fits and len(parts) > 1 and len(text) <= 40 else None
 
 
 class Choice(Kind):
@@ -194,8 +206,10 @@ class Many(NamedTuple):
                 wants = self.wants if self.named or self.least == self.most else (
                     f"a list of {self.least} to {self.most} items")
                 return reader.report(node.where, f"expected {wants}, found {count}", self._miscounted(node.items))
-            one = isinstance(node, Scalar) and node.text.strip() and isinstance(self.kind, Choice)
-            return reader.expected(node, self.wants, f"write [{node.text.strip()[:40]}]" if one else None)
+            text = node.text.strip() if isinstance(node, Scalar) else ""
+            one = self.least <= 1 and plain_name(text).isidentifier()
+            return reader.expected(node, self.wants, f"write [{text[:40]}]" if one
+                                   else in_square_brackets(text, self.least, self.most))
         items = [self.kind.read(item, reader) for item in node.items]
         return None if any(item is None for item in items) else items
 
@@ -207,7 +221,8 @@ class Many(NamedTuple):
             return "decimals are written with a point: 0.5"
         parts = texts[0].split() if len(texts) == 1 else []
         return f"put a comma between them: [{', '.join(parts)}]" if (
-            1 < len(parts) == self.least and all(part.isidentifier() for part in parts)) else None
+            1 < len(parts) == self.least and (all(part.isidentifier() for part in parts)
+                                              or all(part.lstrip("-").isdigit() for part in parts))) else None
 
     def schema(self) -> dict[str, Any]:
         return {"type": "array", "items": self.kind.schema(), "minItems": self.least, "maxItems": self.most}

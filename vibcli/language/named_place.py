@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING, Any
 
 from vibcli.language.document.document import Scalar
-from vibcli.language.kinds import NameOf, OneOf, vector
+from vibcli.language.kinds import NameOf, OneOf, in_square_brackets, vector
 from vibcli.symbolic.parser import plain_name
 
 if TYPE_CHECKING:
@@ -27,8 +27,9 @@ class _PointAsDrawn(NameOf):
         super().__init__("a place [x, y] or the name of a point", "points")
 
     def read(self, node: Any, reader: Any) -> Any:
-        if not isinstance(node, Scalar) or not plain_name(node.text.strip()).isidentifier():
-            return reader.expected(node, self.wants)
+        text = node.text.strip() if isinstance(node, Scalar) else ""
+        if not plain_name(text).isidentifier():
+            return reader.expected(node, self.wants, in_square_brackets(text))
         name = super().read(node, reader)
         reader.named_places.append(NamedPlace(name))
         return reader.named_places[-1]

@@ -3,6 +3,7 @@
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
+from vibcli.base.spelling import nearest
 from vibcli.language.reader import Record
 from vibcli.language.signal_names import signal_name
 
@@ -53,6 +54,8 @@ ABOUT = (
                              "along a direction this is the tangent; of what rolls between two surfaces "
                              "B.normal.deck, B.friction.deck at each"),
 )
+_PARTS = {**dict.fromkeys(("phi", "theta", "psi", "rotation", "turn"), "angle"), "omega": "angle'", "f": "force",
+          "n": "normal", "tension": "force", "elongation": "stretch"}
 
 
 def signal_dimension(spec: "Spec", text: str) -> "Mapping[str, Fraction | int] | None":
@@ -166,3 +169,14 @@ def near_signals(spec: "Spec", text: str) -> list[str]:
 
         return member_signals(spec, signal)
     return [f"{signal.name}.{part}" for part in _parts(spec, signal.name)] or list(spec.coordinates)
+
+
+def signal_meant(spec: "Spec", text: str, quantity: str | None = None) -> str | None:
+    """The hint for what is no signal: one of those of what it names or is most like, else that for a quantity."""
+    base, _, part = text.rpartition(".")
+    signals = near_signals(spec, text)
+    meant = f"{base}.{_PARTS.get(part.lower())}"
+    if meant.rstrip("'") in signals:
+        return f"did you mean '{meant}'?"
+    found = nearest(text, signals)
+    return found if base or found is None or found.startswith("did") or f"{text}." in found else quantity or found

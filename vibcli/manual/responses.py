@@ -242,6 +242,7 @@ SIGNALS = [
     "Beside coordinates these can be asked for: in equilibrium `equilibrium[hoist.force]`, in modes `mode[1][P.y]` "
     "(no forces), in time `P.y(2 s)` and `max(s.force)`, over the frequency `frf[s.force, drive](5 Hz)`. In time they "
     "have rates `P.y'` and `P.y''`, and may be added and multiplied: `max(s.force + d.force)`, `max(s.force*x')`. "
-    "Where a force jumps along a motion of the full equations its value is that just after; extremes count both sides.",
+    "Where a force jumps along a motion of the full equations its value is that just after; extremes count both sides. "
+    "Springs, dampers, inerters, loads, constraints and members have names of their own, so that `s.force` is one.",
     [*signals.ABOUT, *member_signals.ABOUT],
 ]

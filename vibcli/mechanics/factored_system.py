@@ -61,6 +61,13 @@ class FactoredSystem:
         self.K_size, self.drag = K_size or {}, drag or {}
         self.rational_rows, self.massless, self.pieces = rational_rows, tuple(massless), tuple(pieces)
 
+    @property
+    def why_modeless(self) -> str:
+        """Why a system with dampers has no natural modes without them."""
+        if len(self.massless) == self.n:
+            return "nothing in this scene has inertia"
+        return "without its dampers nothing would hold what has no inertia in this scene"
+
     def with_parts(self, **parts: Any) -> "FactoredSystem":
         """The same with other parts."""
         return FactoredSystem(**{kind: getattr(self, kind) for kind in self.__slots__} | parts)

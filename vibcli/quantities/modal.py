@@ -24,8 +24,8 @@ def _mode(problem, tree):
     modes = problem.modal.modes if problem.digits is None else problem.modal.modes_to(problem.digits)
     number = int(tree.indices[0])
     if not modes:
-        raise PhysicsError(f"there is no mode {number}: without its dampers nothing would hold what has no "
-                           "inertia in this scene", "ask for decay[1] or eigenvalue[1]")
+        raise PhysicsError(f"there is no mode {number}: {problem.configuration.linear_system.why_modeless}",
+                           "ask for decay[1] or eigenvalue[1]")
     found = modes.numbered(number, number)
     if not found:
         raise PhysicsError(f"there is no mode {number}: this scene has {counted(len(modes), 'mode')}",

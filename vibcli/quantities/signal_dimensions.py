@@ -35,11 +35,12 @@ def deflection_dimension(spec: "Spec", name: str) -> Any:
 
 
 def inputs(spec: "Spec") -> list[str]:
-    """The names of what can drive a scene."""
+    """The names of what can drive a scene; a force that has let go cannot."""
     driven = [name for name, record in (spec.get("points") or {}).items()
               if any(_within_functions(part.tree) for _, part in prescribed(spec, record).values())]
     bodies = [name for name, record in (spec.get("bodies") or {}).items() if _one_drive(spec, record)]
-    return [*(spec.get("forces") or {}), *driven, *bodies, *spec.coordinates]
+    loads = [name for name in spec.get("forces") or {} if name != spec.let_go]
+    return [*loads, *driven, *bodies, *spec.coordinates]
 
 
 def _one_drive(spec, record):

@@ -4,13 +4,12 @@ from typing import TYPE_CHECKING
 
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
-from vibcli.base.spelling import nearest
 from vibcli.language.dimension_check import check
 from vibcli.language.reader import Expression, Reader
 from vibcli.quantities import FAMILIES
 from vibcli.quantities.dimensions import asked_dimension, dimension_of
 from vibcli.quantities.index_kinds import INDICES
-from vibcli.quantities.quantity import ALL, OF_STATE, TRUTH, is_bare, kind_of, named, quantity_of, usage
+from vibcli.quantities.quantity import OF_STATE, TRUTH, is_bare, kind_of, named, quantity_of, usage
 from vibcli.reader.cycles_used import is_number_without_cycles
 from vibcli.reader.quantity_check import can_be_asked
 from vibcli.reader.sections.answer import Answer
@@ -64,7 +63,9 @@ def is_asked(spec: "Spec", reader: Reader, asked: Expression) -> bool:
             reader.report(asked.where, f"{quoted(asked.text)} is a function of time",
                           f"ask for its value as in {asked.text}(2 s), or for max({asked.text})")
         else:
-            reader.report(asked.where, f"{quoted(asked.text)} is not a quantity", nearest(asked.text, FAMILIES) or ALL)
+            from vibcli.reader.quantity_spelling import quantity_meant
+
+            reader.report(asked.where, f"{quoted(asked.text)} is not a quantity", quantity_meant(asked.text))
         return False
     return True
 

@@ -209,9 +209,9 @@ def _parameters(spec, reader):
             continue
         check(spec, reader, value, spec.parameters, spec.dimensions.unknown(name))
     for circle in _circles(spec):
-        message = f"'{circle[0]}' is defined by itself" if len(circle) == 1 else (
-            "these parameters are defined by one another: " + " → ".join([*circle, circle[0]]))
-        reader.report(spec.parameters[circle[0]].where, message, "give one of them a value of its own")
+        message, which = (f"'{circle[0]}' is defined by itself", "it") if len(circle) == 1 else (
+            "these parameters are defined by one another: " + " → ".join([*circle, circle[0]]), "one of them")
+        reader.report(spec.parameters[circle[0]].where, message, f"give {which} a value of its own")
         circular = True
     return circular
 

@@ -5,12 +5,12 @@ from typing import TYPE_CHECKING
 
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
-from vibcli.base.spelling import nearest
+from vibcli.base.spelling import near, nearest
 from vibcli.language.dimension_check import applied
 from vibcli.quantities import FAMILIES
 from vibcli.quantities.dimensions import checker
 from vibcli.quantities.index_kinds import INDICES
-from vibcli.quantities.quantity import ALL, COMPLEX, OF_SIGNAL, about_which, declared, is_choice, named, usage, usage_of
+from vibcli.quantities.quantity import COMPLEX, OF_SIGNAL, about_which, declared, is_choice, named, usage, usage_of
 from vibcli.symbolic.parser import VALUE
 from vibcli.symbolic.semantics import ALL_NUMBERS
 from vibcli.symbolic.syntax import ExpressionError, NameRef, QuantityRef, parts_of
@@ -32,7 +32,9 @@ def can_be_asked(spec: "Spec", reader: "Reader", expression: "Expression", tree:
         return True
     quantity = declared(tree)
     if quantity is None:
-        reader.report(place, f"unknown quantity '{head}'", nearest(head, FAMILIES) or ALL)
+        from vibcli.reader.quantity_spelling import quantity_meant
+
+        reader.report(place, f"unknown quantity '{head}'", quantity_meant(head))
         return False
     own, number = about_which(tree)
     if not _as_many_indices(spec, reader, place, tree, (quantity, len(own.indices))):
@@ -112,7 +114,10 @@ def arguments_fit(spec: "Spec", reader: "Reader", expression: "Expression", tree
         reader.report(place, f"'{tree.text}' is a function of frequency", f"write {tree.text}(5 Hz)")
         return False
     if len(args) != len(quantity.args) and not bare:
-        if head == VALUE:
+        name = tree.args[0].name if head == VALUE and isinstance(tree.args[0], NameRef) else None
+        if name in FAMILIES and named(name).indices:
+            reader.report(place, f"'{name}' needs an index", f"write {usage(name, spec)}")
+        elif head == VALUE:
             applied(reader, expression, tree)
         else:
             wanted = {1: "one argument in round brackets", 2: "a signal and a number, each in round brackets"}
@@ -169,6 +174,7 @@ def _signal(spec, reader, expression, tree, arg):
         quantity = declared(part)
         if quantity is None or quantity.kind != OF_SIGNAL:
             reader.report(expression.scalar.place(part.start, part.end - part.start), f"'{part.text}' is no signal",
+                          f"write {part.text[:-3]}" if part.text.endswith("(t)") else
                           "signals are made of coordinates, points, springs, forces and parameters")
         elif not arguments_fit(spec, reader, expression, part):
             return False
@@ -187,23 +193,21 @@ def _all_names(tree):
 
 
 def _unknown(spec, reader, tree, name, place):
+    from vibcli.language.signals import signal_meant
+
     if spec.members and not _is_placed(spec, reader, place, name):
         return
     if name in FAMILIES and named(name).indices:
         reader.report(place, f"'{name}' needs an index", f"write {usage(name, spec)}")
     elif tree.head == VALUE and isinstance(tree.args[0], NameRef):
-        words = (*FAMILIES, *spec.coordinates)
-        reader.report(place, f"unknown quantity or signal {quoted(name)}", _hint(spec, name, words))
+        from vibcli.reader.quantity_spelling import quantity_meant
+        from vibcli.symbolic.function_names import function_meant
+
+        hint = None if near(name, spec.coordinates) else function_meant(name)
+        reader.report(place, f"unknown quantity or signal {quoted(name)}",
+                      hint or signal_meant(spec, name, quantity_meant(name, None)))
     else:
-        reader.report(place, f"this scene has no coordinate or signal {quoted(name)}",
-                      _hint(spec, name))
-
-
-def _hint(spec, name, words=None):
-    """The nearest of some words; of signals where the name is like that of one, or no words are given."""
-    from vibcli.language.signals import near_signals
-
-    return nearest(name, near_signals(spec, name) if words is None or "." in name else words)
+        reader.report(place, f"this scene has no coordinate or signal {quoted(name)}", signal_meant(spec, name))
 
 
 def _dimension(spec, reader, expression, tree):

@@ -1,9 +1,12 @@
 """References by name: each names something of its namespace, and no name stands for two things."""
 
+import re
 from typing import TYPE_CHECKING
 
 from vibcli.base.diagnostics import quoted
 from vibcli.base.spelling import nearest
+from vibcli.language.kinds import in_square_brackets
+from vibcli.language.reader import article
 from vibcli.language.spec import MEMBERS
 
 if TYPE_CHECKING:
@@ -12,6 +15,9 @@ if TYPE_CHECKING:
 
 _KINDS = {"points": "point", "surfaces": "surface", "forces": "force", "bodies": "body", "coordinates": "coordinate",
           "members": "member"}
+# the sections whose names stand before `.force`
+_WITH_FORCES = {"springs": "spring", "dampers": "damper", "inerters": "inerter", "forces": "force",
+                "constraints": "constraint"}
 
 
 def check_references(spec: "Spec", reader: "Reader") -> None:
@@ -20,6 +26,7 @@ def check_references(spec: "Spec", reader: "Reader") -> None:
     spaces["members"] = dict.fromkeys(reader.members)
     spaces |= {"ground": {"ground": None}, "coordinates": spec.coordinates}
     _of_one_name(spec, reader, spaces)
+    _of_one_force(spec, reader)
     for name, namespaces, wants in reader.references:
         if any(name.text in spaces[space] for space in namespaces) or (
                 namespaces == ("coordinates",) and not reader.sound):
@@ -42,9 +49,18 @@ def check_references(spec: "Spec", reader: "Reader") -> None:
             reader.report(name.where, f"'{name.text}' is a member, expected {wants}",
                           f"a place on it is a point, `points: {{p: {{body: {name.text}, at: …}}}}`")
             continue
+        if namespaces == ("coordinates",) and (written := _as_written(name.text, valid)):
+            reader.report(name.where, f"there is no coordinate {quoted(name.text)}", f"write {written}")
+            continue
         kind = " or ".join(_KINDS[space] for space in namespaces if space in _KINDS)
         reader.report(name.where, f"there is no {kind} {quoted(name.text)}",
-                      nearest(name.text, valid) or f"expected {wants}")
+                      in_square_brackets(name.text) or nearest(name.text, valid) or f"expected {wants}")
+
+
+def _as_written(text, coordinates):
+    """What x(0), x_dot or x'(0) are at a start, x or x'; None of what is no coordinate then either."""
+    written = re.sub(r"_?dot$", "'", re.sub(r"\(0(?: s)?\)$", "", text))
+    return written if written != text and written.rstrip("'") in coordinates else None
 
 
 def _of_one_name(spec, reader, spaces):
@@ -59,3 +75,15 @@ def _of_one_name(spec, reader, spaces):
                 kind = seen.get(name, "the ground")
                 reader.report(record.where, f"'{name}' is a {kind} and a {section[:-1]}", "rename one of them")
             seen[name] = section[:-1]
+
+
+def _of_one_force(spec, reader):
+    """`s.force` is that of one element, so no two of them share a name; kinetic energy is told by the names of bodies
+    and inerters."""
+    seen = {name: section[:-1] for section in MEMBERS if reader.members for name in spec.get(section) or ()}
+    for section, kind in _WITH_FORCES.items():
+        for name, record in (spec.get(section) or {}).items():
+            other = seen.get(name) or (kind == "inerter" and name in spec.named.get("bodies", ()) and "body")
+            if other:
+                reader.report(record.where, f"'{name}' is {article(other)} and {article(kind)}", "rename one of them")
+            seen[name] = kind

@@ -2,12 +2,8 @@
 
 from typing import TYPE_CHECKING
 
-from vibcli.base.diagnostics import quoted
-from vibcli.base.spelling import nearest
 from vibcli.language.document.document import Scalar
 from vibcli.language.reader import Expression
-from vibcli.quantities import FAMILIES
-from vibcli.quantities.quantity import ALL
 from vibcli.symbolic.parser import parse
 
 if TYPE_CHECKING:
@@ -26,10 +22,5 @@ def side(node: Scalar, start: int, end: int, reader: "Reader") -> Expression:
 
 
 def report_unreadable(node: Scalar, error: "ExpressionError", reader: "Reader", start: int = 0) -> None:
-    """Report why what begins at a place of a text can not be read; an unknown function is a quantity misspelt."""
-    place, at = node.place(start + error.offset, error.width), start + error.offset
-    if error.message.startswith("unknown function"):
-        asked = node.text[at:at + error.width]
-        reader.report(place, f"unknown quantity {quoted(asked)}", nearest(asked, FAMILIES) or ALL)
-    else:
-        reader.report(place, error.message, error.hint)
+    """Report why what begins at a place of a text can not be read."""
+    reader.report(node.place(start + error.offset, error.width), error.message, error.hint)

@@ -146,8 +146,8 @@ def beat_period(signal: "LinearSignal") -> float:
         found = beat_period(signal.motion, signal.output)
         if found is not None:
             return found
-    raise PhysicsError("this signal has no beats", "beats need two vibrations of nearly equal frequency and comparable "
-                       "amplitude that last")
+    raise PhysicsError("this signal has no beats", "beats need two largest vibrations of nearly equal frequencies and "
+                       "comparable amplitudes, which last beyond a beat; steady(x) is without those that die out")
 
 
 def free_period(signal: "LinearSignal") -> float:

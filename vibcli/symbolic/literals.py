@@ -68,6 +68,13 @@ def _unknown_unit(text, match, start, at):
     from vibcli.base.unit_suggestions import TAKEN, unit_meant
 
     word = match.group(2)
+    if word in "xX":
+        from vibcli.symbolic.foreign_signs import of_digits
+
+        if ten := of_digits(text, match.start(2)):
+            return ExpressionError(match.start(2), 1, f"'{word}' is not a unit", ten)
+    if set(word) <= set("Oo"):
+        return ExpressionError(match.start(2), len(word), f"'{word}' is not a unit", "a zero is a digit, no letter")
     meant = None if word == "pi" else unit_meant(word)
     product = f"a product is written with *: {text[start:at]}*{word}"
     hint = product

@@ -57,6 +57,8 @@ def parse(text: str, equation: str | None = None) -> Any:
     if equation:
         parser.skip()
         if not parser.take("="):
+            if text[parser.at:parser.at + 1] not in "<>":
+                parser.fail_after()
             raise ExpressionError(parser.at, 1, "expected an equation, found an expression",
                                   "write it as left = right, for example " + equation)
         if parser.text.startswith("=", parser.at):
@@ -99,22 +101,27 @@ class _Parser:
         word = _name(self.text, self.at)
         if found == "=":
             raise ExpressionError(self.at, 1, "expected an expression, found an equation", "write what one side is")
-        if found == ",":
-            raise ExpressionError(self.at, 1, "found ',' where the expression should go on or end",
-                                  "decimals are written with a point: 0.5")
         if found in "<>":
             raise ExpressionError(self.at, 1, f"expected an expression, found a comparison with '{found}'",
                                   "comparisons stand under `require` of `variants`")
-        if word or found in "(" or found.isdigit():
+        if word or found in "(" or found.isdecimal():
             what = word.group() if word else found
             raise ExpressionError(self.at, len(what), f"expected an operator before {quoted(what)}", self._joined(what))
+        from vibcli.symbolic.foreign_signs import of_sign
+
         raise ExpressionError(self.at, 1, f"found {quoted(found)} where the expression should go on or end",
-                              "expressions are made of numbers, units, names, + - * / ^ ( ) and functions")
+                              of_sign(self.text, self.at))
 
     def _joined(self, what):
         """The hint where a number or name is followed by another."""
         if re.compile(_PER_UNIT).match(self.text, self.at):
             return "the unit 1/s is written s^-1: 3 s^-1"
+        from vibcli.symbolic.foreign_signs import of_digits
+
+        if hint := of_digits(self.text, self.at):
+            return hint
+        if what == "(" and (word := re.compile(r"[A-Za-z]\w*(?= +$)").search(self.text, 0, self.at)):
+            return f"the bracket follows the name at once: {word.group()}(…); a product is written with *"
         if self.text[self.at - 1].isdigit() and what[0] in "_xXob":
             return "numbers are written in decimal digits alone: 1000"
         return "there is no implicit multiplication: write a * between factors"
@@ -193,8 +200,10 @@ class _Parser:
                                   "a number, a name or a bracket is missing at its end")
         if self.text[start] in "+-":
             raise ExpressionError(start, 1, "two operators in a row", "put the signed factor in parentheses")
+        from vibcli.symbolic.foreign_signs import of_sign
+
         raise ExpressionError(start, 1, f"expected a number, a name or '(', found {quoted(self.text[start])}",
-                              "expressions are made of numbers, units, names, + - * / ^ ( ) and functions")
+                              of_sign(self.text, start))
 
     def applied(self, tree: Any, start: int, depth: int) -> Any:
         """x(2 s) of a tree x that is no function; `start` is where its text starts."""
@@ -269,8 +278,8 @@ class _Parser:
         if head in IN_TWO_BRACKETS and self.text.startswith("(", self.at):
             args += self.arguments(depth)
         component = self.component()
-        return QuantityRef(start, self.at, self.text[start:self.at], head, tuple(indices), component, tuple(args),
-                           alone=len(last) == 1)
+        return QuantityRef(start, self.at, self.text[start:self.at], plain_name(head), tuple(indices), component,
+                           tuple(args), alone=len(last) == 1)
 
     def _index(self):
         """What stands between square brackets at this place; '' where there is nothing, or too much."""

@@ -112,7 +112,8 @@ class DimensionCheck(NamedTuple):
         dimension = self.dimension(tree)
         if dimension is not ANY and not self._same(dimension, units.NONE):
             raise ExpressionError(tree.start, tree.end - tree.start,
-                                  f"{what} is a pure number, found {self._words(dimension)}")
+                                  f"{what} is a pure number, found {self._words(dimension)}",
+                                  "a rate has its unit, as in 2 rad/s*t" if self._same(dimension, units.TIME) else None)
 
     def _call(self, tree):
         name, args = tree.name, tree.args

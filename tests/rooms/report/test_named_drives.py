@@ -89,3 +89,31 @@ def test_the_symbols_meet_no_name_of_the_scene():
     for letter in ("s1", "w1", "xi1"):
         renamed = renamed.replace("parameters:\n", f"parameters:\n  {letter}: {{value: 1, unused: allowed}}\n")
     assert named_drives(problem(renamed)) is None
+
+
+ROCKER = """
+parameters: {m: 2 kg, R: 0.2 m, al: 1 rad, Y: 2 mm, W: 5 rad/s, c: 0.3 N*s/m}
+surfaces: {table: {line: [[-1 m, 0], [1 m, 0]], body: plank}}
+bodies:
+  plank: {mass: 1 kg, at: [0, -0.02 m], slide: Y*sin(W*t)}
+  half: {shape: sector, mass: m, radius: R, half_angle: al, angle: -pi/2, at: [0, R],
+    roll: {surface: table, turn: phi}}
+  bob: {mass: 0.1 kg, at: [0, R + 0.05 m], weld: half}
+points: {T: {body: half, at: [0, R + 0.05 m]}}
+dampers: {d: {c: c, between: [[-1 m, R + 0.05 m], T]}}
+"""
+
+
+def test_what_rolls_on_a_shaken_plank_feels_the_acceleration_of_its_symbol():
+    """ü₁ = −W²Y sin Wt stands in the equation, which has the engine's value at a state of motion."""
+    found = problem(ROCKER)
+    drives, floats = named_drives(found), found.numeric.floats
+    told = drives.equation(0)
+    assert "ü₁" in plain(told)
+    t = 0.37
+    Y, W = floats["Y"], floats["W"]
+    state = {**floats, "phi": 0.3, "phi'": -0.7, "phi''": 1.9, "t": t}
+    known = {"u1": Y * math.sin(W * t), "u1'": W * Y * math.cos(W * t), "u1''": -W**2 * Y * math.sin(W * t)}
+    mine, = evaluate([told], Floats, {**state, **known})
+    engine, = evaluate([found.symbolic.equations.full[0]], Floats, state)
+    assert mine == pytest.approx(engine, rel=1e-12)

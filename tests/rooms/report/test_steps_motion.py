@@ -217,14 +217,14 @@ def test_damping_in_proportion_is_seen():
 parameters: {m: 1 kg, k: 10 N/m, c: 1 N*s/m}
 bodies: {a: {mass: m, slide: x}, b: {mass: m, slide: y}}
 springs: {l: {k: k, between: [ground, a]}, m: {k: k, between: [a, b]}}
-dampers: {l: {c: c, between: [ground, a]}, m: {c: c, between: [a, b]}}
+dampers: {d: {c: c, between: [ground, a]}, e: {c: c, between: [a, b]}}
 """)
     assert "it is proportional" in told([of["proportional"]])[0]
     of = lines_of("""
 parameters: {m: 1 kg, k: 10 N/m, c: 1 N*s/m}
 bodies: {a: {mass: m, slide: x}, b: {mass: m, slide: y}}
 springs: {l: {k: k, between: [ground, a]}, m: {k: k, between: [a, b]}}
-dampers: {l: {c: c, between: [ground, a]}}
+dampers: {d: {c: c, between: [ground, a]}}
 """)
     assert "it is not proportional" in told([of["proportional"]])[0]
 

@@ -116,3 +116,27 @@ def test_a_root_mean_square_is_told_by_the_factors_of_the_amplitude():
     last = {line.settles: line for line in worked(found)}["rms(x)"]
     assert "√(F²/(2·((m·w² − k)² + c²·w²)))" in formula(last.parts, plain)
     assert last.value == pytest.approx(5 / math.sqrt(2 * (600**2 + 100**2)))
+
+
+@pytest.mark.parametrize(("spring", "unit", "wanted"), [
+    ("{k: 2 kN/m, between: [ground_end, slider], preload: static}", "N", 0.5 * 3 * 9.81 / math.tan(0.6)),
+    ("{torsion: 90 N*m/rad, between: [ground, one], preload: static}", "N·m", 3 * 9.81 * 0.5 * math.cos(0.6))])
+def test_a_tension_that_balances_open_loops_is_told_with_its_number(spring, unit, wanted):
+    """Two light rods of the length 0.5 m, joined under 3 kg: a static preload is a symbol where loops are open."""
+    found = problem(f"""
+        parameters: {{L: 0.5 m, M: 3 kg, a: 0.6 rad, g: 9.81 m/s^2}}
+        gravity: g
+        points:
+          ground_end: [-1 m, 0]
+          B: {{body: one, at: [L*cos(a), L*sin(a)]}}
+          E: {{body: two, at: [L*cos(a), L*sin(a)]}}
+        bodies:
+          one: {{mass: M, at: [L*cos(a), L*sin(a)], pin: {{at: [0, 0], by: q}}}}
+          slider: {{mass: 1 kg, at: [2*L*cos(a), 0], slide: x}}
+          two: {{mass: 0, at: [L*cos(a), L*sin(a)], pin: {{at: [2*L*cos(a), 0], carrier: slider, by: r}}}}
+        constraints: {{j: {{join: [B, E]}}}}
+        springs: {{s: {spring}}}
+        find: [equations]
+    """)
+    line, = (one for one in worked(found) if "tension of s as drawn" in formula(one.parts, plain))
+    assert line.unit == unit and abs(line.value) == pytest.approx(wanted, rel=1e-12)

@@ -19,6 +19,12 @@ def comma(source: str, start: int, file: str) -> tuple[Diagnostic, str, int] | N
     end = _expression_end(source, start)
     if end is None or "," not in source[start:end]:
         return None
+    text, inner = source[start:end], source[start + 1:end - 1]
+    if text == f"({inner})" and not set(inner) & set("()[]{}"):
+        written = f"[{inner}]"
+        problem = Diagnostic(decoding.place(source, start, file, end - start),
+                             f"expected a list in square brackets, found {quoted(text)}", f"write {written}")
+        return problem, source[:start] + written + source[end:], start
     return _mended(source, start, end, file, "the comma cuts {} in two")
 
 

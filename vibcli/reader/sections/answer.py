@@ -2,15 +2,12 @@
 
 from typing import Any
 
-from vibcli.base.diagnostics import quoted
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.base.spelling import nearest
 from vibcli.language.document.document import Mapping
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Kind, Quantity
 from vibcli.language.reader import Expression
-from vibcli.quantities import FAMILIES
-from vibcli.quantities.quantity import ALL, EQUATION, declared
+from vibcli.quantities.quantity import EQUATION, declared
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.syntax import ExpressionError, QuantityRef
 
@@ -51,14 +48,12 @@ class Answers(Kind):
             try:
                 tree = reader.at_places(parse(key.text))
             except ExpressionError as error:
-                asked = key.text.partition("(")[0].strip()
-                if error.message.startswith("unknown function") and error.offset == 0:
-                    reader.report(key.where, f"unknown quantity {quoted(asked)}", nearest(asked, FAMILIES) or ALL)
-                else:
-                    reader.report(key.place(error.offset, error.width), error.message, error.hint)
+                reader.report(key.place(error.offset, error.width), error.message, error.hint)
                 continue
             quantity = declared(tree) if isinstance(tree, QuantityRef) else None
-            element = _EQUATION if quantity is not None and quantity.kind == EQUATION else ELEMENT
+            equation = key.text.startswith(("equation", "motion")) or (
+                quantity is not None and quantity.kind == EQUATION)
+            element = _EQUATION if equation else ELEMENT
             record = element.read(value, reader, key.text, key.where)
             if record is not None:
                 answers.append(Answer(Expression(key, tree), record["value"], record.get("rtol")))

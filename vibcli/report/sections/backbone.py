@@ -77,7 +77,9 @@ def _begins(problem, mode, kappa, of):
     yield paragraph(f"At small amplitudes {_letter(problem, 'A')}, ω ≈ {early} by the method of "
                     "Lindstedt and Poincaré:")
     try:
-        yield equations([line(f"{own} = ", problem.free_motions.kappa_in_letters(1), f" = {value}" * bool(value))])
+        found = problem.free_motions.kappa_in_letters(1)
+        told = [f" = {value}"] * bool(value)
+        yield equations([line(own, *([" = ", found] if not (told and found.is_zero) else []), *told)])
     except PhysicsError:
         if kappa is None:
             raise

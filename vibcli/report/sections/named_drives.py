@@ -35,10 +35,10 @@ class NamedDrives:
 
     def _name(self, symbol, node, name):
         opened, i = self._opened, self._opened.q.index(symbol)
-        place, speed = (opened.table.variable(name + mark) for mark in ("", "'"))
-        self._names |= {symbol: place, opened.v[i]: speed}
-        self._values |= {symbol: node, opened.v[i]: opened.rate(node)}
-        self.stands.append((place, node))
+        for at, mark in ((symbol, ""), (opened.v[i], "'"), (opened.a[i], "''")):
+            self._names[at], self._values[at] = opened.table.variable(name + mark), node
+            node = opened.rate(node)
+        self.stands.append((self._names[symbol], self._values[symbol]))
 
     def energy(self, key: str) -> "Node":
         """T, V or Φ: with the symbols where these have the value of the engine's at states of motion."""

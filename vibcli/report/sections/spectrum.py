@@ -14,7 +14,6 @@ if TYPE_CHECKING:
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
 
-WITHOUT_DAMPERS = "without its dampers nothing would hold what has no inertia in this scene"
 OF_DAMPED = "with the eigenvalue λ: ω = |λ|, ζ = −Re λ/|λ|, decay −Re λ = ζω, logarithmic decrement 2πζ/√(1−ζ²)"
 OF_OVERDAMPED = "; with the two of an over-damped mode ω = √(λ₁λ₂), ζ = −(λ₁ + λ₂)/(2ω)"
 
@@ -24,7 +23,8 @@ def frequencies(problem: "Problem", report: "Report") -> Iterator[Section]:
         yield from _frequencies_in_letters(problem, report)
         return
     if not problem.modal.modes:
-        yield from section("Natural frequencies", paragraph("none are told: " + WITHOUT_DAMPERS))
+        why = problem.configuration.linear_system.why_modeless
+        yield from section("Natural frequencies", paragraph("none are told: " + why))
         return
     modal = problem.modal
     found = shown(problem, report.wanted)

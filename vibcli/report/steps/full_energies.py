@@ -15,6 +15,7 @@ from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.rationals import ONE
+from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
     from vibcli.scene.energy_terms import Term
@@ -105,12 +106,19 @@ class FullEnergies:
         record = (self.motion.problem.spec.get("springs") or {}).get(term.owner, {})
         if N.is_zero or record.get("preload") != "static":
             return N
-        name, value = self._letter("N", term.owner), self.motion.value(N)
+        balanced = self._balanced(term.owner, N)
+        name, value = self._letter("N", term.owner), self.motion.value(balanced)
         unit = "N·m" if "torsion" in record else "N"
         self.sheet.write(Words(f"tension of {term.owner} as drawn, where the forces balance:  "), Name(name), " = ",
-                         self.short(N)[0], *(() if value is None else number(value, unit)), settles=name, node=N,
-                         value=value, unit=unit)
+                         *((N, " = ") if balanced is not N else ()), self.short(balanced)[0],
+                         *(() if value is None else number(value, unit)), settles=name, node=N, value=value, unit=unit)
         return self.motion.letter(name)
+
+    def _balanced(self, name, N):
+        """What a static preload is where loops are open and it has a symbol alone; else N, what it is already."""
+        if N.op != "symbol":
+            return N
+        return copied([self.motion.problem.system.preloads[name]], self.scene.table)[0]
 
     def _told(self, term, letter, node, words):
         """(the letter of a stretch or speed, the lines that it follows from); a symbol itself needs no line."""

@@ -100,3 +100,12 @@ def test_the_report_tells_it_beside_the_table(tmp_path, capsys):
     assert "Mode 2 has nearly 3 times the frequency of mode 1" in out
     assert run(["frequencies", str(file), "--backbone", "--json"]) == 0
     assert '"kappa": 0.15' in capsys.readouterr().out
+
+
+def test_a_factor_that_is_zero_in_letters_is_told_once(tmp_path, capsys):
+    file = tmp_path / "play.yaml"
+    file.write_text("parameters: {m: 2 kg, k: 300 N/m, e: 1 cm}\nbodies: {b: {mass: m, slide: x}}\n"
+                    "springs: {s: {k: k, between: [ground, b]}, stop: {k: 9*k, gap: e, between: [ground, b]}}\n"
+                    "find: [{backbone: {of: [x], up_to: 3 cm}}]\n")
+    assert run(["solve", str(file)]) == 0
+    assert "  κ = 0 1/m²\n" in capsys.readouterr().out + "\n"
