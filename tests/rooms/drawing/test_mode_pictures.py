@@ -1,6 +1,7 @@
 """Pictures of modes, still and moving, go the way that the table of mode shapes tells, in every scene that has any."""
 
 import cmath
+from itertools import pairwise
 from math import pi
 from pathlib import Path
 
@@ -12,6 +13,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.drawing import animation, vibration
 from vibcli.drawing.canvas.primitives import Polygon, Polyline
 from vibcli.drawing.layout import compose, plane
+from vibcli.drawing.layout.lumped_place import KEPT
 from vibcli.drawing.symbols import mode_shape
 from vibcli.report.sections.spectrum_data import frequencies_data
 
@@ -122,3 +124,16 @@ def test_the_shape_of_a_member_is_found_once_for_all_frames(monkeypatch):
     monkeypatch.setattr(mode_fields, "shape_along", counting)
     frames, _, _ = animation.of_mode(problem_of(ROOT / "problems/8_continuous/hanging_chain.yaml"), 1)
     assert len(frames) >= 36 and 1 <= len(asked) <= 6
+
+
+@pytest.mark.parametrize("index", [3, 10])
+def test_bodies_close_together_in_a_row_leave_room_for_the_springs_between_them(index):
+    found = kept_problem_of(ROOT / "vibcli" / "examples" / "many_modes.yaml")
+    stage = compose.Scenery(found.scene)
+    motion = vibration.Vibration(found, index, stage)
+    (row,) = stage.rows
+    for theta in (0.0, pi):
+        moved = {name: place.middle[0] + motion.unit * motion.at(theta).lumped[name]
+                 for name, place in row.places.items()}
+        gaps = [moved[b] - moved[a] - row.places[a].half - row.places[b].half for a, b in pairwise(row.row.bodies)]
+        assert min(gaps) > KEPT - 1e-9 and max(gaps) > KEPT + 5.0

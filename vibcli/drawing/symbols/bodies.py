@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from vibcli.drawing.symbols.look import Look
 
 RAIL, WOUND, OPEN, NARROW = 17.0, 18.0, 8.5, 4.5
+BOXES, LEVEL = ("block", "platform", "ramp"), 1e-6
 
 
 def draw(sketch: "Sketch", looks: "Mapping[str, Look]", room: Mapping[str, tuple[float, float]]) -> list[Any]:
@@ -97,7 +98,7 @@ def _floor(name, look, sketch, room):
     if look.kind == "cam":
         return support.bearing(hulls.axle(look), (0.0, -1.0))
     slide = sketch.scene.bodies[name].record.get("slide")
-    if slide is None or look.kind not in ("block", "platform", "ramp") or "surface" in slide:
+    if slide is None or look.kind not in (*BOXES, "rectangle") or "surface" in slide:
         return []
     if "carrier" in slide and not sketch.is_fixed(slide["carrier"].text):
         return []
@@ -107,6 +108,8 @@ def _floor(name, look, sketch, room):
     if abs(e[1]) > 0.95:
         return _guides(name, (left, bottom, right, top), sketch) if look.kind == "block" else []
     e, level = e if e[0] > 0 else plane.times(e, -1), abs(e[0]) == 1
+    if look.kind == "rectangle" and not (level and _lies_flat(look)):
+        return []
     turned = level and look.kind == "platform" and abs(look.angle) > 3
     if turned:      # what is on it is below
         e, bottom, room = plane.times(e, -1), top, room[::-1]
@@ -130,6 +133,12 @@ def _floor(name, look, sketch, room):
         return [*found, *(part for low, high in pieces
                           for part in support.floor(((low + high) / 2, floor[1]), e, (high - low) / 2))]
     return [*found, *support.floor(plane.plus(floor, e, (on - back) / 2), e, (on + back) / 2)]
+
+
+def _lies_flat(look):
+    """Is a side of a rectangle level?"""
+    low, high = plane.corners(look.core)
+    return plane.area(list(look.core)) > (1 - LEVEL) * (high[0] - low[0]) * (high[1] - low[1])
 
 
 def _hangs(name, sketch):
