@@ -324,7 +324,7 @@ def test_a_train_of_ten_waggons_is_seen_whole_on_a_narrow_screen_with_all_names_
     """328 pixels are what a telephone of 360 has for it, READABLE ones those of its letters."""
     drawn = kept_drawing_of(ROOT / "vibcli/examples/many_modes.yaml")
     left, _, right, _ = extent(drawn)
-    assert (right - left + 2 * MARGIN) * READABLE / lettering.SIZE < 331.0
+    assert (right - left + 2 * MARGIN) * READABLE / lettering.SIZE < 328.0
     names = [part for part in drawn if isinstance(part, LetterRuns) and part.role == "coordinate"]
     assert len(names) == 10 and len({round(name.box[1], 3) for name in names}) == 1 and touching(drawn) == []
     wheels = [part for part in drawn if isinstance(part, Circle)]

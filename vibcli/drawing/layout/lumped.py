@@ -1,6 +1,7 @@
 """Rows of lumped bodies: boxes on a floor, discs on a shaft; springs and dampers between them and walls."""
 
 from collections.abc import Callable, Mapping, Sequence
+from itertools import pairwise
 from math import sin
 from typing import TYPE_CHECKING, Any
 
@@ -272,7 +273,7 @@ def arrows(layout: Layout, scene: "Scene",
         driven = captions.raw(field, scene).mask == scene.time.mask
         runs = _displacement(body, scene, sketch)
         role = "driven" if driven else "coordinate"
-        tip = (x + _reach(layout, place), y)
+        tip = (x + _reach(layout), y)
         if layout.kind == "tube":
             parts, tip = tube.arrow_of(place, role)
         elif place.turns:
@@ -286,10 +287,10 @@ def arrows(layout: Layout, scene: "Scene",
     return found
 
 
-def _reach(layout, place):
-    """How long the arrow of a body in a row is."""
-    ahead = [other.middle[0] - place.middle[0] for other in layout.places.values()]
-    return min([ARROW, *(far - BEFORE for far in ahead if far > BEFORE and layout.kind == "row")])
+def _reach(layout):
+    """How long the arrows of a row are."""
+    xs = sorted(place.middle[0] for place in layout.places.values()) if layout.kind == "row" else []
+    return min([ARROW, *(b - a - BEFORE for a, b in pairwise(xs) if b - a > BEFORE)])
 
 
 def _displacement(body, scene, sketch):
