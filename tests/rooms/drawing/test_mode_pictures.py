@@ -15,6 +15,7 @@ from vibcli.drawing.canvas.primitives import Polygon, Polyline
 from vibcli.drawing.layout import compose, plane
 from vibcli.drawing.layout.lumped_place import KEPT
 from vibcli.drawing.symbols import mode_shape
+from vibcli.drawing.symbols.member import BED, bed
 from vibcli.report.sections.spectrum_data import frequencies_data
 
 ROOT = Path(__file__).parents[3]
@@ -137,3 +138,20 @@ def test_bodies_close_together_in_a_row_leave_room_for_the_springs_between_them(
                  for name, place in row.places.items()}
         gaps = [moved[b] - moved[a] - row.places[a].half - row.places[b].half for a, b in pairwise(row.row.bodies)]
         assert min(gaps) > KEPT - 1e-9 and max(gaps) > KEPT + 5.0
+
+
+@pytest.mark.parametrize("index", [1, 2])
+def test_springs_of_a_bed_follow_the_member_that_rests_on_them(index):
+    """Each reaches from the ground to the edge of the rail, which stays above the ground."""
+    found = kept_problem_of(ROOT / "problems" / "8_continuous" / "rail_on_elastic_foundation.yaml")
+    stage = compose.Scenery(found.scene)
+    motion = vibration.Vibration(found, index, stage)
+    (strip,) = stage.strips
+    for theta in (0.0, pi):
+        bend = motion.bends(theta)[strip.name]
+        springs = [part.points for part in bed(strip, bend, ()) if part.role == "spring"]
+        for points in springs:
+            x = (points[-1][0] - strip.start[0]) / strip.scale
+            ((_, u),) = bend.at([x])
+            assert abs(points[0][1] - points[-1][1] - BED - u * bend.unit) < 1e-9
+        assert len(springs) > 5 and min(points[0][1] - points[-1][1] for points in springs) > 5.0
