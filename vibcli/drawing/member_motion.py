@@ -104,7 +104,8 @@ class MemberMotion:
         base = problem.configuration.equilibrium.values
         for strip in stage.strips:
             for _, name in hanging(strip, stage.sketch):
-                tops[_kind(strip)] = max(tops[_kind(strip)], *(abs(one[name] - base[name]) for one in positions))
+                tops[_kind(strip)] = max(tops[_kind(strip)],
+                                         *(STRETCHED * abs(one[name] - base[name]) for one in positions))
         seen = tops["placed"] * stage.sketch.scale
         self.factor = max(1.0, SEEN / seen) if seen else 1.0
         larger = [{name: base[name] + self.factor * (x - base[name]) for name, x in one.items()} for one in positions]

@@ -8,8 +8,9 @@ import pytest
 from support.scenes import kept_problem_of, problem
 
 from vibcli.api.pictures import SceneDrawing
-from vibcli.drawing.canvas.primitives import Circle, Hatch, Polygon
+from vibcli.drawing.canvas.primitives import SURFACE, Circle, Hatch, Polygon
 from vibcli.drawing.drawing import draw
+from vibcli.drawing.layout import plane
 from vibcli.drawing.symbols.support import ROLLER
 
 SLIDER = """
@@ -79,3 +80,13 @@ def test_a_rectangle_that_slides_on_level_ground_stands_on_rollers(slide, count)
     wheels = [part for part in drawn if isinstance(part, Circle) and abs(part.centre[1] + part.radius - foot) < 1e-9]
     assert len(wheels) == count and bool(count) == any(
         isinstance(part, Hatch) and abs(part.points[0][1] - foot + 2 * ROLLER) < 1e-9 for part in drawn)
+
+
+@pytest.mark.parametrize(("name", "count"), [("ladder_held_by_spring", 2), ("bar_on_two_springs", 0)])
+def test_ends_of_a_rod_that_expressions_keep_on_a_line_stand_on_guides(name, count):
+    drawn = draw(of(name))
+    rollers = [part.centre for part in drawn if isinstance(part, Circle) and part.radius == ROLLER]
+    floors = [part.points for part in drawn if isinstance(part, Hatch) and part.layer == SURFACE]
+    assert len(rollers) == len(floors) == count
+    for (a, b), place in zip(floors, rollers, strict=True):     # each touches its ground
+        assert abs(plane.distance(plane.nearest_on(place, a, b), place) - ROLLER) < 1e-6

@@ -11,11 +11,11 @@ from support.scenes import kept_problem_of, problem, problem_of
 from vibcli.analyses.continuous import mode_fields
 from vibcli.base.errors import PhysicsError
 from vibcli.drawing import animation, vibration
-from vibcli.drawing.canvas.primitives import Polygon, Polyline
+from vibcli.drawing.canvas.primitives import SURFACE, Polygon, Polyline
 from vibcli.drawing.layout import compose, plane
 from vibcli.drawing.layout.lumped_place import KEPT
 from vibcli.drawing.symbols import mode_shape
-from vibcli.drawing.symbols.member import BED, bed
+from vibcli.drawing.symbols.member import BED, bed, place
 from vibcli.report.sections.spectrum_data import frequencies_data
 
 ROOT = Path(__file__).parents[3]
@@ -155,3 +155,16 @@ def test_springs_of_a_bed_follow_the_member_that_rests_on_them(index):
             ((_, u),) = bend.at([x])
             assert abs(points[0][1] - points[-1][1] - BED - u * bend.unit) < 1e-9
         assert len(springs) > 5 and min(points[0][1] - points[-1][1] for points in springs) > 5.0
+
+
+def test_the_end_of_an_arm_and_the_hub_that_guides_it_are_joined_by_a_rail():
+    found = kept_problem_of(ROOT / "vibcli" / "examples" / "arm_on_a_hub.yaml")
+    stage = compose.Scenery(found.scene)
+    motion = vibration.Vibration(found, 1, stage)
+    (strip,) = stage.strips
+    for theta in (0.0, pi):
+        bends, sketch = motion.bends(theta), motion.at(theta)
+        (rail,) = [part.points for part in mode_shape.frame(stage, sketch, motion.unit, motion.room, bends)
+                   if isinstance(part, Polyline) and part.width == 2.4 and part.layer == SURFACE]
+        for joined in (place(strip, bends[strip.name], strip.metres), sketch.frames["hub"].place):
+            assert plane.distance(plane.nearest_on(joined, *rail), joined) < 1.0

@@ -77,7 +77,8 @@ def _end(end, strip, bend, x, sense, sketch, found, named):
 
 def _rail(frame, drawn, here, strip):
     """What an end slides along on the body that guides it, as far as it has gone."""
-    middle, n = frame.point(drawn), frame.turned(plane.left(strip.e))
+    middle = frame.point(drawn)
+    n = plane.unit(plane.minus(here, middle), frame.turned(plane.left(strip.e)))
     half = REST + plane.distance(here, middle)
     return [Polyline((plane.plus(middle, n, -half), plane.plus(middle, n, half)), width=2.4, layer=SURFACE)]
 
