@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from vibcli.elements.rigid_body import Body
 
 SHIFTS = 0.11, -0.17, 0.29      # of each coordinate, at which an end is on its guide if it has one
-CLOSE, HALF = 1e-9, 26.0        # of a length; points of a guide to either side of an end
+CLOSE, HALF, END = 1e-9, 46.0, 6.0     # of a length; points of a guide to either side of an end, beyond it at least
 
 
 def draw(sketch: "Sketch") -> list[Any]:
@@ -38,7 +38,7 @@ def _guide(body: "Body", end, sketch):
     now = sketch.frames[body.name].point(end)
     ground = plane.plus(end, outward, 2 * support.ROLLER)
     return [*support.roller(plane.plus(now, outward, support.ROLLER)),
-            *support.floor(ground, plane.left(outward), HALF + plane.distance(now, end))]
+            *support.floor(ground, plane.left(outward), max(HALF, END + plane.distance(now, end)))]
 
 
 def _place(body, end, shift, sketch):
