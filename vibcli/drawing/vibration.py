@@ -13,6 +13,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.drawing.layout import plane
 from vibcli.drawing.layout.lumped_place import most
 from vibcli.drawing.member_motion import mode_along_members
+from vibcli.drawing.symbols import bodies
 from vibcli.notation.numbers import figure as printed
 
 if TYPE_CHECKING:
@@ -155,13 +156,24 @@ def shortest(rest: "Sketch", sketches: "Sequence[Sketch]", stage: "Scenery") -> 
 
 
 def sliding_room(stage: "Scenery", sketches: "Sequence[Sketch]") -> dict[str, tuple[float, float]]:
-    """{body: (how far back, how far on)} of what slides on the ground, from the drawn position."""
+    """{body: (how far back, how far on)} of what slides on the ground or along a rod, from the drawn position."""
     found = {}
     for name in stage.looks:
+        if (carrier := bodies.rail_of(name, stage.sketch)) is not None:
+            steps = [_along(name, carrier, sketch) for sketch in sketches]
+            found[name] = min(0.0, *steps), max(0.0, *steps)
+            continue
         moves = [plane.minus(sketch.frames[name].place, sketch.frames[name].drawn) for sketch in sketches]
         along = [plane.distance(move, (0.0, 0.0)) * (1 if move[0] >= 0 else -1) for move in moves]
         found[name] = min(0.0, *along), max(0.0, *along)
     return found
+
+
+def _along(name, carrier, sketch):
+    """How far a body has slid along the rod that carries it."""
+    centre, rod = sketch.centre(name), sketch.frames[carrier]
+    moved = plane.minus(sketch.frames[name].point(centre), rod.point(centre))
+    return plane.dot(moved, rod.turned(bodies.along(name, sketch)))
 
 
 def phases(count: int) -> list[float]:

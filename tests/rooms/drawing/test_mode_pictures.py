@@ -168,3 +168,17 @@ def test_the_end_of_an_arm_and_the_hub_that_guides_it_are_joined_by_a_rail():
                    if isinstance(part, Polyline) and part.width == 2.4 and part.layer == SURFACE]
         for joined in (place(strip, bends[strip.name], strip.metres), sketch.frames["hub"].place):
             assert plane.distance(plane.nearest_on(joined, *rail), joined) < 1.0
+
+
+def test_a_bead_stays_on_the_rod_that_turns_with_it_however_far_it_goes():
+    found = kept_problem_of(ROOT / "vibcli" / "examples" / "bead_on_a_turning_rod.yaml")
+    stage = compose.Scenery(found.scene)
+    (slide,) = found.scene.coordinates
+    positions = [{slide: u} for u in (0.0, 0.4, 1.5)]
+    sketches, unit, room = vibration.response(stage, positions, [0.0, 0.3, 0.7])
+    for sketch in sketches:
+        rods = [part.points for part in mode_shape.frame(stage, sketch, unit, room)
+                if isinstance(part, Polyline) and part.width == 2.4]
+        (bead,) = [sketch.frames[name].point(sketch.centre(name)) for name in sketch.frames
+                   if "slide" in found.scene.bodies[name].record]
+        assert any(plane.distance(plane.nearest_on(bead, *rod), bead) < 1e-6 for rod in rods)
