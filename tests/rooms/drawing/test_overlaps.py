@@ -33,7 +33,8 @@ MOST = 0.02
 
 
 @pytest.mark.sweep
-def test_words_and_arrows_of_problems_and_examples_touch_nothing():
+def test_words_and_arrows_of_problems_and_examples_touch_nothing(monkeypatch):
+    monkeypatch.setattr(overlaps, "CLOSE", 2.0)
     paths = sorted([*ROOT.glob("problems/[1-9]*/*.yaml"), *ROOT.glob("vibcli/examples/*.yaml")])
     figures = {path.stem: kept_drawing_of(path) for path in paths}
     assert len(figures) > 300
