@@ -63,3 +63,16 @@ def test_a_narrow_page_scrolls_within_its_boxes_alone(name, tmp_path):
     assert measured(text, tmp_path, "document.querySelectorAll('figure svg').length") >= 2
     assert measured(text, tmp_path, "performance.getEntriesByType('resource').filter(one => "
                     "!one.name.startsWith('data:')).length") == 0
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize(("preferred", "share"), [(0, 0.95), (1, 0.05)])
+def test_plots_and_figures_stand_on_the_paper_of_the_page_that_is_dark_or_light(preferred, share, tmp_path):
+    path = tmp_path / "r.html"
+    assert run(["solve", str(PROBLEMS.parent / "vibcli/examples/frequency_response.yaml"), "--pictures", "-o",
+                str(path)]) == 0
+    shown = path.read_text().replace("<style>", "<style>section > :not(figure), article > :not(section) "
+                                     "{ display: none; } ", 1)
+    assert shown.count("<svg") == 2
+    dark = picture(shown, tmp_path, "--window-size=800,900", f"--blink-settings=preferredColorScheme={preferred}")
+    assert abs(dark.mean() - share) < 0.05

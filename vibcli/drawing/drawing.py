@@ -8,6 +8,7 @@ from vibcli.drawing.layout import captions, compose, lettering, notes, plane
 from vibcli.drawing.layout.space import Space
 from vibcli.drawing.symbols import arrow, connection, coordinate, dimension
 from vibcli.drawing.symbols.bodies import carried
+from vibcli.drawing.symbols.support import HINGE
 
 GRAVITY, ROOMY = 30.0, 28.0     # points; the least width and height of what has room for a name beside its middle
 COLUMN, FEW = 340.0, 8          # points of a column of text less what is written beside a scene; bodies
@@ -212,7 +213,9 @@ def _spots(name, look, sketch):
     if look.kind == "rod":
         record = sketch.scene.bodies[name].record
         ends = [sketch.frames[name].point(sketch.pair(record[key])) for key in ("from", "to")]
-        return [plane.plus(ends[0], plane.minus(ends[1], ends[0]), share) for share in (0.5, 0.65, 0.35)]
+        spots = [plane.plus(ends[0], plane.minus(ends[1], ends[0]), share) for share in (0.5, 0.65, 0.35)]
+        others = [sketch.centre(other) for other in sketch.frames if other in sketch.scene.bodies and other != name]
+        return [spot for spot in spots if all(plane.distance(spot, other) > ROOMY for other in others)] or spots
     if look.kind in ("bob", "arm", "hub", "bar"):
         return [sketch.centre(name)]
     if look.kind in ("ring", "hoop", "rim", "arch", "frame"):
@@ -237,7 +240,8 @@ def _within(points):
     spots = [plane.middle(low, high), *(plane.plus(low, (width * x, height * y))
                                         for y in (0.2, 0.8) for x in (0.5, 0.15, 0.85))]
     found = [spot for spot in spots if plane.inside(spot, list(points))][:3] or spots[:1]
-    aside = [plane.plus(low, (width * x, height * y)) for x in (0.25, 0.75) for y in (0.5, 0.7, 0.3)]
+    half = width / 4 + HINGE / 2        # the middle between a pin in the middle and the edge
+    aside = [plane.plus(low, (width / 2 + side * half, height * y)) for side in (-1, 1) for y in (0.5, 0.7, 0.3)]
     return found + [spot for spot in aside if min(width, height) > ROOMY and plane.inside(spot, list(points))]
 
 

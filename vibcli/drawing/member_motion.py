@@ -14,7 +14,8 @@ if TYPE_CHECKING:
 
 RESTS = 1e-9        # of the most that a member moves
 PLACES = 32         # along a member at which its motion in time is found
-STRETCHED = 1.3     # by which what stretches a spring counts more than what moves
+STRETCHED = 1.7     # by which what stretches a spring counts more than what moves
+BEDDED = 2.6        # the same of what rests on a row of small springs
 SEEN, ACROSS = 30.0, 22.0       # points that the largest displacement has in the plane, and beside it
 
 
@@ -84,7 +85,7 @@ def _with_nodes(strip, fields, factor):
         elif stretch > RESTS * top:
             moving, top = None, max(top, stretch * (1 - RESTS))
     nodes = [float(x) for x in fields.node_places(moving)] if moving and top else []
-    return MemberMode(strip, fields, factor, nodes, top, stretch)
+    return MemberMode(strip, fields, factor, nodes, top, stretch, BEDDED * top * strip.bedded)
 
 
 class MemberMotion:
@@ -97,12 +98,14 @@ class MemberMotion:
         self.curves = {strip.name: (strip, *_curve(strip, strip.member.signal_stem, values)) for strip in stage.strips}
         self.stretches = {strip.name: _curve(strip, f"{strip.name}.along", values)[1] for strip in stage.strips
                           if strip.member.stretching}
-        tops = {kind: max((abs(u) for strip, _, rows in self.curves.values() for row in rows for u in row
-                           if _kind(strip) == kind), default=0.0) for kind in ("placed", "slides", "turns")}
+        tops = {kind: max((abs(u) * (BEDDED if strip.bedded else 1.0) for strip, _, rows in self.curves.values()
+                           for row in rows for u in row if _kind(strip) == kind), default=0.0)
+                for kind in ("placed", "slides", "turns")}
         base = problem.configuration.equilibrium.values
         for strip in stage.strips:
             for _, name in hanging(strip, stage.sketch):
-                tops[_kind(strip)] = max(tops[_kind(strip)], *(abs(one[name] - base[name]) for one in positions))
+                tops[_kind(strip)] = max(tops[_kind(strip)],
+                                         *(STRETCHED * abs(one[name] - base[name]) for one in positions))
         seen = tops["placed"] * stage.sketch.scale
         self.factor = max(1.0, SEEN / seen) if seen else 1.0
         larger = [{name: base[name] + self.factor * (x - base[name]) for name, x in one.items()} for one in positions]

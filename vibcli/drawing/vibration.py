@@ -11,7 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.drawing.layout import plane
+from vibcli.drawing.layout.lumped_place import most
 from vibcli.drawing.member_motion import mode_along_members
+from vibcli.drawing.symbols import bodies
 from vibcli.notation.numbers import figure as printed
 
 if TYPE_CHECKING:
@@ -21,6 +23,7 @@ if TYPE_CHECKING:
 
 READABLE, LUMPED, VISIBLE, SWING, SMALL, FARTHEST = 30.0, 22.0, 12.0, 0.7, 1e-4, 0.9
 SQUEEZED, ROUNDS = 0.4, 24
+QUARTERS = 0.0, pi / 2, pi, 3 * pi / 2
 
 
 def mode(problem: Any, index: int) -> Any:
@@ -90,6 +93,13 @@ class Vibration:
                     for name, value in zip(self.names, self.shape, strict=True)}
         return self.stage.at({**self.base, **position} if amplitude else self.base)
 
+    def _unit(self, farthest):
+        """Points for one metre of lumped bodies, of which one goes so far."""
+        if not farthest:
+            return 1.0
+        moved = [self._sketch(self.amplitude, theta) for theta in QUARTERS] if self.stage.rows else []
+        return min(LUMPED / farthest, most(self.stage.rows, [sketch.lumped for sketch in moved if sketch]))
+
     def _scale(self):
         """Set the amplitude and the unit."""
         tops = {kind: max((max(field.top, field.hung) for field in self.fields if field.kind == kind), default=0.0)
@@ -105,7 +115,7 @@ class Vibration:
         limits = [READABLE / placed if placed else 0.0, SWING / turns if turns else 0.0]
         limits = [limit for limit in limits if limit] or [1.0]
         self.amplitude = min([*limits, FARTHEST / angles] if angles else limits)
-        self.unit = LUMPED / (slides * self.amplitude) if slides else 1.0
+        self.unit = self._unit(slides * self.amplitude)
         self.turn_unit = LUMPED / (turns * self.amplitude) if turns else 1.0
         for _ in range(ROUNDS):
             both = [self._sketch(sign * self.amplitude, 0.0) for sign in (1, -1)]
@@ -147,13 +157,24 @@ def shortest(rest: "Sketch", sketches: "Sequence[Sketch]", stage: "Scenery") -> 
 
 
 def sliding_room(stage: "Scenery", sketches: "Sequence[Sketch]") -> dict[str, tuple[float, float]]:
-    """{body: (how far back, how far on)} of what slides on the ground, from the drawn position."""
+    """{body: (how far back, how far on)} of what slides on the ground or along a rod, from the drawn position."""
     found = {}
     for name in stage.looks:
+        if (carrier := bodies.rail_of(name, stage.sketch)) is not None:
+            steps = [_along(name, carrier, sketch) for sketch in sketches]
+            found[name] = min(0.0, *steps), max(0.0, *steps)
+            continue
         moves = [plane.minus(sketch.frames[name].place, sketch.frames[name].drawn) for sketch in sketches]
         along = [plane.distance(move, (0.0, 0.0)) * (1 if move[0] >= 0 else -1) for move in moves]
         found[name] = min(0.0, *along), max(0.0, *along)
     return found
+
+
+def _along(name, carrier, sketch):
+    """How far a body has slid along the rod that carries it."""
+    centre, rod = sketch.centre(name), sketch.frames[carrier]
+    moved = plane.minus(sketch.frames[name].point(centre), rod.point(centre))
+    return plane.dot(moved, rod.turned(bodies.along(name, sketch)))
 
 
 def phases(count: int) -> list[float]:
@@ -174,7 +195,8 @@ def response(stage: "Scenery", positions: Sequence[dict[str, float]],
             raise PhysicsError("the loops of this scene cannot follow this motion", "ask for a smaller one")
         sketches.append(found)
     slides = max((lumped_displacements(stage.sketch, sketch, stage)[0] for sketch in sketches), default=0.0)
-    return sketches, LUMPED / slides if slides else 1.0, sliding_room(stage, [stage.sketch, *sketches])
+    unit = min(LUMPED / slides, most(stage.rows, [sketch.lumped for sketch in sketches])) if slides else 1.0
+    return sketches, unit, sliding_room(stage, [stage.sketch, *sketches])
 
 
 def magnification(stage: "Scenery", middle: "Sketch", sketches: "Sequence[Sketch]") -> float:

@@ -8,8 +8,10 @@ import pytest
 from support.scenes import kept_problem_of, problem
 
 from vibcli.api.pictures import SceneDrawing
-from vibcli.drawing.canvas.primitives import Hatch, Polygon
+from vibcli.drawing.canvas.primitives import SURFACE, Circle, Hatch, Polygon
 from vibcli.drawing.drawing import draw
+from vibcli.drawing.layout import plane
+from vibcli.drawing.symbols.support import ROLLER
 
 SLIDER = """
     parameters: {m: 2 kg, k: 80 N/m, L: 0.3 m}
@@ -64,3 +66,27 @@ def test_a_body_with_a_leaning_face_on_level_ground_is_a_wedge():
         {round(y, 6) for _, y in part.points}) == 3 and len({round(x, 6) for x, _ in part.points}) == 2)
     low = min(y for _, y in wedge.points)
     assert sum(abs(y - low) < 1e-6 for _, y in wedge.points) == 2
+
+
+@pytest.mark.parametrize(("slide", "count"), [("slide: x", 2), ("angle: 0.3, slide: x", 0),
+                                              ("slide: {along: [0, 1], by: x}", 0)])
+def test_a_rectangle_that_slides_on_level_ground_stands_on_rollers(slide, count):
+    drawn = draw(problem(f"""
+        parameters: {{m: 2 kg, b: 0.4 m, h: 0.2 m, k: 80 N/m}}
+        bodies: {{cart: {{shape: rectangle, mass: m, width: b, height: h, at: [0, 0], {slide}}}}}
+        springs: {{s: {{k: k, between: [[-b, 0], cart]}}}}
+    """))
+    foot = min(y for part in drawn if isinstance(part, Polygon) for _, y in part.points)
+    wheels = [part for part in drawn if isinstance(part, Circle) and abs(part.centre[1] + part.radius - foot) < 1e-9]
+    assert len(wheels) == count and bool(count) == any(
+        isinstance(part, Hatch) and abs(part.points[0][1] - foot + 2 * ROLLER) < 1e-9 for part in drawn)
+
+
+@pytest.mark.parametrize(("name", "count"), [("ladder_held_by_spring", 2), ("bar_on_two_springs", 0)])
+def test_ends_of_a_rod_that_expressions_keep_on_a_line_stand_on_guides(name, count):
+    drawn = draw(of(name))
+    rollers = [part.centre for part in drawn if isinstance(part, Circle) and part.radius == ROLLER]
+    floors = [part.points for part in drawn if isinstance(part, Hatch) and part.layer == SURFACE]
+    assert len(rollers) == len(floors) == count
+    for (a, b), place in zip(floors, rollers, strict=True):     # each touches its ground
+        assert abs(plane.distance(plane.nearest_on(place, a, b), place) - ROLLER) < 1e-6

@@ -1,6 +1,7 @@
 """Pictures of modes, still and moving, go the way that the table of mode shapes tells, in every scene that has any."""
 
 import cmath
+from itertools import pairwise
 from math import pi
 from pathlib import Path
 
@@ -10,9 +11,11 @@ from support.scenes import kept_problem_of, problem, problem_of
 from vibcli.analyses.continuous import mode_fields
 from vibcli.base.errors import PhysicsError
 from vibcli.drawing import animation, vibration
-from vibcli.drawing.canvas.primitives import Polygon, Polyline
+from vibcli.drawing.canvas.primitives import SURFACE, Polygon, Polyline
 from vibcli.drawing.layout import compose, plane
+from vibcli.drawing.layout.lumped_place import KEPT
 from vibcli.drawing.symbols import mode_shape
+from vibcli.drawing.symbols.member import BED, bed, place
 from vibcli.report.sections.spectrum_data import frequencies_data
 
 ROOT = Path(__file__).parents[3]
@@ -122,3 +125,60 @@ def test_the_shape_of_a_member_is_found_once_for_all_frames(monkeypatch):
     monkeypatch.setattr(mode_fields, "shape_along", counting)
     frames, _, _ = animation.of_mode(problem_of(ROOT / "problems/8_continuous/hanging_chain.yaml"), 1)
     assert len(frames) >= 36 and 1 <= len(asked) <= 6
+
+
+@pytest.mark.parametrize("index", [3, 10])
+def test_bodies_close_together_in_a_row_leave_room_for_the_springs_between_them(index):
+    found = kept_problem_of(ROOT / "vibcli" / "examples" / "many_modes.yaml")
+    stage = compose.Scenery(found.scene)
+    motion = vibration.Vibration(found, index, stage)
+    (row,) = stage.rows
+    for theta in (0.0, pi):
+        moved = {name: place.middle[0] + motion.unit * motion.at(theta).lumped[name]
+                 for name, place in row.places.items()}
+        gaps = [moved[b] - moved[a] - row.places[a].half - row.places[b].half for a, b in pairwise(row.row.bodies)]
+        assert min(gaps) > KEPT - 1e-9 and max(gaps) > KEPT + 5.0
+
+
+@pytest.mark.parametrize("index", [1, 2])
+def test_springs_of_a_bed_follow_the_member_that_rests_on_them(index):
+    """Each reaches from the ground to the edge of the rail, which stays above the ground."""
+    found = kept_problem_of(ROOT / "problems" / "8_continuous" / "rail_on_elastic_foundation.yaml")
+    stage = compose.Scenery(found.scene)
+    motion = vibration.Vibration(found, index, stage)
+    (strip,) = stage.strips
+    for theta in (0.0, pi):
+        bend = motion.bends(theta)[strip.name]
+        springs = [part.points for part in bed(strip, bend, ()) if part.role == "spring"]
+        for points in springs:
+            x = (points[-1][0] - strip.start[0]) / strip.scale
+            ((_, u),) = bend.at([x])
+            assert abs(points[0][1] - points[-1][1] - BED - u * bend.unit) < 1e-9
+        assert len(springs) > 5 and min(points[0][1] - points[-1][1] for points in springs) > 5.0
+
+
+def test_the_end_of_an_arm_and_the_hub_that_guides_it_are_joined_by_a_rail():
+    found = kept_problem_of(ROOT / "vibcli" / "examples" / "arm_on_a_hub.yaml")
+    stage = compose.Scenery(found.scene)
+    motion = vibration.Vibration(found, 1, stage)
+    (strip,) = stage.strips
+    for theta in (0.0, pi):
+        bends, sketch = motion.bends(theta), motion.at(theta)
+        (rail,) = [part.points for part in mode_shape.frame(stage, sketch, motion.unit, motion.room, bends)
+                   if isinstance(part, Polyline) and part.width == 2.4 and part.layer == SURFACE]
+        for joined in (place(strip, bends[strip.name], strip.metres), sketch.frames["hub"].place):
+            assert plane.distance(plane.nearest_on(joined, *rail), joined) < 1.0
+
+
+def test_a_bead_stays_on_the_rod_that_turns_with_it_however_far_it_goes():
+    found = kept_problem_of(ROOT / "vibcli" / "examples" / "bead_on_a_turning_rod.yaml")
+    stage = compose.Scenery(found.scene)
+    (slide,) = found.scene.coordinates
+    positions = [{slide: u} for u in (0.0, 0.4, 1.5)]
+    sketches, unit, room = vibration.response(stage, positions, [0.0, 0.3, 0.7])
+    for sketch in sketches:
+        rods = [part.points for part in mode_shape.frame(stage, sketch, unit, room)
+                if isinstance(part, Polyline) and part.width == 2.4]
+        (bead,) = [sketch.frames[name].point(sketch.centre(name)) for name in sketch.frames
+                   if "slide" in found.scene.bodies[name].record]
+        assert any(plane.distance(plane.nearest_on(bead, *rod), bead) < 1e-6 for rod in rods)

@@ -1,9 +1,11 @@
 """Words of figures touch neither one another nor lines, arrows cross neither springs nor dampers nor masses nor
 dimension lines, in all but two of a hundred figures at most; springs lead through no floor."""
 
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
+from support import overlaps
 from support.overlaps import cross, crossed, grounded, measured, struck, touching
 from support.scenes import kept_drawing_of, problem
 
@@ -19,17 +21,20 @@ from vibcli.drawing.canvas.primitives import (
     Polyline,
     extent,
 )
+from vibcli.drawing.canvas.svg_canvas import MARGIN
 from vibcli.drawing.drawing import draw
 from vibcli.drawing.layout import lettering, plane
 from vibcli.drawing.layout.space import Space
 from vibcli.drawing.symbols import arrow, support
+from vibcli.report.formats.html import READABLE
 
 ROOT = Path(__file__).parents[3]
 MOST = 0.02
 
 
 @pytest.mark.sweep
-def test_words_and_arrows_of_problems_and_examples_touch_nothing():
+def test_words_and_arrows_of_problems_and_examples_touch_nothing(monkeypatch):
+    monkeypatch.setattr(overlaps, "CLOSE", 2.0)
     paths = sorted([*ROOT.glob("problems/[1-9]*/*.yaml"), *ROOT.glob("vibcli/examples/*.yaml")])
     figures = {path.stem: kept_drawing_of(path) for path in paths}
     assert len(figures) > 300
@@ -302,3 +307,26 @@ def test_the_name_of_a_damper_stands_beside_it_above_that_of_the_support_that_mo
     words = {_text(part): part.box for part in drawn if isinstance(part, LetterRuns)}
     heights = [y for part in drawn if part.role == "damper" for _, y in part.points]
     assert min(heights) < words["c"][1] < words["c"][3] < max(heights) and words["wheel"][3] < words["c"][1]
+
+
+@pytest.mark.parametrize("path", ["1_statics_and_energy/toggle_press", "3_free_undamped/drum_on_a_slope_with_a_cord"])
+def test_names_keep_clear_of_pins_and_bearings(path, monkeypatch):
+    monkeypatch.setattr(overlaps, "CLOSE", 2.0)
+    assert touching(kept_drawing_of(ROOT / f"problems/{path}.yaml")) == []
+
+
+def test_the_name_of_a_rod_stands_at_no_bead_on_it():
+    words = {_text(part): part.box for part in kept_drawing_of(ROOT / "problems/2_lagrange/bead_on_swinging_rod.yaml")
+             if isinstance(part, LetterRuns)}
+    assert abs(words["M"][1] - words["m"][1]) > 25.0
+
+
+def test_a_train_of_ten_waggons_is_seen_whole_on_a_narrow_screen_with_all_names_on_one_line():
+    """328 pixels are what a telephone of 360 has for it, READABLE ones those of its letters."""
+    drawn = kept_drawing_of(ROOT / "vibcli/examples/many_modes.yaml")
+    left, _, right, _ = extent(drawn)
+    assert (right - left + 2 * MARGIN) * READABLE / lettering.SIZE < 328.0
+    names = [part for part in drawn if isinstance(part, LetterRuns) and part.role == "coordinate"]
+    assert len(names) == 10 and len({round(name.box[1], 3) for name in names}) == 1 and touching(drawn) == []
+    wheels = [part for part in drawn if isinstance(part, Circle)]
+    assert all(plane.distance(a.centre, b.centre) > a.radius + b.radius for a, b in pairwise(wheels))

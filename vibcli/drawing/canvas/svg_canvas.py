@@ -8,7 +8,8 @@ from vibcli.drawing.canvas.primitives import COLOURS, Circle, LetterRuns, Polygo
 
 MARGIN = 10.0
 DASHES = 4, 3       # widths of the line
-FAMILY = "'STIX Two Text','STIX General',STIXGeneral,'Times New Roman','Liberation Serif',serif"
+FAMILY = "'STIX Two Text','STIX General',STIXGeneral,'Times New Roman','Liberation Serif','Nimbus Roman'," \
+         "'TeX Gyre Termes',FreeSerif,'DejaVu Serif Condensed',serif"
 # The module html loads a table of all names of characters.
 ESCAPED = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#x27;"})
 _DOCUMENT = """<?xml version="1.0" encoding="utf-8"?>

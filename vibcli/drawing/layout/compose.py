@@ -90,6 +90,10 @@ def primitives(stage: Scenery, sketch: Any,
     for end in ties.hinges:
         found += support.hinge(sketch.now(end))
     found += _constraints(sketch)
+    if any("move" in body.record for body in stage.scene.bodies.values()):
+        from vibcli.drawing.symbols import guides
+
+        found += guides.draw(sketch)
     found += connection.walls(_fixed_ends(stage, sketch), sketch)
     lines, places = joint.draw(sketch, looks)
     return found + lines, where | places

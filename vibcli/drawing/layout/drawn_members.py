@@ -27,7 +27,7 @@ def along(strip: "Strip", sketch: "Sketch", unit: float = 1.0, bend: "member.Ben
     if bend is None:
         bend = _still(strip, sketch, unit)
     attached = member_ends.draw(strip, bend, sketch)[0]
-    return member.bed(strip, attached) + member.draw(strip, bend) + attached
+    return member.bed(strip, bend, attached) + member.draw(strip, bend) + attached
 
 
 def _still(strip: "Strip", sketch, unit):

@@ -1,6 +1,7 @@
 """Rows of lumped bodies: boxes on a floor, discs on a shaft; springs and dampers between them and walls."""
 
 from collections.abc import Callable, Mapping, Sequence
+from itertools import pairwise
 from math import sin
 from typing import TYPE_CHECKING, Any
 
@@ -18,7 +19,9 @@ if TYPE_CHECKING:
 
 BOX, LONG, DISC, GAP, LANE, STACK, NAME = 40.0, 68.0, 13.0, 64.0, 22.0, 18.0, 10.0
 HALF, RIM, ROOM, SUPPORT, MARGIN, FOOT = 18.0, 30.0, 46.0, 2.5, 8.0, 8.5
-COLUMN, CLOSEST, NARROWEST = 375.0, 0.5, 0.7    # points of a row; the least shares of gaps and boxes that it may have
+COLUMN, CLOSEST, NARROWEST = 375.0, 0.5, 0.7    # points of a row; the least shares of gaps and boxes while it has few
+PHONE, TIGHTEST = 415.0, 0.6    # points of a row that a narrow screen shows whole; the least part of those shares
+ARROW, BEFORE, AHEAD = 26.0, 24.0, 2.5      # points of an arrow; those that it ends before the next one, for its name
 
 
 def layouts(found: Sequence[LumpedRow], sketch: "Sketch", left: float, top: float) -> list[Layout]:
@@ -51,30 +54,34 @@ def _row(row, sketch, left, top, known):
     above = height + 26 + (LANE * len(row.lanes) + 8) * bool(row.lanes) + gears.PINION * bool(racks & set(row.bodies))
     y = top - above
     walled = 0 in row.gaps or any(low < 0 for low, _, _ in row.lanes)
-    share = _share(row, scene)
-    x = left + (_gap(row, 0, sketch, share) if walled else 0.0)
+    narrow, close = _shares(row, scene)
+    x = left + (_gap(row, 0, sketch, close) if walled else 0.0)
     places = {}
     for i, name in enumerate(row.bodies):
-        half, disc = _half(scene.bodies[name], scene, share), scene.bodies[name].lumped[0] == "turn"
+        half, disc = _half(scene.bodies[name], scene, narrow), scene.bodies[name].lumped[0] == "turn"
         gear = 2 if name in racks else 3 if any(mesh.rack and mesh.gear == name for mesh in known) else 0
         places[name] = LumpedPlace((x + half, y), half, height, disc, gear)
-        x += 2 * half + _gap(row, i + 1, sketch, share)
+        x += 2 * half + _gap(row, i + 1, sketch, close)
     end = len(row.bodies)
     right = x if end in row.gaps or any(high == end for _, high, _ in row.lanes) else None
     return Layout(row, places, left if walled else None, right, y, y + above - 12, sunk=lumped_loads.SUNK * pushed)
 
 
-def _share(row, scene):
-    """How much closer than few ones many bodies stand, so that their row is no wider than a column of text."""
-    bodies = sum(2 * _half(scene.bodies[name], scene) for name in row.bodies)
-    return min(1.0, COLUMN / (bodies + GAP * (len(row.bodies) + 1)))
+def _shares(row, scene):
+    """(boxes, gaps): how much narrower than of few ones those of many bodies are, so that their row is no wider than a
+    column of text."""
+    bodies, gaps = sum(2 * _half(scene.bodies[name], scene) for name in row.bodies), GAP * (len(row.bodies) + 1)
+    share = min(1.0, COLUMN / (bodies + gaps))
+    box, gap = max(share, NARROWEST), max(share, CLOSEST)
+    tight = min(1.0, max(TIGHTEST, PHONE / (bodies * box + gaps * gap)))
+    return box * tight, gap * tight
 
 
 def _gap(row, column, sketch, share):
     """The room between two bodies, in which what is written beside its elements fits."""
     records = [edge.record for edge in row.gaps.get(column, ())]
     named = [captions.quantity(record, symbol(record).NAMED_BY, sketch) for record in records]
-    return max([GAP * max(share, CLOSEST), lumped_loads.width(row, column, sketch),
+    return max([GAP * share, lumped_loads.width(row, column, sketch),
                 *(lettering.size(runs)[0] + MARGIN for runs in named)])
 
 
@@ -84,7 +91,7 @@ def _half(body, scene, share=1.0):
         return DISC / 2
     if _is_support(body, scene):
         return SUPPORT
-    return LONG / 2 if body.record.get("looks") == "bar" else BOX / 2 * max(share, NARROWEST)
+    return LONG / 2 if body.record.get("looks") == "bar" else BOX / 2 * share
 
 
 def _mesh(row, made, known):
@@ -203,7 +210,7 @@ def _box(place):
     x, y = place.middle
     if place.half == SUPPORT:
         return [Polygon(tuple(plane.box(place.middle, 2 * place.half, 2 * place.height)), "driven")]
-    wheels = [Circle((x + side * (place.half - 8), y - place.height - support.ROLLER), support.ROLLER, "paper")
+    wheels = [Circle((x + side * max(place.half - 8, 4.5), y - place.height - support.ROLLER), support.ROLLER, "paper")
               for side in (-1, 1)]
     return [Polygon(tuple(plane.box(place.middle, 2 * place.half, 2 * place.height))), *wheels]
 
@@ -266,7 +273,7 @@ def arrows(layout: Layout, scene: "Scene",
         driven = captions.raw(field, scene).mask == scene.time.mask
         runs = _displacement(body, scene, sketch)
         role = "driven" if driven else "coordinate"
-        tip = (x + 26, y)
+        tip = (x + _reach(layout), y)
         if layout.kind == "tube":
             parts, tip = tube.arrow_of(place, role)
         elif place.turns:
@@ -274,10 +281,16 @@ def arrows(layout: Layout, scene: "Scene",
         else:
             bar = Polyline(((x, y - 5), (x, y + 5)), role, 0.9, layer=arrow.ARROW)
             parts = [bar, *arrow.straight((x, y), tip, role)]
-        found.append((parts, runs, [tip], role))
+        found.append((parts, runs, [plane.plus(tip, (AHEAD, 0.0))], role))
     for record in (scene.spec.get("forces") or {}).values():
         found += lumped_loads.draw(record, layout, sketch)
     return found
+
+
+def _reach(layout):
+    """How long the arrows of a row are."""
+    xs = sorted(place.middle[0] for place in layout.places.values()) if layout.kind == "row" else []
+    return min([ARROW, *(b - a - BEFORE for a, b in pairwise(xs) if b - a > BEFORE)])
 
 
 def _displacement(body, scene, sketch):

@@ -1,8 +1,13 @@
 """Where lumped bodies stand on paper."""
 
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+from math import inf
 from typing import Any
 
 from vibcli.base.named_tuple import NamedTuple
+
+KEPT = 11.0         # points of a gap in which a spring is seen as one
 
 
 class LumpedPlace(NamedTuple):
@@ -29,3 +34,25 @@ class Layout(NamedTuple):
     top: float
     kind: str = "row"
     sunk: float = 0.0
+
+
+def most(layouts: Sequence[Layout], positions: Sequence[Mapping[str, float]]) -> float:
+    """The points for one metre up to which bodies in rows that move so far in each of some positions keep apart from
+    one another and from walls."""
+    found = inf
+    for layout in layouts:
+        for (one, end), (other, start) in pairwise(_edges(layout)) if layout.kind == "row" else ():
+            closer = max(position.get(one, 0.0) - position.get(other, 0.0) for position in positions)
+            if closer > 0.0:
+                found = min(found, max(start - end - KEPT, 0.0) / closer)
+    return found
+
+
+def _edges(layout):
+    """[(a body that slides, its left edge), (the same, its right edge), …] from wall to wall, without name."""
+    found = [("", layout.left)] if layout.left is not None else []
+    for name in layout.row.bodies:
+        place = layout.places[name]
+        if not place.turns:
+            found += [(name, place.middle[0] - place.half), (name, place.middle[0] + place.half)]
+    return [*found, *([("", layout.right)] if layout.right is not None else [])]

@@ -9,16 +9,17 @@ from typing import Any
 from vibcli.drawing.canvas.primitives import ARROW, BODY, LEADER, Circle, LetterRuns, Polygon, Run
 from vibcli.drawing.layout import lettering
 
-CELL, TAKEN, FILLED, CLEAR = 2.5, 1000.0, 0.02, 1.6
+CELL, TAKEN, INKED, FILLED, CLEAR = 2.5, 1000.0, 1.0, 0.02, 1.6
 COLUMN = 1_000_003                          # the cell in row j of column i is i * COLUMN + j; odd: hashes differ
 FOREIGN = 0.3                               # the cost of a cell inside a body for the name of another
 REACHES = (2.0, 4.0, 7.0, 11.0, 16.0, 22.0, 30.0, 40.0, 55.0, 75.0, 100.0, 140.0, 200.0, 280.0)
 DIRECTIONS = [(cos(pi * i / 8), sin(pi * i / 8)) for i in (4, 0, 12, 8, 2, 6, 14, 10, 1, 3, 5, 7, 9, 11, 13, 15)]
-FARNESS, STRUCK = 0.25, 4.0        # the cost of a point away; by which a line through a word in its body counts more
+FARNESS, STRUCK = 0.25, 2.5        # the cost of a point away; by which a line through a word in its body counts more
+WORDED = 1.6                                # the cost of an inked cell for a word
 KEPT_CLEAR = "spring", "damper", "oil", "rope"  # roles of what no arrow may cross, beside bodies and other arrows
 CROSSED = 30.0                              # the cost of a cell of theirs
 COILS, COILED = 8, 0.5                      # points of a zigzag, the cost of a cell between its coils
-SIDE, MARGIN = 1.2, 0.8                     # points from a word to what is beside it, the part of its cost there
+SIDE, WITHIN = 2.0, 1.2                     # points kept from a word to what is beside it, in the body that it names
 APART, NEAR = 6.0, 0.9                      # points between words that are not to be read as one, the cost of a cell
 THICK = 1.5                                 # points: the width of a line whose edges words keep clear of
 ROUNDED = 1e-9                              # by which costs may differ that are added in another order
@@ -40,10 +41,10 @@ class Space:
                 self._taken(_cells_within(part.points), FILLED)
             for stroke in part.strokes():
                 keys = _cells_through(stroke)
-                self._taken(keys, 1.0)
+                self._taken(keys, INKED)
                 if len(stroke) == 2 and getattr(part, "width", 0.0) >= THICK:
                     for side in (-0.5, 0.5):
-                        self._taken(_cells_through(_beside(stroke, side * part.width)), 1.0)
+                        self._taken(_cells_through(_beside(stroke, side * part.width)), INKED)
                 if part.role == "spring" and len(stroke) >= COILS:
                     coiled = set(_cells_within([*stroke[1::2], *stroke[2::2][::-1]])) - keys
                     self._taken(coiled, COILED)
@@ -76,15 +77,16 @@ class Space:
     def cost(self, box: Sequence[float], least: float = 0.0, most: float = inf, own: "set[Any] | None" = None) -> float:
         """The cost of writing in a box, as far as it is at `most` that; on the body that is named strokes alone count,
         which cost at `least` 1; beside it, `own` are the cells inside it and inside what it lies on."""
-        get, beside, total, least = self.cells.get, self.beside, 0.0, least * MARGIN
+        get, beside, total = self.cells.get, self.beside, 0.0
         left, right = floor(box[0] / CELL), floor(box[2] / CELL)
-        for i, column in _columns((box[0] - SIDE, box[1], box[2] + SIDE, box[3])):
+        side = WITHIN if least else SIDE
+        for i, column in _columns((box[0] - side, box[1], box[2] + side, box[3])):
             within = left <= i <= right
             for key in column:
                 cost = get(key, 0.0)
-                if not within:
-                    cost *= MARGIN
-                elif cost < NEAR and key in beside:
+                if cost == INKED:
+                    cost = WORDED
+                elif within and cost < NEAR and key in beside:
                     cost = NEAR
                 if cost >= least:
                     total += cost

@@ -49,6 +49,11 @@ class Strip(NamedTuple):
         """Does it move across its line as drawn?"""
         return self.member.kind.name in ("beam", "string")
 
+    @property
+    def bedded(self) -> bool:
+        """Does it press springs on the ground as it moves?"""
+        return self.sideways and not all(part.foundation.is_zero for part in self.member.segments)
+
 
 def strips(sketch: "Sketch", left: float, top: float) -> list[Strip]:
     """The Strips of all members; those without a place from the corner (left, top) downwards."""

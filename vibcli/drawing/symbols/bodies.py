@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from math import pi
 from typing import TYPE_CHECKING, Any
 
-from vibcli.drawing.canvas.primitives import BODY, Circle, Hatch, Polygon, Polyline
+from vibcli.drawing.canvas.primitives import BEHIND, BODY, Circle, Hatch, Polygon, Polyline
 from vibcli.drawing.layout import plane
 from vibcli.drawing.symbols import footing, hulls, joint, support
 from vibcli.drawing.symbols.connection import snapped
@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from vibcli.drawing.symbols.look import Look
 
 RAIL, WOUND, OPEN, NARROW = 17.0, 18.0, 8.5, 4.5
+BOXES, LEVEL = ("block", "platform", "ramp"), 1e-6
 
 
 def draw(sketch: "Sketch", looks: "Mapping[str, Look]", room: Mapping[str, tuple[float, float]]) -> list[Any]:
@@ -21,6 +22,7 @@ def draw(sketch: "Sketch", looks: "Mapping[str, Look]", room: Mapping[str, tuple
     found = []
     for name, look in sorted(looks.items(), key=lambda item: -item[1].area()):
         found += [carried(part, sketch.frames[name]) for part in look.pieces]
+        found += _rail(name, sketch, room)
         found += _floor(name, look, sketch, room.get(name, (0.0, 0.0)))
     return found + _pins(sketch, looks) + _clamps(sketch, looks)
 
@@ -42,6 +44,31 @@ def marks(sketch: "Sketch", looks: "Mapping[str, Look]") -> list[Any]:
             spoke = Polyline((centre, plane.polar(centre, radius, pi / 2)), layer=BODY)
             found.append(carried(spoke, sketch.frames[name]))
     return found
+
+
+def rail_of(name: str, sketch: "Sketch") -> str | None:
+    """What turns about a pin and carries a body along a straight rod, which is as long as it takes; None of others."""
+    slide = sketch.scene.bodies[name].record.get("slide", {})
+    carrier = slide["carrier"].text if "carrier" in slide and "surface" not in slide else None
+    record = sketch.scene.bodies[carrier].record if carrier in sketch.scene.bodies else {}
+    return carrier if "pin" in record and not {"shape", "parts"} & set(record) else None
+
+
+def along(name: str, sketch: "Sketch") -> tuple[float, float]:
+    """The direction in which a body slides, as drawn."""
+    slide = sketch.scene.bodies[name].record["slide"]
+    return plane.unit(sketch.pair(slide["along"])) if "along" in slide else (1.0, 0.0)
+
+
+def _rail(name, sketch, room):
+    """The rod under a body that slides along it, as far as it goes in a motion."""
+    if name not in room or name not in sketch.scene.bodies or (carrier := rail_of(name, sketch)) is None:
+        return []
+    from vibcli.drawing.symbols.pinned import BEYOND
+
+    start, e, (back, on) = sketch.centre(name), along(name, sketch), room[name]
+    rod = Polyline((plane.plus(start, e, back), plane.plus(start, e, on + BEYOND)), width=2.4, layer=BEHIND)
+    return [carried(rod, sketch.frames[carrier])]
 
 
 def _pins(sketch, looks):
@@ -97,16 +124,18 @@ def _floor(name, look, sketch, room):
     if look.kind == "cam":
         return support.bearing(hulls.axle(look), (0.0, -1.0))
     slide = sketch.scene.bodies[name].record.get("slide")
-    if slide is None or look.kind not in ("block", "platform", "ramp") or "surface" in slide:
+    if slide is None or look.kind not in (*BOXES, "rectangle") or "surface" in slide:
         return []
     if "carrier" in slide and not sketch.is_fixed(slide["carrier"].text):
         return []
-    e = snapped(plane.unit(sketch.pair(slide["along"]))) if "along" in slide else (1.0, 0.0)
+    e = snapped(along(name, sketch))
     frame = sketch.frames[name]
     left, bottom, right, top = plane.bounds([p for part in look.outlines for p in part.points])
     if abs(e[1]) > 0.95:
         return _guides(name, (left, bottom, right, top), sketch) if look.kind == "block" else []
     e, level = e if e[0] > 0 else plane.times(e, -1), abs(e[0]) == 1
+    if look.kind == "rectangle" and not (level and _lies_flat(look)):
+        return []
     turned = level and look.kind == "platform" and abs(look.angle) > 3
     if turned:      # what is on it is below
         e, bottom, room = plane.times(e, -1), top, room[::-1]
@@ -130,6 +159,12 @@ def _floor(name, look, sketch, room):
         return [*found, *(part for low, high in pieces
                           for part in support.floor(((low + high) / 2, floor[1]), e, (high - low) / 2))]
     return [*found, *support.floor(plane.plus(floor, e, (on - back) / 2), e, (on + back) / 2)]
+
+
+def _lies_flat(look):
+    """Is a side of a rectangle level?"""
+    low, high = plane.corners(look.core)
+    return plane.area(list(look.core)) > (1 - LEVEL) * (high[0] - low[0]) * (high[1] - low[1])
 
 
 def _hangs(name, sketch):

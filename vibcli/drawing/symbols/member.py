@@ -87,9 +87,9 @@ def _ordinates(strip, bend, xs, rows, axis):
     return [*legs, Polyline(tuple(tips), "coordinate", 1.3, layer=ELEMENT)]
 
 
-def bed(strip: Strip, attached: Sequence[Any]) -> list[Any]:
-    """A row of springs below the segments that rest on a foundation, with the ground under them: open where what is
-    `attached` leads through it."""
+def bed(strip: Strip, bend: Bend, attached: Sequence[Any]) -> list[Any]:
+    """A row of springs below the segments that rest on a foundation, as long as the member leaves them room, with the
+    ground under them: open where what is `attached` leads through it."""
     found: list[Any] = []
     for part, (low, high, half) in zip(strip.member.segments, strip.segments, strict=True):
         if part.foundation.is_zero:
@@ -98,7 +98,8 @@ def bed(strip: Strip, attached: Sequence[Any]) -> list[Any]:
         every = [low + (high - low) * (i + 0.5) / count for i in range(count)]
         through = _through(strip, half, attached)
         clear = [x for x in every if not any(a < x < b for a, b in through)]
-        found += [_small_spring(strip, x, half) for x in clear or every]
+        across = [u * bend.unit if strip.sideways else 0.0 for _, u in bend.at(clear or every)]
+        found += [_small_spring(strip, x, half, rise) for x, rise in zip(clear or every, across, strict=True)]
         last = low
         for a, b in [*(through if clear else ()), (high, high)]:
             if min(a, high) > last:
@@ -121,10 +122,11 @@ def _through(strip, half, attached):
     return sorted(found)
 
 
-def _small_spring(strip, x, half):
-    points = [strip.at(x, -half)]
+def _small_spring(strip, x, half, rise):
+    """A spring from the ground to a member that has risen there by so many points."""
+    points = [strip.at(x, rise - half)]
     for i in range(5):
-        points.append(strip.at(x, -half - BED * (i + 0.75) / 6, 2.6 * (-1) ** i))
+        points.append(strip.at(x, rise - half - (BED + rise) * (i + 0.75) / 6, 2.6 * (-1) ** i))
     return Polyline((*points, strip.at(x, -half - BED)), "spring", 0.8, layer=BEHIND)
 
 

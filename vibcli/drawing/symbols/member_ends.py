@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
 
 REACH, BALL, DISC, SIDE, BESIDE = 34.0, 5.2, 21.0, 8.0, 44.0
+REST = 11.0         # points of a rail beyond what slides on it
 HELD = ("clamped", "pinned", "guided")
 
 
@@ -66,11 +67,20 @@ def _end(end, strip, bend, x, sense, sketch, found, named):
         _attached(end, strip, bend, x, sense, found, named)
     elif strip.placed:
         found += support.hinge(here) if word == "pinned" or strip.member.kind.name == "bar" else []
+        found += _rail(sketch.frames[end[word].text], strip.at(x), here, strip) if word == "guided" else []
     elif end[word].text in sketch.scene.bodies and end[word].text not in sketch.numbers.get("standing", ()):
         body = sketch.scene.bodies[end[word].text].record
         key = next((key for key in ("mass", "inertia") if key in body), None)
         found += _mass(strip, bend, x, sense, key or "mass")
         named.append((body, key, [plane.plus(here, outward, 14.0), plane.plus(here, (0.0, -1.0), 14.0)]))
+
+
+def _rail(frame, drawn, here, strip):
+    """What an end slides along on the body that guides it, as far as it has gone."""
+    middle = frame.point(drawn)
+    n = plane.unit(plane.minus(here, middle), frame.turned(plane.left(strip.e)))
+    half = REST + plane.distance(here, middle)
+    return [Polyline((plane.plus(middle, n, -half), plane.plus(middle, n, half)), width=2.4, layer=SURFACE)]
 
 
 def branches(strips: "Sequence[Strip]", sketch: "Sketch") -> list[Polyline]:

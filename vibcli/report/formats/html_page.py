@@ -41,6 +41,9 @@ figure { margin: 1em 0; } figure svg { max-width: 100%; height: auto; } figcapti
   .label { min-width: 0; } .equation, table { font-size: 0.9rem; } th, td { padding: 0.2em 0.45em; }
   th:first-child, td:first-child { padding-left: 0; }
 }
+@media screen and (prefers-color-scheme: dark) {
+  figure svg { filter: invert(0.93) hue-rotate(180deg); }
+}
 @media print {
   :root { color-scheme: light; }
   body { max-width: none; margin: 0; font-size: 10.5pt; color: #000; background: #fff; }
