@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 from vibcli.base.spelling import nearest
-from vibcli.language.reader import Record
+from vibcli.language.reader import Record, article
 from vibcli.language.signal_names import signal_name
 
 if TYPE_CHECKING:
@@ -88,17 +88,34 @@ def _parts(spec, name):
         return {"x": "m", "y": "m"} if "from" in spec.get(spec.members[carrier])[carrier] else {}
     if name == "ground":
         return GROUND
-    record = spec.connection(name)
-    if record is not None:
-        units = {part: pair["torsion" in record] for part, pair in record.element.signals.items()}
-        inner = _inner(record) if "energy" in units else []
-        return units | {f"stretch.{path}": units["stretch"] for path in inner}
-    record = (spec.get("forces") or {}).get(name)
-    if record is not None:
+    found = [parts for _, parts in namesakes(spec, name)]
+    return found[0] if len(found) == 1 else {}
+
+
+def namesakes(spec: "Spec", name: str) -> "list[tuple[str, dict[str, str]]]":
+    """[(section, {part: unit})] of the elements, forces and constraints of a name that have signals: it stands for one
+    of them where there is no other."""
+    found = []
+    for section, records in spec.sections.items():
+        record = records.get(name) if isinstance(records, dict) else None
+        if isinstance(record, Record):
+            joins = record.element is not None and record.element.signals
+            found.append((section, _of_element(record) if joins else _of_force(section, record)))
+    return [(section, parts) for section, parts in found if parts]
+
+
+def _of_element(record):
+    units = {part: pair["torsion" in record] for part, pair in record.element.signals.items()}
+    inner = _inner(record) if "energy" in units else []
+    return units | {f"stretch.{path}": units["stretch"] for path in inner}
+
+
+def _of_force(section, record):
+    if section == "forces":
         return {"power": "W"} | {key: unit for key, unit in LOAD.items() if key in record
                                  and not isinstance(record[key], list)}
-    record = (spec.get("constraints") or {}).get(name, ())
-    return {part: "N" for kind, parts in FORCES.items() if kind in record for part in parts}
+    return {part: "N" for kind, parts in FORCES.items() if section == "constraints" and kind in record
+            for part in parts}
 
 
 def _inner(record):
@@ -174,6 +191,9 @@ def near_signals(spec: "Spec", text: str) -> list[str]:
 def signal_meant(spec: "Spec", text: str, quantity: str | None = None) -> str | None:
     """The hint for what is no signal: one of those of what it names or is most like, else that for a quantity."""
     base, _, part = text.rpartition(".")
+    both = [article(section[:-1]) for section, _ in namesakes(spec, signal_name(text).name)]
+    if len(both) > 1:
+        return f"'{signal_name(text).name}' is {' and '.join(both)}: rename one of them"
     signals = near_signals(spec, text)
     meant = f"{base}.{_PARTS.get(part.lower())}"
     if meant.rstrip("'") in signals:

@@ -78,12 +78,10 @@ def _of_one_name(spec, reader, spaces):
 
 
 def _of_one_force(spec, reader):
-    """`s.force` is that of one element, so no two of them share a name; kinetic energy is told by the names of bodies
-    and inerters."""
+    """Kinetic energy is told by the names of bodies and inerters, forces within members and of elements by theirs."""
     seen = {name: section[:-1] for section in MEMBERS if reader.members for name in spec.get(section) or ()}
     for section, kind in _WITH_FORCES.items():
         for name, record in (spec.get(section) or {}).items():
             other = seen.get(name) or (kind == "inerter" and name in spec.named.get("bodies", ()) and "body")
             if other:
                 reader.report(record.where, f"'{name}' is {article(other)} and {article(kind)}", "rename one of them")
-            seen[name] = kind
