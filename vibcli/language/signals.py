@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
     from fractions import Fraction
 
+    from vibcli.language.reader import Expression
     from vibcli.language.spec import Spec
 
 POINT = {"x": "m", "y": "m", "reaction.x": "N", "reaction.y": "N", "reaction.moment": "N*m"}
@@ -61,7 +62,7 @@ def signal_dimension(spec: "Spec", text: str) -> "Mapping[str, Fraction | int] |
     return None if unit is None else units.parse_unit(unit).dimension
 
 
-def _unit(spec, text):
+def _unit(spec: "Spec", text: str) -> str | None:
     name, part, place, primes = signal = signal_name(text)
     if not primes and name in spec.members:
         from vibcli.language.member_signals import member_unit
@@ -74,7 +75,7 @@ def _unit(spec, text):
     return _parts(spec, name).get("force" if of_piece else part)
 
 
-def _parts(spec, name):
+def _parts(spec: "Spec", name: str) -> dict[str, str]:
     """{part: unit} of the signals of what has a name."""
     for section, parts in (("bodies", BODY), ("points", POINT)):
         if name in (spec.get(section) or {}):
@@ -98,13 +99,13 @@ def _parts(spec, name):
     return {part: "N" for kind, parts in FORCES.items() if kind in record for part in parts}
 
 
-def _inner(record):
+def _inner(record: Record) -> list[str]:
     """The numbers of the parts of what consists of several, 2 or 3.1 of nested ones."""
     parts = record.get("series") or record.get("parallel") or ()
     return [f"{i + 1}{rest}" for i, part in enumerate(parts) for rest in ("", *("." + path for path in _inner(part)))]
 
 
-def _signals_of(spec, record, parts):
+def _signals_of(spec: "Spec", record: Record, parts: dict[str, str]) -> dict[str, str]:
     """{part: unit} of a body or point: `parts`, the forces of its drives, those of each of several contacts."""
     contacts = record["roll"].get("between", ()) if "roll" in record else ()
     if contacts:
@@ -151,7 +152,7 @@ def prescribed(spec: "Spec", record: Record) -> dict[str, tuple[str, Any]]:
     return {part: (unit, one) for (part, unit), one in zip(parts.items(), given, strict=False) if _in_time(spec, one)}
 
 
-def _in_time(spec, expression):
+def _in_time(spec: "Spec", expression: "Expression") -> bool:
     """Does an expression hold the time?"""
     if "t" in spec.parameters or "t" in spec.coordinates:
         return False
