@@ -47,7 +47,7 @@ def check_references(spec: "Spec", reader: "Reader") -> None:
                       nearest(name.text, valid) or f"expected {wants}")
 
 
-def _of_one_name(spec, reader, spaces):
+def _of_one_name(spec: "Spec", reader: "Reader", spaces: dict[str, dict[str, None]]) -> None:
     """Points, bodies and members share one namespace."""
     for name, record in (*(spec.get("points") or {}).items(), *(spec.get("member_points") or {}).items()):
         if name in spaces["bodies"]:

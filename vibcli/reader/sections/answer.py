@@ -1,6 +1,6 @@
 """Expected answers: a quantity and its value or expression, which `vibcli check` compares."""
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.diagnostics import quoted
 from vibcli.base.named_tuple import NamedTuple
@@ -13,6 +13,10 @@ from vibcli.quantities import FAMILIES
 from vibcli.quantities.quantity import ALL, EQUATION, declared
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.syntax import ExpressionError, QuantityRef
+
+if TYPE_CHECKING:
+    from vibcli.language.document.nodes import DocumentNode
+    from vibcli.language.reader import Reader
 
 ELEMENT = Element(
     "answer",
@@ -43,7 +47,7 @@ class Answer(NamedTuple):
 class Answers(Kind):
     wants = "a mapping from quantities to expected values"
 
-    def read(self, node: Any, reader: Any) -> list[Answer] | None:
+    def read(self, node: "DocumentNode", reader: "Reader") -> list[Answer] | None:
         if not isinstance(node, Mapping):
             return reader.expected(node, self.wants)
         answers = []
