@@ -7,7 +7,10 @@ unit is a word of the language: `2 mm/s*t` keeps its time and `800 N/m*d` its de
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import lru_cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    Dimension = Mapping[str, Fraction | int]
 
 NONE, LENGTH, MASS, TIME = {}, {"m": 1}, {"kg": 1}, {"s": 1}
 
@@ -183,7 +186,7 @@ class Dimensions:
     def __init__(self) -> None:
         self._solved = {}
 
-    def unknown(self, name: str) -> dict[str, int]:
+    def unknown(self, name: str) -> dict[str, Fraction | int]:
         return {"?" + name: 1}
 
     def resolve(self, dimension: Mapping[str, Fraction | int]) -> Mapping[str, Fraction | int]:

@@ -38,7 +38,7 @@ def main(quick: bool, as_json: bool, only: tuple[str, ...], slow: bool) -> None:
     sys.exit(int(not all(row.kept for row in rows)))
 
 
-def _processor():
+def _processor() -> float:
     """Seconds of this process and of those that it waited for."""
     return sum(found.ru_utime + found.ru_stime for found in map(getrusage, (RUSAGE_SELF, RUSAGE_CHILDREN)))
 

@@ -7,12 +7,18 @@ The pendulum of n links has ω² = g/L times the roots of the Laguerre polynomia
 import json
 from statistics import median
 from time import process_time
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.api.source import problem_of, text_source
 from vibcli.bench import scenes
 from vibcli.bench.processes import answer
 from vibcli.bench.rows import Timing
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    import mpmath
+    import numpy as np
 
 RATIOS = (4, 8, 12, 16)
 LINKS = (2, 5, 12, 40, 60)
@@ -45,7 +51,7 @@ def main() -> None:
                       "pendulum": [_pendulum(n, runs) for n in LINKS]}))
 
 
-def _chain(power, runs):
+def _chain(power: int, runs: int) -> list[Any]:
     import numpy as np
     import scipy.linalg
 
@@ -60,7 +66,7 @@ def _chain(power, runs):
             _measured(lambda: np.linalg.eigh(K / 3.0), exact, runs)]
 
 
-def _chain_exact(text):
+def _chain_exact(text: str) -> "list[mpmath.mpf]":
     """The true frequencies of a scene."""
     import mpmath
 
@@ -71,7 +77,7 @@ def _chain_exact(text):
         return [mpmath.sqrt(x) for x in found.values]
 
 
-def _pendulum(n, runs):
+def _pendulum(n: int, runs: int) -> list[Any]:
     import mpmath
     import numpy as np
 
@@ -81,7 +87,7 @@ def _pendulum(n, runs):
     left = np.arange(n, 0, -1.0)
     M, K = np.minimum.outer(left, left), 9.81 * np.diag(left)
 
-    def assembled():
+    def assembled() -> "tuple[np.ndarray, np.ndarray]":
         L = np.linalg.cholesky(M)
         A = np.linalg.solve(L, np.linalg.solve(L, K).T)
         return np.linalg.eigh((A + A.T) / 2)
@@ -89,7 +95,7 @@ def _pendulum(n, runs):
     return [n, _ours(scenes.pendulum(n), exact, runs), _measured(assembled, exact, runs)]
 
 
-def _laguerre_root(n, x):
+def _laguerre_root(n: int, x: "float | mpmath.mpf") -> "mpmath.mpf":
     """The root of the Laguerre polynomial next to x, by Newton's method on its three-term recurrence."""
     import mpmath
 
@@ -106,7 +112,7 @@ def _laguerre_root(n, x):
     return x
 
 
-def _ours(text, exact, runs):
+def _ours(text: str, exact: "Sequence[mpmath.mpf]", runs: int) -> list[float]:
     """[largest relative error, ms from element data to modes]."""
     from vibcli.bench.growth import solve
 
@@ -117,7 +123,8 @@ def _ours(text, exact, runs):
     return [_error([mode.omega for mode in problem.modal.modes], exact), 1e3 * median(spent)]
 
 
-def _measured(solved, exact, runs):
+def _measured(solved: "Callable[[], tuple[np.ndarray, np.ndarray]]", exact: "Sequence[mpmath.mpf]",
+              runs: int) -> list[float]:
     import numpy as np
 
     spent = []
@@ -128,5 +135,5 @@ def _measured(solved, exact, runs):
     return [_error(np.sqrt(np.maximum(values, 0.0)).tolist(), exact), 1e3 * median(spent)]
 
 
-def _error(found, exact):
+def _error(found: "Sequence[float]", exact: "Sequence[mpmath.mpf]") -> float:
     return max(float(abs(x - wanted) / wanted) for x, wanted in zip(found, exact, strict=True))

@@ -6,11 +6,16 @@ The double pendulum is that of `trajectories`. Of ten links of unit masses and l
 """
 
 import json
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.bench.processes import answer
 from vibcli.bench.rows import Timing
 from vibcli.bench.trajectories import AT_100, DOUBLE, measured, problem_of_text, rates_of_double
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator, Sequence
+
+    import numpy as np
 
 ASKED = ((None, 1e-12), (1e-6, 1e-10), (1e-4, 1e-8))     # and the tolerance of LSODA whose error is next to it
 STEPS = ((1e-12, 1e-12), (1e-10, 1e-10), (1e-8, 1e-8))
@@ -40,7 +45,7 @@ def main() -> None:
     print(json.dumps([*_double(runs), *_links(runs)]))
 
 
-def _double(runs):
+def _double(runs: int) -> "Iterator[list[Any]]":
     """With the estimate that is printed."""
     import numpy as np
     from scipy.integrate import odeint
@@ -49,27 +54,29 @@ def _double(runs):
 
     scene = problem_of_text(DOUBLE).configuration
 
-    def ours(asked):
+    def ours(asked: float | None) -> "np.ndarray":
         q, v, _ = known_motion(scene, 100.0, {"p": 0.3, "r": 0.5}, asked).at([100.0])
         return np.concatenate([q[:, 0], v[:, 0]])
 
-    def theirs(tolerance):
-        return odeint(lambda y, t: rates_of_double(y), [0.3, 0.5, 0.0, 0.0], [0.0, 100.0], rtol=tolerance,
-                      atol=tolerance, mxstep=10**6)[-1]
+    def theirs(tolerance: float) -> "np.ndarray":
+        y: np.ndarray = odeint(lambda y, t: rates_of_double(y), [0.3, 0.5, 0.0, 0.0], [0.0, 100.0], rtol=tolerance,
+                               atol=tolerance, mxstep=10**6)[-1]
+        return y
 
     for asked, tolerance in ASKED:
         yield [f"double pendulum, 100 s, {asked or 1e-9:g} asked, with its estimate", asked or 1e-9,
                *_beside(ours, theirs, asked, tolerance, AT_100, runs)]
 
 
-def _beside(ours, theirs, asked, tolerance, exact, runs):
+def _beside(ours: "Callable[[float | None], np.ndarray]", theirs: "Callable[[float], np.ndarray]", asked: float | None,
+            tolerance: float, exact: "Sequence[float] | np.ndarray", runs: int) -> list[Any]:
     """([error, ms], of LSODA, of LSODA with an error above ours, the gate)."""
     finer, gate = ALIKE.get(asked, (None, None))
     return [measured(lambda: ours(asked), exact, runs), measured(lambda: theirs(tolerance), exact, runs),
             finer and measured(lambda: theirs(finer), exact, runs), gate]
 
 
-def _links(runs):
+def _links(runs: int) -> "Iterator[list[Any]]":
     """Without the estimate."""
     import numpy as np
     from scipy.integrate import odeint
@@ -79,13 +86,14 @@ def _links(runs):
     scene, place = problem_of_text(links(LINKS)).configuration, np.linspace(0.5, 0.25, LINKS)
     start = {f"p{i + 1}": float(angle) for i, angle in enumerate(place)}
 
-    def ours(rtol):
+    def ours(rtol: float) -> "np.ndarray":
         q, v, _ = simulate(scene, UNTIL, rtol, start).at([UNTIL])
         return np.concatenate([q[:, 0], v[:, 0]])
 
-    def theirs(tolerance):
-        return odeint(_rates_of_links(LINKS), [*place, *np.zeros(LINKS)], [0.0, UNTIL], rtol=tolerance,
-                      atol=tolerance, mxstep=10**6)[-1]
+    def theirs(tolerance: float) -> "np.ndarray":
+        y: np.ndarray = odeint(_rates_of_links(LINKS), [*place, *np.zeros(LINKS)], [0.0, UNTIL], rtol=tolerance,
+                               atol=tolerance, mxstep=10**6)[-1]
+        return y
 
     exact = ours(1e-13)
     for rtol, tolerance in STEPS:
@@ -101,14 +109,14 @@ def links(count: int) -> str:
                       *bodies, ""])
 
 
-def _rates_of_links(count):
+def _rates_of_links(count: int) -> "Callable[[np.ndarray, float], np.ndarray]":
     """Σⱼ Wᵢⱼ (cos(φᵢ − φⱼ) φ̈ⱼ + sin(φᵢ − φⱼ) φ̇ⱼ²) + g Wᵢᵢ sin φᵢ = 0, Wᵢⱼ = count + 1 − max(i, j)."""
     import numpy as np
 
     order = np.arange(count)
     W = count - np.maximum.outer(order, order) * 1.0
 
-    def rates(y, t):
+    def rates(y: "np.ndarray", t: float) -> "np.ndarray":
         q, v = y[:count], y[count:]
         apart = q[:, None] - q
         a = np.linalg.solve(W * np.cos(apart), -(W * np.sin(apart)) @ (v * v) - 9.81 * np.diag(W) * np.sin(q))

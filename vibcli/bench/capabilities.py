@@ -5,11 +5,14 @@ The errors of ours are to stay within the bounds that it states; where nothing p
 """
 
 import json
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.bench.kept import KEPT
 from vibcli.bench.processes import answer
 from vibcli.bench.rows import Failure, Timing
+
+if TYPE_CHECKING:
+    from vibcli.evidence.timing import Point
 
 WHOLE = 4.0         # s for the runs of one comparison
 HELD = 1.0          # error over bound
@@ -20,7 +23,7 @@ def rows(runs: Any) -> list[Any]:
     return [row for name in KEPT for row in _rows(name, runs)]
 
 
-def _rows(name, runs):
+def _rows(name: str, runs: int) -> list[Timing | Failure]:
     found = json.loads(answer("from vibcli.bench.capabilities import main; main()", name, int(runs)))
     title = KEPT[name][0]
     if "why" in found:
@@ -52,5 +55,5 @@ def main() -> None:
     print(json.dumps({**_told(ours), "bound": ours.bound, "plain": best and _told(best)}))
 
 
-def _told(point):
+def _told(point: "Point") -> dict[str, Any]:
     return {"method": point.method, "with": point.setting, "ms": 1e3 * point.seconds[1], "error": point.error}

@@ -37,7 +37,7 @@ def main() -> None:
     print(json.dumps({name: [1e3 * median(run[name][i] for run in runs) for i in (0, 1)] for name in SCENES}))
 
 
-def _measured(name):
+def _measured(name: str) -> tuple[float, float]:
     """Seconds of (the certificate, the solution) of a scene that is read anew."""
     from vibcli.api.reports import report, solution
     from vibcli.api.source import certified, file_source, problem_of

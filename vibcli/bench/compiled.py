@@ -6,11 +6,18 @@ import json
 from copy import deepcopy
 from statistics import median
 from time import process_time
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.bench.processes import answer, installed
 from vibcli.bench.rows import Timing
 from vibcli.bench.trajectories import AT_100, DOUBLE, problem_of_text, rates_of_double
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Sequence
+
+    import numpy as np
+
+    from vibcli.mechanics.configuration import Configuration
 
 END, START, TOLERANCE = 100.0, (0.3, 0.5, 0.0, 0.0), 1e-15
 ERROR = 1e-9
@@ -29,7 +36,7 @@ def rows(runs: Any) -> list[Timing]:
             Timing("  error", error, "", ERROR, peer, wrong, absolute=True), *_long_rows(*long)]
 
 
-def _long_rows(ours, error, lsoda, wrong):
+def _long_rows(ours: float, error: float, lsoda: float, wrong: float) -> list[Timing]:
     by = "" if installed("heyoka") else ", heyoka not installed"
     return [Timing(f"double pendulum, {LONG:g} s, with its estimate{by}", ours, "ms", None, "scipy odeint", lsoda),
             Timing("  error", error, "", ERROR, "scipy odeint", wrong, absolute=True)]
@@ -42,7 +49,7 @@ def main() -> None:
     from vibcli.analyses.time_integration.integrate import simulate
     scene = problem_of_text(DOUBLE).configuration
 
-    def ours():
+    def ours() -> list[float]:
         q, v, _ = simulate(scene, END, initial={"p": START[0], "r": START[1]}).at([END])
         return [*q[:, 0], *v[:, 0]]
 
@@ -69,31 +76,34 @@ def heyoka() -> None:
     runs = int(sys.argv[1])
     unmoved = [deepcopy(motion) for _ in range(runs)]
 
-    def theirs():
+    def theirs() -> list[float]:
         one = unmoved.pop()
         one.propagate_until(END)
-        return one.state.tolist()
+        state: list[float] = one.state.tolist()
+        return state
 
     print(json.dumps([1e3 * built, *_measured(theirs, runs)]))
 
 
-def _long(scene, runs):
+def _long(scene: "Configuration", runs: int) -> list[float]:
     """With the estimate; importing the engine is in the first run."""
     from scipy.integrate import odeint
 
     from vibcli.analyses.time_integration.known_motion import known_motion
 
-    def ours():
+    def ours() -> list[float]:
         q, v, _ = known_motion(scene, LONG, {"p": START[0], "r": START[1]}).at([LONG])
         return [*q[:, 0], *v[:, 0]]
 
-    def theirs():
-        return odeint(lambda y, t: rates_of_double(y), START, [0.0, LONG], rtol=FINEST, atol=FINEST, mxstep=10**6)[-1]
+    def theirs() -> "np.ndarray":
+        y: np.ndarray = odeint(lambda y, t: rates_of_double(y), START, [0.0, LONG], rtol=FINEST, atol=FINEST,
+                               mxstep=10**6)[-1]
+        return y
 
     return [*_measured(ours, runs, AT_LONG), *_measured(theirs, runs, AT_LONG)]
 
 
-def _measured(solved, runs, exact=AT_100):
+def _measured(solved: "Callable[[], Iterable[float]]", runs: int, exact: "Sequence[float]" = AT_100) -> list[float]:
     """[ms, largest error]."""
     spent = []
     for _ in range(runs):

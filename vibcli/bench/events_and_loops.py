@@ -10,11 +10,16 @@ from collections.abc import Callable
 from math import asin, atan2, cos, pi, sin, sqrt
 from statistics import median
 from time import process_time
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.bench.processes import answer
 from vibcli.bench.rows import Timing
 from vibcli.bench.trajectories import problem_of_text
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.results.problem import Problem
 
 BELT = """
 parameters: {m: 1 kg, k: 100 N/m, v: 0.1 m/s, R: 2 N, S: 4 N}
@@ -57,8 +62,9 @@ def main() -> None:
 
     runs, belt, crank = int(sys.argv[1]), problem_of_text(BELT), problem_of_text(CRANK)
 
-    def end(problem, until, start):
-        return simulate(problem.configuration, until, initial=start).at([until])[0][0, 0]
+    def end(problem: "Problem", until: float, start: dict[str, float]) -> float:
+        q: float = simulate(problem.configuration, until, initial=start).at([until])[0][0, 0]
+        return q
 
     place, events = stuck_and_slipped(SLIPPING)
     angle = solve_ivp(_of_the_crank, (0, SPINNING), [pi / 2, SPEED], method="DOP853", rtol=1e-13, atol=1e-13).y[0, -1]
@@ -108,11 +114,12 @@ class _Crossing:
     def __init__(self, part: int, level: float):
         self.part, self.level = part, level
 
-    def __call__(self, t: float, y: Any) -> float:
-        return y[self.part] - self.level
+    def __call__(self, t: float, y: "np.ndarray") -> float:
+        above: float = y[self.part] - self.level
+        return above
 
 
-def _events(until, tolerance):
+def _events(until: float, tolerance: float) -> float:
     """The same by `solve_ivp`, from event to event."""
     from scipy.integrate import solve_ivp
 
@@ -126,7 +133,7 @@ def _events(until, tolerance):
     return x
 
 
-def _of_the_crank(t, y):
+def _of_the_crank(t: float, y: "np.ndarray") -> tuple[float, float]:
     """(φ̇, φ̈) of the crank angle alone."""
     s, c = sin(y[0]), cos(y[0])
     root = sqrt(0.25 - 0.09 * s * s)
@@ -137,7 +144,7 @@ def _of_the_crank(t, y):
     return y[1], -(0.5 * slope * y[1] ** 2 + 9.81 * 0.45 * c) / inertia
 
 
-def _projected(until, tolerance):
+def _projected(until: float, tolerance: float) -> float:
     """The crank angle by DOP853 on three coordinates, put back on the closed loop at each step."""
     from scipy.integrate import DOP853
 
@@ -145,7 +152,7 @@ def _projected(until, tolerance):
         y: Any
         f: Any
 
-        def step(self):
+        def step(self) -> None:
             super().step()
             self.y = _closed(self.y[0], self.y[3])
             self.f = _with_multipliers(self.t, self.y)
@@ -153,10 +160,11 @@ def _projected(until, tolerance):
     solver = Projected(_with_multipliers, 0.0, _closed(pi / 2, SPEED), until, rtol=tolerance, atol=tolerance)
     while solver.status == "running":
         solver.step()
-    return solver.y[0]
+    angle: float = solver.y[0]
+    return angle
 
 
-def _closed(angle, speed):
+def _closed(angle: float, speed: float) -> "np.ndarray":
     """Angles of crank and rod and the place of the block, and their rates, of a crank angle and its rate."""
     import numpy as np
 
@@ -166,7 +174,7 @@ def _closed(angle, speed):
                      -0.3 * sin(angle) * speed - 0.5 * sin(rod) * turning])
 
 
-def _with_multipliers(t, y):
+def _with_multipliers(t: float, y: "np.ndarray") -> "np.ndarray":
     """(q̇, q̈) of M q̈ + Gᵀλ = h, G q̈ = γ."""
     import numpy as np
 

@@ -8,12 +8,15 @@ from multiprocessing import get_context
 from resource import RUSAGE_CHILDREN, RUSAGE_SELF, getrusage
 from statistics import median
 from time import process_time
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.bench.homework import LONG, MANY, MORE, QUARTER_CAR
 from vibcli.bench.processes import answer
 from vibcli.bench.rows import Timing
 from vibcli.homework.exports import FORMATS
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
 
 COUNT, MADE, SIZE = 1000, 40, 1000
 GATE = 0.15         # of making the models of as many
@@ -43,7 +46,7 @@ def main() -> None:
     from vibcli.homework.handout import Handout
     from vibcli.homework.parts import solve_in_parts
 
-    def read(text):
+    def read(text: str) -> "tuple[Problem, SceneDocument]":
         source = text_source(text)
         return problem_of(source), SceneDocument.of(source.node, source.file, None)
 
@@ -78,7 +81,7 @@ def main() -> None:
     print(json.dumps([made, packages, min(alone), min(both)]))
 
 
-def _spent():
+def _spent() -> float:
     """Processor seconds of this process and of those that it started and that have ended."""
     each = getrusage(RUSAGE_SELF), getrusage(RUSAGE_CHILDREN)
     return sum(usage.ru_utime + usage.ru_stime for usage in each)

@@ -36,7 +36,7 @@ def main() -> None:
     print(json.dumps([_measured(text, start, int(sys.argv[1])) for text, start, _ in CASES.values()]))
 
 
-def _measured(text, start, runs):
+def _measured(text: str, start: dict[str, float], runs: int) -> list[float]:
     import numpy as np
 
     from vibcli.analyses.time_integration.integrate import simulate

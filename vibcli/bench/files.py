@@ -29,7 +29,7 @@ def rows(runs: Any) -> list[Timing]:
     return [Timing(case, found["check"].time / FILES, "ms", EACH, NUMBERS, fresh), *_problems(fresh)]
 
 
-def _problems(fresh):
+def _problems(fresh: float) -> list[Timing]:
     """Once each: they take long."""
     if not os.path.isdir(PROBLEMS):
         return []

@@ -8,10 +8,16 @@ and bounds. Its dampers stand in proportion to the springs, so that modes are re
 import json
 from statistics import median
 from time import process_time
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.bench.processes import answer
 from vibcli.bench.rows import Timing
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.analyses.frequency_response.frequency_response_function import FrequencyResponseFunction
+    from vibcli.analyses.frequency_response.transfer_function import TransferFunction
 
 LINKS, POINTS = 200, 1000
 DEGREES = (20, 50, 200)
@@ -44,7 +50,7 @@ def main() -> None:
                       "full": [_full(n, runs) for n in DEGREES]}))
 
 
-def _text(n, kind):
+def _text(n: int, kind: str) -> str:
     """A chain of equal masses and springs from the ground on, driven at its end."""
     lines = ["bodies:"] + [f"  b{i}: {{mass: 1 kg, slide: x{i}}}" for i in range(1, n + 1)]
     for group, name in (("springs", "k"), ("dampers", "c")):
@@ -55,7 +61,7 @@ def _text(n, kind):
     return "\n".join([*lines, "forces:", f"  drive: {{at: b{n}, force: 1 N*sin(3 rad/s*t)}}", ""])
 
 
-def _told(n, kind):
+def _told(n: int, kind: str) -> "tuple[int, float, FrequencyResponseFunction]":
     """(peaks, ms, transfer) of all that is told of the first mass."""
     from vibcli.api.source import problem_of, text_source
 
@@ -67,11 +73,14 @@ def _told(n, kind):
     return count[0], 1e3 * (process_time() - start), curve.transfer
 
 
-def _chain(kind, runs):
+def _chain(kind: str, runs: int) -> list[float]:
     import numpy as np
+
+    from vibcli.analyses.frequency_response.transfer_function import TransferFunction
 
     found = [_told(LINKS, kind) for _ in range(runs)]
     system, loop = found[0][2], []
+    assert isinstance(system, TransferFunction)
     for _ in range(min(runs, 3)):
         start = process_time()
         for Omega in np.linspace(0.1, 70.0, POINTS):
@@ -80,7 +89,7 @@ def _chain(kind, runs):
     return [found[0][0], median(spent for _, spent, _ in found), median(loop)]
 
 
-def _full(n, runs):
+def _full(n: int, runs: int) -> list[float | None]:
     """[ms of a first call, of eig, of LU, error over its bound] of a system whose damping couples all modes."""
     import numpy as np
 
@@ -111,7 +120,7 @@ def _full(n, runs):
     return [median(first), median(eig), median(loop), _off(system, Omega, values) if n < DEGREES[-1] else None]
 
 
-def _off(system, Omega, values):
+def _off(system: "TransferFunction", Omega: "np.ndarray", values: "np.ndarray") -> float:
     """The largest error of some values, over what is told of their rounding."""
     import mpmath
     import numpy as np

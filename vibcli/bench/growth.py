@@ -59,7 +59,7 @@ def solve(text: str) -> tuple[Any, float, float]:
     return problem, middle, process_time() - start
 
 
-def _times(family, n, runs):
+def _times(family: str, n: int, runs: int) -> list[list[float]]:
     import numpy as np
 
     text, found = getattr(scenes, family)(n), []

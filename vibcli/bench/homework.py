@@ -7,11 +7,14 @@ import tempfile
 from pathlib import Path
 from statistics import median
 from time import process_time
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.bench.files import PROBLEMS
 from vibcli.bench.processes import answer, costs, vibcli
 from vibcli.bench.rows import Timing
+
+if TYPE_CHECKING:
+    from vibcli.homework.variants import SolvedVariants
 
 QUARTER_CAR = """title: Quarter of a car
 question: A wheel {mu} on a tyre {kt} carries a body {ms} on a spring {ks} and a damper {c}.
@@ -52,7 +55,7 @@ def rows(runs: Any) -> list[Timing]:
             *_course()]
 
 
-def _course():
+def _course() -> list[Timing]:
     """Seconds and peak memory of sheets for all students of a course, beside those of the commands that solve one."""
     with tempfile.TemporaryDirectory() as folder:
         os.symlink(PROBLEMS, os.path.join(folder, "problems"))
@@ -87,7 +90,7 @@ def main() -> None:
     from vibcli.homework.roster import numbered
     from vibcli.homework.variants import solve_variants
 
-    def solved(text):
+    def solved(text: str) -> "tuple[float, SolvedVariants, SceneDocument]":
         source = text_source(text)
         document = SceneDocument.of(source.node, source.file, None)
         start = process_time()

@@ -87,7 +87,7 @@ def compared(text: str, quantity: str) -> tuple[str, bytes, dict[str, Any]]:
     return told.markdown(found.compared[0]), picture_of(figure(found.compared))("svg"), told.data(found)
 
 
-def _head():
+def _head() -> str:
     told = ", ".join(f"{name} {value}" for name, value in machine().items())
     return ("# Run time against true error\n\nWritten by `make evidence`; how it is measured tells `vibcli explain "
             f"bench`. On: {told}.\nTimes hold on this machine alone, errors on any.")

@@ -31,7 +31,7 @@ def main() -> None:
     print(json.dumps({bars: [1e3 * _derivation(bars) for _ in range(min(int(sys.argv[1]), 5))] for bars in BARS}))
 
 
-def _derivation(bars):
+def _derivation(bars: int) -> float:
     """Processor seconds from the spec to the linearised expressions."""
     from vibcli.api.source import problem_of, text_source
 

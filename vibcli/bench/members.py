@@ -3,12 +3,17 @@ beside what SciPy and NumPy take for the same by hand."""
 
 from statistics import median
 from time import process_time
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.bench.rows import Timing
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Iterator, Sequence
+
+    import mpmath
+
+    from vibcli.analyses.modal.undamped import Mode
+    from vibcli.results.problem import Problem
 
 BEAM = "EI: 4 kN*m^2, mass_per_length: 3 kg/m"
 CANTILEVER = "beams: {arm: {length: 2 m, " + BEAM + ", left: clamped%s}}\n"
@@ -58,7 +63,7 @@ def rows(runs: int) -> "Iterator[Timing]":
                  "numpy solve, 10,000 × 6 × 6", _by_solving(runs))
 
 
-def _spent(text, runs, ask: "Callable[[Any], Any]"):
+def _spent(text: str, runs: int, ask: "Callable[[Problem], object]") -> "tuple[float, Problem]":
     """(median of the seconds of a question after the element data, the last Problem)."""
     from vibcli.api.source import problem_of, text_source
 
@@ -72,20 +77,20 @@ def _spent(text, runs, ask: "Callable[[Any], Any]"):
     return median(spent), problem
 
 
-def _by_brentq(runs):
+def _by_brentq(runs: int) -> float:
     """Milliseconds of the roots of cos x + 1/cosh x, one after another."""
     from math import cos, exp, pi
 
     from scipy.optimize import brentq
 
-    def condition(x):
+    def condition(x: float) -> float:
         return cos(x) + 2 * exp(-x) / (1 + exp(-2 * x))
 
     return _timed(lambda: [brentq(condition, (n - 1) * pi, n * pi, xtol=1e-15, rtol=1e-15) for n in range(1, 1001)],
                   min(runs, 3))
 
 
-def _by_elements():
+def _by_elements() -> float:
     """Milliseconds of the lowest 180 frequencies of the 60 spans by cubic finite elements."""
     import numpy as np
     from scipy.linalg import eigh
@@ -105,7 +110,7 @@ def _by_elements():
     return _timed(lambda: eigh(K, M, subset_by_index=[0, 179]), 1)
 
 
-def _by_solving(runs):
+def _by_solving(runs: int) -> float:
     """Milliseconds of solving with as many small dense matrices as there are points."""
     import numpy as np
 
@@ -114,7 +119,7 @@ def _by_solving(runs):
     return _timed(lambda: np.linalg.solve(matrices, np.ones((6, 1))), runs)
 
 
-def _timed(ask, runs):
+def _timed(ask: "Callable[[], object]", runs: int) -> float:
     spent = []
     for _ in range(runs):
         start = process_time()
@@ -123,19 +128,19 @@ def _timed(ask, runs):
     return 1e3 * median(spent)
 
 
-def _unit(length):
+def _unit(length: float) -> "mpmath.mpf":
     """√(EI/(μL⁴))."""
     from mpmath import mpf, sqrt
 
     return sqrt(mpf(4000) / 3) / length**2
 
 
-def _error(modes, unit, wave_numbers):
+def _error(modes: "Sequence[Mode]", unit: "mpmath.mpf", wave_numbers: "Sequence[mpmath.mpf]") -> float:
     """The largest relative error of ω = unit·(βL)²."""
     return max(float(abs(mode.omega / (unit * b * b) - 1)) for mode, b in zip(modes, wave_numbers, strict=True))
 
 
-def _cantilever(numbers):
+def _cantilever(numbers: "Sequence[int]") -> "list[mpmath.mpf]":
     """βL of so numbered modes of a cantilever."""
     import mpmath
 
@@ -144,11 +149,11 @@ def _cantilever(numbers):
                 for n in numbers]
 
 
-def _tip():
+def _tip() -> "list[mpmath.mpf]":
     """βL of the first modes of one that carries half its mass."""
     import mpmath
 
-    def condition(x):
+    def condition(x: "mpmath.mpf") -> "mpmath.mpf":
         return 1 / mpmath.cosh(x) + mpmath.cos(x) - x / 2 * (mpmath.sin(x) - mpmath.cos(x) * mpmath.tanh(x))
 
     with mpmath.workdps(40):

@@ -15,12 +15,13 @@ from typing import TYPE_CHECKING, NamedTuple
 from vibcli.bench.rows import Timing
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Sequence
 
     import numpy as np
 
     from vibcli.analyses.modal.undamped import Mode
     from vibcli.bench.random_members import RowOfMembers
+    from vibcli.results.problem import Problem
 
 SYSTEMS = 250           # of the table: a quarter of a minute
 MODES, EVERY, DIGITS = 6, 50, 25        # of each system; every how many its bounds are looked at, by so many
@@ -82,7 +83,7 @@ def agree(found: "list[float] | np.ndarray", row: "RowOfMembers") -> bool:
     return False
 
 
-def _ratios(problem, modes):
+def _ratios(problem: "Problem", modes: "Sequence[Mode]") -> list[float]:
     """error/bound of each mode that is not rigid, the error to some digits: one found in more is rounded once, and may
     come to its bound."""
     from mpmath import mpf, workdps
@@ -93,12 +94,13 @@ def _ratios(problem, modes):
                 for mode, other in zip(modes, sharp, strict=True) if not mode.rigid]
 
 
-def _rate(mode):
+def _rate(mode: "Mode") -> float:
     """ω, or that at which it grows."""
-    return mode.omega if mode.growth_rate is None else mode.growth_rate
+    rate: float = mode.omega if mode.growth_rate is None else mode.growth_rate
+    return rate
 
 
-def _square(mode: "Mode"):
+def _square(mode: "Mode") -> float:
     """ω², negative where it grows."""
     return 0.0 if mode.rigid else math.copysign(_rate(mode) ** 2, 1 if mode.growth_rate is None else -1)
 

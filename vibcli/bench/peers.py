@@ -46,7 +46,8 @@ def rows(runs: Any) -> list[Timing]:
 
 
 def _child(function: str, runs: Any) -> dict[str, Any]:
-    return json.loads(answer(f"from vibcli.bench import peers; peers.{function}()", min(runs, 5)))
+    found: dict[str, Any] = json.loads(answer(f"from vibcli.bench import peers; peers.{function}()", min(runs, 5)))
+    return found
 
 
 def _peer(name: str, package: str, function: str, runs: Any) -> tuple[str, Any]:

@@ -21,7 +21,7 @@ def rows(runs: Any) -> list[Timing]:
     with tempfile.TemporaryDirectory() as folder:
         scene = written(folder, "scene.yaml", TWO_DEGREES)
 
-        def made(name, *args):
+        def made(name: str, *args: str) -> tuple[list[str], tuple[int]]:
             return vibcli(*args, scene, "-o", os.path.join(folder, name), "--force"), (0,)
 
         found = costs({
@@ -31,7 +31,7 @@ def rows(runs: Any) -> list[Timing]:
             "illustrated": made("p.html", "solve", "--pictures")}, runs)
         size = os.path.getsize(os.path.join(folder, "m.svg"))
 
-    def row(case, ours, baseline, budget, words=""):
+    def row(case: str, ours: str, baseline: str, budget: float, words: str = "") -> Timing:
         return Timing(case, found[ours].time, "ms", budget, words or baseline, found[baseline].time)
 
     return [row("vibcli draw, svg", "svg", READ, 2.2), row("vibcli draw, png", "png", MATPLOTLIB, 2.0),

@@ -4,6 +4,8 @@ import random
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     import numpy as np
 
 ENDS = {"free": (), "pinned": (0,), "guided": (1,), "clamped": (0, 1)}       # of (u, slope), those that are held
@@ -55,11 +57,11 @@ def random_row(seed: int) -> RowOfMembers:
     return RowOfMembers(beams, parts, [_node(draw, beams, node in (0, count)) for node in range(count + 1)])
 
 
-def _power(draw, low, high):
+def _power(draw: random.Random, low: float, high: float) -> float:
     return 10 ** draw.uniform(low, high)
 
 
-def _node(draw, beams, at_end):
+def _node(draw: random.Random, beams: bool, at_end: bool) -> DrawnNode:
     ends = list(ENDS.values()) if beams else [(), (0,)]
     held = draw.choice(ends) if at_end else (0,) if draw.random() < 0.2 else ()
     spring, mass = (_power(draw, -1, 2) if 0 not in held and draw.random() < 0.4 else 0.0 for _ in range(2))
@@ -89,11 +91,11 @@ def scene(row: RowOfMembers) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _end(node):
+def _end(node: DrawnNode) -> str:
     return next(name for name, held in ENDS.items() if held == node.held)
 
 
-def _attached(node, place):
+def _attached(node: DrawnNode, place: float) -> list[str]:
     texts = [f"mass: {node.mass!r} kg"] * bool(node.mass) + [f"inertia: {node.turning!r} kg*m^2"] * bool(node.turning)
     texts = [", ".join(texts)] * bool(texts)
     texts += [f"k: {node.spring!r} N/m"] * bool(node.spring) + [f"torsion: {node.torsion!r} N*m"] * bool(node.torsion)
@@ -108,7 +110,7 @@ def squares_by_finite_elements(row: RowOfMembers, count: int, parts: int = 20) -
 
     n, elements = 0, []
 
-    def new(held=False):
+    def new(held: bool = False) -> int | None:
         nonlocal n
         n += not held
         return None if held else n - 1
@@ -139,7 +141,8 @@ def squares_by_finite_elements(row: RowOfMembers, count: int, parts: int = 20) -
     return np.linalg.eigvalsh(inverse @ K @ inverse.T)[:count]
 
 
-def _lump(elements, node, at, new):
+def _lump(elements: "list[tuple[list[int | None], np.ndarray, np.ndarray]]", node: DrawnNode, at: list[int | None],
+          new: "Callable[[], int | None]") -> None:
     """What stands at a node, as elements."""
     import numpy as np
 

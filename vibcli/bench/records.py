@@ -9,23 +9,28 @@ import tempfile
 from math import log
 from statistics import median
 from time import process_time
-from typing import Any
+from typing import TYPE_CHECKING
 
 from vibcli.bench.processes import answer, costs, vibcli
 from vibcli.bench.rows import Timing
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.api.model import Model
 
 DEGREES, SAMPLES, GROWTH, EVERY = 10, 100_000, (10_000, 1_000_000), 0.01
 GATE, SHARED, LINEAR, SAME, MEMORY = 0.5, 1.5, 1.1, 1e-10, 200.0
 ROUNDS, POINTS = 5, 272       # instants, of which the last is the last sample
 
 
-def rows(runs: Any) -> list[Timing]:
+def rows(runs: int) -> list[Timing]:
     """Processor time against lsim by turns, its growth, how far both are apart, and the memory of a process."""
     with tempfile.TemporaryDirectory() as folder:
         return _rows(runs, folder)
 
 
-def _rows(runs, folder):
+def _rows(runs: int, folder: str) -> list[Timing]:
     found = json.loads(answer("from vibcli.bench.records import main; main()", min(runs, ROUNDS), folder))
     memory = costs({"response": (vibcli("response", os.path.join(folder, f"one_{SAMPLES}.yaml")), (0,))}, 3)
     case = f"record of {SAMPLES} samples, {DEGREES} degrees, extremes with bounds"
@@ -63,7 +68,7 @@ def main() -> None:
                       "first": ends[GROWTH[0]], "last": ends[GROWTH[1]]}))
 
 
-def _solved(file):
+def _solved(file: str) -> "tuple[float, Model]":
     """(ms of the extremes of the motion with their bounds, the scene) of a scene that is read."""
     from vibcli import load
 
@@ -74,7 +79,7 @@ def _solved(file):
     return 1e3 * (process_time() - start), scene
 
 
-def _data(count):
+def _data(count: int) -> "tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]":
     """(masses, stiffnesses, times, values of the record), as they are written."""
     import numpy as np
 
@@ -85,7 +90,7 @@ def _data(count):
     return masses, stiffnesses, EVERY * np.arange(count), values.round(6)
 
 
-def _written(folder, name, forces, count):
+def _written(folder: str, name: str, forces: int, count: int) -> str:
     """The file of a scene: masses in a row, the last `forces` of them driven by one record."""
     masses, stiffnesses, times, values = _data(count)
     record, file = (os.path.join(folder, part) for part in (f"record_{count}.csv", f"{name}_{count}.yaml"))
@@ -105,7 +110,7 @@ def _written(folder, name, forces, count):
     return file
 
 
-def _lsim(count):
+def _lsim(count: int) -> "tuple[float, np.ndarray]":
     """(ms, values) of the same motion by lsim."""
     import numpy as np
     from scipy.signal import lsim

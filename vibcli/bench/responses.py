@@ -9,10 +9,15 @@ import json
 import math
 from statistics import median
 from time import process_time
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.bench.processes import answer
 from vibcli.bench.rows import Timing
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    import numpy as np
 
 DEGREES, POINTS = 10, 10_000
 PERIODS = ((20, 1 / 3), (1000, 1 / 50))
@@ -45,7 +50,7 @@ def main() -> None:
                       "record": _record(M, C, K, runs)}))
 
 
-def _system():
+def _system() -> "tuple[np.ndarray, np.ndarray, np.ndarray]":
     import numpy as np
 
     random = np.random.default_rng(1)
@@ -53,14 +58,14 @@ def _system():
     return np.diag(random.uniform(1, 3, DEGREES)), _row(c), _row(k)
 
 
-def _row(weights):
+def _row(weights: "np.ndarray") -> "np.ndarray":
     """The matrix of springs or dampers in a row, the first tied to the ground."""
     import numpy as np
 
     return np.diag(weights + np.append(weights[1:], 0.0)) - np.diag(weights[1:], 1) - np.diag(weights[1:], -1)
 
 
-def _driven(M, C, K, periods, runs):
+def _driven(M: "np.ndarray", C: "np.ndarray", K: "np.ndarray", periods: int, runs: int) -> list[float]:
     """[ms, error] of ours and of the integrator, over periods of the lowest mode, and ms of ours with bounds."""
     import numpy as np
     from scipy.integrate import solve_ivp
@@ -77,16 +82,18 @@ def _driven(M, C, K, periods, runs):
     inverse = np.linalg.inv(M)
     A, B = -inverse @ np.concatenate([K, C], axis=1), 5.0 * inverse[:, -1]
 
-    def slope(t, z):
+    def slope(t: float, z: "np.ndarray") -> "np.ndarray":
         return np.concatenate([z[DEGREES:], A @ z + B * np.cos(7 * t)])
 
-    def theirs():
-        return solve_ivp(slope, (0, times[-1]), np.concatenate([q0, v0]), "DOP853", times, rtol=1e-10, atol=1e-12).y[3]
+    def theirs() -> "np.ndarray":
+        found = solve_ivp(slope, (0, times[-1]), np.concatenate([q0, v0]), "DOP853", times, rtol=1e-10, atol=1e-12)
+        row: np.ndarray = found.y[3]
+        return row
 
-    def ours():
+    def ours() -> "np.ndarray":
         return linear_motion(M, C, K, forcing, q0, v0).values(output, times)
 
-    def bounded():
+    def bounded() -> "tuple[np.ndarray, np.ndarray]":
         motion = linear_motion(M, C, K, forcing, q0, v0)
         return motion.values(output, times), motion.errors(output, times[::POINTS // BOUNDED])
 
@@ -101,7 +108,7 @@ def _driven(M, C, K, periods, runs):
     return [spent, errors[0], their_time, errors[1], longer]
 
 
-def _record(M, C, K, runs):
+def _record(M: "np.ndarray", C: "np.ndarray", K: "np.ndarray", runs: int) -> float:
     """ms of the response to a force given at points, straight between them."""
     import numpy as np
 
@@ -115,13 +122,13 @@ def _record(M, C, K, runs):
     pieces = [Segment(t, (Wave(0, f, 0, 0j), Wave(0, s, 1, 0j)))
               for t, f, s in zip(at.tolist(), force.tolist(), slopes.tolist(), strict=False)]
     forcing, times, rest = Forcing(DEGREES, pieces), np.linspace(0, 40, POINTS), np.zeros(DEGREES)
-    def driven():
+    def driven() -> "np.ndarray":
         return linear_motion(M, C, K, forcing, rest, rest).values(LinearOutput(q={3: 1.0}), times)
 
     return median(_timed([driven], runs)[0][0])
 
 
-def _timed(functions, runs):
+def _timed(functions: "Sequence[Callable[[], Any]]", runs: int) -> tuple[list[list[float]], list[Any]]:
     """([ms of each run of each], [their last results]), by turns."""
     spent, results = [[] for _ in functions], [None] * len(functions)
     for _ in range(runs):

@@ -3,10 +3,7 @@
 from collections.abc import Iterable, Sequence
 from math import log
 from statistics import linear_regression
-from typing import TYPE_CHECKING, Any
-
-if TYPE_CHECKING:
-    from vibcli.symbolic.node import Node
+from typing import Any
 
 TIMES = ("ms", "s")
 
@@ -17,7 +14,7 @@ class Timing:
 
     __slots__ = ("absolute", "against", "baseline", "budget", "case", "ours", "unit")
 
-    def __init__(self, case: str | None, ours: "float | Node", unit: str, budget: Any, baseline: str = "",
+    def __init__(self, case: str | None, ours: float, unit: str, budget: Any, baseline: str = "",
                  against: Any = None, absolute: bool = False):
         if absolute and unit in TIMES and budget is not None:
             raise ValueError(f"{case}: a time is bounded by another of the same run")
@@ -76,11 +73,11 @@ LONGEST = 120
 HEAD = ("case", "ours", "baseline", "", "ratio", "budget", "")
 
 
-def _short(value):
+def _short(value: float) -> str:
     return f"{value:.1e}" if 0 < abs(value) < 0.005 else f"{value:.3g}" if abs(value) < 100 else f"{value:.0f}"
 
 
-def aligned(lines: Iterable) -> str:
+def aligned(lines: Iterable[Sequence[str]]) -> str:
     """Lines of cells as text with columns of equal width."""
     widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
     return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)).rstrip()

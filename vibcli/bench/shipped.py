@@ -36,7 +36,8 @@ def measured(file: Path) -> dict[str, Any]:
 def beyond(one: dict[str, Any]) -> float:
     """How many digits a reference has that the best method has not."""
     best = min((point["error"] for point in one["points"] if point["error"] is not None), default=1.0)
-    return round(one["reference"]["digits"] + math.log10(max(best, ROUNDED)), 1)
+    digits: float = round(one["reference"]["digits"] + math.log10(max(best, ROUNDED)), 1)
+    return digits
 
 
 def summary(found: Sequence[dict[str, Any]]) -> list[str]:

@@ -63,7 +63,7 @@ def main() -> None:
     print(json.dumps([data, whole, error, memory, peer, off]))
 
 
-def _peer(n):
+def _peer(n: int) -> tuple[float, list[float]]:
     """(s, ω² ascending) of eigsh."""
     import numpy as np
     from scipy.sparse import diags

@@ -3,7 +3,6 @@
 import os
 import tempfile
 from statistics import median
-from typing import Any
 
 from vibcli.bench import scenes
 from vibcli.bench.members import CANTILEVER
@@ -14,13 +13,13 @@ READ, NUMBERS, LETTERS = "import click, yaml", "import click, yaml, numpy", "imp
 IMPORT = "from time import process_time\nstart = process_time()\nimport %s\nprint(process_time() - start)"
 
 
-def rows(runs: Any) -> list[Any]:
+def rows(runs: int) -> list[Timing]:
     """The rows of the start-up budgets."""
     with tempfile.TemporaryDirectory() as folder:
         return _rows(runs, folder)
 
 
-def _rows(runs, folder):
+def _rows(runs: int, folder: str) -> list[Timing]:
     broken, numeric, letters, member, driven = (written(folder, name, text) for name, text in (
         ("broken.yaml", scenes.BROKEN), ("numeric.yaml", scenes.TWO_DEGREES), ("letters.yaml", scenes.TWO_SYMBOLIC),
         ("member.yaml", CANTILEVER % ""), ("driven.yaml", scenes.TWO_DRIVEN)))
@@ -33,7 +32,7 @@ def _rows(runs, folder):
         "frf": (vibcli("frf", driven), (0,)), "response": (vibcli("response", driven), (0,)),
     }, runs)
 
-    def row(case, ours, baseline, budget):
+    def row(case: str, ours: str, baseline: str, budget: float) -> Timing:
         return Timing(case, found[ours].time, "ms", budget, baseline, found[baseline].time)
 
     return [
@@ -50,7 +49,7 @@ def _rows(runs, folder):
     ]
 
 
-def _imported(names, runs):
+def _imported(names: str, runs: int) -> float:
     """Milliseconds of importing in a fresh process."""
     return 1e3 * median(float(answer(IMPORT % names)) for _ in range(runs))
 

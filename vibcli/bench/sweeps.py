@@ -65,7 +65,7 @@ def main() -> None:
                       {name: _variant(scene) for name, scene in VARIANTS.items()}]))
 
 
-def _variant(text):
+def _variant(text: str) -> list[float]:
     """Milliseconds of a scene with another value of k and its frequencies, and of these by the expressions of the scene
     itself; of each what a tenth of all turns stays below."""
     from fractions import Fraction

@@ -62,7 +62,7 @@ def main() -> None:
     runs, start = min(int(sys.argv[1]), 5), [0.3, 0.5, 0.0, 0.0]
     scene = problem_of_text(DOUBLE).configuration
 
-    def ours(accuracy):
+    def ours(accuracy: float) -> "np.ndarray":
         q, v, _ = simulate(scene, 100.0, accuracy, {"p": 0.3, "r": 0.5}).at([100.0])
         return np.concatenate([q[:, 0], v[:, 0]])
 
@@ -106,7 +106,7 @@ def measured(solved: Any, exact: Any, runs: int) -> list[float]:
     return [max(abs(float(x) - y) for x, y in zip(found, exact, strict=True)), 1e3 * median(spent)]
 
 
-def _thousand():
+def _thousand() -> list[float]:
     """[error of the angle relative to the amplitude, drift of the energy, ms] of a pendulum from 1 rad."""
     import mpmath
 

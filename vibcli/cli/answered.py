@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
@@ -13,11 +13,13 @@ from vibcli.cli.reports import write_text
 
 if TYPE_CHECKING:
     from vibcli.api.answers import LeftOut
+    from vibcli.cli.reports import Output
+    from vibcli.reader.sections.answer import Answer
     from vibcli.results.problem import Problem
 
 
-def print_answered(file: str, problems: "Sequence[tuple[str | None, Problem]]", sections: Callable, output: Any,
-                   digits: int | None) -> int:
+def print_answered(file: str, problems: "Sequence[tuple[str | None, Problem]]",
+                   sections: "Callable[[Problem], Sequence[str]]", output: "Output", digits: int | None) -> int:
     """Print the text of a file, or write it, with what is found of the scene and its cases among their answers; what is
     left out is said on stderr. A case that cannot be solved is refused there: exit code 4."""
     from vibcli.api.answers import entries, with_answers
@@ -37,7 +39,8 @@ def print_answered(file: str, problems: "Sequence[tuple[str | None, Problem]]", 
     return 4 if refused else 0
 
 
-def _agreeing(problem, spelled):
+def _agreeing(problem: "Problem",
+              spelled: "dict[str, tuple[str, Answer]]") -> "tuple[dict[str, str], list[LeftOut]]":
     """({quantity: value} of those with which `check` agrees, the others as LeftOut)."""
     from vibcli.api.answers import LeftOut
     from vibcli.check.verdicts import verdicts_of

@@ -14,7 +14,10 @@ from vibcli.cli.common import chosen, color_option, load, patience_option
 from vibcli.cli.pictures import FILE, refuse, write
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from vibcli.evidence.compared import Evidence
+    from vibcli.results.problem import Problem
 
 PICTURES, REPORTS = (".svg", ".png", ".pdf"), (".md", ".html", ".txt")
 ONE_THREAD = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
@@ -76,7 +79,7 @@ def command(file: str | None, quantities: Sequence[str], settings: Sequence[str]
     return 0 if found.compared or all(one.why in NOTHING_ELSE for one in found.left_out) else 4
 
 
-def _skipped(file, as_json):
+def _skipped(file: str | None, as_json: bool) -> int:
     import json
 
     from vibcli.cli.common import problem_in, source_of
@@ -91,12 +94,12 @@ def _skipped(file, as_json):
     return 0
 
 
-def _own_measurements(quick, as_json, only):
+def _own_measurements(quick: bool, as_json: bool, only: Sequence[str]) -> int:
     options = [*["--quick"] * quick, *["--json"] * as_json, *(part for name in only for part in ("--only", name))]
     return subprocess.run([sys.executable, "-m", "vibcli.bench", *options], check=False).returncode
 
 
-def _evidence(problem, quantities, quick):
+def _evidence(problem: "Problem", quantities: Sequence[str], quick: bool) -> "Evidence":
     from vibcli.api.values import checked_quantity
     from vibcli.cli.sampled import asked
     from vibcli.evidence.asked import ALL_MODES
@@ -107,7 +110,7 @@ def _evidence(problem, quantities, quick):
     return evidence(problem, trees, FEW if quick else RUNS)
 
 
-def _older(path):
+def _older(path: str | None) -> dict[str, Any] | None:
     """An older comparison as data; a usage error of what is none."""
     from vibcli.evidence.against import older
 
@@ -120,7 +123,7 @@ def _older(path):
         raise click.UsageError(f"--against {path}: {reason}") from None
 
 
-def _against(before, found, again):
+def _against(before: dict[str, Any], found: "Evidence", again: "Callable[[], Evidence]") -> int:
     from vibcli.evidence.against import beside, document, worse_in_both
     from vibcli.report.formats.text import render
 
@@ -131,7 +134,7 @@ def _against(before, found, again):
     return 1 if worse else 0 if last.rows else 4
 
 
-def _data(found):
+def _data(found: "Evidence") -> dict[str, Any]:
     import platform
 
     from vibcli import __version__

@@ -87,7 +87,7 @@ def command(paths: Sequence[str], settings: Sequence[str], form: str | None, as_
     return 5 if code == 0 and not any(answer.data["agrees"] for one in found for answer in one.answers) else code
 
 
-def _tell(one, on_screen, quiet):
+def _tell(one: CheckedFile, on_screen: str, quiet: bool) -> None:
     """Tell of a file as soon as it is checked."""
     if on_screen == CONCISE:
         tell_in_short(one)
@@ -97,7 +97,7 @@ def _tell(one, on_screen, quiet):
         tell_in_full(one, quiet)
 
 
-def _target(output, form, force):
+def _target(output: str | None, form: str | None, force: bool) -> tuple[Path | None, str | None]:
     """(the Path to write to or None, the form of what is written there, or else told)."""
     if output is None:
         return None, form
@@ -111,7 +111,8 @@ def _target(output, form, force):
     return path, form or by_suffix[path.suffix.lower()]
 
 
-def _finish(found, on_screen, form, path, force, left):
+def _finish(found: Sequence[CheckedFile], on_screen: str, form: str | None, path: Path | None, force: bool,
+            left: int) -> None:
     """What is told at the end, and written."""
     if on_screen in (FULL, CONCISE):
         click.echo(summary(found) + (f"; {left} more left, as so many fail" if left else ""))
@@ -150,7 +151,7 @@ def _each(files: Sequence[str], jobs: int, cache: "Cache | None", settings: Sequ
         yield known[file] if file in known else next(checked)
 
 
-def _checked(cache, settings, patience, file):
+def _checked(cache: "Cache | None", settings: Sequence[str], patience: int, file: str) -> CheckedFile:
     GARBAGE.clear()
     from vibcli.cli.checking.work import checked_file
 
@@ -158,7 +159,8 @@ def _checked(cache, settings, patience, file):
     return check(file) if cache is None else cache.checked(file, check)
 
 
-def _from_stdin(data, name, settings, patience, work, file):
+def _from_stdin(data: bytes, name: str, settings: Sequence[str], patience: int, work: Callable[[str], CheckedFile],
+                file: str) -> CheckedFile:
     if file != STDIN:
         return work(file)
     from vibcli.cli.checking.work import checked_file
@@ -166,7 +168,7 @@ def _from_stdin(data, name, settings, patience, work, file):
     return checked_file(name, settings, patience, data)
 
 
-def _stdin():
+def _stdin() -> bytes:
     """What stdin holds, no more than a scene may."""
     from vibcli.base.decoding import MAX_BYTES
 
@@ -177,7 +179,7 @@ def _stdin():
         raise click.UsageError(f"stdin cannot be read: {why}") from None
 
 
-def _cache(folder, paths, options):
+def _cache(folder: str | None, paths: Sequence[str], options: Sequence[Any]) -> "Cache | None":
     """The Cache, None with a warning where it cannot be used, and where all comes from stdin."""
     from vibcli.cli.checking.cache import Cache, Unusable, folder_of
 
@@ -192,7 +194,7 @@ def _cache(folder, paths, options):
         return None
 
 
-def _chosen(paths, revision):
+def _chosen(paths: Sequence[str], revision: str | None) -> list[str]:
     """The files that the paths name, or those of them that have changed since a revision."""
     files = [file for path in paths for file in ([path] if path == STDIN else scenes_below(path))]
     if revision is None:

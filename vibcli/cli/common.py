@@ -12,19 +12,22 @@ import click
 from vibcli.base.errors import Diagnostic, PhysicsError, Remark, SpecError
 
 if TYPE_CHECKING:
+    from click.decorators import FC
+
     from vibcli.api.source import SceneSource
     from vibcli.base.errors import Where
+    from vibcli.language.document.document import Scalar
     from vibcli.language.document.nodes import Mapping
     from vibcli.language.reader import Expression
     from vibcli.results.problem import Problem
 
 MOST = 600      # steps of a million products, for --digits
-_sources = {}
+_sources: dict[str, Sequence[str]] = {}
 
 
-def scene_options(function: Any) -> Callable:
+def scene_options(function: "FC") -> "FC":
     """Options of every command that reads one scene."""
-    options: list[Callable] = [
+    options: list[Callable[[FC], FC]] = [
         click.argument("file", type=click.Path(), shell_complete=None),
         click.option("--set", "settings", multiple=True, metavar="NAME=VALUE",
                      help="Give a parameter another value, in every case: k=500 in the file's unit, or 'k=0.5 N/mm'."),
@@ -38,18 +41,18 @@ def scene_options(function: Any) -> Callable:
     return reduce(lambda f, option: option(f), reversed(options), function)
 
 
-def patience_option(function: Callable) -> Callable:
+def patience_option(function: "FC") -> "FC":
     return click.option("--patience", type=click.IntRange(1, 1_000_000), default=1, metavar="N",
                         help="Let long work take N times as many steps before it is given up.")(function)
 
 
-def accuracy_option(function: Callable) -> Callable:
+def accuracy_option(function: "FC") -> "FC":
     return click.option("--accuracy", metavar="E", callback=_accuracy, help="The error of each coordinate of a motion "
                         "that is integrated, relative to how far it goes: 1e-6 is sooner found than 1e-9, the "
                         "default.")(function)
 
 
-def _accuracy(context, parameter, value):
+def _accuracy(context: click.Context, parameter: click.Parameter, value: str | None) -> float | None:
     if value is None:
         return None
     from vibcli.api.given import accuracy
@@ -69,14 +72,14 @@ def integrated(problems: "Sequence[tuple[Any, Problem]]", accuracy: float | None
     return [(case, problem.with_accuracy(accuracy)) for case, problem in problems]
 
 
-def color_option(function: Callable) -> Callable:
+def color_option(function: "FC") -> "FC":
     option = click.option("--color", type=click.Choice(["auto", "always", "never"]), default="auto",
                           callback=_set_color, expose_value=False,
                           help="Colour in the output (NO_COLOR and FORCE_COLOR are honoured).")
     return option(function)
 
 
-def number_options(function: Callable) -> Callable:
+def number_options(function: "FC") -> "FC":
     """Options of the commands that print frequencies."""
     digits = click.option("--digits", type=click.IntRange(1, 1000), metavar="N",
                           help="Recompute with N correct digits in arbitrary precision.")
@@ -85,7 +88,7 @@ def number_options(function: Callable) -> Callable:
     return digits(shapes(function))
 
 
-def _set_color(context, parameter, value):
+def _set_color(context: click.Context, parameter: click.Parameter, value: str) -> None:
     if value == "auto":
         wanted = None
         if os.environ.get("NO_COLOR"):
@@ -126,7 +129,7 @@ def problem_in(source: "SceneSource", settings: Sequence[str] = (), patience: in
     return problem_of(source, settings_in(source, settings), Work(patience, teller()))
 
 
-def _near(file):
+def _near(file: str) -> str:
     from difflib import get_close_matches
 
     folder, name = os.path.split(file)
@@ -137,7 +140,7 @@ def _near(file):
     return f"; did you mean '{os.path.join(folder, near[0])}'?" if near else ""
 
 
-def settings_in(source: "SceneSource", settings: Sequence[str]) -> dict:
+def settings_in(source: "SceneSource", settings: Sequence[str]) -> dict[str, tuple[object, "Scalar"]]:
     """{name: (tree, scalar)} of the --set options; SpecError where the scene could not be read."""
     _sources.pop(source.file, None)
     _sources[source.file] = source.lines

@@ -1,12 +1,15 @@
 """`vibcli draw FILE`: the scene as a figure."""
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from vibcli.cli.common import load
 from vibcli.cli.pictures import one, picture_options, target, write
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
 
 SUFFIXES = (".png", ".svg", ".pdf")
 
@@ -55,14 +58,15 @@ def command(file: str, settings: Sequence[Any], case: str | None, output: str | 
         show_curves(True, (), force, "", lambda: force_figure(problem, which))
 
 
-def _instant(text):
+def _instant(text: str) -> float:
     """A time [s] given on the command line."""
     from vibcli.cli.sampled import INSTANT, size
 
     return float(size(text, "--at", "s", INSTANT, exact=True))
 
 
-def _refuse(index, both, place, diagrams, further):
+def _refuse(index: int | None, both: bool, place: str | None, diagrams: bool,
+            further: "Mapping[str, str | bool | None]") -> None:
     """A usage error where options do not go together."""
     if place is not None and (index is not None or both or diagrams):
         raise click.UsageError("--equivalent stands alone")
@@ -71,5 +75,5 @@ def _refuse(index, both, place, diagrams, further):
     idle = next((option for option, given in further.items() if given), None)
     if idle and not diagrams:
         raise click.UsageError(f"{idle} belongs to --diagrams")
-    if (index is not None) + bool(further["--at"]) + further["--amplitudes"] > 1:
+    if (index is not None) + bool(further["--at"]) + bool(further["--amplitudes"]) > 1:
         raise click.UsageError("--mode, --at and --amplitudes exclude each other")

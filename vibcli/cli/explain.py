@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import click
 
 
-def _complete(context, parameter, incomplete):
+def _complete(context: click.Context, parameter: click.Parameter, incomplete: str) -> list[str]:
     from vibcli.manual.index import words
 
     return [word for word in words() if word.startswith(incomplete)]

@@ -1,7 +1,7 @@
 """`vibcli frequencies FILE`: equilibrium, frequencies, damping, modes."""
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -10,6 +10,9 @@ from vibcli.cli.output import print_scenes
 from vibcli.cli.pictures import FILE
 from vibcli.cli.reports import output_of, report_options
 from vibcli.report.wanted import Wanted
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
 
 
 @click.command("frequencies")
@@ -42,13 +45,13 @@ def command(file: str, settings: Sequence[str], case: Any, as_json: bool, patien
                         curves=lambda problem: _shown(problem, wanted, backbone, plot, saves, report["force"]))
 
 
-def _lowest(count):
+def _lowest(count: int) -> Wanted:
     from vibcli.report.sections.shown_modes import lowest
 
     return Wanted(modes=lowest(count))
 
 
-def _shown(problem, wanted, backbone, plot, saves, force):
+def _shown(problem: "Problem", wanted: Wanted, backbone: bool, plot: bool, saves: Sequence[str], force: bool) -> None:
     if not (plot or saves) or problem.work.interrupted:
         return
     from vibcli.cli.sampled import show_curves

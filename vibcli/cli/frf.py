@@ -1,7 +1,7 @@
 """`vibcli frf FILE`: frequency responses."""
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -9,6 +9,10 @@ from vibcli.cli.common import chosen, load, scene_options
 from vibcli.cli.output import print_scenes
 from vibcli.cli.reports import output_of, report_options
 from vibcli.cli.sampled import asked, cases_to_show, curve_options, refuse_targets, require_curves, show_curves, size
+
+if TYPE_CHECKING:
+    from vibcli.report.wanted import Wanted
+    from vibcli.results.problem import Problem
 
 
 @click.command("frf")
@@ -36,17 +40,18 @@ def command(file: str, settings: Sequence[Any], case: Any, as_json: bool, patien
     require_curves(plot, saves, as_json, {"--nyquist": nyquist, "--from": low, "--up-to": high})
     output = output_of(file, as_json, **report)
     problems = cases_to_show(chosen(load(file, settings, patience), case), saves)
-    ends: list = [text and size(text, option, "rad/s", "a frequency, as in 10 or '2 Hz'")
-            for text, option in ((low, "--from"), (high, "--up-to"))]
-    if None not in ends and not ends[0] < ends[1]:
+    first, last = (size(text, option, "rad/s", "a frequency, as in 10 or '2 Hz'") if text else None
+                   for text, option in ((low, "--from"), (high, "--up-to")))
+    if None not in (first, last) and not first < last:
         raise click.UsageError(f"--from {low} is not below --up-to {high}")
-    wanted = Wanted(tuple(asked(text, "--of") for text in signals), driver and asked(driver, "--to"), "sine", *ends)
+    wanted = Wanted(tuple(asked(text, "--of") for text in signals), driver and asked(driver, "--to"), "sine", first,
+                    last)
     return print_scenes(problems, lambda problem: ("chosen", "frequency_response"), output, timings,
                         data=("frequency_response",), wanted=wanted,
                         curves=lambda problem: _shown(problem, wanted, nyquist, plot, saves, report["force"]))
 
 
-def _shown(problem, wanted, nyquist, plot, saves, force):
+def _shown(problem: "Problem", wanted: "Wanted", nyquist: bool, plot: bool, saves: Sequence[str], force: bool) -> None:
     if not (plot or saves):
         return
     from vibcli.report.sections.sampled_series import frequency_columns, frequency_figure, sampled_curves

@@ -70,12 +70,12 @@ def _of_one(marker: "Marker", student: str, problem: str | None, answers: Sequen
         raise click.UsageError(str(error)) from None
 
 
-def _parted(answer):
+def _parted(answer: str) -> tuple[str, str, str]:
     """A quantity and the text behind the equals sign that follows it."""
     return answer.partition("=")
 
 
-def _by_quantity(marker, problem, answers):
+def _by_quantity(marker: "Marker", problem: str, answers: "Sequence[tuple[str, str]]") -> dict[str, str]:
     """{quantity: answer} of those that are given to a problem, each once."""
     found: dict[str, str] = {}
     for text, answer in answers:

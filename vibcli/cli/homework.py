@@ -84,7 +84,7 @@ def command(course: str, folder: Path, students: str | None, paper: int | None, 
                       salt.decode("utf-8", "replace"), executor)
 
 
-def _require_pool(pool, formats, others):
+def _require_pool(pool: int | None, formats: Sequence[str], others: object) -> None:
     """A usage error where packages are not told apart from sheets."""
     if not formats:
         raise click.UsageError(f"--pool is for packages: say for which system, as in --export {next(iter(FORMATS))}")
@@ -111,7 +111,7 @@ def _pool(course: "Course", handouts: "list[Handout]", folder: Path, force: bool
                        executor)
 
 
-def _pooled(course, handout, salt, count, attempt):
+def _pooled(course: "Course", handout: "Handout", salt: bytes, count: int, attempt: int) -> list[int]:
     """The numbers of the variants of a pool: none whose item would by chance tell a key of it; where all do, any, which
     are refused with that."""
     from vibcli.homework.assignment import pooled
@@ -120,7 +120,7 @@ def _pooled(course, handout, salt, count, attempt):
 
     coincidences = Coincidences()
 
-    def suits(number):
+    def suits(number: int) -> bool:
         words = f"{course.title} ; {course.course} ; {course.due} ; {item_of(handout.name, number)}"
         return not coincidences.found(words, (), handout, number)
 
@@ -128,7 +128,8 @@ def _pooled(course, handout, salt, count, attempt):
             or pooled(salt, handout.name, handout.accepted, count, attempt))
 
 
-def _write_pool(folder, force, course, handouts, assigned, attempt, salt, formats, executor):
+def _write_pool(folder: Path, force: bool, course: "Course", handouts: "list[Handout]", assigned: "Assigned",
+                attempt: int, salt: str, formats: Sequence[str], executor: "Executor | None") -> int:
     from vibcli.homework.exports.package import pool_files
     from vibcli.homework.folder import write_folder
     from vibcli.homework.paper import paper
@@ -146,7 +147,7 @@ def _write_pool(folder, force, course, handouts, assigned, attempt, salt, format
     return 0
 
 
-def _salt(path):
+def _salt(path: str | None) -> bytes:
     """The secret text; a usage error where there is none."""
     if path is None:
         raise click.UsageError("name a file with a secret text: --salt-file FILE; keep it, so that a student who is "
@@ -160,7 +161,7 @@ def _salt(path):
     return found
 
 
-def _course(path) -> "Course":
+def _course(path: str) -> "Course":
     from vibcli.homework.course import course_of
 
     try:
@@ -203,7 +204,7 @@ def _begun(one: "CourseProblem", patience: int, executor: "Executor | None") -> 
     return "\n".join(source.lines), begin_variants(problem, document, executor)
 
 
-def _tell_shared(handouts, assigned, distinct):
+def _tell_shared(handouts: "dict[str, Handout]", assigned: "Assigned", distinct: bool) -> None:
     """Say where students share variants; refused where they must not."""
     for name, handout in handouts.items():
         given = Counter(number for _, sheets in assigned for one, number in sheets if one is handout)
@@ -225,7 +226,7 @@ def _assigned(salt: bytes, course: "Course", handouts: "dict[str, Handout]", stu
     found: dict[str, dict[str, int]] = {student.id: {} for student in students}
     coincidences = Coincidences()
     for name, handout in handouts.items():
-        def suits(student, number, handout=handout):
+        def suits(student: "Student", number: int, handout: "Handout" = handout) -> bool:
             taken = [(handouts[other], given) for other, given in found[student.id].items()]
             words = f"{course.title} ; {course.course} ; {course.due} ; {student.name} ; {student.id}"
             return not coincidences.found(words, taken, handout, number)
@@ -237,7 +238,8 @@ def _assigned(salt: bytes, course: "Course", handouts: "dict[str, Handout]", stu
             for student in students]
 
 
-def _write(folder, force, course, handouts, assigned, attempt, salt, executor):
+def _write(folder: Path, force: bool, course: "Course", handouts: "list[Handout]", assigned: "Assigned", attempt: int,
+           salt: str, executor: "Executor | None") -> int:
     from vibcli.homework.folder import files, write_folder
     from vibcli.homework.paper import paper
 
@@ -254,7 +256,7 @@ def _write(folder, force, course, handouts, assigned, attempt, salt, executor):
     return 0
 
 
-def _again(path, folder, force, patience, executor):
+def _again(path: str, folder: Path, force: bool, patience: int, executor: "Executor | None") -> int:
     """Write the sheets of a manifest again."""
     from vibcli.homework.handed_out import handed_out
     from vibcli.homework.manifest import read_manifest

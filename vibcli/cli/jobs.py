@@ -1,14 +1,19 @@
 """Work on many files in processes of their own; what each finds comes in the order of the files."""
 
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
 
+if TYPE_CHECKING:
+    from typing import TypeVar
 
-def in_processes(work: Callable, files: Sequence[str], jobs: int, said: Callable[[Any], bool],
-                 lost: Callable[[str, PhysicsError], Any], longest: Callable[[str], float] | None = None
-                 ) -> Iterator[Any]:
+    T = TypeVar("T")
+
+
+def in_processes(work: "Callable[[str], T]", files: Sequence[str], jobs: int, said: "Callable[[T], bool]",
+                 lost: "Callable[[str, PhysicsError], T]", longest: Callable[[str], float] | None = None
+                 ) -> "Iterator[T]":
     """work(file) of each file, in their order, so many at a time; those first that are `longest`. said(found): is
     anything printed of it? lost(file, why): what stands for one whose process ended twice. An interrupt, or leaving
     before the end, ends the processes."""

@@ -2,16 +2,20 @@
 
 import os
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from vibcli.base.diagnostics import escaped
 from vibcli.cli.pictures import FILE, refuse, write_new
 
+if TYPE_CHECKING:
+    from types import ModuleType
+
 DEFAULT = "mass_spring"
 
 
-def _complete(context, parameter, incomplete):
+def _complete(context: click.Context, parameter: click.Parameter, incomplete: str) -> list[str]:
     from vibcli.manual import scenes
 
     return [name for which in scenes.FOLDERS for name in scenes.names(which) if name.startswith(incomplete)]
@@ -54,7 +58,7 @@ def command(template: str, output: str | None, listing: bool) -> None:
     click.echo(escaped(f"wrote {written}; next: vibcli solve {output}"), err=True)
 
 
-def _listing(scenes):
+def _listing(scenes: "ModuleType") -> list[str]:
     from vibcli.manual.layout import table
 
     titles = {which: [(name, scenes.title(name)) for name in scenes.names(which)] for which in scenes.FOLDERS}

@@ -13,6 +13,8 @@ from vibcli.base.errors import PhysicsError
 from vibcli.cli.common import chosen, color_option, patience_option
 
 if TYPE_CHECKING:
+    from click.decorators import FC
+
     from vibcli.results.problem import Problem
 
 LONGEST = 80
@@ -30,7 +32,7 @@ class File(click.Path):
 FILE = File()
 
 
-def picture_options(suffixes: Sequence[str]) -> Callable:
+def picture_options(suffixes: Sequence[str]) -> "Callable[[FC], FC]":
     """Options of a command that writes a picture of one scene."""
     options = [
         click.argument("file", type=click.Path(), shell_complete=None),

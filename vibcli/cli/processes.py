@@ -4,7 +4,7 @@ import gc
 import os
 import signal
 from collections import deque
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor
 from contextlib import contextmanager, suppress
 from multiprocessing import get_context, parent_process, resource_tracker
@@ -30,7 +30,7 @@ class Processes(Executor):
     more files may be opened there are fewer processes, and without any a usage error. `start`: fork, spawn or
     forkserver, None for what is usual here."""
 
-    def __init__(self, jobs: int, start: str | None = "spawn"):
+    def __init__(self, jobs: int, start: str | None = "spawn") -> None:
         self._jobs, self._context = jobs, cast(Any, get_context(start))
         self._processes: dict[Connection, Any] = {}
         self._tasks: dict[Connection, _Pending] = {}        # of those that are at work
@@ -39,14 +39,14 @@ class Processes(Executor):
             resource_tracker.ensure_running()       # where it begins it lets interrupts through
         self._waiting: deque[_Pending] = deque()
 
-    def submit(self, work: Callable, /, *args: Any, **named: Any) -> Any:
+    def submit(self, work: Callable[..., Any], /, *args: Any, **named: Any) -> "_Pending":
         """What gives the result when it is asked for."""
         task = _Pending(self, (work, args, named))
         self._waiting.append(task)
         self._hand_out()
         return task
 
-    def _hand_out(self):
+    def _hand_out(self) -> None:
         while self._waiting and len(self._tasks) < self._jobs:
             ours = next((one for one in self._processes if one not in self._tasks), None)
             if ours is None:
@@ -65,7 +65,7 @@ class Processes(Executor):
                 ours.send_bytes(data)
             self._tasks[ours] = task
 
-    def _require_room(self):
+    def _require_room(self) -> bool:
         """May so many files be opened as another process takes? A usage error where there is none yet."""
         opened = []
         try:
@@ -81,7 +81,8 @@ class Processes(Executor):
                 os.close(descriptor)
         return True
 
-    def _begun(self):
+    def _begun(self) -> Connection:
+        ours: Connection
         ours, theirs = self._context.Pipe()
         copied = (*self._processes, ours) if self._context.get_start_method() == "fork" else ()
         process = self._context.Process(target=_work, args=(theirs, copied, gc.get_threshold()), daemon=True)
@@ -105,7 +106,7 @@ class Processes(Executor):
                 task.finish(None, error)
         self._hand_out()
 
-    def _bury(self, ours):
+    def _bury(self, ours: Connection) -> None:
         ours.close()
         self._processes.pop(ours).join()
 
@@ -130,7 +131,9 @@ class Processes(Executor):
 class _Pending:
     """A task, done or not."""
 
-    def __init__(self, processes, work):
+    _error: Exception | None
+
+    def __init__(self, processes: Processes, work: tuple[Callable[..., Any], tuple[Any, ...], dict[str, Any]]) -> None:
         self._processes, self.work = processes, work
         self._done, self._repeated, self._value, self._error = False, False, None, None
 
@@ -159,14 +162,14 @@ class _Pending:
 
 def end_with_parent() -> None:
     """Let this process end when the one that began it does, though by a signal and in the midst of a task."""
-    def end():
+    def end() -> None:
         wait([parent_process().sentinel])
         os._exit(1)
 
     Thread(target=end, daemon=True).start()
 
 
-def _work(theirs, copied, threshold):
+def _work(theirs: Connection, copied: Sequence[Connection], threshold: tuple[int, int, int]) -> None:
     """Do task by task until the other end is closed, of which none of the `copied` may stay open here; searching for
     garbage as seldom as who began this."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)        # one from the terminal reaches all: who began this ends it

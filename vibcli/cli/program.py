@@ -7,13 +7,16 @@ collected · 101 our own fault · 130 interrupted, or told to end.
 import os
 import sys
 from importlib import import_module
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from vibcli import __version__
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.cli import COMMANDS
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 
 class Commands(click.Group):
@@ -25,7 +28,8 @@ class Commands(click.Group):
     def get_command(self, context: click.Context, name: str) -> click.Command:
         if name not in COMMANDS:
             return None
-        return import_module(f"vibcli.cli.{name}").command
+        command: click.Command = import_module(f"vibcli.cli.{name}").command
+        return command
 
     def resolve_command(self, context: click.Context, args: list[str]) -> tuple[str, click.Command, list[str]]:
         if args and args[0] not in COMMANDS and not args[0].startswith("-"):
@@ -43,7 +47,7 @@ class Commands(click.Group):
             formatter.write_dl(list(COMMANDS.items()))
 
 
-def _by_long_names(command, args):
+def _by_long_names(command: click.Command, args: "Sequence[str]") -> list[str]:
     """Arguments with the long name of an option in place of its short one, where that cannot be the value of another:
     what click finds at once, without a search for what is spelt nearly so."""
     long = {option.opts[0]: option.opts[-1] for option in command.params if len(option.opts) > 1}

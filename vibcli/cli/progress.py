@@ -17,7 +17,9 @@ def teller() -> "Progress | None":
 class Progress:
     """started: when the present task began; told: when it was last told of."""
 
-    def __init__(self):
+    started: float | None
+
+    def __init__(self) -> None:
         self.started, self.told, self.shown = None, 0.0, False
 
     def __call__(self, what: str | None, part: float, known: bool) -> None:
@@ -36,7 +38,7 @@ class Progress:
         """Leave the line to what is printed; it is told again later."""
         self._show("")
 
-    def _show(self, text):
+    def _show(self, text: str) -> None:
         if text or self.shown:
             click.echo("\r\x1b[K" + text, nl=False, err=True, color=True)
         self.shown = bool(text)

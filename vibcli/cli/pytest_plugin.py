@@ -72,7 +72,7 @@ class AnswerItem(pytest.Item):
             raise Disagrees("\n".join(f"{self._shown(one.file)}:{one.line}: {one.rule}: {one.message}" for one in told)
                             or f"{self._shown(checked.file)}: '{self.name}' was not checked")
 
-    def _shown(self, file):
+    def _shown(self, file: str) -> str:
         """The name of a file, of the scene itself that which pytest gives it."""
         return self.parent.nodeid if file == str(self.path) else file
 

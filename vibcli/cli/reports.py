@@ -14,7 +14,9 @@ from vibcli.cli.pictures import FILE
 from vibcli.report.formats import FORMATS, WITHIN
 
 if TYPE_CHECKING:
-    from vibcli.report.blocks import Document
+    from click.decorators import FC
+
+    from vibcli.report.blocks import Document, Picture
 
 SCENE, OF_SCENES = "scene", (".yaml", ".yml")
 SUFFIXES = {name: suffixes for name, (suffixes, _, _) in FORMATS.items()} | {"json": (".json",)}
@@ -32,9 +34,9 @@ class Output(NamedTuple):
     strict: bool = False
 
 
-def report_options(function: Callable, formats: Sequence[str] = tuple(FORMATS), more: str = "") -> Callable:
+def report_options(function: "FC", formats: Sequence[str] = tuple(FORMATS), more: str = "") -> "FC":
     """Options of the commands that print a report; `more` is said of further formats."""
-    options = [
+    options: list[Callable[[FC], FC]] = [
         click.option("--format", "kind", type=click.Choice(list(formats)),
                      help=f"How to write the report; by the suffix of -o unless named, else text.{more}"),
         click.option("-o", "--output", metavar="FILE", type=FILE,
@@ -67,7 +69,7 @@ def output_of(file: str, as_json: bool, kind: Any, output: Any, force: bool, pic
     return Output(kind, target(file, output, suffixes, force), pictures, force, strict)
 
 
-def _by_suffix(output):
+def _by_suffix(output: Path | str | None) -> str:
     suffix = Path(output or "").suffix.lower()
     return next((kind for kind, suffixes in SUFFIXES.items() if suffix in suffixes), "text")
 
@@ -86,7 +88,7 @@ def write_documents(documents: "Sequence[Document]", output: Output) -> None:
     """Render documents and write them, the pictures first."""
     placed = []
 
-    def place(picture):
+    def place(picture: "Picture") -> str:
         from vibcli.cli.pictures import slug
 
         name = f"{slug(output.path.stem, str(len(placed) + 1), picture.name)}{ILLUSTRATED[output.kind]}"

@@ -22,6 +22,7 @@ from vibcli.cli.sampled import (
 )
 
 if TYPE_CHECKING:
+    from vibcli.report.wanted import Wanted
     from vibcli.results.problem import Problem
 
 
@@ -49,7 +50,7 @@ if TYPE_CHECKING:
 def command(file: str, settings: Sequence[Any], case: Any, as_json: bool, patience: int, timings: bool,
             signals: Sequence[str], until: str | None, instants: Sequence[str], digits: int | None,
             accuracy: float | None, points: int, phase: str, plane: bool, steady: bool, transient: bool, plot: bool,
-            saves: Sequence[str], **report: bool | None) -> int:
+            saves: Sequence[str], **report: Any) -> int:
     """The motion in time, free or forced: its formula, steady state and extremes; plotted, or saved as numbers.
 
     It starts as `initial` in the file says, else at rest: vibcli explain response.
@@ -87,7 +88,8 @@ def refuse_beside_plane(options: Mapping[str, Any]) -> None:
         raise click.UsageError(f"{idle} does not go with --phase-plane, which shows no motion in time")
 
 
-def _phase_plane(file, settings, case, as_json, patience, timings, plot, saves, report):
+def _phase_plane(file: str, settings: Sequence[str], case: str | None, as_json: bool, patience: int, timings: bool,
+                 plot: bool, saves: Sequence[str], report: Mapping[str, Any]) -> int:
     """In the terminal where nothing else is asked for."""
     refuse_targets(saves, report["force"], PICTURES)
     if plot and as_json:
@@ -99,7 +101,7 @@ def _phase_plane(file, settings, case, as_json, patience, timings, plot, saves, 
                         curves=lambda problem: _plane_shown(problem, plot, saves, report["force"]))
 
 
-def _plane_shown(problem, plot, saves, force):
+def _plane_shown(problem: "Problem", plot: bool, saves: Sequence[str], force: bool) -> None:
     if not (plot or saves):
         return
     from vibcli.report.sections.phase_plane import plane_figure
@@ -123,7 +125,7 @@ def ending(problems: "Sequence[tuple[Any, Problem]]", text: str) -> "list[tuple[
     return [(case, problem.until(end)) for case, problem in problems]
 
 
-def _shown(problem, wanted, plot, saves, force):
+def _shown(problem: "Problem", wanted: "Wanted", plot: bool, saves: Sequence[str], force: bool) -> None:
     if not (plot or saves):
         return
     from vibcli.report.sections.sampled_series import columns, response_figure, sampled

@@ -10,7 +10,11 @@ import click
 from vibcli.cli.pictures import FILE, refuse, write
 
 if TYPE_CHECKING:
+    import numpy as np
+    from click.decorators import FC
+
     from vibcli.language.reader import Expression
+    from vibcli.plots.figure import Figure
     from vibcli.results.problem import Problem
 
 WIDEST = 120
@@ -18,9 +22,9 @@ PICTURES = (".png", ".svg", ".pdf")
 INSTANT = "a time, as in 2.5 or '40 ms'"
 
 
-def curve_options(function: Callable) -> Callable:
+def curve_options(function: "FC") -> "FC":
     """Options of a command that shows curves."""
-    options = [
+    options: list[Callable[[FC], FC]] = [
         click.option("--plot", is_flag=True, help="Plot in the terminal."),
         click.option("--save", "saves", multiple=True, metavar="FILE", type=FILE,
                      help="Write a picture (.png, .svg, .pdf) or the sampled numbers (.csv, .npz, .json) of the scene, "
@@ -71,8 +75,8 @@ def cases_to_show(problems: "Sequence[tuple[str | None, Problem]]",
     return problems[:1] if saves else problems
 
 
-def show_curves(plot: bool, saves: Sequence[str], force: bool, title: str, figure: Callable,
-                columns: Callable | None = None) -> None:
+def show_curves(plot: bool, saves: Sequence[str], force: bool, title: str, figure: "Callable[[], Figure]",
+                columns: "Callable[[], list[tuple[str, str, np.ndarray]]] | None" = None) -> None:
     """Plot what `figure()` gives in the terminal; write it, or what `columns()` gives, to files under a title."""
     from vibcli.report.formats.curves import curve_file, in_terminal
 

@@ -1,5 +1,7 @@
 """`vibcli schema`: the JSON Schema of scene files, or of sets of them."""
 
+from typing import Any
+
 import click
 
 
@@ -16,13 +18,13 @@ def command(of_set: bool) -> None:
     click.echo(json.dumps(_of_sets() if of_set else _of_scenes(), ensure_ascii=False, indent=1))
 
 
-def _of_scenes():
+def _of_scenes() -> dict[str, Any]:
     from vibcli.manual.json_schema import schema
 
     return schema()
 
 
-def _of_sets():
+def _of_sets() -> dict[str, Any]:
     from vibcli.homework.course import ELEMENT
     from vibcli.manual.json_schema import DRAFT
 

@@ -44,7 +44,7 @@ def command(file: str, settings: Sequence[str], case: str | None, as_json: bool,
     return print_scenes(problems, sections, output, timings, digits, normalise, data, question=True)
 
 
-def _require_of_file(settings, steps, normalise, timings):
+def _require_of_file(settings: Sequence[str], steps: bool, normalise: str, timings: bool) -> None:
     """UsageError of what is asked beside the file with its answers, in which it would not stand."""
     for asked, option in ((settings, "--set"), (steps, "--steps"), (normalise != "first", "--normalise"),
                           (timings, "--timings")):
@@ -52,7 +52,7 @@ def _require_of_file(settings, steps, normalise, timings):
             raise click.UsageError(f"--format {SCENE} and {option} exclude each other: answers are those of the file")
 
 
-def _require_told(insight, normalise, as_json, digits):
+def _require_told(insight: bool, normalise: str, as_json: bool, digits: int | None) -> None:
     """UsageError of what is asked beside the lines of a worked solution, which do not tell it."""
     for asked, option in ((insight, "--insight"), (normalise != "first", "--normalise"),
                           (as_json and digits is not None, "--digits with --json")):

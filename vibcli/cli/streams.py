@@ -8,15 +8,18 @@ written to stderr nobody can be told.
 import io
 import os
 import sys
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+
+if TYPE_CHECKING:
+    from typing import TextIO
 
 
 class Stream(io.RawIOBase):
     """The bytes of a standard stream; `descriptor` None: it is closed."""
 
-    def __init__(self, descriptor: Any, refuses: Any):
+    def __init__(self, descriptor: int | None, refuses: bool) -> None:
         self.descriptor, self.refuses, self.lost = descriptor, refuses, False
 
     def writable(self) -> bool:
@@ -50,11 +53,11 @@ def provide() -> None:
     sys.stdout, sys.stderr = _stream(sys.stdout, True), _stream(sys.stderr, False)
 
 
-def _stream(given, refuses):
+def _stream(given: "TextIO | None", refuses: bool) -> io.TextIOWrapper:
     """A text stream in place of a given one, which is None where it is closed."""
     if given is None:
         os.open(os.devnull, os.O_WRONLY)        # so that no file that is opened later takes its place
     descriptor = None if given is None else given.fileno()
     buffer = io.BufferedWriter(Stream(descriptor, refuses))
     return io.TextIOWrapper(buffer, getattr(given, "encoding", "utf-8"), "replace",
-                            line_buffering=given is None or given.line_buffering)
+                            line_buffering=given is None or bool(given.line_buffering))

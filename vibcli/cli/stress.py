@@ -84,7 +84,7 @@ def _print(sections: Sequence[Any]) -> None:
     click.echo(shown([*section_lines(sections)[1:], ""]))
 
 
-def _known(names):
+def _known(names: Sequence[str]) -> list[str]:
     from vibcli.base.spelling import nearest
     from vibcli.evidence.stress.families import FAMILIES
 

@@ -1,7 +1,7 @@
 """`vibcli sweep FILE --over 'k=400 N/m .. 1.2 kN/m' --of 'omega[1]'`: quantities over one or two parameters."""
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -9,6 +9,11 @@ from vibcli.cli.common import accuracy_option, chosen, integrated, load, scene_o
 from vibcli.cli.output import print_scenes
 from vibcli.cli.reports import output_of, report_options
 from vibcli.cli.sampled import asked, curve_options, refuse_targets, show_curves
+
+if TYPE_CHECKING:
+    from vibcli.plots.figure import Figure
+    from vibcli.quantities.sweep import Sweep
+    from vibcli.results.problem import Problem
 
 POINTS, ALONG_TWO, MOST = 51, 21, 100_000
 
@@ -47,7 +52,8 @@ def command(file: str, settings: Sequence[str], case: Any, as_json: bool, patien
                         wanted=Wanted(sweep=found), curves=lambda problem: _shown(found, plot, saves, report["force"]))
 
 
-def _found(problem, ranges, quantities, points, by_ratio, settings):
+def _found(problem: "Problem", ranges: Sequence[str], quantities: Sequence[str], points: int, by_ratio: bool,
+           settings: Sequence[str]) -> "Sweep":
     from vibcli.api.axis import axis
     from vibcli.api.given import plain_name
     from vibcli.api.sweep import sweep
@@ -67,7 +73,7 @@ def _found(problem, ranges, quantities, points, by_ratio, settings):
         raise click.UsageError(str(error)) from None
 
 
-def _shown(found, plot, saves, force):
+def _shown(found: "Sweep", plot: bool, saves: Sequence[str], force: bool) -> None:
     if not (plot or saves) or not found.done:
         return
     from vibcli.report.sections.sweep import sweep_columns
@@ -76,7 +82,7 @@ def _shown(found, plot, saves, force):
                 lambda: sweep_columns(found))
 
 
-def _figure(found):
+def _figure(found: "Sweep") -> "Figure":
     from vibcli.report.sections.swept_curves import sweep_figure
 
     return sweep_figure(found)

@@ -1,7 +1,7 @@
 """`vibcli variants FILE`: all candidates of a problem for homework, solved, and the gates that they pass."""
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -10,6 +10,9 @@ from vibcli.cli.common import chosen, problem_in, scene_options, settings_in, so
 from vibcli.cli.output import print_scenes
 from vibcli.cli.reports import output_of, report_options
 from vibcli.cli.workers import worker_options, workers
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
 
 
 @click.command("variants")
@@ -49,7 +52,7 @@ def command(file: str, settings: Sequence[str], case: Any, as_json: bool, patien
     return code or int(at_least is not None and len(found.accepted) < at_least)
 
 
-def _instead(problem):
+def _instead(problem: "Problem") -> str:
     """A case that has variants, or how they are written."""
     name = next((name for name, spec in problem.spec.cases.items() if spec.get("variants") is not None), None)
     return "give values under variants: parameters" if name is None else f"ask for a case that has some: --case {name}"

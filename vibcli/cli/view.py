@@ -39,12 +39,12 @@ def command(file: str, settings: Sequence[str], case: str | None, port: int, clo
         follow(asked, shown)
 
 
-def _open(address):
+def _open(address: str) -> None:
     """Open the browser, beside what follows: some browsers hold on until they are closed."""
     import webbrowser
     from threading import Thread
 
-    def opened():
+    def opened() -> None:
         if not webbrowser.open(address):
             click.echo("no browser was found: open the address in one", err=True)
 

@@ -1,18 +1,25 @@
 """Workers for long work: processes of this machine, or a cluster of dask.distributed."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from concurrent.futures import Executor
+    from typing import TypeVar
+
+    from click.decorators import FC
+    from dask.distributed import Client
+
+    T = TypeVar("T")
 
 ANSWERS = 3         # seconds in which a cluster does: its machine, and a little later its scheduler
 
 
-def worker_options(command: Callable) -> Callable:
+def worker_options(command: "FC") -> "FC":
     """--jobs and --cluster."""
     command = click.option("--cluster", metavar="ADDRESS", help="Workers of a scheduler of dask.distributed instead: "
                            "tcp://host:8786.")(command)
@@ -42,7 +49,7 @@ def workers(jobs: int, cluster: str | None) -> "Iterator[Executor | None]":
         pool.shutdown()
 
 
-def _cluster(address):
+def _cluster(address: str) -> "Client":
     try:
         from dask.distributed import Client
     except ImportError:
@@ -54,15 +61,15 @@ def _cluster(address):
         raise click.UsageError(f"no cluster answers at {address}: {error}") from None
 
 
-def _within(seconds, work):
+def _within(seconds: float, work: "Callable[[], T]") -> "T":
     """What work gives, or raises; TimeoutError where that takes longer: it is left to itself, as what waits for a
     server that says nothing ends when it likes."""
     from concurrent.futures import Future
     from threading import Thread
 
-    found: Future[Any] = Future()
+    found: Future[T] = Future()
 
-    def run():
+    def run() -> None:
         try:
             found.set_result(work())
         except Exception as error:
@@ -75,7 +82,7 @@ def _within(seconds, work):
         raise TimeoutError("nothing is heard from there") from None
 
 
-def _reach(address):
+def _reach(address: str) -> None:
     """OSError or ValueError where nothing listens there: a Client that did not find its scheduler ends slowly."""
     import socket
     from urllib.parse import urlsplit

@@ -23,10 +23,11 @@ from vibcli.elements.member_segments import segments_of
 from vibcli.language.named_elements import load
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Iterator, Mapping, Sequence
 
     from vibcli.elements.member_segments import MemberSegment
     from vibcli.elements.place_signals import PlaceSignal
+    from vibcli.language.reader import Record
     from vibcli.language.signal_names import SignalName
     from vibcli.symbolic.node import Node
 
@@ -39,14 +40,14 @@ class Member(NamedTuple):
 
     name: str
     kind: MemberKind
-    record: Any
-    segments: list
-    stations: list
+    record: "Record"
+    segments: "list[MemberSegment]"
+    stations: list[Station]
     line: DrawnLine | None = None
-    stretches: tuple = ()
+    stretches: "tuple[Node | None, ...]" = ()
     settled: bool = True
-    tie: Any = None
-    tensions: Any = ()
+    tie: "Node | None" = None
+    tensions: "Sequence[tuple[Node, Node, Node]]" = ()
 
     @property
     def length(self) -> "Node":

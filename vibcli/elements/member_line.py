@@ -15,11 +15,11 @@ class Station(NamedTuple):
     """A place on a member, as it is written, and its motions: u or φ, the slope of beams, and in the plane that along
     (None where there is none)."""
 
-    place: Any
+    place: "Node"
     text: str
-    u: Any
-    slope: Any = None
-    along: Any = None
+    u: "Node | None"
+    slope: "Node | None" = None
+    along: "Node | None" = None
 
     @property
     def motions(self) -> "list[Node]":
@@ -40,10 +40,10 @@ class Station(NamedTuple):
 class DrawnLine(NamedTuple):
     """From the place `start` along the unit vector (ex, ey); u counts to the left of it, along (−ey, ex)."""
 
-    start: tuple
-    ex: Any
-    ey: Any
-    length: Any
+    start: "tuple[Node, Node]"
+    ex: "Node"
+    ey: "Node"
+    length: "Node"
 
     def drawn(self, place: "Node") -> "tuple[Node, Node]":
         """Where a place along it is drawn."""

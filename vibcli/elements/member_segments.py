@@ -17,16 +17,16 @@ class MemberSegment(NamedTuple):
     drag per length, its modulus and cross-section, None where they are not given; `axial`: EA of a beam that stretches,
     None of any other."""
 
-    start: Any
-    end: Any
+    start: "Node"
+    end: "Node"
     text: str
-    stiffness: Any
-    inertia: Any
-    foundation: Any
-    drag: Any
-    modulus: Any
-    section: Any
-    axial: Any = None
+    stiffness: "Node | None"
+    inertia: "Node | None"
+    foundation: "Node"
+    drag: "Node"
+    modulus: "Node | None"
+    section: CrossSection | None
+    axial: "Node | None" = None
 
     @property
     def nodes(self) -> "list[Node]":

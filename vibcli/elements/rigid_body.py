@@ -1,7 +1,7 @@
 """Bodies as built, and what the motion of each refers to."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.elements import ELEMENTS
@@ -9,6 +9,7 @@ from vibcli.elements import ELEMENTS
 if TYPE_CHECKING:
     from vibcli.language.reader import Record, Reference
     from vibcli.language.spec import Spec
+    from vibcli.scene.places import Frame
     from vibcli.symbolic.node import Node
 
 MOTIONS = tuple(name for name, (section, _) in ELEMENTS.items() if section is None and not name.endswith("_part"))
@@ -25,18 +26,18 @@ class Body(NamedTuple):
     """
 
     name: str
-    record: Any
-    mass: Any = None
-    inertia: Any = None
-    centre: tuple = None
-    pieces: list = None
-    cut: list = None
-    rims: tuple = ()
-    rolling_radius: Any = None
-    frame: Any = None
-    lumped: tuple = None
-    normal: tuple = None
-    reach: Any = None
+    record: "Record"
+    mass: "Node | None" = None
+    inertia: "Node | None" = None
+    centre: "tuple[Node, Node] | None" = None
+    pieces: "list[tuple[Node, tuple[Node, Node], Node]] | None" = None
+    cut: "list[tuple[Node, tuple[Node, Node], Node]] | None" = None
+    rims: "tuple[tuple[Node, Node], ...]" = ()
+    rolling_radius: "Node | None" = None
+    frame: "Frame | None" = None
+    lumped: "tuple[str, Node] | None" = None
+    normal: "tuple[Node, Node] | None" = None
+    reach: "Node | None" = None
 
     @property
     def moves(self) -> bool:
@@ -58,7 +59,7 @@ class Body(NamedTuple):
         """Itself with its expressions replaced, {node: node}."""
         return self._replace(frame=self.frame and self.frame.over(new),
                              lumped=self.lumped and (self.lumped[0], new[self.lumped[1]]),
-                             normal=self.normal and tuple(new[node] for node in self.normal))
+                             normal=self.normal and (new[self.normal[0]], new[self.normal[1]]))
 
 
 def touched(record: "Record") -> "list[Reference]":

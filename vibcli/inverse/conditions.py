@@ -267,8 +267,8 @@ def in_geometry(problem: "Problem", names: Sequence[str]) -> bool:
     for name in parameters.order:
         if name in parameters.definitions and symbols & set(reachable([parameters.definitions[name]])):
             symbols.add(parameters.nodes[name])
-    terms = (*scene.inertias, *scene.springs, *scene.dampers, *scene.weights, *scene.forces, *scene.constraints)
-    places = [getattr(term, "s", None) or term.node for term in terms]
+    terms = (*scene.inertias, *scene.springs, *scene.dampers, *scene.weights, *scene.forces)
+    places = [*(term.s for term in terms), *(constraint.node for constraint in scene.constraints)]
     return bool(symbols & set(reachable([*places, *scene.drawn.values(), *scene.dependent.values()])))
 
 

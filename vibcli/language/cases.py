@@ -1,5 +1,7 @@
 """A case of a scene merged over it, as documents."""
 
+from typing import Any
+
 from vibcli.language.document.nodes import Mapping, Scalar
 from vibcli.language.sections import OWN_OF_CASES
 from vibcli.symbolic.parser import plain_name
@@ -23,7 +25,7 @@ def merged(root: Mapping, part: Mapping) -> Mapping:
     return Mapping(part.where, found)
 
 
-def _still_chosen(key_node, choices, part):
+def _still_chosen(key_node: Scalar, choices: Mapping, part: Mapping) -> tuple[Scalar, Mapping]:
     """The conditions of a scene without those of parameters to which the case gives a value."""
     given = part.entries["parameters"][1] if "parameters" in part.entries else None
     own = part.entries["choose"][1] if "choose" in part.entries else None
@@ -34,7 +36,7 @@ def _still_chosen(key_node, choices, part):
     return key_node, Mapping(choices.where, left)
 
 
-def _over(below, above):
+def _over(below: dict[str, tuple[Scalar, Any]], above: dict[str, tuple[Scalar, Any]]) -> dict[str, tuple[Scalar, Any]]:
     found = dict(below)
     for key, (key_node, value) in above.items():
         old = found.get(key)

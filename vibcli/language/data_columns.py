@@ -8,7 +8,6 @@ import stat
 from array import array
 from collections.abc import Callable, Sequence
 from math import isfinite
-from typing import Any
 
 from vibcli.base.diagnostics import quoted
 from vibcli.base.errors import Diagnostic, Where
@@ -24,16 +23,16 @@ class Columns:
     __slots__ = ("count", "file", "header", "lines", "separator", "texts")
 
     def __init__(self, file: str, separator: str | None, header: Sequence[str] | None, lines: Sequence[int],
-                 texts: Sequence[str]):
+                 texts: Sequence[str]) -> None:
         self.file, self.separator, self.header, self.lines, self.texts = file, separator, header, lines, texts
         self.count = len(header or texts[0].split(separator))
 
-    def numbers(self, i: int, report: Callable) -> Sequence[float] | None:
+    def numbers(self, i: int, report: Callable[[Where, str, str], None]) -> Sequence[float] | None:
         """The numbers of column i, from 0; None where one of them is none, after `report(where, message, hint)`."""
         found = self._plain(i)
         return self._checked(i, report) if found is None else found
 
-    def _plain(self, i):
+    def _plain(self, i: int) -> list[float] | None:
         """The same where all rows are plain at the first look; else None."""
         count, separator, found = self.count, self.separator, []
         try:
@@ -47,7 +46,7 @@ class Columns:
             return None
         return found if all(map(isfinite, found)) else None
 
-    def _checked(self, i, report):
+    def _checked(self, i: int, report: Callable[[Where, str, str], None]) -> list[float] | None:
         found, wrong = [], 0
         for line, text in zip(self.lines, self.texts, strict=True):
             cells = text.split(self.separator)
@@ -63,7 +62,7 @@ class Columns:
         """The place of the cell of a row (from 0) and a column."""
         return self._cell(self.lines[row], self.texts[row], i)[0]
 
-    def _cell(self, line, text, i):
+    def _cell(self, line: int, text: str, i: int) -> tuple[Where, str]:
         """(place, text) of a cell."""
         at, cells = 0, text.split(self.separator)
         for cell in cells[:i]:
@@ -72,7 +71,7 @@ class Columns:
         inner = cells[i].strip()
         return Where(self.file, line, at + 1 + cells[i].find(inner), max(len(inner), 1)), inner
 
-    def _not_a_number(self, line, text, i):
+    def _not_a_number(self, line: int, text: str, i: int) -> tuple[Where, str, str]:
         cells = text.split(self.separator)
         if len(cells) != self.count:
             more = self.separator == "," and len(cells) > self.count
@@ -87,7 +86,7 @@ class Columns:
         return where, f"expected a number, found {quoted(cell) if cell else 'nothing'}", hint
 
 
-def _number(text):
+def _number(text: str) -> float | None:
     text = text.strip().strip('"')
     try:
         value = float(text)
@@ -96,7 +95,7 @@ def _number(text):
     return value if value - value == 0 and text.isascii() and "_" not in text else None
 
 
-def _is_name(text):
+def _is_name(text: str) -> bool:
     """Does a cell look like the name of a column: is it no number, not even one with a slip such as 1.O or 1e400?"""
     text = text.strip().strip('"').strip()
     try:
@@ -106,13 +105,13 @@ def _is_name(text):
     return False
 
 
-def read_columns(scene: str, name: str) -> tuple[Columns | None, Any]:
+def read_columns(scene: str, name: str) -> tuple[Columns | None, tuple[str, str] | Diagnostic | None]:
     """(Columns, None) of the file `name` beside the file `scene`, or (None, (message, hint) or Diagnostic)."""
     data, problem = data_beside(scene, name)
     return (None, problem) if data is None else columns_in(scene, name, data)
 
 
-def columns_in(scene: str, name: str, data: bytes) -> tuple[Columns | None, Any]:
+def columns_in(scene: str, name: str, data: bytes) -> tuple[Columns | None, Diagnostic | None]:
     """The same of what such a file holds."""
     return _parsed(os.path.join(os.path.dirname(scene) or ".", name), data)
 
@@ -139,7 +138,7 @@ def data_beside(scene: str, name: str) -> tuple[bytes | None, tuple[str, str] | 
     return data, None
 
 
-def _outside(folder, path, name):
+def _outside(folder: str, path: str, name: str) -> tuple[str, str] | None:
     """The fault of a name that leads out of the folder of the scene."""
     parts = name.replace("\\", "/").split("/")
     if not name.strip() or "\0" in name or os.path.isabs(name) or name.startswith("\\") or ".." in parts or ":" in name:
@@ -151,7 +150,7 @@ def _outside(folder, path, name):
     return None
 
 
-def _near(path):
+def _near(path: str) -> str:
     from difflib import get_close_matches
 
     folder, name = os.path.split(path)
@@ -162,7 +161,7 @@ def _near(path):
     return f"did you mean '{near[0]}'?" if near else "it lies in the folder of the scene or below it"
 
 
-def _parsed(path, data):
+def _parsed(path: str, data: bytes) -> tuple[Columns | None, Diagnostic | None]:
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:

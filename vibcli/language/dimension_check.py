@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.base import units
 from vibcli.base.spelling import near, nearest
@@ -14,6 +14,7 @@ from vibcli.symbolic.syntax import Equation, ExpressionError, NameRef, QuantityR
 if TYPE_CHECKING:
     from vibcli.language.reader import Expression, Reader, Record
     from vibcli.language.spec import Spec
+    from vibcli.symbolic.syntax import Number, UnitPower
 
 TIMED = ("impulse", "square", "sawtooth")
 APART = r"(?<![\w.])(\d+(?:\.\d+)?(?:[eE][+-]?\d+)?)\s*([*/])\s*$"     # a number and an operator
@@ -23,8 +24,8 @@ NO_NUMBERS = ("nan", "inf", "infinity", "null", "none", "true", "false", "yes", 
 
 
 def check(spec: "Spec", reader: "Reader", expression: "Expression",
-          names: "Mapping[str, Record | None] | Sequence[str]", expected: Any,
-          local: tuple[str, dict[str, int]] | None = None) -> bool:
+          names: "Mapping[str, Record | None] | Sequence[str]", expected: "units.Dimension | None",
+          local: "tuple[str, units.Dimension] | None" = None) -> bool:
     """Names and dimension of one expression; True where both fit. `local`: (name, dimension) of what has a name in it
     alone."""
     before = len(reader.diagnostics)
@@ -51,11 +52,11 @@ def check(spec: "Spec", reader: "Reader", expression: "Expression",
     if len(reader.diagnostics) > before:
         return False
     try:
-        def of(name, primes):
+        def of(name: str, primes: int) -> "units.Dimension":
             known = local[1] if local and name == local[0] else spec.dimensions.of(name)
             return units.times(known, units.TIME, -primes) if primes else known
 
-        def quantity(tree):
+        def quantity(tree: QuantityRef) -> "units.Dimension | None":
             return spec.asked_dimension(spec, tree)
 
         checker = DimensionCheck(spec.dimensions, of, spec.free_numbers, quantity, expression.text)
@@ -69,7 +70,7 @@ def check(spec: "Spec", reader: "Reader", expression: "Expression",
     return len(reader.diagnostics) == before
 
 
-def _of_time_alone(spec, reader, expression):
+def _of_time_alone(spec: "Spec", reader: "Reader", expression: "Expression") -> None:
     """Impulses, waves and records are functions of the time, not of where things are."""
     for call in expression.parts.calls:
         recorded = call.name in spec.named.get("records", ())
@@ -82,7 +83,8 @@ def _of_time_alone(spec, reader, expression):
                                   f"time: the coordinate '{name}' cannot stand in it", f"as in {call.name}(t)")
 
 
-def _fits(spec, reader, expression, found, expected):
+def _fits(spec: "Spec", reader: "Reader", expression: "Expression",
+          found: "units.Dimension | None", expected: "units.Dimension | None") -> None:
     only_numbers = all(name == "pi" for name, *_ in expression.parts.names)
     if spec.free_numbers == ALL_NUMBERS or expected is None or found is ANY or (spec.free_numbers and only_numbers):
         return
@@ -98,7 +100,7 @@ def _fits(spec, reader, expression, found, expected):
                       "coordinate" if factor else _unit_hint(spec, expression, wanted))
 
 
-def _found(expression, dimension):
+def _found(expression: "Expression", dimension: "units.Dimension") -> str:
     literal = expression.parts.whole
     if literal and literal.units:
         if not dimension and literal.units[0].unit != "%":
@@ -108,7 +110,7 @@ def _found(expression, dimension):
     return units.name(dimension)
 
 
-def _unit_hint(spec, expression, wanted):
+def _unit_hint(spec: "Spec", expression: "Expression", wanted: str) -> str | None:
     """A number without unit: where and how to write it."""
     literal = expression.parts.whole
     if not expression.unit:
@@ -136,7 +138,7 @@ def unit_of_a_number(unit: str) -> str:
     return unit.replace("1/", "", 1) + "^-1" if unit.startswith("1/") else unit
 
 
-def _no_quantities(reader, expression):
+def _no_quantities(reader: "Reader", expression: "Expression") -> None:
     for tree in expression.parts.quantities:
         if tree.head == VALUE:
             applied(reader, expression, tree)
@@ -159,7 +161,8 @@ def applied(reader: "Reader", expression: "Expression", tree: QuantityRef) -> No
                   "there is no implicit multiplication: write a * between factors")
 
 
-def _primes(spec, reader, expression, name, primes, start, end):
+def _primes(spec: "Spec", reader: "Reader", expression: "Expression", name: str, primes: int, start: int,
+            end: int) -> None:
     if not primes:
         return
     place = expression.scalar.place(start, end - start)
@@ -173,7 +176,8 @@ def _primes(spec, reader, expression, name, primes, start, end):
         reader.report(place, "velocities cannot stand here", "they stand in energies, forces and expected equations")
 
 
-def _misplaced_unit(expression, name, start, names):
+def _misplaced_unit(expression: "Expression", name: str, start: int,
+                    names: "Mapping[str, Record | None] | Sequence[str]") -> tuple[str, str] | None:
     """Of a unit in brackets, 2 N*(s/m), or after an operator, 3*N/m, or misspelt, 3 m/sec: what is wrong and what to
     write; None of another name."""
     if name not in units.UNITS:
@@ -195,7 +199,8 @@ def _misplaced_unit(expression, name, start, names):
     return f"unknown name '{name}'", f"a unit stands right after its number: write {written}"
 
 
-def _unknown(spec, name, names, moves, local):
+def _unknown(spec: "Spec", name: str, names: "Mapping[str, Record | None] | Sequence[str]", moves: bool,
+             local: "tuple[str, units.Dimension] | None") -> tuple[str, str | None]:
     if name == "t":
         return "the time t cannot stand here", "it stands in motions, driven points, forces, energies and constraints"
     if name in spec.named.get("records", ()):
@@ -224,7 +229,8 @@ def _unknown(spec, name, names, moves, local):
     return f"unknown name '{name}'", hint
 
 
-def _ambiguous(spec, reader, expression, local):
+def _ambiguous(spec: "Spec", reader: "Reader", expression: "Expression",
+               local: "tuple[str, units.Dimension] | None") -> None:
     """`2 N*m` within a larger expression of a scene that has a name m may mean two things."""
     if expression.parts.whole:
         return
@@ -245,7 +251,8 @@ def check_whole_literal(spec: "Spec", reader: "Reader", expression: "Expression"
             _two_readings(reader, expression, literal, unit)
 
 
-def _competing(spec, expression, literal, local=()):
+def _competing(spec: "Spec", expression: "Expression", literal: "Number",
+               local: tuple[str, ...] = ()) -> "list[UnitPower]":
     """The units of a literal, joined by an operator, that are names of the scene as well; none of one in brackets."""
     before, after = expression.text[:literal.start].rstrip(), expression.text[literal.end:].lstrip()
     if before.endswith("(") and after.startswith(")"):
@@ -254,7 +261,7 @@ def _competing(spec, expression, literal, local=()):
     return [unit for unit in literal.units[1:] if any(unit.unit in some for some in names)]
 
 
-def _two_readings(reader, expression, literal, unit):
+def _two_readings(reader: "Reader", expression: "Expression", literal: "Number", unit: "UnitPower") -> None:
     name, _, start, end = unit
     text = expression.text
     head, joined = text[literal.start:start].rstrip(" *·/"), text[literal.start:literal.end].rstrip()

@@ -11,6 +11,8 @@ from vibcli.language.reader import Record, article
 
 if TYPE_CHECKING:
     from vibcli.base.errors import Where
+    from vibcli.language.document.nodes import DocumentNode
+    from vibcli.language.reader import Reader
 
 
 class Field(NamedTuple):
@@ -32,9 +34,9 @@ class Element(NamedTuple):
     about: str
     fields: dict[str, Field]
     short: str | None = None
-    exclusive: tuple = ()
-    needs: tuple = ()
-    settle: Callable | None = None
+    exclusive: tuple[tuple[str, ...], ...] = ()
+    needs: tuple[tuple[str, ...], ...] = ()
+    settle: "Callable[[Record, Reader], None] | None" = None
     example: str | None = None
     instead: dict[str, str] = {}
     signals: dict[str, tuple[str, str]] = {}
@@ -46,7 +48,8 @@ class Element(NamedTuple):
             return f"{self.fields[self.short].kind.wants}, or a mapping {{{keys}}}"
         return f"{article(self.name)} as a mapping {{{keys}}}"
 
-    def read(self, node: Any, reader: Any, name: str | None = None, where: "Where | None" = None) -> "Record | None":
+    def read(self, node: "DocumentNode", reader: "Reader", name: str | None = None,
+             where: "Where | None" = None) -> "Record | None":
         where = where or node.where
         if not isinstance(node, Mapping):
             if self.short is None or (isinstance(node, Scalar) and not node.text.strip()):
@@ -73,7 +76,7 @@ class Element(NamedTuple):
             self.settle(record, reader)
         return record
 
-    def _rules(self, reader, where, keys):
+    def _rules(self, reader: "Reader", where: "Where", keys: "dict[str, Where]") -> None:
         given = set(keys) | {near(key, self.fields) for key in keys if key not in self.fields}
         for key, field in self.fields.items():
             if field.required and key not in given:

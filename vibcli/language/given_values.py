@@ -14,6 +14,7 @@ from vibcli.symbolic.syntax import Sum, whole_literal
 
 if TYPE_CHECKING:
     from vibcli.base.units import Unit
+    from vibcli.symbolic.syntax import Number
 
 FIGURES = 12        # of values that are computed
 
@@ -48,7 +49,7 @@ def giver(unit: str, name: str) -> "Callable[[float | Fraction], GivenValue]":
     return given
 
 
-def _moved(one, number, width):
+def _moved(one: "Number", number: Fraction, width: int) -> "Number":
     """The literal 1 with another number, which is wider by so much."""
     units = tuple(part._replace(start=part.start + width, end=part.end + width) for part in one.units)
     return one._replace(value=number, units=units, end=one.end + width)

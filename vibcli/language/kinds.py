@@ -5,7 +5,7 @@ as trees; what their names mean and whether their dimensions fit is settled by t
 """
 
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 from vibcli.base.named_tuple import NamedTuple
@@ -15,6 +15,9 @@ from vibcli.language.reader import Expression, Reference, check_name
 from vibcli.language.record_calls import with_record_calls
 from vibcli.symbolic.parser import parse, plain_name
 from vibcli.symbolic.syntax import ExpressionError
+
+if TYPE_CHECKING:
+    from vibcli.language.document.nodes import DocumentNode
 
 
 class Kind:
@@ -115,7 +118,7 @@ class NewName(Text):
 class NameOf(Kind):
     """The name of something declared elsewhere in the file, in one of the namespaces of spec.py."""
 
-    def __init__(self, wants: str, *namespaces: str):
+    def __init__(self, wants: str, *namespaces: str) -> None:
         self.wants, self.namespaces = wants, namespaces
 
     def read(self, node: Any, reader: Any) -> Any:
@@ -138,7 +141,7 @@ def in_square_brackets(text: str, least: int = 2, most: int = 2) -> str | None:
 
 
 class Choice(Kind):
-    def __init__(self, *words: str):
+    def __init__(self, *words: str) -> None:
         self.words = words
 
     @property
@@ -159,7 +162,7 @@ class Choice(Kind):
 class WholeNumber(Kind):
     """A whole number from `least` to `most`: how many, or the number of one, or an order."""
 
-    def __init__(self, most: int, least: int = 1):
+    def __init__(self, most: int, least: int = 1) -> None:
         self.wants, self.least, self.most = f"a whole number from {least} to {most}", least, most
 
     def read(self, node: Any, reader: Any) -> Any:
@@ -176,7 +179,7 @@ class WholeNumber(Kind):
 
 
 class Flag(Choice):
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__("true", "false")
 
     def read(self, node: Any, reader: Any) -> Any:
@@ -213,7 +216,7 @@ class Many(NamedTuple):
         items = [self.kind.read(item, reader) for item in node.items]
         return None if any(item is None for item in items) else items
 
-    def _miscounted(self, items):
+    def _miscounted(self, items: "list[DocumentNode]") -> str | None:
         """A hint where a comma stands for the point of a decimal, or is forgotten; or None."""
         texts = [item.text.strip() if isinstance(item, Scalar) else "" for item in items]
         if len(items) > self.most and any(one.lstrip("+-").isdigit() and other[:1].isdigit() and " " in other

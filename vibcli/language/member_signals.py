@@ -78,7 +78,7 @@ def oscillator_parts(record: "Record") -> list[str]:
     return ["oscillator", *(f"oscillator.{i}" for i in range(2, number + 1))][:number]
 
 
-def _no_stress(spec, signal, section):
+def _no_stress(spec: "Spec", signal: "SignalName", section: str) -> bool:
     """Is it the stress of a member whose cross-section is not given everywhere?"""
     if signal.part != "stress":
         return False
@@ -121,7 +121,7 @@ def mistake(spec: "Spec", signal: "SignalName") -> Mistake | None:
     return None
 
 
-def _of_point(spec, signal):
+def _of_point(spec: "Spec", signal: "SignalName") -> Mistake | None:
     """A point on a member without a place has no name of its own."""
     point = (spec.get("member_points") or {}).get(signal.name)
     if point is None:

@@ -1,6 +1,5 @@
 """Elements by name: those that have a file of their own, and mappings from names that the writer chooses."""
 
-from collections.abc import Callable
 from functools import cache
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
@@ -32,7 +31,7 @@ class Lazy(NamedTuple):
     def module(self) -> "ModuleType":
         return load(self.name, self.room)
 
-    def __getattr__(self, attribute: str) -> Callable | str:
+    def __getattr__(self, attribute: str) -> Any:
         return getattr(self.module.ELEMENT, attribute)
 
     def read(self, node: Any, reader: Any, *named: "str | Where") -> Any:
@@ -51,7 +50,7 @@ class LazyKind(NamedTuple):
         """The kind itself."""
         return getattr(load(self.name, self.room), self.what)
 
-    def __getattr__(self, attribute: str) -> Callable | str:
+    def __getattr__(self, attribute: str) -> Any:
         return getattr(self.opened, attribute)
 
     def read(self, node: Any, reader: Any) -> Any:

@@ -7,15 +7,15 @@ from vibcli.language.kinds import NameOf, OneOf, in_square_brackets, vector
 from vibcli.symbolic.parser import plain_name
 
 if TYPE_CHECKING:
-    from vibcli.language.reader import Reference
+    from vibcli.language.reader import Expression, Reference
 
 
-class NamedPlace(list):
+class NamedPlace(list["Expression"]):
     """The place [x, y] at which a named point is drawn: filled in once all points are known."""
 
     __slots__ = ("name",)
 
-    def __init__(self, name: "Reference"):
+    def __init__(self, name: "Reference") -> None:
         super().__init__()
         self.name = name
 
@@ -23,7 +23,7 @@ class NamedPlace(list):
 class _PointAsDrawn(NameOf):
     """The name of a point where the place at which it is drawn is meant."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__("a place [x, y] or the name of a point", "points")
 
     def read(self, node: Any, reader: Any) -> Any:

@@ -13,18 +13,21 @@ from vibcli.symbolic.semantics import is_factor, literal_unit
 if TYPE_CHECKING:
     from fractions import Fraction
 
+    from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import Number, SyntaxTree
+
 
 class GivenByLiteral:
     """A parameter that a scene gives by a positive literal. free_numbers: as in a DimensionCheck of the scene."""
 
-    def __init__(self, record: Record, free_numbers: bool | str):
+    def __init__(self, record: Record, free_numbers: bool | str) -> None:
         self._record, self._free_numbers, was = record, free_numbers, record.get("value")
         self._replaceable = was is not None and _is_positive(was.tree)
         if self._replaceable:
             self._unit, self._kind, self._in_si = unit_text(record), _kind(was.tree), _in_si(was.tree)
             self._factor = free_numbers and is_factor(was.tree, free_numbers)
 
-    def other(self, tree: Any, scalar: Any) -> "tuple[Record, Fraction | None] | None":
+    def other(self, tree: Any, scalar: Any) -> "tuple[Record, Fraction | int | None] | None":
         """Its record with another literal of the same sign and kind of unit, and the exact value of that, None where it
         has none in SI units; None where it is no such literal."""
         if not (self._replaceable and _is_positive(tree)) or (tree.units and self._kind != _kind(tree)) or (
@@ -40,7 +43,7 @@ class _OtherLiteral(Expression):
 
     __slots__ = ("_in_place_of",)
 
-    def __init__(self, *in_place_of: Any):
+    def __init__(self, *in_place_of: Any) -> None:
         self._in_place_of = in_place_of
 
     def __getattr__(self, name: str) -> Any:
@@ -52,19 +55,21 @@ class _OtherLiteral(Expression):
         return getattr(self, name)
 
 
-def _is_positive(tree):
+def _is_positive(tree: "SyntaxTree") -> bool:
     return tree.kind == "number" and tree.value.numerator > 0
 
 
-def _kind(literal):
+def _kind(literal: "Number"
+          ) -> "tuple[Mapping[str, Fraction | int], Fraction | int, Fraction | int, Fraction | int] | None":
     unit = literal_unit(literal.units) if literal.units else None
-    return unit and (unit.dimension, unit.pi, unit.cycles, unit.radians)
+    return None if unit is None else (unit.dimension, unit.pi, unit.cycles, unit.radians)
 
 
-def _in_si(literal):
+def _in_si(literal: "Number") -> "Fraction | int | None":
     """What its unit is in SI units, None where that is no rational number."""
     unit = literal_unit(literal.units)
-    return None if unit.pi or unit.roots else exact(unit.value)
+    value: Fraction | int | None = None if unit.pi or unit.roots else exact(unit.value)
+    return value
 
 
 class OtherLiterals(Parameters):
@@ -72,7 +77,7 @@ class OtherLiterals(Parameters):
     those that are `hanging`, in the order of their definitions."""
 
     def __init__(self, like: Parameters, records: dict[str, Record], literals: "Mapping[str, Fraction | None]",
-                 hanging: Sequence[str]):
+                 hanging: Sequence[str]) -> None:
         self._like, self.records, self._literals, self._hanging = like, records, literals, hanging
         self.table, self.order, self.nodes, self.free = like.table, like.order, like.nodes, like.free
         self.untold, self.in_letters = like.untold, like.in_letters
@@ -91,7 +96,7 @@ class OtherLiterals(Parameters):
                 return None
         return found
 
-    def _definition(self, name):
+    def _definition(self, name: str) -> "Node | None":
         return (self if name in self._literals else self._like).definitions.get(name)
 
     @cached_property

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from vibcli.language.spec import Spec
     from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import SyntaxTree, UnitPower
 
 WIDEST = 4096       # bits
 
@@ -37,7 +38,7 @@ def in_unit(unit: str, tree: Any, scalar: Any) -> tuple[Any, Any]:
 
 
 @lru_cache(maxsize=256)
-def _placed(unit, start):
+def _placed(unit: str, start: int) -> "tuple[UnitPower, ...]":
     """The units of a text that starts at a place."""
     moved = start - len("1 ")
     return tuple(one._replace(start=one.start + moved, end=one.end + moved) for one in parse("1 " + unit).units)
@@ -56,19 +57,21 @@ def overridden(record: Record, tree: Number | Product | Sum, scalar: Any, reader
 def unit_text(record: Record) -> str:
     """The text of the unit in which the file gives a parameter, '' where it gives none."""
     if "value" not in record:
-        return record.get("unit", "")
-    was = record["value"].parts.whole
-    return record["value"].text[was.units[0].start:was.end].strip() if was and was.units else ""
+        unit: str = record.get("unit", "")
+        return unit
+    value: Expression = record["value"]
+    was = value.parts.whole
+    return value.text[was.units[0].start:was.end].strip() if was and was.units else ""
 
 
-def _with_unit(tree, units):
+def _with_unit(tree: Number | Sum, units: "tuple[UnitPower, ...]") -> Number | Sum:
     if isinstance(tree, Sum):
         sign, number = tree.parts[0]
         return tree._replace(parts=((sign, _with_unit(number, units)),))
     return Number(tree.start, units[-1].end, tree.value, units)
 
 
-def _may_be_negative(tree):
+def _may_be_negative(tree: "SyntaxTree") -> bool:
     """Does a value hold a minus, a zero or a function?"""
     if isinstance(tree, (Sum, Product)):
         return any(sign < 0 and isinstance(tree, Sum) for sign, _ in tree.parts) or any(
@@ -90,7 +93,7 @@ class Parameters:
     untold: list[str]
     in_letters: "dict[str, Node]"
 
-    def __init__(self, spec: "Spec", table: "Table", given: Iterable[str] = ()):
+    def __init__(self, spec: "Spec", table: "Table", given: Iterable[str] = ()) -> None:
         self.table = table
         self.records = spec.parameters
         self.order = definition_order(spec.parameters)
@@ -102,7 +105,7 @@ class Parameters:
         self.untold = [name for name in self.free if name not in given and name not in spec.choices]
         self.in_letters = self._letters() if self.free else {}
 
-    def _not_positive(self):
+    def _not_positive(self) -> set[str]:
         """Names of parameters that are given as zero or a negative number: found where nothing is taken as positive."""
         if not any(_may_be_negative(record["value"].tree) for record in self.records.values() if "value" in record):
             return set()
@@ -119,7 +122,7 @@ class Parameters:
                     continue
         return {name for name, value in values.items() if not value > 0}
 
-    def _letters(self):
+    def _letters(self) -> "dict[str, Node]":
         """{name: expression} of parameters defined by parameters without value: m1 = 4·m is written out."""
         letters, found = {self.nodes[name] for name in self.free}, {}
         for name in self.order:
@@ -129,7 +132,7 @@ class Parameters:
                     found[name] = node
         return found
 
-    def _lowered(self, names):
+    def _lowered(self, names: Iterable[str]) -> "dict[str, Node]":
         found, wrong = {}, []
         for name in names:
             value = self.records[name].get("value")
@@ -143,8 +146,8 @@ class Parameters:
         return found
 
     def values(self, arithmetic: Any,
-               given: "Mapping[str, float | mpmath.mpf] | None" = None) -> "dict[str, float | mpmath.mpf]":
-        """{name: number} in an arithmetic; `given` supplies the parameters that have no value."""
+               given: Mapping[str, Any] | None = None) -> dict[str, Any]:
+        """{name: number of this arithmetic}; `given` supplies the parameters that have no value."""
         from vibcli.symbolic.evaluation import evaluate
 
         found, wrong = dict(given or {}), []
@@ -174,7 +177,7 @@ class Parameters:
         """The same, where no value is given."""
         return self._rational({}, self.order)
 
-    def _rational(self, found, names):
+    def _rational(self, found: "dict[str, Fraction]", names: list[str]) -> "dict[str, Fraction]":
         from vibcli.symbolic.evaluation import evaluate_rational
 
         for name in names:
@@ -184,7 +187,7 @@ class Parameters:
                 found[name] = value[0]
         return found
 
-    def _definition(self, name):
+    def _definition(self, name: str) -> "Node | None":
         return self.definitions.get(name)
 
 

@@ -12,7 +12,7 @@ from vibcli.symbolic.syntax import parts_of
 
 if TYPE_CHECKING:
     from vibcli.language.data_columns import Columns
-    from vibcli.language.document.nodes import Scalar
+    from vibcli.language.document.nodes import DocumentNode, Scalar
     from vibcli.language.fields import Element
 
 MOST_PROBLEMS = 100
@@ -35,11 +35,11 @@ class Reader:
     whether the scene was read whole, apart from what is asked of it; `files`: what was read beside it; `records` and
     `members`: the names of its records and of its continuous members."""
 
-    def __init__(self, files: Any = None, records: Any = (), members: Any = ()):
+    def __init__(self, files: Any = None, records: Any = (), members: Any = ()) -> None:
         self.files, self.records, self.members = {} if files is None else files, records, members
         self.diagnostics, self.references, self.named_places = [], [], []
         self.expressions, self.motions, self.loads, self.local_names, self.at_speed = {}, {}, {}, {}, set()
-        self.later: set = set()
+        self.later: set[Scalar] = set()
         self.along = {}
         self.sound = True
 
@@ -67,11 +67,13 @@ class Reader:
         self.local_names[expression.scalar] = name, parse_unit(unit).dimension
 
     def columns_of(self, scene: str, name: str,
-                   read: Callable) -> "tuple[Columns | None, tuple[str, str] | Diagnostic | None]":
+                   read: "Callable[[str, str], tuple[Columns | None, tuple[str, str] | Diagnostic | None]]"
+                   ) -> "tuple[Columns | None, tuple[str, str] | Diagnostic | None]":
         """The columns of a file, by `read(scene, name)` once however many cases use it."""
         if (scene, name) not in self.files:
             self.files[scene, name] = read(scene, name)
-        return self.files[scene, name]
+        found: tuple[Columns | None, tuple[str, str] | Diagnostic | None] = self.files[scene, name]
+        return found
 
     def at_places(self, tree: Any) -> Any:
         """A tree with the signals of places on members, where there are any."""
@@ -85,7 +87,7 @@ class Reader:
         self.report(node.where, f"expected {what}, found {_found(node)}", hint)
 
 
-def _found(node):
+def _found(node: "DocumentNode") -> str:
     if isinstance(node, Mapping):
         return "a mapping" if node.entries else "an empty mapping"
     if isinstance(node, Sequence):
@@ -99,7 +101,7 @@ class Expression:
 
     __slots__ = ("dimension", "parts", "scalar", "text", "tree", "unit", "where")
 
-    def __init__(self, scalar: "Scalar", tree: Any, unit: str | None = None, dimension: Any = None):
+    def __init__(self, scalar: "Scalar", tree: Any, unit: str | None = None, dimension: Any = None) -> None:
         self.scalar, self.text, self.where = scalar, scalar.text, scalar.where
         self.tree, self.parts, self.unit, self.dimension = tree, parts_of(tree), unit, dimension
 
@@ -113,18 +115,19 @@ class Reference:
 
     __slots__ = ("text", "where")
 
-    def __init__(self, text: str, where: Where):
+    def __init__(self, text: str, where: Where) -> None:
         self.text, self.where = text, where
 
 
-class Record(dict):
+class Record(dict[str, Any]):
     """One element as written, {key: value}: its declared kind, its name, and the place of each key, of those as well
     whose value could not be read. Two records are never equal."""
 
     __slots__ = ("element", "name", "places", "where")
     __eq__, __ne__, __hash__ = object.__eq__, object.__ne__, object.__hash__  # type: ignore[assignment]
 
-    def __init__(self, element: "Element | None", name: str | None, where: Where, values: Any, places: Any):
+    def __init__(self, element: "Element | None", name: str | None, where: Where, values: Any,
+                 places: dict[str, Where]) -> None:
         super().__init__(values)
         self.element, self.name, self.where, self.places = element, name, where, places
 
@@ -139,12 +142,12 @@ class Record(dict):
         return Record(self.element, self.name, self.where, values, self.places)
 
 
-class ByName(dict):
+class ByName(dict[str, Any]):
     """{name: value} as written, and the place of each name."""
 
     __slots__ = ("places",)
 
-    def __init__(self, values: Any, places: "dict[str, Where]"):
+    def __init__(self, values: Any, places: "dict[str, Where]") -> None:
         super().__init__(values)
         self.places = places
 

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
     from fractions import Fraction
 
+    from vibcli.language.reader import Expression
     from vibcli.language.spec import Spec
 
 POINT = {"x": "m", "y": "m", "reaction.x": "N", "reaction.y": "N", "reaction.moment": "N*m"}
@@ -64,7 +65,7 @@ def signal_dimension(spec: "Spec", text: str) -> "Mapping[str, Fraction | int] |
     return None if unit is None else units.parse_unit(unit).dimension
 
 
-def _unit(spec, text):
+def _unit(spec: "Spec", text: str) -> str | None:
     name, part, place, primes = signal = signal_name(text)
     if not primes and name in spec.members:
         from vibcli.language.member_signals import member_unit
@@ -77,7 +78,7 @@ def _unit(spec, text):
     return _parts(spec, name).get("force" if of_piece else part)
 
 
-def _parts(spec, name):
+def _parts(spec: "Spec", name: str) -> dict[str, str]:
     """{part: unit} of the signals of what has a name."""
     for section, parts in (("bodies", BODY), ("points", POINT)):
         if name in (spec.get(section) or {}):
@@ -104,13 +105,13 @@ def namesakes(spec: "Spec", name: str) -> "list[tuple[str, dict[str, str]]]":
     return [(section, parts) for section, parts in found if parts]
 
 
-def _of_element(record):
+def _of_element(record: Record) -> dict[str, str]:
     units = {part: pair["torsion" in record] for part, pair in record.element.signals.items()}
     inner = _inner(record) if "energy" in units else []
     return units | {f"stretch.{path}": units["stretch"] for path in inner}
 
 
-def _of_force(section, record):
+def _of_force(section: str, record: Record) -> dict[str, str]:
     if section == "forces":
         return {"power": "W"} | {key: unit for key, unit in LOAD.items() if key in record
                                  and not isinstance(record[key], list)}
@@ -118,13 +119,13 @@ def _of_force(section, record):
             for part in parts}
 
 
-def _inner(record):
+def _inner(record: Record) -> list[str]:
     """The numbers of the parts of what consists of several, 2 or 3.1 of nested ones."""
     parts = record.get("series") or record.get("parallel") or ()
     return [f"{i + 1}{rest}" for i, part in enumerate(parts) for rest in ("", *("." + path for path in _inner(part)))]
 
 
-def _signals_of(spec, record, parts):
+def _signals_of(spec: "Spec", record: Record, parts: dict[str, str]) -> dict[str, str]:
     """{part: unit} of a body or point: `parts`, the forces of its drives, those of each of several contacts."""
     contacts = record["roll"].get("between", ()) if "roll" in record else ()
     if contacts:
@@ -171,7 +172,7 @@ def prescribed(spec: "Spec", record: Record) -> dict[str, tuple[str, Any]]:
     return {part: (unit, one) for (part, unit), one in zip(parts.items(), given, strict=False) if _in_time(spec, one)}
 
 
-def _in_time(spec, expression):
+def _in_time(spec: "Spec", expression: "Expression") -> bool:
     """Does an expression hold the time?"""
     if "t" in spec.parameters or "t" in spec.coordinates:
         return False

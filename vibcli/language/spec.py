@@ -1,12 +1,19 @@
 """A scene file as read: records by section, coordinates in order, dimensions of all names."""
 
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import Remark
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.units import Dimensions
 from vibcli.language.reader import Record
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from fractions import Fraction
+
+    from vibcli.reader.sections.answer import Answer
+    from vibcli.symbolic.syntax import QuantityRef
 
 RELEASED = "released"       # the key of the force that lets go, among what a motion starts from
 EXPANDED = "expanded"       # motions of the equations to the third order, {order: 3}
@@ -28,20 +35,20 @@ class Spec(NamedTuple):
     the scene is drawn, where not any will do; `remarks`: what is no error, and may be meant otherwise."""
 
     file: str
-    sections: dict
-    get: Callable
+    sections: dict[str, Any]
+    get: Callable[..., Any]
     named: dict[str, list[str]]
     parameters: dict[str, Record]
     choices: dict[str, Record]
-    answers: list
+    answers: "list[Answer]"
     used: set[str]
-    counts: dict[str, dict]
+    counts: "dict[str, Mapping[str, Fraction | int]]"
     sample: dict[str, float]
     cases: dict[str, "Spec"]
     coordinates: dict[str, Record] | None = None
     dimensions: Dimensions | None = None
     free_numbers: bool | str = False
-    asked_dimension: Callable | None = None
+    asked_dimension: "Callable[[Spec, QuantityRef], Mapping[str, Fraction | int] | None] | None" = None
     remarks: Sequence[Remark] = ()
 
     @property
@@ -97,7 +104,8 @@ class Spec(NamedTuple):
         if coordinate in self.coordinates:
             return self.coordinates[coordinate]
         name = coordinate.partition(".")[0]
-        return self.sections[self.members[name]][name]
+        record: Record = self.sections[self.members[name]][name]
+        return record
 
     @property
     def members(self) -> dict[str, str]:
@@ -115,7 +123,8 @@ class Spec(NamedTuple):
     def let_go(self) -> str | None:
         """The name of the force that lets go at t = 0; None where none does."""
         record = self.get("initial")
-        return record[RELEASED].text if record is not None and RELEASED in record else None
+        name: str | None = record[RELEASED].text if record is not None and RELEASED in record else None
+        return name
 
     def with_parameters(self, parameters: Any) -> "Spec":
         """The Spec with other parameters."""

@@ -30,7 +30,7 @@ def opened(text: str, start: int) -> str | None:
     return None
 
 
-def _chain(text):
+def _chain(text: str) -> list[tuple[str, Fraction]] | None:
     """[(unit, exponent)] of a product of units; None of what is none."""
     found, at = [], 0
     while at < len(text):
@@ -43,7 +43,7 @@ def _chain(text):
     return found
 
 
-def _factor(name, exponent):
+def _factor(name: str, exponent: Fraction) -> str:
     if not exponent:
         return ""
     size = abs(exponent)
@@ -52,7 +52,7 @@ def _factor(name, exponent):
     return ("*" if exponent > 0 else "/") + name + power
 
 
-def _literal(text):
+def _literal(text: str) -> str | None:
     """The text, where it is one number with its unit."""
     try:
         return text if whole_literal(parse(text)) else None

@@ -18,6 +18,8 @@ from vibcli.symbolic.truncated_polynomials import NodeArithmetic, NoDerivative, 
 if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.scene.energy_terms import Spring, Weight
+    from vibcli.scene.laws import Law
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
@@ -139,7 +141,8 @@ def sizes(configuration: "Configuration", which: str, variables: "Sequence[Node]
     """{powers: the sum of the magnitudes of what the elements contribute}."""
     scene, found = configuration.scene.resting, {}
     arithmetic, values = configuration.bounded_rest
-    terms = (*scene.springs, *scene.weights, *(law for law in scene.laws if not law.damper))
+    terms: tuple[Spring | Weight | Law, ...] = (
+        *scene.springs, *scene.weights, *(law for law in scene.laws if not law.damper))
     nodes = [ENERGIES[which](scene), *([term.potential(scene) for term in terms] if which == "V" else ())]
     for part in expanded_by(scene, which, nodes, arithmetic, values, variables, keep, order, sign):
         for powers, c in part.items():

@@ -12,8 +12,6 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 if TYPE_CHECKING:
     from fractions import Fraction
 
-    import mpmath
-
     from vibcli.mechanics.compiled_statics import StaticForces
     from vibcli.mechanics.numeric_linearisation import Numbers
     from vibcli.mechanics.system import MechanicalSystem
@@ -57,7 +55,7 @@ class NumericSystem:
         """Are there parameters without value?"""
         return any(name not in self.given for name in self.scene.parameters.free)
 
-    def values(self, arithmetic: Any) -> "dict[str, float | mpmath.mpf]":
+    def values(self, arithmetic: Any) -> dict[str, Any]:
         """{parameter: number} in an arithmetic."""
         from vibcli.language.parameters import require_values
 
@@ -84,7 +82,7 @@ class NumericSystem:
         return dict(zip(drawn, evaluate(list(drawn.values()), Floats, self.floats), strict=True))
 
     @cached_property
-    def rational(self) -> "dict[str, Fraction]":
+    def rational(self) -> "Mapping[str, Fraction]":
         """Exact values of the parameters that have a rational one."""
         return self.scene.parameters.rational(self.given)
 

@@ -9,10 +9,10 @@ from vibcli.symbolic.syntax import NameRef, Number, Product, Sum
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
-    from typing import Any
 
     from vibcli.language.reader import Expression, Reader
     from vibcli.language.spec import Spec
+    from vibcli.symbolic.syntax import SyntaxTree
 
 CIRCULAR = ("sin", "cos", "tan")
 FEW = 4         # angles are doubled and halved; by greater factors degrees are turned into radians
@@ -31,7 +31,7 @@ def angle_remarks(spec: "Spec", reader: "Reader") -> list[Remark]:
     return list(found.values())
 
 
-def _angles(spec, reader) -> "Iterator[tuple[Expression, Any]]":
+def _angles(spec: "Spec", reader: "Reader") -> "Iterator[tuple[Expression, SyntaxTree]]":
     """(expression, its part that is an angle)."""
     turning = set()
     for expression in (*reader.expressions.values(), *_values(spec)):
@@ -47,17 +47,17 @@ def _angles(spec, reader) -> "Iterator[tuple[Expression, Any]]":
             yield expression, expression.tree
 
 
-def _values(spec):
+def _values(spec: "Spec") -> "list[Expression]":
     return [record["value"] for record in spec.parameters.values() if "value" in record]
 
 
-def _places(spec):
+def _places(spec: "Spec") -> "Iterator[tuple[str, Expression]]":
     """(coordinate, expression of where it starts or is drawn)."""
     yield from (spec.get("initial") or {}).items()
     yield from ((name, record["drawn"]) for name, record in spec.coordinates.items() if "drawn" in record)
 
 
-def _terms(spec, expression, tree):
+def _terms(spec: "Spec", expression: "Expression", tree: "SyntaxTree") -> "Iterator[tuple[Expression, Number, str]]":
     """(Expression, Number, 'name = ') of the numbers beyond a turn among the terms of an angle."""
     for term in _split(tree):
         if isinstance(term, NameRef) and "value" in spec.parameters.get(term.name, ()):
@@ -70,7 +70,7 @@ def _terms(spec, expression, tree):
             yield expression, term, ""
 
 
-def _split(tree):
+def _split(tree: "SyntaxTree") -> "Iterator[NameRef | Number]":
     """The names and numbers that are terms of an angle, doubled or halved at most."""
     if isinstance(tree, Sum):
         for _, part in tree.parts:

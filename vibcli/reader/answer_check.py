@@ -13,10 +13,11 @@ from vibcli.quantities.quantity import OF_STATE, TRUTH, is_bare, kind_of, named,
 from vibcli.reader.cycles_used import is_number_without_cycles
 from vibcli.reader.quantity_check import can_be_asked
 from vibcli.reader.sections.answer import Answer
-from vibcli.symbolic.syntax import NameRef, Product, QuantityRef, Sum
+from vibcli.symbolic.syntax import NameRef, QuantityRef
 
 if TYPE_CHECKING:
     from vibcli.language.spec import Spec
+    from vibcli.symbolic.syntax import SyntaxTree
 
 
 def check_question(spec: "Spec", reader: Reader, asked: Expression) -> Expression:
@@ -29,7 +30,7 @@ def check_question(spec: "Spec", reader: Reader, asked: Expression) -> Expressio
     return asked
 
 
-def _is_parameter(spec, name):
+def _is_parameter(spec: "Spec", name: str) -> bool:
     """Is a name that can be asked for, such as T, that of a chosen parameter or of one that measures something else?"""
     measured = spec.dimensions.of(name) if name in spec.parameters else None
     return name in spec.choices or (measured is not None and measured != units.parse_unit(named(name).unit).dimension)
@@ -43,7 +44,7 @@ def as_quantity(spec: "Spec", expression: Expression) -> Expression:
     return expression
 
 
-def in_unit_asked(spec: "Spec", expected: Expression, tree: Product | QuantityRef | Sum) -> Expression:
+def in_unit_asked(spec: "Spec", expected: Expression, tree: "SyntaxTree") -> Expression:
     """An expected value in the unit of the quantity that is asked, if it has one of its own."""
     quantity = quantity_of(spec, tree)
     return Expression(expected.scalar, expected.tree, None if quantity is None else quantity.own_unit)
@@ -80,7 +81,7 @@ def checked(spec: "Spec", reader: Reader, answer: Answer) -> Answer:
     return found
 
 
-def _expected(spec, reader, answer):
+def _expected(spec: "Spec", reader: Reader, answer: Answer) -> None:
     """Report what is wrong with an expected value."""
     asked, expected = answer.asked, answer.expected
     tree = asked.tree

@@ -15,6 +15,7 @@ from vibcli.symbolic.semantics import ALL_NUMBERS
 from vibcli.symbolic.syntax import NameRef, QuantityRef
 
 if TYPE_CHECKING:
+    from vibcli.base.errors import Where
     from vibcli.language.spec import Spec
 
 MOST_CHOSEN = 4
@@ -57,7 +58,7 @@ def check_choices(spec: "Spec", reader: Reader) -> "Spec":
     return spec
 
 
-def _finished(spec, condition):
+def _finished(spec: "Spec", condition: Condition) -> Condition:
     """An equation in which names alone are the quantities that they stand for, its expected side in their unit."""
     return Condition(condition.text, condition.where, None, *finished_sides(spec, *condition.sides))
 
@@ -72,7 +73,7 @@ def finished_sides(spec: "Spec", left: Expression, right: Expression) -> tuple[E
     return left, right
 
 
-def _equation(spec, reader, name, condition):
+def _equation(spec: "Spec", reader: Reader, name: str, condition: Condition) -> None:
     left, right = condition.sides
     quantities = [(side, tree) for side in condition.sides for tree in side.parts.quantities]
     for side, tree in quantities:
@@ -112,7 +113,7 @@ def check_sides(spec: "Spec", reader: Reader, left: Expression, right: Expressio
     return True
 
 
-def _same(spec, reader, left, right):
+def _same(spec: "Spec", reader: Reader, left: Expression, right: Expression) -> bool:
     one, other = (dimension_of(spec, side) for side in (left, right))
     if spec.free_numbers != ALL_NUMBERS and None not in (one, other) and not spec.dimensions.equate(one, other):
         found = [units.name(spec.dimensions.resolve(part)) for part in (one, other)]
@@ -122,9 +123,9 @@ def _same(spec, reader, left, right):
     return True
 
 
-def _head(side):
+def _head(side: Expression) -> str | None:
     return side.tree.head if isinstance(side.tree, QuantityRef) else None
 
 
-def _place(side, tree):
+def _place(side: Expression, tree: QuantityRef) -> "Where":
     return side.scalar.place(tree.start, tree.end - tree.start)

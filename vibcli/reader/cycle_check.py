@@ -7,10 +7,15 @@ from vibcli.symbolic.cycles import agree, fits_both, left_over
 from vibcli.symbolic.syntax import ExpressionError
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from fractions import Fraction
+    from typing import TypeVar
 
     from vibcli.language.reader import Expression, Reader
     from vibcli.language.spec import Spec
+    from vibcli.symbolic.cycles import Cycles
+
+    T = TypeVar("T")
 
 
 def check_radians(spec: "Spec", reader: "Reader", expression: "Expression") -> None:
@@ -20,9 +25,11 @@ def check_radians(spec: "Spec", reader: "Reader", expression: "Expression") -> N
     _reported(reader, expression, lambda counter: counter.require_radians(expression.tree, message, True), spec)
 
 
-def check_terms(spec: "Spec", reader: "Reader", expression: "Expression") -> "dict[str, Fraction | int]":
+def check_terms(spec: "Spec", reader: "Reader", expression: "Expression") -> "dict[str, Fraction | int] | None":
     """Report terms that cannot be added, one counting cycles and the other radians."""
-    return _reported(reader, expression, lambda counter: counter.count(expression.tree), spec)
+    count: dict[str, Fraction | int] | None = _reported(
+        reader, expression, lambda counter: counter.count(expression.tree), spec)
+    return count
 
 
 def check_same(spec: "Spec", reader: "Reader", asked: "Expression", expected: "Expression") -> None:
@@ -42,7 +49,7 @@ def is_frequency(spec: "Spec", expression: "Expression") -> bool:
     return left_over(count) == 1 or fits_both(count, known_dimension(spec, expression.tree))
 
 
-def _reported(reader, expression, check, spec):
+def _reported(reader: "Reader", expression: "Expression", check: "Callable[[Cycles], T]", spec: "Spec") -> "T | None":
     try:
         return check(cycles(spec, expression.text))
     except ExpressionError as error:

@@ -16,6 +16,7 @@ from vibcli.symbolic.semantics import DimensionCheck, constant
 from vibcli.symbolic.syntax import NameRef
 
 if TYPE_CHECKING:
+    from vibcli.language.document.nodes import Scalar
     from vibcli.language.spec import Spec
 
 FEW_COORDINATES, MOST_COORDINATES = 2000, 200_000
@@ -65,7 +66,8 @@ def settle(spec: "Spec", reader: Reader) -> "Spec":
     return _asked(spec, reader, before)
 
 
-def _dimensions(spec, reader, apart, moving, due):
+def _dimensions(spec: "Spec", reader: Reader, apart: "set[Scalar]", moving: "set[Scalar]",
+                due: "dict[Scalar, units.Dimension]") -> None:
     """Expressions fit together, and measure what is due where they stand; those in `apart` are no such, or come later;
     in `moving` ones stand coordinates and the time."""
     known = dict.fromkeys((*spec.parameters, *spec.coordinates, "t"))
@@ -77,7 +79,7 @@ def _dimensions(spec, reader, apart, moving, due):
                   due.get(scalar, expression.dimension), local)
 
 
-def _asked(spec, reader, before):
+def _asked(spec: "Spec", reader: Reader, before: int) -> "Spec":
     """With what is chosen, looked for and asked, each checked where there were no more than so many diagnostics."""
     if spec.choices and reader.sound and len(reader.diagnostics) == before:
         from vibcli.reader.choices import check_choices
@@ -98,7 +100,7 @@ def _asked(spec, reader, before):
     return spec
 
 
-def _cycles(spec, reader, apart):
+def _cycles(spec: "Spec", reader: Reader, apart: "set[Scalar]") -> None:
     """Cycles (Hz) stand nowhere where radians are due; the expressions in `apart` are no such places, or come later."""
     if uses_cycles(spec, reader):
         from vibcli.reader.cycle_check import check_radians, check_terms
@@ -112,7 +114,7 @@ def _cycles(spec, reader, apart):
                 (check_terms if expression.unit == "Hz" else check_radians)(spec, reader, expression)
 
 
-def _time_is_taken(reader):
+def _time_is_taken(reader: Reader) -> None:
     """A parameter t in loads and motions, where it would be the time."""
     for expression in (reader.motions | reader.loads).values():
         for name, _, start, end in expression.parts.names:
@@ -121,7 +123,7 @@ def _time_is_taken(reader):
                               "parameter of this scene", "give the parameter another name")
 
 
-def _moving(spec, reader):
+def _moving(spec: "Spec", reader: Reader) -> "set[Scalar]":
     """Scalars in which coordinates and the time may stand: motions, stretches, loads and energies, and in these two
     velocities; all else is of parameters."""
     reader.at_speed.update(reader.loads, (expression.scalar for expression in (spec.get("energies") or {}).values()))
@@ -129,7 +131,7 @@ def _moving(spec, reader):
                                                  if "stretch" in record)}
 
 
-def _coordinates(spec, reader):
+def _coordinates(spec: "Spec", reader: Reader) -> dict[str, Record]:
     """{name: Record} in order: the declared ones, then those that motions and energies introduce."""
     found = dict(spec.get("coordinates") or {})
     for name, record in found.items():
@@ -158,7 +160,7 @@ def _coordinates(spec, reader):
     return found
 
 
-def _records(spec, reader):
+def _records(spec: "Spec", reader: Reader) -> None:
     """A record is neither a parameter nor a coordinate. Its values have its unit; without one they are pure numbers, in
     a scene without units anything."""
     from vibcli.language.sections.record import dimension
@@ -172,7 +174,7 @@ def _records(spec, reader):
             spec.dimensions.equate(spec.dimensions.unknown(own(name)), units.NONE if measured is None else measured)
 
 
-def _named_places(spec, reader):
+def _named_places(spec: "Spec", reader: Reader) -> None:
     """Every named place is that at which the point is drawn; points may be drawn at points, but not in a circle."""
     points = spec.get("points") or {}
     for place in reader.named_places:
@@ -191,21 +193,19 @@ def _named_places(spec, reader):
             place[:] = at
 
 
-def _units_of_symbols(spec):
+def _units_of_symbols(spec: "Spec") -> None:
     for name, record in spec.parameters.items():
         if "unit" in record:
             dimension = DimensionCheck(spec.dimensions, None).dimension(parse("1 " + record["unit"]))
             spec.dimensions.equate(spec.dimensions.unknown(name), dimension)
 
 
-def _parameters(spec, reader):
+def _parameters(spec: "Spec", reader: Reader) -> bool:
     """Dimensions of the parameters that are given; are there circles among their definitions?"""
     circular = False
     for name, record in spec.parameters.items():
         value = record.get("value")
-        if value is None:
-            continue
-        if spec.free_numbers and constant(value.tree) is not None:
+        if value is None or (spec.free_numbers and constant(value.tree) is not None):
             continue
         check(spec, reader, value, spec.parameters, spec.dimensions.unknown(name))
     for circle in _circles(spec):
@@ -216,7 +216,7 @@ def _parameters(spec, reader):
     return circular
 
 
-def _circles(spec):
+def _circles(spec: "Spec") -> list[list[str]]:
     """Cycles of definitions, as lists of names."""
     needs = {name: [n for n, *_ in record["value"].parts.names if n in spec.parameters]
              for name, record in spec.parameters.items() if "value" in record}
@@ -238,7 +238,7 @@ def _circles(spec):
     return found
 
 
-def _matrices(spec):
+def _matrices(spec: "Spec") -> "dict[Scalar, units.Dimension]":
     """{scalar: dimension} of the entries of M, C, K."""
     if "matrices" not in spec.sections:
         return {}
@@ -250,7 +250,7 @@ def _matrices(spec):
             for r, entry in zip(names, row, strict=False)}
 
 
-def _start(spec):
+def _start(spec: "Spec") -> "dict[Scalar, units.Dimension]":
     """{scalar: dimension} of what is measured as coordinates and chosen parameters are."""
     unknown, initial = spec.dimensions.unknown, spec.get("initial") or {}
     pairs = [(record["value"], units.times(units.ENERGY, unknown(record["coordinate"].text), -1))
@@ -266,14 +266,14 @@ def _start(spec):
     return {expression.scalar: measured for expression, measured in pairs}
 
 
-def _along(spec, reader):
+def _along(spec: "Spec", reader: Reader) -> "dict[Scalar, units.Dimension]":
     """{scalar: dimension} of what is given along coordinates, but for a factor where that is unknown."""
     unknown = spec.dimensions.unknown
     return {scalar: unknown(name) if factor is None else units.times(unknown(name), unknown(factor))
             for scalar, (name, factor) in reader.along.items()}
 
 
-def _bounded(spec, reader):
+def _bounded(spec: "Spec", reader: Reader) -> None:
     """No more coordinates than can be told apart, few where a part of the scene may move with all of them."""
     count = len(spec.coordinates)
     if count > MOST_COORDINATES:
@@ -288,7 +288,7 @@ def _bounded(spec, reader):
                           "leave coordinates out, or let each body move by itself, between springs")
 
 
-def _tie(spec):
+def _tie(spec: "Spec") -> str | None:
     """What may move a part of the scene with all its coordinates, in words; None where nothing does."""
     from vibcli.elements.rigid_body import carriers, touched
 

@@ -59,7 +59,7 @@ def shape_fits(spec: "Spec", reader: "Reader", where: "Where", text: str) -> boo
     """Is this a function of the place x and of parameters? Then these are used; reports what is wrong with it."""
     before = len(reader.diagnostics)
 
-    def dimension(name, primes):
+    def dimension(name: str, primes: int) -> "units.Dimension":
         return units.LENGTH if name == PLACE else spec.dimensions.of(name)
 
     try:

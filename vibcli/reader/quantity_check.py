@@ -1,7 +1,7 @@
 """Quantities: can they be asked of a scene, with these indices, signals, instants, inputs and frequencies?"""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
@@ -13,11 +13,14 @@ from vibcli.quantities.index_kinds import INDICES
 from vibcli.quantities.quantity import COMPLEX, OF_SIGNAL, about_which, declared, is_choice, named, usage, usage_of
 from vibcli.symbolic.parser import VALUE
 from vibcli.symbolic.semantics import ALL_NUMBERS
-from vibcli.symbolic.syntax import ExpressionError, NameRef, QuantityRef, parts_of
+from vibcli.symbolic.syntax import ExpressionError, NameRef, QuantityRef, names_within, parts_of
 
 if TYPE_CHECKING:
+    from vibcli.base.errors import Where
     from vibcli.language.reader import Expression, Reader
     from vibcli.language.spec import Spec
+    from vibcli.quantities.quantity import Declaration
+    from vibcli.symbolic.syntax import SyntaxTree
 
 OF_ELEMENTS = ("law", "mass", "centre", "J")       # quantities of what not every element has
 
@@ -60,7 +63,8 @@ def can_be_asked(spec: "Spec", reader: "Reader", expression: "Expression", tree:
     return True
 
 
-def _as_many_indices(spec, reader, place, tree, found):
+def _as_many_indices(spec: "Spec", reader: "Reader", place: "Where", tree: QuantityRef,
+                     found: "tuple[Declaration, int]") -> bool:
     """Has it as many as its Declaration takes? found: that, and how many are its own."""
     (quantity, count), most = found, len(found[0].indices)
     if most - quantity.spare <= count <= most:
@@ -73,13 +77,13 @@ def _as_many_indices(spec, reader, place, tree, found):
     return False
 
 
-def _index(spec, reader, place, kind, index):
+def _index(spec: "Spec", reader: "Reader", place: "Where", kind: str, index: str) -> bool:
     if kind == "shape":
         from vibcli.reader.place_check import shape_fits
 
         return shape_fits(spec, reader, place, index)
     kind = INDICES[kind]
-    good = kind.fits(spec, index)
+    good: bool = kind.fits(spec, index)
     if spec.members and kind.of_signals and not _is_placed(spec, reader, place, index):
         return False
     if not good and kind.wants:
@@ -92,7 +96,7 @@ def _index(spec, reader, place, kind, index):
     return good
 
 
-def _is_placed(spec, reader, place, text):
+def _is_placed(spec: "Spec", reader: "Reader", place: "Where", text: str) -> bool:
     """Is a signal of a member one that it has, at a place that can be? Reports what is wrong with it."""
     from vibcli.reader.place_check import place_fits
 
@@ -128,8 +132,8 @@ def arguments_fit(spec: "Spec", reader: "Reader", expression: "Expression", tree
     return all(_argument(spec, reader, expression, tree, kind, arg) for kind, arg in kinds)
 
 
-def check_questions(spec: "Spec", reader: "Reader", signals: "Sequence[Expression]",
-                    drivers: "Sequence[Expression]", amplitudes: "Sequence[tuple]" = ()) -> None:
+def check_questions(spec: "Spec", reader: "Reader", signals: "Sequence[Expression]", drivers: "Sequence[Expression]",
+                    amplitudes: "Sequence[tuple[Expression | None, Expression]]" = ()) -> None:
     """Report what is wrong with the signals and inputs of `find`, and with amplitudes of signals."""
     before = len(reader.diagnostics)
     for expression in signals:
@@ -149,7 +153,8 @@ def check_questions(spec: "Spec", reader: "Reader", signals: "Sequence[Expressio
         _number(spec, reader, largest, "amplitude", largest.tree, QuantityRef(0, 0, "", "", (), "", (tree,)))
 
 
-def _argument(spec, reader, expression, tree, kind, arg):
+def _argument(spec: "Spec", reader: "Reader", expression: "Expression", tree: QuantityRef, kind: str,
+              arg: "SyntaxTree") -> bool:
     if kind == "signal":
         return _signal(spec, reader, expression, tree, arg)
     if kind in ("response", "complex"):
@@ -157,7 +162,7 @@ def _argument(spec, reader, expression, tree, kind, arg):
     return _number(spec, reader, expression, kind, arg, tree)
 
 
-def _signal(spec, reader, expression, tree, arg):
+def _signal(spec: "Spec", reader: "Reader", expression: "Expression", tree: QuantityRef, arg: "SyntaxTree") -> bool:
     """A signal: names of coordinates and signals with at most two primes, and parameters."""
     from vibcli.quantities.signal_dimensions import output_dimension
 
@@ -178,8 +183,7 @@ def _signal(spec, reader, expression, tree, arg):
                           "signals are made of coordinates, points, springs, forces and parameters")
         elif not arguments_fit(spec, reader, expression, part):
             return False
-    still = (*spec.parameters, "pi")
-    if len(reader.diagnostics) == before and all(name in still for name, *_ in _all_names(arg)):
+    if len(reader.diagnostics) == before and {*spec.parameters, "pi"}.issuperset(names_within(arg)):
         reader.report(expression.scalar.place(arg.start, arg.end - arg.start), "this does not depend on the motion",
                       "signals are made of coordinates, points, springs and forces")
     if len(reader.diagnostics) > before or _dimension(spec, reader, expression, arg) is False:
@@ -187,12 +191,7 @@ def _signal(spec, reader, expression, tree, arg):
     return _counted(spec, reader, expression, "signal", arg)
 
 
-def _all_names(tree):
-    parts = parts_of(tree)
-    return parts.names + [name for part in parts.quantities for arg in part.args for name in _all_names(arg)]
-
-
-def _unknown(spec, reader, tree, name, place):
+def _unknown(spec: "Spec", reader: "Reader", tree: QuantityRef, name: str, place: "Where") -> None:
     from vibcli.language.signals import signal_meant
 
     if spec.members and not _is_placed(spec, reader, place, name):
@@ -210,7 +209,8 @@ def _unknown(spec, reader, tree, name, place):
         reader.report(place, f"this scene has no coordinate or signal {quoted(name)}", signal_meant(spec, name))
 
 
-def _dimension(spec, reader, expression, tree):
+def _dimension(spec: "Spec", reader: "Reader", expression: "Expression",
+               tree: "SyntaxTree") -> "units.Dimension | Literal[False] | None":
     """The dimension of a tree; False and a report where its parts do not fit."""
     try:
         return checker(spec, expression.text).dimension(tree)
@@ -219,26 +219,27 @@ def _dimension(spec, reader, expression, tree):
         return False
 
 
-def _response(spec, reader, expression, tree, arg, wants_value):
+def _response(spec: "Spec", reader: "Reader", expression: "Expression", tree: QuantityRef, arg: "SyntaxTree",
+              wants_value: bool) -> bool:
     """The argument of peak, arg, phase …: frf[x, F] as a function, or its value frf[x, F](5 Hz)."""
     place = expression.scalar.place(arg.start, arg.end - arg.start)
-    found = declared(arg) if isinstance(arg, QuantityRef) else None
-    if wants_value and found is not None and found.kind == COMPLEX and not (found.args and found.optional):
-        return can_be_asked(spec, reader, expression, arg)
-    if wants_value and found is not None and found.kind != COMPLEX:
-        reader.report(place, f"{quoted(arg.text)} is a real number", f"ask for {arg.text} itself")
-        return False
-    if found is None or not found.optional:
-        problem = "expected a frequency response"
-    elif bool(arg.args) != wants_value:
-        problem = f"expected {'its value at a frequency' if wants_value else 'the response without a frequency'}"
-    else:
-        return can_be_asked(spec, reader, expression, arg, bare=not wants_value)
+    problem = "expected a frequency response"
+    if isinstance(arg, QuantityRef) and (found := declared(arg)) is not None:
+        if wants_value and found.kind == COMPLEX and not (found.args and found.optional):
+            return can_be_asked(spec, reader, expression, arg)
+        if wants_value and found.kind != COMPLEX:
+            reader.report(place, f"{quoted(arg.text)} is a real number", f"ask for {arg.text} itself")
+            return False
+        if found.optional and bool(arg.args) == wants_value:
+            return can_be_asked(spec, reader, expression, arg, bare=not wants_value)
+        if found.optional:
+            problem = f"expected {'its value at a frequency' if wants_value else 'the response without a frequency'}"
     reader.report(place, problem, f"write {usage_of(tree.head, declared(tree), spec)}")
     return False
 
 
-def _number(spec, reader, expression, kind, arg, tree):
+def _number(spec: "Spec", reader: "Reader", expression: "Expression", kind: str, arg: "SyntaxTree",
+            tree: QuantityRef) -> bool:
     """An instant, a frequency in rad/s or Hz, or an amplitude of the signal before it."""
     before = len(reader.diagnostics)
     for name, primes, start, end in parts_of(arg).names:
@@ -249,10 +250,7 @@ def _number(spec, reader, expression, kind, arg, tree):
                           nearest(name, spec.parameters))
     for part in parts_of(arg).quantities:
         can_be_asked(spec, reader, expression, part)
-    if len(reader.diagnostics) > before:
-        return False
-    found = _dimension(spec, reader, expression, arg)
-    if found is False:
+    if len(reader.diagnostics) > before or (found := _dimension(spec, reader, expression, arg)) is False:
         return False
     wanted, words, example = _wanted(spec, reader, expression, kind, tree)
     bare = spec.free_numbers == ALL_NUMBERS or (
@@ -265,7 +263,8 @@ def _number(spec, reader, expression, kind, arg, tree):
     return False
 
 
-def _wanted(spec, reader, expression, kind, tree):
+def _wanted(spec: "Spec", reader: "Reader", expression: "Expression", kind: str,
+            tree: QuantityRef) -> "tuple[units.Dimension | None, str, str]":
     """(dimension, what it is called, an example) of an argument that is a number."""
     if kind == "time":
         return units.TIME, "an instant (s)", "2.5 s"
@@ -278,12 +277,13 @@ def _wanted(spec, reader, expression, kind, tree):
         rate, found = law_letter(spec, tree.indices[0]) == "v", deflection_dimension(spec, tree.indices[0])
         unit = ("m" if found in (units.LENGTH, units.SPEED) else "rad") + "/s" * rate
         return found, f"a {'rate of ' * rate}deflection ({unit})", f"0.1 {unit}"
-    found = _dimension(spec, reader, expression, tree.args[0])
+    measured = _dimension(spec, reader, expression, tree.args[0])
+    found = None if measured is False else measured
     name = "" if found is None else f", {units.name(spec.dimensions.resolve(found))}"
     return found, f"an amplitude of the signal before it{name}", "10 cm of a length"
 
 
-def _counted(spec, reader, expression, kind, arg):
+def _counted(spec: "Spec", reader: "Reader", expression: "Expression", kind: str, arg: "SyntaxTree") -> bool:
     """Can the cycles be counted? An instant is no number of cycles, and a frequency one in rad/s or Hz. Reports where
     they stand for radians."""
     from vibcli.quantities.cycle_count import cycles

@@ -6,7 +6,7 @@ All diagnostics of a file are collected and raised together as one SpecError.
 import re
 from collections.abc import Sequence
 from os.path import basename
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.diagnostics import quoted
 from vibcli.base.errors import Diagnostic, SpecError
@@ -23,6 +23,12 @@ from vibcli.language.spec import MEMBERS, Spec
 from vibcli.reader.sections import NAMES as ASKED
 from vibcli.symbolic.parser import plain_name
 
+if TYPE_CHECKING:
+    from vibcli.base.errors import Remark
+    from vibcli.language.data_columns import Columns
+    from vibcli.language.document.nodes import DocumentNode
+    from vibcli.symbolic.syntax import Number, Product, Sum
+
 MOST_CASES = 100
 FEW_RADIANS = 6
 
@@ -34,7 +40,7 @@ class _Cases(Kind):
 
     wants = "a mapping from names to parts of the scene"
 
-    def read(self, node: Any, reader: Any) -> dict[str, Mapping] | None:
+    def read(self, node: "DocumentNode", reader: Reader) -> dict[str, Mapping] | None:
         if not isinstance(node, Mapping):
             return reader.expected(node, self.wants)
         if len(node.entries) > MOST_CASES:
@@ -50,21 +56,21 @@ class _Cases(Kind):
         return {"type": "object", "additionalProperties": {"type": "object"}}
 
 
-def _kind(name, section):
+def _kind(name: str, section: str) -> Named | Lazy:
     """The kind of a section of elements: the one of its own name, or many by name."""
     if section == name:
         return Lazy(name)
     return Named(Lazy(name), f"a mapping from names to {_CALLED.get(section, section)}", _TAKEN.get(section, ()))
 
 
-def _own(name):
+def _own(name: str) -> LazyKind:
     """The kind of a section that has a file of its own."""
     return LazyKind(name, "language.sections")
 
 
 SET, PROBLEMS = "set.yaml", "problems"       # the file that names problems of homework, and its key for them
 _CALLED, _TAKEN = {"points": "places"}, {"points": ("ground",), "bodies": ("ground",)}
-SECTIONS = {
+SECTIONS: dict[str, tuple[Any, str]] = {
     "title": (Text(), "what the scene shows, in a line"),
     "source": (Text(), "where the problem is from"),
     "question": (Text(), "the question as a textbook would pose it; may quote parameters: {m}"),
@@ -134,14 +140,17 @@ def read_alone(root: Mapping, file: str, settings: Any = None, files: Any = None
                any_dimension: bool = False) -> Spec:
     """The Spec of a document without its cases, for which it may have parameters that it does not use; SpecError where
     it is none. files: {(scene, name): columns} of what was read beside scenes, to which it adds."""
-    found: list = []
+    found: list[Diagnostic] = []
     spec = _read_one(root, file, found, settings or {}, {} if files is None else files, remark, any_dimension)
     if spec is None:
         raise SpecError(found)
     return spec
 
 
-def _read_one(root, file, found, settings, files, remark="", any_dimension=False):
+def _read_one(root: Mapping, file: str, found: list[Diagnostic],
+              settings: "dict[str, tuple[Number | Product | Sum, Scalar]]",
+              files: "dict[tuple[str, str], tuple[Columns | None, tuple[str, str] | Diagnostic | None]]",
+              remark: str = "", any_dimension: bool = False) -> Spec | None:
     from vibcli.reader.unit_consistency import resolve  # the manual needs the declarations alone
 
     named, spec = {key: _names(value) for key, (_, value) in root.entries.items()}, None
@@ -168,7 +177,7 @@ def _read_one(root, file, found, settings, files, remark="", any_dimension=False
     return None if reader.diagnostics else spec._replace(remarks=_remarks(spec, reader))
 
 
-def _remarks(spec, reader):
+def _remarks(spec: Spec, reader: Reader) -> "tuple[Remark, ...]":
     """What a number without unit, greater than any angle, is taken for."""
     values = [record["value"] for record in spec.parameters.values() if "value" in record]
     if not any(number.value > FEW_RADIANS and not number.units for expression in (*reader.expressions.values(), *values)
@@ -179,14 +188,14 @@ def _remarks(spec, reader):
     return tuple(angle_remarks(spec, reader))
 
 
-def _instead(key, root):
+def _instead(key: str, root: Mapping) -> str:
     """What was meant by a key that is no section."""
     if PROBLEMS in root.entries and basename(root.where.file or "") == SET:
         return "this is a set of problems: vibcli homework hands it out"
     return f"a set of problems is a file with the name {SET}" if key == PROBLEMS else nearest(key, SECTIONS)
 
 
-def _sections(root, reader):
+def _sections(root: Mapping, reader: Reader) -> dict[str, Any]:
     """The records of each section."""
     sections = {}
     for key, (key_node, value) in root.entries.items():
@@ -209,7 +218,7 @@ def _sections(root, reader):
     return with_fields_apart(found)
 
 
-def _with_member_points(sections):
+def _with_member_points(sections: dict[str, Any]) -> dict[str, Any]:
     """The sections with the points on members apart from those that have a place."""
     points = sections.get("points") or {}
     along = {name: record for name, record in points.items() if not isinstance(record.get("at"), list)}
@@ -220,13 +229,13 @@ def _with_member_points(sections):
         {"points": placed} if placed else {}) | {"member_points": along}
 
 
-def _is_empty(node):
+def _is_empty(node: "DocumentNode") -> bool:
     if isinstance(node, Scalar):
         return not node.text.strip()
     return not (node.entries if isinstance(node, Mapping) else node.items)
 
 
-def _names(node):
+def _names(node: "DocumentNode") -> list[str]:
     """The names in a section, whether or not what they stand for could be read."""
     if isinstance(node, Mapping):
         return [plain_name(key) for key in node.entries]
@@ -234,7 +243,7 @@ def _names(node):
     return [plain_name(item.text) for item in items if isinstance(item, Scalar)]
 
 
-def _with_settings(spec, reader, settings):
+def _with_settings(spec: Spec, reader: Reader, settings: "dict[str, tuple[Number | Product | Sum, Scalar]]") -> Spec:
     """The Spec with values given from outside, which replace those of the file, and conditions."""
     if not settings:
         return spec
@@ -246,7 +255,7 @@ def _with_settings(spec, reader, settings):
     return spec.with_parameters({**spec.parameters, **given})._replace(choices=choices)
 
 
-def _question(spec, root, reader):
+def _question(spec: Spec, root: Mapping, reader: Reader) -> None:
     question = spec.get("question", "")
     for quote in re.finditer(QUOTE, question) if "{" in question else ():
         name = quote.group(1)
@@ -256,7 +265,7 @@ def _question(spec, root, reader):
                           nearest(name, spec.parameters))
 
 
-def _report_unused(spec, used, diagnostics):
+def _report_unused(spec: Spec, used: set[str], diagnostics: list[Diagnostic]) -> None:
     """An unused record is an error, and an unused parameter, unless it says `unused: allowed`."""
     for name, record in spec.parameters.items():
         if len(diagnostics) <= MOST_PROBLEMS and name not in used and record.get("unused") != "allowed":

@@ -10,6 +10,8 @@ from vibcli.language.reader import article
 from vibcli.language.spec import MEMBERS
 
 if TYPE_CHECKING:
+    from collections.abc import Container
+
     from vibcli.language.reader import Reader
     from vibcli.language.spec import Spec
 
@@ -57,13 +59,13 @@ def check_references(spec: "Spec", reader: "Reader") -> None:
                       in_square_brackets(name.text) or nearest(name.text, valid) or f"expected {wants}")
 
 
-def _as_written(text, coordinates):
+def _as_written(text: str, coordinates: "Container[str]") -> str | None:
     """What x(0), x_dot or x'(0) are at a start, x or x'; None of what is no coordinate then either."""
     written = re.sub(r"_?dot$", "'", re.sub(r"\(0(?: s)?\)$", "", text))
     return written if written != text and written.rstrip("'") in coordinates else None
 
 
-def _of_one_name(spec, reader, spaces):
+def _of_one_name(spec: "Spec", reader: "Reader", spaces: dict[str, dict[str, None]]) -> None:
     """Points, bodies and members share one namespace."""
     for name, record in (*(spec.get("points") or {}).items(), *(spec.get("member_points") or {}).items()):
         if name in spaces["bodies"]:
@@ -77,7 +79,7 @@ def _of_one_name(spec, reader, spaces):
             seen[name] = section[:-1]
 
 
-def _of_one_force(spec, reader):
+def _of_one_force(spec: "Spec", reader: "Reader") -> None:
     """Kinetic energy is told by the names of bodies and inerters, forces within members and of elements by theirs."""
     seen = {name: section[:-1] for section in MEMBERS if reader.members for name in spec.get(section) or ()}
     for section, kind in _WITH_FORCES.items():

@@ -34,7 +34,7 @@ def resolve(spec: "Spec", reader: Reader, any_dimension: bool = False) -> "Spec"
     return found
 
 
-def _has_numbers(spec, reader):
+def _has_numbers(spec: "Spec", reader: Reader) -> bool:
     """Are there numbers in parameters, or in fields that have a dimension?"""
     values = {record["value"].scalar for record in spec.parameters.values() if "value" in record}
     literals = [expression.parts.whole for scalar, expression in reader.expressions.items()
@@ -42,12 +42,12 @@ def _has_numbers(spec, reader):
     return any(literal and literal.value for literal in literals)
 
 
-def _uses_no_units(spec, reader):
+def _uses_no_units(spec: "Spec", reader: Reader) -> bool:
     return not any(part.units for e in reader.expressions.values() for part in e.parts.numbers) and not any(
         "unit" in p for p in (*spec.parameters.values(), *(spec.get("records") or {}).values()))
 
 
-def _name_culprits(reader):
+def _name_culprits(reader: Reader) -> None:
     """Say which values have a unit, where plain numbers lack theirs and fewer have one than lack it."""
     bare = sum((d.hint or "").startswith((UNIT_DUE, "give '")) for d in reader.diagnostics)
     measured = [(expression, part) for expression in reader.expressions.values() for part in expression.parts.numbers

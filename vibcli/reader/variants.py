@@ -18,6 +18,7 @@ from vibcli.symbolic.parser import parse
 
 if TYPE_CHECKING:
     from vibcli.base.errors import Where
+    from vibcli.language.reader import Record
     from vibcli.language.spec import Spec
 
 PREFERRED = {       # ISO 3 (1973), between 1 and 10
@@ -115,7 +116,7 @@ def with_variants(spec: "Spec", reader: Reader) -> "Spec":
     return spec.with_sections(variants=rules)
 
 
-def _axes(spec, reader, record):
+def _axes(spec: "Spec", reader: Reader, record: "Record") -> list[dict[str, list[GivenValue]]]:
     """[{parameter: values}] of all axes."""
     axes, taken = [], []
     for name, values in record.get("parameters", {}).items():
@@ -145,7 +146,7 @@ def _axes(spec, reader, record):
     return axes + [together] * bool(together)
 
 
-def _free(spec, reader, name, where):
+def _free(spec: "Spec", reader: Reader, name: str, where: "Where") -> bool:
     """May a parameter be varied?"""
     if name not in spec.parameters:
         reader.report(where, f"there is no parameter '{name}'", nearest(name, spec.parameters))
@@ -162,7 +163,7 @@ def _free(spec, reader, name, where):
     return False
 
 
-def _given(reader, name, value):
+def _given(reader: Reader, name: str, value: Expression) -> GivenValue | None:
     """The GivenValue of one value; None where it is none."""
     found = number_and_unit(value)
     if found is None:
@@ -170,7 +171,7 @@ def _given(reader, name, value):
     return giver(found[1], name)(found[0])
 
 
-def _values(spec, reader, name, values):
+def _values(spec: "Spec", reader: Reader, name: str, values: "Record | list[Expression]") -> list[GivenValue] | None:
     """The GivenValues of a list or range."""
     if isinstance(values, list):
         found = [_given(reader, name, value) for value in values]
@@ -193,7 +194,7 @@ def _values(spec, reader, name, values):
     return None if numbers is None else list(map(giver(unit, name), numbers))
 
 
-def _in_unit(found, unit):
+def _in_unit(found: tuple[Fraction, str], unit: str) -> Fraction | None:
     """A number of another unit in this one; None where they do not go together."""
     number, other = found
     if other == unit or not other:
@@ -204,14 +205,14 @@ def _in_unit(found, unit):
     return converted(number, its, own) if own.dimension == its.dimension else None
 
 
-def _series(reader, values, low, high):
+def _series(reader: Reader, values: "Record", low: Fraction, high: Fraction) -> list[Fraction] | None:
     if not low > 0:
         return reader.report(values.place("from"), "preferred numbers are positive", "begin above zero")
     return preferred(values["series"], low, high) or reader.report(
         values.where, f"no number of {values['series']} lies between these ends", f"take one of {', '.join(SERIES)}")
 
 
-def _steps(reader, values, unit, low, high):
+def _steps(reader: Reader, values: "Record", unit: str, low: Fraction, high: Fraction) -> list[Fraction] | None:
     """From one end to the other, which the last step reaches but for 1e-12 of it: decimals stand for radians too."""
     found = number_and_unit(values["step"])
     step = None if found is None else _in_unit(found, unit)
@@ -229,7 +230,7 @@ def _steps(reader, values, unit, low, high):
     return [*(low + k * step for k in range(round(count))), high]
 
 
-def _comparison(spec, reader, one):
+def _comparison(spec: "Spec", reader: Reader, one: Requirement) -> Requirement | None:
     """A Requirement with its sides finished; None where something is wrong with it."""
     from vibcli.reader.choices import check_sides, finished_sides
 
@@ -245,7 +246,7 @@ def _comparison(spec, reader, one):
     return one._replace(left=left, right=right)
 
 
-def _asked(spec, reader, one, letters):
+def _asked(spec: "Spec", reader: Reader, one: AskedQuantity, letters: bool) -> AskedQuantity | None:
     """An AskedQuantity that can be asked, in a unit that it can have; None where something is wrong with it. letters:
     are parameters left without value?"""
     asked, before = as_quantity(spec, one.asked), len(reader.diagnostics)
@@ -273,13 +274,13 @@ def _asked(spec, reader, one, letters):
     return one._replace(asked=asked, rtol=one.rtol and _share(one.rtol)) if len(reader.diagnostics) == before else None
 
 
-def _share(expression):
+def _share(expression: Expression) -> float:
     """The number that a literal such as 1 % is."""
     number, unit = number_and_unit(expression)
     return float(number) * (unit_of_text(unit).in_si(1) if unit else 1.0)
 
 
-def _from_answers(spec, letters):
+def _from_answers(spec: "Spec", letters: bool) -> list[AskedQuantity]:
     """What `answers` say that is a number once the parameters have values, in the units written there; where letters
     are left, all that is expected in them."""
     found = []

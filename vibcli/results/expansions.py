@@ -24,6 +24,8 @@ from vibcli.symbolic.running_errors import number_in
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
+    from vibcli.scene.energy_terms import Spring
+    from vibcli.scene.laws import Law
     from vibcli.symbolic.node import Node
 
 LARGEST = 6         # coordinates
@@ -108,8 +110,8 @@ def of_others(problem: "Problem", order: int, letters: bool) -> dict[Powers, Any
     """What of V is of no spring: of weights, or written out."""
     scene = problem.scene.resting
     names = set(problem.spec.get("springs") or ())
-    stored = [term.potential(scene) for term in (*scene.springs, *scene.laws) if term.owner in names and not (
-        hasattr(term, "damper") and term.damper)]
+    terms: tuple[Spring | Law, ...] = (*scene.springs, *(law for law in scene.laws if not law.damper))
+    stored = [term.potential(scene) for term in terms if term.owner in names]
     return in_powers(problem, potential(scene) - scene.table.total(stored), order, letters)
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import SpecError
 from vibcli.base.named_tuple import NamedTuple
@@ -15,7 +15,10 @@ from vibcli.symbolic.syntax import ExpressionError
 if TYPE_CHECKING:
     from fractions import Fraction
 
+    from vibcli.language.parameters import Parameters
     from vibcli.language.spec import Spec
+    from vibcli.scene.builder import Reports
+    from vibcli.scene.member_tensions import Tensions
 
 ATTEMPTS = 12
 
@@ -32,24 +35,25 @@ class Variant(NamedTuple):
     preloaded: bool = False
     stretched: bool = False
     opened: bool = False
-    tensions: Any = None
+    tensions: "Mapping[str, list[Fraction]] | None" = None
 
 
 class Setting(NamedTuple):
     """What is the same for a scene and those that are derived from it; `draw(attempt, variant)`: another Scene of the
     same file and values, which are what `draw.func` takes first."""
 
-    spec: Any
+    spec: "Spec"
     attempt: int
     variant: Variant
-    parameters: Any
-    sample: dict
-    reports: Any
-    draw: partial
+    parameters: "Parameters"
+    sample: dict[str, float]
+    reports: "Reports"
+    draw: partial[Scene]
 
 
 def build_scene(spec: "Spec", given: "Mapping[str, Fraction] | None" = None,
-                tensions: "Mapping[str, list[Fraction]] | None" = None, watched: Callable | None = None) -> Scene:
+                tensions: "Mapping[str, list[Fraction]] | None" = None,
+                watched: Callable[[dict[str, float]], dict[str, float]] | None = None) -> Scene:
     """The Scene of a Spec, under the `tensions` of members that statics alone does not find; SpecError where its
     geometry contradicts itself. `watched`: as what the sample is that its numbers are read off, {name: float}.
 
@@ -59,13 +63,14 @@ def build_scene(spec: "Spec", given: "Mapping[str, Fraction] | None" = None,
     return _drawn(spec, given or {}, 0, Variant(tensions=tensions), watched)
 
 
-def build_preloaded(spec: "Spec", given: Mapping[Any, Any],
+def build_preloaded(spec: "Spec", given: "Mapping[str, Fraction]",
                     tensions: "Mapping[str, list[Fraction]] | None" = None) -> Scene:
     """The Scene under the force that lets go where its motion starts."""
     return _drawn(spec, given, 0, Variant(preloaded=True, tensions=tensions))
 
 
-def _drawn(spec, given, start, variant, watched=None):
+def _drawn(spec: "Spec", given: "Mapping[str, Fraction]", start: int, variant: Variant,
+           watched: Callable[[dict[str, float]], dict[str, float]] | None = None) -> Scene:
     """The Scene of the first attempt in which the drawing fits together."""
     for attempt in range(start, start + ATTEMPTS):
         try:
@@ -87,7 +92,8 @@ def _drawn(spec, given, start, variant, watched=None):
     return scene
 
 
-def _tensions(spec, given, attempt, variant, watched):
+def _tensions(spec: "Spec", given: "Mapping[str, Fraction]", attempt: int, variant: Variant,
+              watched: Callable[[dict[str, float]], dict[str, float]] | None) -> "dict[str, Tensions]":
     """{name: tension of each piece} of the beams and strings in the plane, as statics finds it; empty where none is."""
     if variant.stretched or not has_tensions(spec):
         return {}
@@ -102,7 +108,7 @@ def has_tensions(spec: "Spec") -> bool:
     return any("from" in record for section in ("beams", "strings") for record in (spec.get(section) or {}).values())
 
 
-def _assembled(builder, setting):
+def _assembled(builder: Builder, setting: Setting) -> Scene:
     """The Scene of what the elements contribute; None where they are wrong."""
     builder.add_elements()
     if builder.diagnostics:
@@ -132,7 +138,7 @@ def _assembled(builder, setting):
     return scene
 
 
-def _driven(scene):
+def _driven(scene: Scene) -> Scene:
     """The scene with what is driven as functions of the time; what is driven to and fro is held as drawn in that at
     rest, while what turns or travels on does so."""
     still, drives = None, Drives({}, scene.inputs, scene.released)
@@ -143,7 +149,7 @@ def _driven(scene):
     return moved.with_parts(contents=moved.contents._replace(shaken=shaken))
 
 
-def _with_laws(scene):
+def _with_laws(scene: Scene) -> Scene:
     """The scene with its laws added to V and Φ; so is that at rest."""
     energies = dict(scene.energies)
     for law in scene.laws:
@@ -153,7 +159,7 @@ def _with_laws(scene):
                             still=scene.still and _with_laws(scene.still))
 
 
-def _report_singular(scene):
+def _report_singular(scene: Scene) -> None:
     """Name the constraints that have no slope as drawn, as of √x at x = 0."""
     for constraint in scene.constraints:
         try:

@@ -6,10 +6,11 @@ from typing import TYPE_CHECKING
 from vibcli.elements.rigid_body import carriers
 
 if TYPE_CHECKING:
+    from vibcli.base.errors import Where
     from vibcli.language.spec import Spec
 
 
-def carriers_first(spec: "Spec", report: Callable) -> list[str]:
+def carriers_first(spec: "Spec", report: "Callable[[Where, str, str], None]") -> list[str]:
     """Names of all bodies, carriers first; a circle is reported and leaves an empty list."""
     bodies = spec.get("bodies") or {}
     needs = {name: carriers(record, spec) for name, record in bodies.items()}

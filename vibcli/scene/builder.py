@@ -2,7 +2,7 @@
 they contribute."""
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import Diagnostic, SpecError, Where
 from vibcli.elements import ELEMENTS
@@ -23,12 +23,15 @@ from vibcli.symbolic.expression import Table
 
 if TYPE_CHECKING:
     from fractions import Fraction
+    from typing import TypeVar
 
     from vibcli.elements.rigid_body import Body
     from vibcli.language.spec import Spec
     from vibcli.scene.build import Variant
     from vibcli.scene.member_tensions import Tensions
     from vibcli.symbolic.node import Node
+
+    T = TypeVar("T")
 
 FIRST = (None, "points", "surfaces", "bodies")       # built by what refers to them, or before all others
 SIZES = (1, 0.1, 0.01, 10)  # of what is chosen beside the numbers of a scene
@@ -40,7 +43,8 @@ class Builder:
     owner: str
 
     def __init__(self, spec: "Spec", given: "Mapping[str, Fraction]", attempt: int, variant: "Variant",
-                 tensions: "Mapping[str, Tensions]", watched: "Callable | None" = None):
+                 tensions: "Mapping[str, Tensions]",
+                 watched: "Callable[[dict[str, float]], dict[str, float]] | None" = None) -> None:
         self.tensions = tensions
         self.spec, self.variant, self.owner, self.reports, self.idle = spec, variant, None, Reports(), False
         records = spec.sections.get("records") or {}
@@ -62,7 +66,7 @@ class Builder:
             lambda record, drawn: load("point").driven(record, drawn, self),
             lambda name: load("member").built(name, self)))
 
-    def _offer(self, expressions, displacements, places):
+    def _offer(self, expressions: Expressions, displacements: Displacements, places: Places) -> None:
         """The services of expressions, of what is driven, and of bodies and points."""
         self.report, self.diagnostics = self.reports.report, self.reports.diagnostics
         self.lower, self.pair, self.load = expressions.lower, expressions.pair, expressions.load
@@ -117,7 +121,7 @@ class Builder:
             if "moves" in record or name in along:
                 self.place(Reference(name, record.where))
 
-    def _add_section(self, name, section):
+    def _add_section(self, name: str, section: str) -> None:
         """The element of a section, or its elements by name, without the force that lets go."""
         found = self.spec.sections[section]
         if name == section:
@@ -167,7 +171,7 @@ class Builder:
         drives = self.displacements.driven
         return any(x in drives and not stays_bounded(drives[x], self.time, self.sample) for x in gradient(motion))
 
-    def owned(self, name: str, build: Callable) -> Any:
+    def owned(self, name: str, build: "Callable[[], T]") -> "T":
         """What `build` gives, its terms being those of the element of that name."""
         before, self.owner = self.owner, name
         found = build()
@@ -241,7 +245,7 @@ class Builder:
                         f"{key} must depend on a velocity")
         self.contents.energies[key] = self.contents.energies[key] + node
 
-    def add_matrix(self, key: str, nodes: "Sequence[list[Node]]") -> None:
+    def add_matrix(self, key: str, nodes: "list[list[Node]]") -> None:
         """M, C or K given outright."""
         self.contents.matrices[key] = nodes
 
@@ -252,10 +256,10 @@ class Reports:
 
     __slots__ = ("diagnostics", "finished")
 
-    def __init__(self):
+    def __init__(self) -> None:
         self.diagnostics, self.finished = [], False
 
-    def report(self, where: Where, message: str, hint: str | None = None) -> None:
+    def report(self, where: Where | None, message: str, hint: str | None = None) -> None:
         """Something is wrong at a place of the file, which is said once."""
         if self.finished or not any((found.where, found.message) == (where, message) for found in self.diagnostics):
             self.diagnostics.append(Diagnostic(where, message, hint))
@@ -269,14 +273,14 @@ class Reports:
         self.finished = True
 
 
-def _copied(node, table):
+def _copied(node: "Node", table: Table) -> "Node":
     """An expression of another scene in this one."""
     from vibcli.symbolic.transfer_between_tables import copied
 
     return copied([node], table)[0]
 
 
-def _samples(spec, free, given, attempt):
+def _samples(spec: "Spec", free: list[str], given: "Mapping[str, Fraction]", attempt: int) -> dict[str, float]:
     """{name: float} of the symbols without value: given ones, those that the spec names, and others."""
     found = sample_values(free, attempt)
     found |= {name: found[name] * SIZES[attempt % len(SIZES)] for name in spec.choices if name in found}

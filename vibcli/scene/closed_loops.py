@@ -32,7 +32,7 @@ class Loops:
     __slots__ = ("_used", "conditions", "names", "sizes", "slopes")
 
     def __init__(self, names: Sequence[str], conditions: "Sequence[Node]", slopes: "Sequence[Node]",
-                 sizes: Sequence[float], used: set[str] | None = None):
+                 sizes: Sequence[float], used: set[str] | None = None) -> None:
         self.names, self.conditions, self.slopes, self.sizes = list(names), conditions, slopes, sizes
         self._used = used or {node.name for node in reachable([*conditions, *slopes]) if node.op == "symbol"}
 
@@ -73,16 +73,16 @@ class Loops:
         return polished if self._closed(polished, n) else None
 
     @property
-    def _time(self):
+    def _time(self) -> str | None:
         """The name of the time, None where there is none."""
         time = self.conditions[0].table.time if self.conditions else None
         return None if time is None else time.name
 
-    def _in_floats(self, values):
+    def _in_floats(self, values: Mapping[str, float]) -> dict[str, float]:
         """The values with those on which the conditions hang taken as they are."""
         return {name: float(value) if name in self._used else value for name, value in values.items()}
 
-    def _determinant(self, values):
+    def _determinant(self, values: Mapping[str, float]) -> tuple[float, float]:
         """The sign of det ∂G/∂z, which changes where the loops are singular, and log |det ∂G/∂z|; NaN where that is no
         number."""
         import numpy as np
@@ -92,12 +92,12 @@ class Loops:
         with np.errstate(invalid="ignore", divide="ignore"):
             return np.linalg.slogdet(np.array(flat).reshape(n, n))
 
-    def _is_near(self, here, there, change):
+    def _is_near(self, here: Mapping[str, float], there: Mapping[str, float], change: float) -> bool:
         """Do z and det ∂G/∂z, whose logarithm changes by so much, differ little between two positions?"""
         moves = (abs(there[name] - here[name]) / size for name, size in zip(self.names, self.sizes, strict=True))
         return abs(change) <= CHANGE and all(move <= FAR for move in moves)
 
-    def _closed(self, values, n, gaps=0.0):
+    def _closed(self, values: dict[str, float], n: int, gaps: float | list[float] = 0.0) -> bool:
         """Newton's method for G = gaps, in place; False where it does not contract from the first step on."""
         import numpy as np
 
@@ -121,14 +121,15 @@ class Loops:
             before = size
         return False
 
-    def _step(self, Gz, right):
+    def _step(self, Gz: "np.ndarray", right: "np.ndarray") -> "np.ndarray":
         """z of Gz z = right, one or more: with pivots that are the same in all units."""
         import numpy as np
 
         columns = np.ldexp(1.0, np.frexp(np.array(self.sizes, float))[1])
         scaled = Gz * columns
         rows = np.ldexp(1.0, -np.frexp(np.abs(scaled).max(axis=2))[1])
-        return columns * np.linalg.solve(scaled * rows[:, :, None], (right * rows)[:, :, None])[:, :, 0]
+        z: np.ndarray = columns * np.linalg.solve(scaled * rows[:, :, None], (right * rows)[:, :, None])[:, :, 0]
+        return z
 
     def through(self, start: Mapping[str, float], path: "Mapping[str, np.ndarray]") -> "np.ndarray":
         """The unknowns at positions {name: array} one after the other, (unknowns, positions), from a closed one on: at
@@ -152,7 +153,8 @@ class Loops:
             first, reach = first + z.shape[1], 2 * reach if z.shape[1] == reach else max(1, z.shape[1])
         return found
 
-    def _closed_at_once(self, here, earlier, path):
+    def _closed_at_once(self, here: Mapping[str, float], earlier: "np.ndarray",
+                        path: "Mapping[str, np.ndarray]") -> "np.ndarray":
         """The unknowns at positions to which Newton's method leads from one in whole steps, up to the first to which it
         does not, or at which they do not go on as from an `earlier` one."""
         import numpy as np

@@ -5,7 +5,7 @@ the implicit one, z_q = −G_z⁻¹ G_q, an expression in q and z: its own deriv
 that all which is derived from z later is exact to any order.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from math import isfinite
 from typing import TYPE_CHECKING
 
@@ -55,7 +55,8 @@ def closed(scene: Scene) -> Scene:
     return settled[0].with_parts(still=settled[1] if others else None)
 
 
-def _settled(scene, nodes, values, pivots, left, at_rest):
+def _settled(scene: Scene, nodes: "dict[int, Node]", values: "dict[Node, Node]", pivots: "list[tuple[int, Node]]",
+             left: "Sequence[Node]", at_rest: bool) -> Scene:
     """The scene in which the dependent coordinates are `values`, or those that `pivots` leave implicit."""
     count, tied = len(scene.q) - len(scene.inputs), [nodes.pop(k) for k, _ in pivots]
     kept = scene.kinematics.keeping(left)
@@ -74,7 +75,7 @@ def _settled(scene, nodes, values, pivots, left, at_rest):
     return found
 
 
-def _contradictory(scene, nodes):
+def _contradictory(scene: Scene, nodes: "Collection[Node]") -> bool:
     """A condition without coordinates cannot be met."""
     before = len(scene.setting.reports.diagnostics)
     for constraint, node in zip(scene.constraints, nodes, strict=True):
@@ -84,7 +85,7 @@ def _contradictory(scene, nodes):
     return len(scene.setting.reports.diagnostics) > before
 
 
-def _pivots(scene, nodes, columns):
+def _pivots(scene: Scene, nodes: "dict[int, Node]", columns: "list[Node]") -> "list[tuple[int, Node]]":
     """[(number of a condition, coordinate)] of a largest regular block of ∂G/∂q as drawn: coordinates from the last,
     conditions from the first. `nodes`: {number: condition}."""
     zero = scene.table.zero
@@ -115,7 +116,8 @@ def _pivots(scene, nodes, columns):
     return found
 
 
-def _explicit(scene, nodes, allowed):
+def _explicit(scene: Scene, nodes: "dict[int, Node]",
+              allowed: "list[Node]") -> "tuple[dict[Node, Node], list[tuple[int, Node]]]":
     """{z: expression} of coordinates that stand with a constant coefficient in a condition, which is taken out of
     `nodes` ({number: condition}); of those of the shortest condition the last. And [(number, z)] in this order."""
     found, taken, ranked = {}, [], {}
@@ -134,7 +136,7 @@ def _explicit(scene, nodes, allowed):
             del ranked[changed]
 
 
-def _solve_for(nodes, found, k, z):
+def _solve_for(nodes: "dict[int, Node]", found: "dict[Node, Node]", k: int, z: "Node") -> list[int]:
     """Take condition k out of `nodes` and z from it, `found` being {z: expression}; the numbers of those with z."""
     node = nodes.pop(k)
     expression = textbook(z - node / gradient(node)[z])
@@ -147,19 +149,20 @@ def _solve_for(nodes, found, k, z):
     return changed
 
 
-def _shortest(scene, node, order, allowed):
+def _shortest(scene: Scene, node: "Node", order: "dict[Node, int]", allowed: "list[Node]") -> tuple[int, int] | None:
     """(number of coordinates in a condition, −place of the last that it gives explicitly), None where it gives none."""
     here = {q: slope for q, slope in gradient(node).items() if q in order}
     given = [order[q] for q, slope in here.items() if q in allowed and not slope.mask and scene.number(slope)]
     return (len(here), -max(given)) if given else None
 
 
-def _with(node, z, expression):
+def _with(node: "Node", z: "Node", expression: "Node") -> "Node":
     """The node with z substituted."""
     return textbook(substitute([node], {z: expression})[0]) if node.mask & z.mask else node
 
 
-def _implicit(scene, nodes, waiting, values, left, at_rest):
+def _implicit(scene: Scene, nodes: "Sequence[Node]", waiting: "list[Node]", values: "dict[Node, Node]",
+              left: "Sequence[Node]", at_rest: bool) -> Loops:
     """Adds the dependents `waiting` to `values` as symbols with implicit gradients; returns the Loops."""
     table = scene.table
     depends = [x for x in (*left, scene.time) if any(x in gradient(node) for node in nodes)]
@@ -180,7 +183,8 @@ def _implicit(scene, nodes, waiting, values, left, at_rest):
                  [scene.unit_of(z.name) for z in waiting])
 
 
-def solved(rows: "Sequence[list[Node]]", units: Sequence[float], numbers: Callable) -> "list[list[Node]]":
+def solved(rows: "Sequence[list[Node]]", units: Sequence[float],
+           numbers: "Callable[[Sequence[Node]], Sequence[float]]") -> "list[list[Node]]":
     """A⁻¹B of rows [A | B] in letters, A having a column for each of the units: sparse elimination; pivots are not
     small as drawn, in these."""
     n = len(units)
@@ -215,12 +219,12 @@ def solved(rows: "Sequence[list[Node]]", units: Sequence[float], numbers: Callab
     return [[answers[j].get(k, zero) for k in range(n, len(rows[0]))] for j in range(n)]
 
 
-def _dense(work, free, columns):
+def _dense(work: "Sequence[Collection[int]]", free: Collection[int], columns: Collection[int]) -> bool:
     """Are two rows left, each with two columns?"""
     return len(free) == 2 and all(j in work[i] for i in free for j in columns)
 
 
-def _pair(work, free, n):
+def _pair(work: "list[dict[int, Node]]", free: list[int], n: int) -> "dict[int, dict[int, Node]]":
     """The two unknowns of two rows by Cramer's rule, which divides by nothing else than their determinant."""
     one, two = (work[i] for i in free)
     a, b = (j for j in one if j < n)
@@ -232,7 +236,7 @@ def _pair(work, free, n):
     return {j: {k: node / det for k, node in row.items() if not node.is_zero} for j, row in found.items()}
 
 
-def _reduce(row, other, factor, skip):
+def _reduce(row: "dict[int, Node]", other: "dict[int, Node]", factor: "Node", skip: int | None) -> None:
     """row − factor·other, in place."""
     for k, node in other.items():
         if k != skip:
@@ -243,7 +247,7 @@ def _reduce(row, other, factor, skip):
                 row[k] = value
 
 
-def _check_redundant(scene, numbers, nodes):
+def _check_redundant(scene: Scene, numbers: "dict[int, Node]", nodes: "Sequence[Node]") -> None:
     """Conditions which the others imply as drawn must be implied in all positions."""
     for k, node in zip(numbers, nodes, strict=True):
         if is_zero(node):
@@ -264,14 +268,14 @@ def _check_redundant(scene, numbers, nodes):
                 break
 
 
-def _way_out(scene, name):
+def _way_out(scene: Scene, name: str) -> str:
     """The hint for a constraint that contradicts others; a member is one that keeps its length."""
     if name in scene.members:
         return f"'{name}' keeps its length: let what holds it move along it too, as in [x, y, psi], or give it `EA`"
     return "take it out, or draw the position so that all constraints can hold while it moves"
 
 
-def _rates(scene, node):
+def _rates(scene: Scene, node: "Node") -> list[float]:
     """∂G/∂t as drawn of a condition that follows from the others there, relative to the terms it is summed from."""
     slope = gradient(node).get(scene.time)
     if slope is None:

@@ -6,6 +6,15 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
+    from vibcli.base.errors import Where
+    from vibcli.elements.member import Member
+    from vibcli.elements.member_loads import SpreadLoad
+    from vibcli.elements.rigid_body import Body
+    from vibcli.language.reader import Record
+    from vibcli.scene.energy_terms import AppliedLoad, Damper, Inertia, Spring, Weight
+    from vibcli.scene.laws import Law
+    from vibcli.scene.piece_terms import PieceTerm
+    from vibcli.scene.spread_forces import SpreadForce
     from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
 
@@ -18,8 +27,8 @@ class Constraint(NamedTuple):
     equation, join, link, point, gear, belt, rope, contact, release."""
 
     name: str
-    node: Any
-    where: Any
+    node: "Node"
+    where: "Where"
     form: str
 
     @property
@@ -49,7 +58,7 @@ class InnerStretch(NamedTuple):
 
     owner: str
     path: str
-    s: Any
+    s: "Node"
 
     @property
     def nodes(self) -> "list[Node]":
@@ -68,26 +77,26 @@ class Contents(NamedTuple):
     driven; `fractions`: {part of a fraction that stands for a function where numbers are formed: how that is written,
     so that the fraction is the function}."""
 
-    gravity: tuple
-    bodies: dict
-    points: dict
-    members: dict
-    spread_loads: list
-    inertias: list
-    springs: list
-    dampers: list
-    weights: list
-    forces: list
-    laws: list
-    constraints: list
-    pieces: list
-    spread_forces: list
-    inner_stretches: list
-    energies: dict
-    matrices: dict
-    static_preloads: list
-    shaken: dict
-    fractions: dict
+    gravity: "tuple[Node, Node] | None"
+    bodies: "dict[str, Body]"
+    points: "dict[str, tuple[tuple[Node, Node], tuple[Node, Node]]]"
+    members: "dict[str, Member]"
+    spread_loads: "list[SpreadLoad]"
+    inertias: "list[Inertia]"
+    springs: "list[Spring]"
+    dampers: "list[Damper]"
+    weights: "list[Weight]"
+    forces: "list[AppliedLoad]"
+    laws: "list[Law]"
+    constraints: list[Constraint]
+    pieces: "list[PieceTerm]"
+    spread_forces: "list[SpreadForce]"
+    inner_stretches: list[InnerStretch]
+    energies: "dict[str, Node]"
+    matrices: "dict[str, list[list[Node]]]"
+    static_preloads: "list[tuple[Node, Record]]"
+    shaken: dict[str, list[Any]]
+    fractions: "dict[Node, Node]"
 
     @classmethod
     def empty(cls, table: "Table") -> "Contents":
@@ -109,12 +118,12 @@ class Contents(NamedTuple):
         kinds = (self.inertias, self.springs, self.dampers, self.weights, self.forces, self.pieces, self.spread_forces)
         return [*(node for kind in kinds for term in kind for node in term.nodes), *self.energies.values()]
 
-    def over(self, new: Any) -> "Contents":
+    def over(self, new: "Mapping[Node, Node]") -> "Contents":
         """Itself with its expressions replaced, {node: node}."""
         return self._replace(
             **{kind: [term.over(new) for term in getattr(self, kind)] for kind in TERMS},  # type: ignore[arg-type]
             shaken={kind: [term.over(new) for term in terms] for kind, terms in self.shaken.items()},
             bodies={name: body.over(new) for name, body in self.bodies.items()},
             members={name: member.over(new) for name, member in self.members.items()},
-            points={name: (drawn, tuple(new[node] for node in place)) for name, (drawn, place) in self.points.items()},
+            points={name: (drawn, (new[x], new[y])) for name, (drawn, (x, y)) in self.points.items()},
             energies={key: new[node] for key, node in self.energies.items()})

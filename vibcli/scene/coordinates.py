@@ -1,7 +1,7 @@
 """The coordinates of a scene: symbols, rates, values as drawn; what depends on others, is driven or released."""
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.derivatives import gradient, substitute
@@ -9,6 +9,7 @@ from vibcli.symbolic.rationals import ONE
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Record
+    from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
 
 
@@ -20,16 +21,16 @@ class SceneCoordinates(NamedTuple):
     While a scene is built they become more.
     """
 
-    table: Any
-    time: Any
-    names: list
-    q: list
-    v: list
-    a: list
-    speeds: dict
-    symbols: dict
-    drawn: dict
-    at_rest: dict
+    table: "Table"
+    time: "Node"
+    names: list[str]
+    q: "list[Node]"
+    v: "list[Node]"
+    a: "list[Node]"
+    speeds: "dict[Node, Node]"
+    symbols: "dict[tuple[str, int], Node]"
+    drawn: "dict[Node, Node]"
+    at_rest: "dict[Node, Node]"
 
     @classmethod
     def named(cls, names: "Mapping[str, Record]", time: "Node") -> "SceneCoordinates":
@@ -48,7 +49,8 @@ class SceneCoordinates(NamedTuple):
     def further(self, name: str) -> "Node":
         """One more coordinate, zero as drawn; its symbol."""
         q, v, a = (self.table.variable(name + primes) for primes in ("", "'", "''"))
-        for listed, new in ((self.names, name), (self.q, q), (self.v, v), (self.a, a)):
+        self.names.append(name)
+        for listed, new in ((self.q, q), (self.v, v), (self.a, a)):
             listed.append(new)
         self.symbols.update({(name, 0): q, (name, 1): v, (name, 2): a})
         self.speeds.update({q: v, v: a})
@@ -58,7 +60,8 @@ class SceneCoordinates(NamedTuple):
     def keeping(self, independent: "Sequence[Node]") -> "SceneCoordinates":
         """These alone, in this order, as the independent ones."""
         kept = [self.q.index(q) for q in independent]
-        names, q, v, a = ([listed[i] for i in kept] for listed in (self.names, self.q, self.v, self.a))
+        names, (q, v, a) = [self.names[i] for i in kept], (
+            [listed[i] for i in kept] for listed in (self.q, self.v, self.a))
         return self._replace(names=names, q=q, v=v, a=a, speeds=_speeds(q, v, a, self.time))
 
     def defining(self, dependent: "Mapping[Node, Node]") -> "SceneCoordinates":
@@ -98,14 +101,14 @@ class SceneCoordinates(NamedTuple):
 
     def copied(self) -> "SceneCoordinates":
         """A copy that may become more without this one."""
-        names, q, v, a = (listed.copy() for listed in (self.names, self.q, self.v, self.a))
-        return self.apart()._replace(names=names, q=q, v=v, a=a, speeds=dict(self.speeds))
+        q, v, a = (listed.copy() for listed in (self.q, self.v, self.a))
+        return self.apart()._replace(names=self.names.copy(), q=q, v=v, a=a, speeds=dict(self.speeds))
 
     def at_drawn(self, *nodes: "Node") -> "list[Node]":
         """The nodes in the drawn position, at rest."""
         return substitute(nodes, self.at_rest) if any(node.mask for node in nodes) else list(nodes)
 
 
-def _speeds(q, v, a, time):
+def _speeds(q: "list[Node]", v: "list[Node]", a: "list[Node]", time: "Node") -> "dict[Node, Node]":
     """{x: dx/dt} of coordinates, velocities and the time."""
     return dict(zip((*q, *v, time), (*v, *a, time.table.one), strict=True))

@@ -1,7 +1,7 @@
 """Displacements of bodies and points from where they are drawn: by coordinates, in time, by supports that give way."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.derivatives import substitute
@@ -27,9 +27,9 @@ class Opening(NamedTuple):
     of the spread forces, it stands beside (None of a displacement, or along a coordinate)."""
 
     name: str
-    node: Any = None
-    load: int = None
-    spread: int = None
+    node: "Node | None" = None
+    load: int | None = None
+    spread: int | None = None
 
 
 class Displacements:
@@ -37,8 +37,11 @@ class Displacements:
     coordinates `released` by which supports give way, if the `variant` says so."""
 
     __slots__ = ("coordinates", "driven", "expressions", "inputs", "released", "table", "time", "variant")
+    driven: "dict[Node, Node]"
+    inputs: "dict[Node, Opening]"
+    released: "list[Node]"
 
-    def __init__(self, expressions: "Expressions", variant: "Variant"):
+    def __init__(self, expressions: "Expressions", variant: "Variant") -> None:
         self.expressions, self.variant, self.coordinates = expressions, variant, expressions.coordinates
         self.table, self.time = self.coordinates.table, self.coordinates.time
         self.driven, self.inputs, self.released = {}, {}, []
@@ -83,7 +86,7 @@ class Displacements:
         angle, = substitute([body.frame.angle], dict.fromkeys(self.released, self.table.zero))
         return bool(angle.mask)
 
-    def _released(self, name):
+    def _released(self, name: str) -> "Node":
         self.released.append(self.coordinates.further(name))
         return self.released[-1]
 
@@ -110,4 +113,5 @@ def stays_bounded(node: "Node", time: "Node", values: Mapping[str, float]) -> bo
         return True
     early, late = (max(abs(evaluate([node], Floats, {**values, time.name: start * x})[0]) for x in INSTANTS)
                    for start in (EARLY, LATE))
-    return late <= GROWTH * early
+    bounded: bool = late <= GROWTH * early
+    return bounded

@@ -6,7 +6,7 @@ The force of what joins two ends is positive in lengthening.
 """
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.rationals import HALF
@@ -20,10 +20,10 @@ class Term(NamedTuple):
     """One function s with its weight; `offset` is the tension N at s = 0 of a spring, of a load in time its steady
     part; `owner` is the name of the element that it came from."""
 
-    weight: Any
-    s: Any
-    offset: Any = None
-    owner: str = None
+    weight: "Node"
+    s: "Node"
+    offset: "Node | None" = None
+    owner: str | None = None
 
     @property
     def nodes(self) -> "list[Node]":

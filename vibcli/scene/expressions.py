@@ -2,7 +2,7 @@
 signs are those as drawn."""
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.base import units
 from vibcli.base.diagnostics import distinct_figures
@@ -26,10 +26,13 @@ from vibcli.symbolic.semantics import literal_unit, lower
 from vibcli.symbolic.syntax import ExpressionError, Sum, parts_of
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
     from vibcli.base.errors import Where
     from vibcli.scene.builder import Reports
     from vibcli.scene.coordinates import SceneCoordinates
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import NameRef, SyntaxTree
     from vibcli.symbolic.variable_sets import VariableSet
 
 
@@ -39,14 +42,14 @@ class Expressions:
     __slots__ = ("coordinates", "parameters", "reports", "sample", "table")
 
     def __init__(self, coordinates: "SceneCoordinates", parameters: Parameters, sample: Mapping[str, float],
-                 reports: "Reports"):
+                 reports: "Reports") -> None:
         self.coordinates, self.parameters, self.sample, self.reports = coordinates, parameters, sample, reports
         self.table = coordinates.table
 
     def lower(self, expression: Expression, local: "tuple[str, Node] | None" = None) -> "Node":
         """The node of a parsed field; `local`: (name, node) of a name that is good there alone. Who reads more of a
         scene that is built has the values to judge it by."""
-        def symbol(name, primes, tree):
+        def symbol(name: str, primes: int, tree: "NameRef") -> "Node":
             if local and name == local[0] and not primes:
                 return local[1]
             known = self.parameters.in_letters if name in self.parameters.in_letters else self.parameters.nodes
@@ -96,7 +99,8 @@ class Expressions:
 
     def number(self, node: "Node") -> float:
         """The value of a node as drawn, with sample values for symbols."""
-        return evaluate(self.coordinates.at_drawn(node), Floats, self.sample)[0]
+        value: float = evaluate(self.coordinates.at_drawn(node), Floats, self.sample)[0]
+        return value
 
     def sign(self, node: "Node") -> int:
         """That of a node as drawn."""
@@ -148,7 +152,7 @@ class Expressions:
         """Two values in the drawn position, with as many digits as tell them apart."""
         return distinct_figures(self.number(a), self.number(b))
 
-    def unit(self, dx: Any, dy: Any, where: "Where | None" = None) -> "tuple[Node, Node]":
+    def unit(self, dx: "Node", dy: "Node", where: "Where | None" = None) -> "tuple[Node, Node]":
         """The unit vector along (dx, dy), constants."""
         length = self.distance(dx, dy)
         if self.number(length) == 0:
@@ -167,13 +171,13 @@ class Expressions:
                 return size if drawn is node else textbook(node * drawn / size)
         return node if self.sign(node) > 0 else -node
 
-    def _turns(self, drawn, letters):
+    def _turns(self, drawn: "Node", letters: Sequence[str]) -> bool:
         """Has a value another sign where one of the letters has the other one?"""
         value, here = self.number(drawn), {part.name for part in reachable([drawn]) if part.op == "symbol"}
         return any(evaluate([drawn], Floats, {**self.sample, name: -self.sample[name]})[0] * value < 0
                    for name in here.intersection(letters))
 
-    def distance(self, dx: Any, dy: Any) -> "Node":
+    def distance(self, dx: "Node", dy: "Node") -> "Node":
         """√(dx² + dy²), rational where the direction never changes: there it is ±dx, ±dy or their projection."""
         dx0, dy0 = self.coordinates.at_drawn(dx, dy)
         for along, across in ((dx, dy), (dy, dx)):
@@ -196,7 +200,7 @@ class Expressions:
             roots = {base: root_of_square(base) for base, e in part.args
                      if e.denominator == 2 and base.mask} if part.op == "product" else {}
             if any(root is not None for root in roots.values()):
-                factors = [(self.table.number(part.coefficient), ONE)]
+                factors: list[tuple[Node, Fraction | int]] = [(self.table.number(part.coefficient), ONE)]
                 for base, e in part.args:
                     root = roots.get(base)
                     factors += _factors(base, e) if root is None else [(self.absolute(root), 2 * e)]
@@ -208,7 +212,7 @@ class Expressions:
         return self.lower(surface["curve"], (surface["in"], x))
 
 
-def _factors(base, exponent):
+def _factors(base: "Node", exponent: "Fraction | int") -> "Sequence[tuple[Node, Fraction | int]]":
     """[(factor, its exponent)] of a sum; a power, anything else and what is too long are one."""
     try:
         if exponent == 1 and base.op == "sum":
@@ -218,7 +222,7 @@ def _factors(base, exponent):
     return [(base, exponent)]
 
 
-def _hidden(tree, told=False):
+def _hidden(tree: "SyntaxTree", told: bool = False) -> "list[Fraction]":
     """The values of literals whose units no letter tells; `told`: letters are added."""
     if tree.kind == "number":
         unit = literal_unit(tree.units) if tree.value and tree.units and not told else None

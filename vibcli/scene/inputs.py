@@ -9,9 +9,10 @@ from vibcli.scene.energy_terms import AppliedLoad
 if TYPE_CHECKING:
     from vibcli.scene.contents import Contents
     from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 
-def with_input_loads(scene: "Scene", add: Callable) -> "Contents":
+def with_input_loads(scene: "Scene", add: "Callable[..., Node]") -> "Contents":
     """The contents with loads F δs of inputs F; `add(name, load=, spread=)` gives the symbol of one."""
     beside = [(term.owner, term.s, k) for k, term in enumerate(scene.forces)]
     along = [(name, scene.symbol(name), None) for name in scene.spec.coordinates]
@@ -27,9 +28,9 @@ def with_loads_alone(scene: "Scene") -> "Scene | None":
         return None
     coordinates, inputs = scene.kinematics.copied(), dict(scene.inputs)
 
-    def add(name, **which):
+    def add(name: str, load: int | None = None, spread: int | None = None) -> "Node":
         symbol = coordinates.further(f"input {len(inputs) + 1}")
-        inputs[symbol] = Opening(name, **which)
+        inputs[symbol] = Opening(name, None, load, spread)
         return symbol
 
     setting = scene.setting._replace(variant=scene.setting.variant._replace(inputs=True))

@@ -1,7 +1,7 @@
 """Nonlinear springs and dampers: V_e(s) and Φ_e(ṡ) from their laws, F = dV/ds and F = dΦ/dṡ."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.derivatives import substitute
@@ -16,12 +16,12 @@ class Law(NamedTuple):
     which is s of a spring and ṡ of a damper; `bound`: the largest force of dry friction at rest over that in motion."""
 
     owner: str
-    s: Any
-    x: Any
-    integral: Any
-    derivative: Any
+    s: "Node"
+    x: "Node"
+    integral: "Node"
+    derivative: "Node"
     damper: bool = False
-    bound: Any = None
+    bound: "Node | None" = None
 
     @property
     def nodes(self) -> "list[Node]":
@@ -44,9 +44,9 @@ class Law(NamedTuple):
         """V of a spring; None of a damper, which stores nothing."""
         return None if self.damper else self.potential(scene)
 
-    def power(self, scene: "Scene") -> "Node":
+    def power(self, scene: "Scene") -> "Node | None":
         """F ṡ, which a damper dissipates; None of a spring."""
         return self.force(scene) * scene.rate(self.s) if self.damper else None
 
-    def _at(self, scene, node):
+    def _at(self, scene: "Scene", node: "Node") -> "Node":
         return substitute([node], {self.x: scene.rate(self.s) if self.damper else self.s})[0]

@@ -7,6 +7,7 @@ pieces lengthen under their loads is zero, Σ (N̄ − N₀) l/EA = 0, and a mem
 of one alike all along: N₀ is then the mean of N.
 """
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
@@ -20,10 +21,13 @@ from vibcli.symbolic.normal_form import is_zero, textbook
 if TYPE_CHECKING:
     from collections.abc import Mapping
     from fractions import Fraction
+    from typing import TypeVar
 
     from vibcli.elements.member import Member
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
+
+    Number = TypeVar("Number", float, Node)
 
 LOOSE = 1e-9
 SAME = 1e-9             # of the largest tension along a member: a preload that differs by less is it
@@ -34,9 +38,9 @@ class Tensions(NamedTuple):
     are held to what parts along it the multiplier of that condition, else None; `shared`: is the member one that
     stretches, both ends held to what moves, under loads, so that others take a share of them?"""
 
-    pieces: list
+    pieces: "list[Node]"
     settled: bool
-    tie: Any
+    tie: "Node | None"
     shared: bool = False
 
 
@@ -68,7 +72,7 @@ def statics_tells(scene: "Scene") -> bool:
                                                         for other in members))
 
 
-def _carries(member, other):
+def _carries(member: "Member", other: "Member") -> bool:
     """Is an end of another member held to this one?"""
     ends = [other.record.get(side) for side in ("left", "right")]
     return any(end[word].text == member.name for end in ends if end is not None and not isinstance(end, str)
@@ -114,7 +118,7 @@ def is_held_along(member: "Member") -> bool:
     return member.stretches[0] is None and member.stretches[-1] is None
 
 
-def _stretched(scene, member, found):
+def _stretched(scene: "Scene", member: "Member", found: Tensions) -> Tensions:
     """The Tensions of a beam that stretches between two ends that are held."""
     first, last = member.stations[0].along, member.stations[-1].along
     if first.mask or last.mask:
@@ -128,23 +132,23 @@ def _stretched(scene, member, found):
     return found._replace(pieces=[textbook(tension - longer / softness) for tension in found.pieces])
 
 
-def _found(scene, member, cuts, tie):
+def _found(scene: "Scene", member: "Member", cuts: "dict[Node, Node]", tie: "Node | None") -> Tensions:
     whole, forces = _whole(scene, member, cuts), _forces(scene, member, cuts)
     settled = all(node is None or is_zero(node - force) for node, force in zip(whole, forces, strict=True))
     return Tensions(_as_drawn(scene, member, forces, tie), settled, tie)
 
 
-def _whole(scene, member, cuts):
+def _whole(scene: "Scene", member: "Member", cuts: "dict[Node, Node]") -> "list[Node | None]":
     """The force along each station, None at ends that are held."""
     return [None if t is None else substitute([force_along(scene, t)], cuts)[0] for t in member.stretches]
 
 
-def _forces(scene, member, cuts):
+def _forces(scene: "Scene", member: "Member", cuts: "dict[Node, Node]") -> "list[Node | None]":
     """The same as drawn."""
     return [None if node is None else textbook(scene.at_drawn(node)[0]) for node in _whole(scene, member, cuts)]
 
 
-def _ties(scene, cuts):
+def _ties(scene: "Scene", cuts: "dict[Node, Node]") -> "dict[str, Node]":
     """{name: λ} of the members both of whose ends are held to what parts along them, as drawn: Σ λₖ ∂Gₖ/∂q is the force
     along q, Gₖ = 0 the conditions that they and the constraints make."""
     ends = {name: (member.stations[0].along, member.stations[-1].along) for name, member in scene.members.items()
@@ -165,7 +169,8 @@ def _ties(scene, cuts):
     return {name: textbook(found.get(k, scene.table.zero)) for k, name in enumerate(gaps)}
 
 
-def _given(scene, names, rows, cuts):
+def _given(scene: "Scene", names: Sequence[str], rows: "Sequence[list[Node]]",
+           cuts: "dict[Node, Node]") -> "dict[int, Node]":
     """{number of the condition: tension} of the members whose preload tells what statics leaves open."""
     from vibcli.scene.self_stress import pinned
 
@@ -179,7 +184,7 @@ def _given(scene, names, rows, cuts):
     return {kept[k]: _as_drawn(scene, members[k], _forces(scene, members[k], cuts), None)[-1] for k in found}
 
 
-def _as_drawn(scene, member, forces, tie):
+def _as_drawn(scene: "Scene", member: "Member", forces: "list[Node | None]", tie: "Node | None") -> "list[Node]":
     """N of each piece, by the forces along its stations as drawn."""
     zero = scene.table.zero
     preload = scene.lower(member.record["preload"]) if "preload" in member.record else zero
@@ -188,7 +193,7 @@ def _as_drawn(scene, member, forces, tie):
     return [textbook(node) for node in along_pieces(forces, tie, preload, spans, zero)]
 
 
-def _solved(scene, rows, count):
+def _solved(scene: "Scene", rows: "Sequence[list[Node]]", count: int) -> "dict[int, Node]":
     """{unknown: value} of linear equations [coefficients, right side]; unknowns that they leave open are left out."""
     pivots, work = {}, [list(row) for row in rows]
     for k in range(count):
@@ -204,7 +209,7 @@ def _solved(scene, rows, count):
     return {k: work[i][-1] / work[i][k] for k, i in pivots.items()}
 
 
-def along_pieces(forces: list, tie: Any, preload: Any, spans: list, zero: Any) -> list:
+def along_pieces(forces: list[Any], tie: Any, preload: Any, spans: list[Any], zero: Any) -> list[Any]:
     """N at the left end of each piece, by the forces along its stations, None at ends that are held: from a free end;
     from the `tie` in the last one; or from the preload, the mean of N. spans: (N′, length) of each piece. Nodes or
     numbers."""
@@ -220,7 +225,7 @@ def along_pieces(forces: list, tie: Any, preload: Any, spans: list, zero: Any) -
     return [start + N for N in beyond]
 
 
-def _summed(forces, total):
+def _summed(forces: "Sequence[Number]", total: "Number") -> "list[Number]":
     found = []
     for force in forces:
         total = total + force

@@ -5,7 +5,7 @@ every element does. At rest it is springs, exactly; in motion its dynamic stiffn
 """
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.scene.energy_terms import Spring
@@ -27,9 +27,9 @@ class PieceTerm(NamedTuple):
     are its own, in the order of both."""
 
     owner: str
-    start: Any
-    coefficients: tuple
-    s: tuple
+    start: "Node"
+    coefficients: "tuple[Node, ...]"
+    s: "tuple[Node, ...]"
     springs: int
 
     @property

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from math import inf
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -21,9 +21,9 @@ class Frame(NamedTuple):
     """Where a body was drawn and is now: a reference point drawn at `drawn`, now at `place`, and the rotation `angle`:
     all expressions."""
 
-    drawn: tuple
-    place: tuple
-    angle: Any
+    drawn: "tuple[Node, Node]"
+    place: "tuple[Node, Node]"
+    angle: "Node"
 
     @property
     def nodes(self) -> "list[Node]":
@@ -32,7 +32,7 @@ class Frame(NamedTuple):
 
     def over(self, new: "Mapping[Node, Node]") -> "Frame":
         """Itself with its expressions replaced, {node: node}."""
-        return self._replace(place=tuple(new[node] for node in self.place), angle=new[self.angle])
+        return self._replace(place=(new[self.place[0]], new[self.place[1]]), angle=new[self.angle])
 
     def point(self, x: "Node", y: "Node") -> "tuple[Node, Node]":
         """Where the body's point drawn at (x, y) is now: place + R(angle)·(its offset as drawn)."""
@@ -74,15 +74,16 @@ class Places:
         "table",
     )
 
-    def __init__(self, spec: "Spec", expressions: "Expressions", bodies: "Mapping[str, Body]",
+    def __init__(self, spec: "Spec", expressions: "Expressions", bodies: "dict[str, Body]",
                  points: "dict[str, tuple[tuple[Node, Node], tuple[Node, Node]]]", members: "Mapping[str, Member]",
-                 driven: Callable | None = None, build: Callable | None = None):
+                 driven: "Callable[[Record, tuple[Node, Node]], tuple[Node, Node]] | None" = None,
+                 build: "Callable[[str], Member] | None" = None) -> None:
         self.members, self.build = members, build
         self.spec, self.expressions, self.bodies, self.points, self.driven = spec, expressions, bodies, points, driven
         self.table, self.report = expressions.table, expressions.reports.report
         self.ground = self.still((self.table.zero, self.table.zero))
 
-    def still(self, drawn: Any) -> Frame:
+    def still(self, drawn: "tuple[Node, Node]") -> Frame:
         """The frame of what does not move."""
         return Frame(drawn, drawn, self.table.zero)
 
@@ -98,7 +99,7 @@ class Places:
         """The frame of the body that a record names, or the ground."""
         return self.frame(record[key]) if key in record else self.ground
 
-    def along_axis(self, motion: Any, kind: str) -> "Node":
+    def along_axis(self, motion: "Record", kind: str) -> "Node":
         """How far the carrier of a body without a place slides or turns along the axis of both; zero of the ground."""
         if "carrier" not in motion:
             return self.table.zero
@@ -122,7 +123,7 @@ class Places:
             return body.rims[0]
         return body.frame.drawn if "pin" in body.record else body.centre
 
-    def place_of(self, end: "Sequence[Expression] | Reference") -> "tuple[Node, Node]":
+    def place_of(self, end: "list[Expression] | Reference") -> "tuple[Node, Node]":
         """Where an end is now: a place [x, y], or a named point or body."""
         return self.expressions.pair(end) if isinstance(end, list) else self.place(end)[1]
 
@@ -140,7 +141,7 @@ class Places:
                 return drawn, place, frame
         return drawn, carrier.point(*drawn), carrier
 
-    def place(self, name: Any) -> "tuple[tuple[Node, Node], tuple[Node, Node], Frame]":
+    def place(self, name: "Reference") -> "tuple[tuple[Node, Node], tuple[Node, Node], Frame]":
         """(drawn, present, carrying frame) of a named point or body."""
         if name.text in self.bodies:
             body = self.bodies[name.text]
@@ -156,7 +157,7 @@ class Places:
             self.points[name.text] = drawn, present
         return drawn, present, self.carrier(record, "body")
 
-    def _on_member(self, name):
+    def _on_member(self, name: "Reference") -> "tuple[tuple[Node, Node], tuple[Node, Node], Frame]":
         """(drawn, present, frame) of a point on a member."""
         record = self.spec.get("member_points")[name.text]
         member = self.members.get(record["body"].text) or (self.build and self.build(record["body"].text))
@@ -172,7 +173,7 @@ class Places:
         angle = self.table.zero if station.slope is None else station.slope
         return drawn, present, Frame(drawn, present, angle)
 
-    def _located(self, record):
+    def _located(self, record: "Record") -> "tuple[tuple[Node, Node], tuple[Node, Node]]":
         """(drawn, present) of a point."""
         drawn = self.expressions.pair(record["at"])
         place = self.driven(record, drawn) if "moves" in record else drawn
@@ -183,7 +184,7 @@ class Places:
         places = [body.centre for body in self.bodies.values() if body.frame is not None]
         places += [self.expressions.pair(end) for record in (self.spec.get("springs") or {}).values()
                    for end in record.get("between", ()) if isinstance(end, list)]
-        found = evaluate([node for place in places for node in place], Floats, values)
+        found: list[float] = evaluate([node for place in places for node in place], Floats, values)
         if not found:
             return 0.0
         size = max(max(found[0::2]) - min(found[0::2]), max(found[1::2]) - min(found[1::2]))
@@ -203,7 +204,7 @@ class Places:
         return [size if length else 1.0 for length in lengths]
 
 
-def _power_above(x):
+def _power_above(x: float) -> float:
     """The least power of two above a positive number, found by comparing."""
     size = 1.0
     while size <= x < inf:

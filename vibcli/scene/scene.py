@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.stage import SharedPart
-from vibcli.scene.displacements import stays_bounded
+from vibcli.scene.displacements import Opening, stays_bounded
 from vibcli.scene.expressions import Expressions
 from vibcli.scene.places import Places
 from vibcli.symbolic.derivatives import substitute
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from vibcli.language.parameters import Parameters
     from vibcli.language.spec import Spec
     from vibcli.scene.build import Setting
+    from vibcli.scene.closed_loops import Loops
     from vibcli.scene.contents import Contents
     from vibcli.scene.coordinates import SceneCoordinates
     from vibcli.scene.energy_terms import Term
@@ -39,9 +40,9 @@ class Drives(NamedTuple):
     """`driven`: {symbol: function of the time}; `inputs`: {symbol: Opening}; coordinates `released` by supports;
     `idle`: does a load act on what stays?"""
 
-    driven: dict
-    inputs: dict
-    released: list
+    driven: "dict[Node, Node]"
+    inputs: "dict[Node, Opening]"
+    released: "list[Node]"
     idle: bool = False
 
 
@@ -50,14 +51,14 @@ class Freedom(NamedTuple):
 
     coordinates: int
     conditions: int
-    redundant: tuple
+    redundant: tuple[str, ...]
 
 
 class Closure(NamedTuple):
     """What constraints make of a scene: its Loops, if any, the `dependent` coordinates {name: node}, its Freedom."""
 
-    loops: Any
-    dependent: dict
+    loops: "Loops | None"
+    dependent: "dict[str, Node]"
     freedom: Freedom
 
 
@@ -68,7 +69,7 @@ class Scene:
     like: "Scene | None" = None
 
     def __init__(self, setting: "Setting", coordinates: "SceneCoordinates", contents: "Contents", drives: Drives,
-                 closure: Closure | None = None, still: "Scene | None" = None):
+                 closure: Closure | None = None, still: "Scene | None" = None) -> None:
         self.setting, self.kinematics, self.contents, self.still = setting, coordinates, contents, still
         self.spec, self.attempt, _, self.parameters, self.sample, reports, _ = setting
         self.surfaces, self.report = self.spec.sections.get("surfaces") or {}, reports.report
@@ -82,18 +83,17 @@ class Scene:
         self.loops, self.dependent, self.freedom = closure or Closure(None, {}, Freedom(len(self.q), 0, ()))
 
     if not TYPE_CHECKING:
-        def __getattr__(self, name):
+        def __getattr__(self, name: str) -> Any:
             """What reads fields of the file, with the values of the parameters: made when it is first asked for."""
             if name not in READ:
                 raise AttributeError(name)
             self._read_fields()
             return vars(self)[name]
 
-    def _read_fields(self):
+    def _read_fields(self) -> None:
         if self.like is not None:
-            self.setting = self.like.setting._replace(
-                spec=self.spec, parameters=self.parameters, sample=self.sample,
-                draw=partial(self.like.setting.draw.func, self.spec, {}))
+            self.setting = self.like.setting._replace(spec=self.spec, parameters=self.parameters, sample=self.sample,
+                                                      draw=partial(self.like.setting.draw.func, self.spec, {}))
         expressions = Expressions(self.kinematics, self.parameters, self.sample, self.setting.reports)
         self.lower, self.pair, self.number = expressions.lower, expressions.pair, expressions.number
         self.terms_with, self.unrooted = expressions.terms_with, expressions.unrooted
@@ -113,7 +113,7 @@ class Scene:
                         "drives": self.drives, "closure": self.closure, "still": self.still, **parts})
 
     @cached_property
-    def _of_no_values(self):
+    def _of_no_values(self) -> dict[str, Any]:
         """{name: part} of what hangs on no value of a parameter."""
         return {name: part for name, part in vars(self).items() if name not in OF_VALUES}
 
@@ -127,7 +127,7 @@ class Scene:
             vars(found).update(loops=loops, closure=Closure(loops, self.dependent, self.freedom))
         return found
 
-    def replaced(self, values: Any, **parts: Any) -> "Scene":
+    def replaced(self, values: "Mapping[Node, Node]", **parts: Any) -> "Scene":
         """With other parts, and symbols replaced in every expression, {symbol: node}."""
         scene = self.with_parts(**parts)
         nodes = scene.contents.nodes
@@ -228,7 +228,7 @@ class Scene:
 
     def force_of(self, name: str) -> "Node | None":
         """The force of a spring or damper, of a spring without free length its magnitude; None of another element."""
-        forces = [term.force(self) for term in self.terms_of(name)]
+        forces: list[Node] = [term.force(self) for term in self.terms_of(name)]
         if len(forces) > 1:
             return self.table.sqrt(self.table.sum(*((force * force, ONE) for force in forces)))
         return forces[0] if forces else None
@@ -253,7 +253,7 @@ class Scene:
 
     def endings(self, floats: Mapping[str, float]) -> "Ending | None":
         """Why laws have no value beyond some deflection, the parameters being numbers; None where all go on."""
-        found = {}
+        found: dict[str, Ending] = {}
         for call in reachable([law.potential(self) for law in self.laws]):
             function = self.table.functions.get(call.name)
             if call.op == "call" and function is not None:
@@ -263,7 +263,8 @@ class Scene:
 
     def undriven(self, kind: str) -> "list[Term]":
         """Terms, or laws, as functions of the symbols of driven displacements, which are zero as drawn."""
-        return self.shaken[kind] if self.shaken else getattr(self, kind)
+        terms: list[Term] = self.shaken[kind] if self.shaken else getattr(self, kind)
+        return terms
 
     @cached_property
     def oscillating(self) -> "list[Node]":
@@ -277,11 +278,11 @@ class Scene:
 
     def at_still(self, kind: str) -> "list[Term]":
         """The springs, dampers, inertias or loads with the driven displacements that oscillate left out."""
+        terms = self.undriven(kind)
         if not self.shaken:
-            return getattr(self, kind)
+            return terms
         held = self.held_drives
-        return [term.over(dict(zip(term.nodes, substitute(term.nodes, held), strict=True)))
-                for term in self.shaken[kind]]
+        return [term.over(dict(zip(term.nodes, substitute(term.nodes, held), strict=True))) for term in terms]
 
     def loads_at_still(self) -> Sequence[Any]:
         """The loads, the steady ones with the driven displacements that oscillate left out; beside each of them what of

@@ -45,10 +45,11 @@ def _open(matrix: "np.ndarray") -> "np.ndarray":
     sizes = np.abs(matrix).max(axis=0, initial=0.0)
     _, s, v = np.linalg.svd(matrix / np.where(sizes, sizes, 1.0))
     rank = int((s > OPEN * s.max(initial=0.0)).sum())
-    return np.sqrt((v[rank:] ** 2).sum(axis=0)) > OPEN
+    found: np.ndarray = np.sqrt((v[rank:] ** 2).sum(axis=0)) > OPEN
+    return found
 
 
-def _report(scene, left):
+def _report(scene: "Scene", left: "Sequence[Member]") -> None:
     first, names = left[0], " and ".join(f"'{member.name}'" for member in left[:3])
     what = "string" if first.kind.name == "string" else "beam"
     shares = names if len(left) > 1 else f"{names} and what stands beside it"

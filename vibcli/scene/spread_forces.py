@@ -1,7 +1,7 @@
 """Loads along members that vary in time, on pieces with inertia or drag: δA = g(t) ∫ f(x) δu dx."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
 
@@ -15,11 +15,11 @@ class SpreadForce(NamedTuple):
 
     owner: str
     member: str
-    start: Any
-    end: Any
-    along: Any
-    weight: Any
-    x: Any
+    start: "Node"
+    end: "Node"
+    along: "Node"
+    weight: "Node"
+    x: "Node"
 
     @property
     def nodes(self) -> "list[Node]":

@@ -26,7 +26,8 @@ def with_energies(scene: "Scene") -> "Scene":
         energies=found, matrices={"C": skew} if turning else {}))
 
 
-def of_independent(scene: "Scene", values: "Mapping[Node, Node]", left: "Sequence[Node]") -> "dict[str, list]":
+def of_independent(scene: "Scene", values: "Mapping[Node, Node]", left: "Sequence[Node]"
+                   ) -> "dict[str, list[list[Node]]]":
     """SᵀC S of the independent coordinates `left`, `values` being {z: expression} of the others. Reported where the
     constraints are not linear."""
     C, zero = scene.matrices["C"], scene.table.zero

@@ -5,7 +5,7 @@ within BITS; parameters are leaves. Every walk is iterative, because a node is a
 `index` is an order of evaluation.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -151,7 +151,7 @@ class Table:
         args.sort(key=_index_of_first)
         return self._make("sum", tuple(args), exact(constant))
 
-    def total(self, nodes: Sequence[Node]) -> Node:
+    def total(self, nodes: Iterable[Node]) -> Node:
         """Σ nodeᵢ."""
         return self.sum(*((node, 1) for node in nodes))
 

@@ -15,6 +15,7 @@ from vibcli.symbolic.literals import literal
 from vibcli.symbolic.syntax import Call, Equation, ExpressionError, NameRef, Power, Product, QuantityRef, Sum
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from re import Match
 
 LONGEST, DEEPEST, PARTS = 2000, 64, 400
@@ -29,7 +30,8 @@ VALUE = "value"         # the head of x(2 s), and of what is written like a func
 GREEK = dict(zip("αβγδεζηθικλμνξοπρστυφχψωΓΔΘΛΞΠΣΦΨΩϕϑϵ", (
     "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho sigma tau upsilon phi "
     "chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega phi theta epsilon").split(), strict=True))
-plain_name = methodcaller("translate", str.maketrans(GREEK))      # a name with Greek letters spelt out: φ1 is phi1
+# of a name with Greek letters, these spelt out: φ1 is phi1
+plain_name: "Callable[[str], str]" = methodcaller("translate", str.maketrans(GREEK))
 
 _NUMBER = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?")
 _WORD = re.compile(r"[^\W\d]\w*")             # a name, where its letters are those below

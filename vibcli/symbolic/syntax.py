@@ -4,9 +4,12 @@ from collections.abc import Callable
 from fractions import Fraction
 from functools import lru_cache
 from operator import attrgetter
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
+
+if TYPE_CHECKING:
+    from typing import Literal
 
 REMEMBERED = 1024           # trees
 
@@ -35,7 +38,7 @@ class Number(NamedTuple):
     end: int
     value: Fraction
     units: tuple[UnitPower, ...]
-    kind: str = "number"
+    kind: 'Literal["number"]' = "number"
     children = ()
 
 
@@ -46,7 +49,7 @@ class NameRef(NamedTuple):
     end: int
     name: str
     primes: int
-    kind: str = "name"
+    kind: 'Literal["name"]' = "name"
     children = ()
 
 
@@ -61,7 +64,7 @@ class QuantityRef(NamedTuple):
     indices: tuple[str, ...] = ()
     component: str = ""
     args: tuple = ()
-    kind: str = "quantity"
+    kind: 'Literal["quantity"]' = "quantity"
     alone: bool = False
     children = ()
 
@@ -72,7 +75,7 @@ class Sum(NamedTuple):
     start: int
     end: int
     parts: tuple
-    kind: str = "sum"
+    kind: 'Literal["sum"]' = "sum"
     children = property(lambda self: [part for _, part in self.parts])
 
 
@@ -82,7 +85,7 @@ class Product(NamedTuple):
     start: int
     end: int
     parts: tuple
-    kind: str = "product"
+    kind: 'Literal["product"]' = "product"
     children = property(lambda self: [part for _, part in self.parts])
 
 
@@ -91,9 +94,9 @@ class Power(NamedTuple):
 
     start: int
     end: int
-    base: tuple
-    exponent: tuple
-    kind: str = "power"
+    base: "SyntaxTree"
+    exponent: "SyntaxTree"
+    kind: 'Literal["power"]' = "power"
     children = property(attrgetter("base", "exponent"))
 
 
@@ -104,7 +107,7 @@ class Call(NamedTuple):
     end: int
     name: str
     args: tuple
-    kind: str = "call"
+    kind: 'Literal["call"]' = "call"
     children = property(attrgetter("args"))
 
 
@@ -115,15 +118,19 @@ class Equation(NamedTuple):
     end: int
     left: tuple
     right: tuple
-    kind: str = "equation"
+    kind: 'Literal["equation"]' = "equation"
     children = property(attrgetter("left", "right"))
+
+
+if TYPE_CHECKING:
+    SyntaxTree = Number | NameRef | QuantityRef | Sum | Product | Power | Call | Equation
 
 
 class Parts(NamedTuple):
     """The parts of a tree by their kinds: (name, primes, start, end) of each name, the numbers, the calls of functions
     and records, the quantities (`omega[1]`); `whole`: the number that it is as a whole, perhaps signed, or None."""
 
-    names: list[tuple]
+    names: list[tuple[str, int, int, int]]
     numbers: list[Number]
     calls: list[Call]
     quantities: list[QuantityRef]
@@ -151,6 +158,13 @@ def _parts_of(tree):
                 calls.append(part)
             pending.extend(part.children)
     return Parts(names, numbers, calls, quantities, whole_literal(tree))
+
+
+def names_within(tree: Any) -> list[str]:
+    """All names, those in the arguments of quantities too."""
+    parts = parts_of(tree)
+    return [name for name, *_ in parts.names] + [name for part in parts.quantities for arg in part.args
+                                                for name in names_within(arg)]
 
 
 def rebuilt(tree: Any, change: Callable) -> Any:

@@ -31,8 +31,8 @@ V_POWERS, T_POWERS = ((2,), (3,), (4,)), ((0, 2), (1, 2), (2, 2))
 class EnergyFactors(NamedTuple):
     """V₂, V₃, V₄ and T₀, T₁, T₂."""
 
-    V: "tuple[Any, Any, Any]"
-    T: "tuple[Any, Any, Any]"
+    V: tuple[Any, ...]
+    T: tuple[Any, ...]
 
     @property
     def kappa(self) -> "Node":

@@ -13,12 +13,17 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from hashlib import blake2b
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.decoding import MAX_BYTES
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.cli.checking.found import CheckedAnswer, CheckedFile, Trouble
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from vibcli.language.document.nodes import DocumentNode
 
 NAME, FORM, SOURCES = ".vibcli_cache", 1, "sources"
 ROOT = Path(__file__).parents[2]
@@ -44,7 +49,7 @@ class Cache:
     """The cache in a folder; options: what else the results hang on. Unusable where it is a link, no folder, holds
     other files, which git would ignore from then on, or is not to be written to."""
 
-    def __init__(self, folder: Path, options: Sequence[Any]):
+    def __init__(self, folder: Path, options: Sequence[Any]) -> None:
         self._folder, self._options = folder, json.dumps(options)
         if folder.is_symlink():
             raise Unusable("it is a link")
@@ -74,7 +79,8 @@ class Cache:
     def seconds(self, file: str) -> float:
         """How long the check of a file took last, 0 where that is not known."""
         entry = self._entry(file)
-        return 0.0 if entry is None else entry["seconds"]
+        seconds: float = 0.0 if entry is None else entry["seconds"]
+        return seconds
 
     def checked(self, file: str, check: Callable[[str], CheckedFile]) -> CheckedFile:
         """What `check` finds of a file, kept where nothing that it hangs on has changed meanwhile."""
@@ -87,7 +93,7 @@ class Cache:
                 _write(self._path(file), json.dumps({"form": FORM, "sum": _digest(text), "entry": text}).encode())
         return found
 
-    def _state(self, file, before=None):
+    def _state(self, file: str, before: "Dependencies | None" = None) -> "Dependencies | None":
         """The Dependencies of a file now; None where it cannot be read. before: that of the same bytes, if they are."""
         data = _bytes(file, MAX_BYTES)
         if data is None:
@@ -96,26 +102,26 @@ class Cache:
         records = before.records if same else _records(file, data)
         return Dependencies(data, records, self._key(file, data, records))
 
-    def _path(self, file):
+    def _path(self, file: str) -> Path:
         return self._folder / f"{_digest(file, self._options)[:32]}.json"
 
-    def _entry(self, file):
+    def _entry(self, file: str) -> dict[str, Any] | None:
         """The entry of a file, None where there is none or it is damaged."""
         try:
             outer = json.loads(_bytes(self._path(file), LARGEST) or b"")
             if outer["form"] != FORM or outer["sum"] != _digest(outer["entry"]):
                 return None
-            entry = json.loads(outer["entry"])
+            entry: dict[str, Any] = json.loads(outer["entry"])
         except (ValueError, KeyError, TypeError, RecursionError):
             return None
         return entry if entry["file"] == file else None
 
-    def _key(self, file, data, records):
+    def _key(self, file: str, data: bytes, records: Sequence[str]) -> str:
         beside = [name and _file_digest(os.path.join(os.path.dirname(file), name)) for name in records]
         return _digest(data, self._options, json.dumps([records, beside]), self._machinery)
 
 
-def _is_of_others(name):
+def _is_of_others(name: str) -> bool:
     """In a folder that has no tag yet: is a file of this name none of those that make it a cache?"""
     return not any(name.startswith((own, f".{own}.")) for own in BESIDE)
 
@@ -128,19 +134,19 @@ class Dependencies(NamedTuple):
     key: str
 
 
-def _lasts(found):
+def _lasts(found: CheckedFile) -> bool:
     """Is it no fault of ours, and hangs on nothing that is not there?"""
     return found.code != 101 and not any(one.message.startswith(ABSENT) for one in found.troubles)
 
 
-def _machinery(folder):
+def _machinery(folder: Path) -> str:
     """The hash of what computes: the sources of vibcli, Python, and the packages by their versions."""
     described = _described()
     return _digest(sys.version, *(_version(name, described) for name in COMPUTES_WITH),
                    _installed(described.get("vibcli")) or _sources(folder / SOURCES))
 
 
-def _described():
+def _described() -> dict[str, str]:
     """{package in small letters: the folder that describes it}, the first of each on the path of modules."""
     found = {}
     for place in sys.path:
@@ -151,7 +157,7 @@ def _described():
     return found
 
 
-def _version(name, described):
+def _version(name: str, described: dict[str, str]) -> str:
     """What tells the version of a package: the name of the folder that describes it."""
     if name.lower() in described:
         return os.path.basename(described[name.lower()])
@@ -163,7 +169,7 @@ def _version(name, described):
         return "–"
 
 
-def _installed(described):
+def _installed(described: str | None) -> str | None:
     """The list of the files of an installed wheel, with their hashes; None of sources that can be edited."""
     here = os.path.relpath(__file__, ROOT.parent).replace(os.sep, "/")
     try:
@@ -174,7 +180,7 @@ def _installed(described):
     return record if is_this and f"\n{here}," in f"\n{record}" else None
 
 
-def _sources(kept):
+def _sources(kept: Path) -> str:
     """The hash of the sources, read anew where a name, size or instant of change is another one than in a file."""
     files = sorted((os.path.relpath(path, ROOT), path) for path in _files(ROOT))
     looks = _digest(*(f"{name} {(known := os.stat(path)).st_size} {known.st_mtime_ns}" for name, path in files))
@@ -190,7 +196,7 @@ def _sources(kept):
     return found
 
 
-def _files(folder):
+def _files(folder: str | Path) -> "Iterator[str]":
     """The paths of Python files in a folder and all below it."""
     with os.scandir(folder) as entries:
         inside = list(entries)
@@ -202,7 +208,7 @@ def _files(folder):
             yield entry.path
 
 
-def _digest(*parts):
+def _digest(*parts: str | bytes) -> str:
     """The hash of texts and bytes, each with its length."""
     found = blake2b(digest_size=20)
     for part in parts:
@@ -211,7 +217,7 @@ def _digest(*parts):
     return found.hexdigest()
 
 
-def _bytes(file, most):
+def _bytes(file: str | Path, most: int) -> bytes | None:
     """The bytes of a file, None where it cannot be read or is longer."""
     try:
         if not os.path.isfile(file):
@@ -223,12 +229,12 @@ def _bytes(file, most):
     return data if len(data) <= most else None
 
 
-def _file_digest(path):
+def _file_digest(path: str) -> str | None:
     data = _bytes(path, LARGEST)
     return None if data is None else _digest(data)
 
 
-def _records(file, data):
+def _records(file: str, data: bytes) -> list[str]:
     """The names in a scene that are those of files beside it."""
     from vibcli.api.source import bytes_source
 
@@ -238,7 +244,7 @@ def _records(file, data):
     return sorted(name for name in names if os.path.isfile(os.path.join(folder, name)))
 
 
-def _texts(node: Any):
+def _texts(node: "DocumentNode | None") -> "Iterator[str]":
     """All texts that stand as values in a document."""
     waiting = [node]
     while waiting:
@@ -251,7 +257,7 @@ def _texts(node: Any):
             yield one.text.strip()
 
 
-def _found(file, kept):
+def _found(file: str, kept: Sequence[Any]) -> CheckedFile:
     """The CheckedFile of what JSON holds."""
     code, failed, answers, troubles = kept
     return CheckedFile(file, code, failed, [
@@ -261,7 +267,7 @@ def _found(file, kept):
         for rule, message, hint, place, source, of_answers in troubles])
 
 
-def _write(path, data):
+def _write(path: Path, data: bytes) -> None:
     from vibcli.base.output_files import write_whole
 
     write_whole(path, data)

@@ -18,7 +18,7 @@ def changed_since(revision: str, files: Sequence[str]) -> list[str]:
     return [file for file in files if _has_changed(file, _changed(os.path.dirname(file) or ".", revision, found))]
 
 
-def _changed(folder, revision, found):
+def _changed(folder: str, revision: str, found: dict[str, set[str]]) -> set[str]:
     if folder not in found:
         top = _git(folder, "rev-parse", "--show-toplevel", revision=revision)[0]
         if top not in found:
@@ -29,7 +29,7 @@ def _changed(folder, revision, found):
     return found[folder]
 
 
-def _git(folder, *args, revision):
+def _git(folder: str, *args: str, revision: str) -> list[str]:
     """What git prints, in parts."""
     try:
         done = subprocess.run(["git", "-C", folder, *args], capture_output=True, check=False)
@@ -42,7 +42,7 @@ def _git(folder, *args, revision):
     return out.split("\0") if "\0" in out else out.strip("\n").split("\n")
 
 
-def _has_changed(file, changed):
+def _has_changed(file: str, changed: set[str]) -> bool:
     path = os.path.realpath(file)
     if path in changed:
         return True

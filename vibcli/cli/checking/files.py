@@ -1,11 +1,14 @@
 """Which files are scenes, and the answers that they name, without solving anything."""
 
 import os
-from typing import Any
+from typing import TYPE_CHECKING
 
 import click
 
 from vibcli.homework import SET
+
+if TYPE_CHECKING:
+    from vibcli.language.document.nodes import DocumentNode, Scalar
 
 SUFFIXES = ".yaml", ".yml"
 
@@ -45,9 +48,10 @@ def answers_named(file: str) -> list[tuple[str, int]]:
     return found
 
 
-def _entry(node: Any, key):
+def _entry(node: "DocumentNode | None", key: str) -> "DocumentNode | None":
     return _entries(node).get(key, (None, None))[1]
 
 
-def _entries(node: Any):
-    return getattr(node, "entries", {})
+def _entries(node: "DocumentNode | None") -> "dict[str, tuple[Scalar, DocumentNode]]":
+    entries: dict[str, tuple[Scalar, DocumentNode]] = getattr(node, "entries", {})
+    return entries

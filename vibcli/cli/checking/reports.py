@@ -8,7 +8,8 @@ line.
 import json
 import os
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
 from urllib.parse import quote
 
 from vibcli import __version__
@@ -28,7 +29,7 @@ def as_json(found: Sequence[CheckedFile]) -> str:
     return json.dumps(data, ensure_ascii=False, allow_nan=False, indent=1) + "\n"
 
 
-def _diagnostics(found):
+def _diagnostics(found: CheckedFile) -> Iterator[dict[str, Any]]:
     """The troubles of a file as data: of a file as a whole there is neither line nor column."""
     if found.fault:
         yield _diagnostic(FAULT, found.fault, None, (found.file, 1, 1, 0))
@@ -36,7 +37,7 @@ def _diagnostics(found):
         yield _diagnostic(one.rule, one.message, one.hint, one.place or (found.file, 1, 1, 0))
 
 
-def _diagnostic(rule, message, hint, place):
+def _diagnostic(rule: str, message: str, hint: str | None, place: tuple[str, int, int, int]) -> dict[str, Any]:
     file, line, column, width = place
     return {"rule": rule, "message": message, "hint": hint, "file": file, "line": line if width else None,
             "column": column if width else None, "width": width or None}
@@ -71,7 +72,7 @@ def as_junit(found: Sequence[CheckedFile]) -> str:
     return '<?xml version="1.0" encoding="utf-8"?>\n' + xml.tostring(top, encoding="unicode") + "\n"
 
 
-def _clean(text):
+def _clean(text: str) -> str:
     """Text without what XML cannot hold."""
     return NOT_IN_XML.sub("\N{REPLACEMENT CHARACTER}", text)
 
@@ -89,15 +90,15 @@ def as_annotations(found: Sequence[CheckedFile]) -> str:
     return "".join(told)
 
 
-def _data(text):
+def _data(text: str) -> str:
     return lines_escaped(text).replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
 
 
-def _property(text):
+def _property(text: str) -> str:
     return _data(text).replace(":", "%3A").replace(",", "%2C")
 
 
-def _relative(file):
+def _relative(file: str) -> str:
     """The name of a file from the top of the repository in which the command runs, from where it runs if that is in
     none; the whole name of a file elsewhere."""
     try:
@@ -111,7 +112,7 @@ def _relative(file):
     return (whole if path.split(os.sep)[0] == os.pardir else path).replace(os.sep, "/")
 
 
-def _upwards(folder):
+def _upwards(folder: str) -> Iterator[str]:
     """A folder, and those that it lies in."""
     yield folder
     while folder != (above := os.path.dirname(folder)):

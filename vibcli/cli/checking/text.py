@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from functools import partial
+from typing import TYPE_CHECKING
 
 import click
 
@@ -10,6 +11,9 @@ from vibcli.base.enumeration import amount
 from vibcli.base.rules import DIFFERS, INVALID, UNCERTAIN, UNSOLVED
 from vibcli.cli.checking.found import CheckedAnswer, CheckedFile, findings
 from vibcli.cli.common import show_diagnostics, show_fault
+
+if TYPE_CHECKING:
+    from vibcli.base.errors import Where
 
 
 def is_told(found: CheckedFile, quiet: bool) -> bool:
@@ -28,9 +32,9 @@ def tell_troubles(found: CheckedFile) -> None:
         show_diagnostics([one.diagnostic for one in together], partial(_only, sources))
 
 
-def _only(sources, where):
+def _only(sources: dict[tuple[str, int, int, int] | None, str | None], where: "Where") -> Sequence[str]:
     """Lines of which that of a place alone is known."""
-    source = sources.get(tuple(where))
+    source = sources.get((where.file, where.line, where.column, where.width))
     return () if source is None else [*[""] * (where.line - 1), source]
 
 
@@ -44,14 +48,14 @@ def tell_in_full(found: CheckedFile, quiet: bool) -> None:
         click.echo(f"  {_mark(one)} {_told(one)}")
 
 
-def _told(one: CheckedAnswer):
+def _told(one: CheckedAnswer) -> str:
     estimate = "  (its error is estimated)" if one.estimated else ""
     if not one.rule:
         return one.name + estimate
     return f"{one.name}: {one.said}{estimate}  [line {one.place[0]}]"
 
 
-def _mark(one):
+def _mark(one: CheckedAnswer) -> str:
     shown, color = ("✓", "green") if not one.rule else ("?", "yellow") if one.rule == UNCERTAIN else ("✗", "red")
     return click.style(shown, fg=color)
 
@@ -80,7 +84,7 @@ def summary(found: Sequence[CheckedFile]) -> str:
         f", {kept} of {len(found)} from the cache" if kept else "")
 
 
-def _failed(count, of):
+def _failed(count: int, of: int) -> str:
     if not count:
         return ""
     which = "which" if of == 1 else "none of which" if count == of else f"{count} of which"

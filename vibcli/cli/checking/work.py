@@ -4,6 +4,7 @@ import os
 from collections.abc import Sequence
 from functools import partial
 from time import process_time
+from typing import TYPE_CHECKING
 
 import click
 
@@ -11,6 +12,13 @@ from vibcli.base.errors import Diagnostic, PhysicsError, SpecError, Where
 from vibcli.base.rules import DIFFERS, DOUBTFUL, INVALID, UNCERTAIN, UNSOLVED
 from vibcli.cli.checking.found import CheckedAnswer, CheckedFile, Trouble
 from vibcli.cli.common import fault, forget, known_mistake, problem_in, shown_lines, source_of
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from vibcli.api.source import SceneSource
+    from vibcli.check.verdicts import Verdict
+    from vibcli.results.problem import Problem
 
 
 def checked_file(file: str, settings: Sequence[str] = (), patience: int = 1, data: bytes | None = None) -> CheckedFile:
@@ -34,7 +42,7 @@ def not_checked(file: str, error: PhysicsError) -> CheckedFile:
     return CheckedFile(file, 4, True, (), [_trouble(UNSOLVED, error, file)])
 
 
-def _checked(file, settings, patience, data):
+def _checked(file: str, settings: Sequence[str], patience: int, data: bytes | None) -> CheckedFile:
     verdicts, troubles, doubts, code = [], [], [], 0
     try:
         problem, source = _problem(file, settings, patience, data)
@@ -56,7 +64,8 @@ def _checked(file, settings, patience, data):
     return CheckedFile(file, code, failed, [_answer(verdict) for verdict in verdicts], doubts + troubles)
 
 
-def _problem(file, settings, patience, data):
+def _problem(file: str, settings: Sequence[str], patience: int,
+             data: bytes | None) -> "tuple[Problem, SceneSource]":
     if data is not None:
         from vibcli.api.source import bytes_source
 
@@ -70,10 +79,10 @@ def _problem(file, settings, patience, data):
     return problem_in(source, settings, patience), source
 
 
-def _once(verdicts):
+def _once(verdicts: "Sequence[Verdict]") -> "Iterator[tuple[PhysicsError, bool]]":
     """(refusal, is it of what is uncertain?): each of one place once, with the number of answers that it keeps from
     being found."""
-    same: dict = {}
+    same: dict[tuple[str, str | None, Where | None], list[Verdict]] = {}
     for verdict in verdicts:
         refusal = verdict.refusal
         same.setdefault((refusal.message, refusal.hint, refusal.where), []).append(verdict)
@@ -82,7 +91,7 @@ def _once(verdicts):
         yield PhysicsError(told, hint, where), all(verdict.agrees is None for verdict in those)
 
 
-def _settle(problem):
+def _settle(problem: "Problem") -> None:
     """Refused where the scene or a case of it cannot be drawn, or what it chooses cannot be found."""
     from vibcli.api.source import settled
 
@@ -91,7 +100,7 @@ def _settle(problem):
         settled(part)
 
 
-def _trouble(rule, error, file, of_answers=False):
+def _trouble(rule: str, error: Diagnostic | PhysicsError, file: str, of_answers: bool = False) -> Trouble:
     where = error.where or (Where(file, 1, 1, 0) if rule != INVALID else None)
     place = None if where is None else (where.file, where.line, where.column, where.width)
     lines = shown_lines(where) if where is not None and where.width else ()
@@ -99,7 +108,7 @@ def _trouble(rule, error, file, of_answers=False):
     return Trouble(rule, error.message, error.hint, place, source, of_answers)
 
 
-def _answer(verdict):
+def _answer(verdict: "Verdict") -> CheckedAnswer:
     where, asked = verdict.answer.expected.where, verdict.answer.asked.text
     rule = "" if verdict.agrees else UNCERTAIN if verdict.agrees is None else UNSOLVED if verdict.refusal else DIFFERS
     data = {"answer": asked, "case": verdict.case, "line": where.line, "column": where.column,
@@ -109,7 +118,7 @@ def _answer(verdict):
     return CheckedAnswer(data, rule, (where.line, where.column, where.width), name, _said(verdict), verdict.estimated)
 
 
-def _said(verdict):
+def _said(verdict: "Verdict") -> str:
     """What was expected and what was found, and what there is to say of it."""
     if verdict.agrees:
         return ""
@@ -121,7 +130,7 @@ def _said(verdict):
     return " ".join(values + [f"({verdict.remark})"] * bool(verdict.remark))
 
 
-def _values(verdict):
+def _values(verdict: "Verdict") -> list[str]:
     """Expected and found, to the digits in which they differ, or with the bound of what is found where it knows few."""
     values = verdict.expected, verdict.found
     if any(isinstance(value, bool) for value in values):

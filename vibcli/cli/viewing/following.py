@@ -2,7 +2,7 @@
 
 import os
 from time import sleep
-from typing import Any
+from typing import TYPE_CHECKING
 
 import click
 
@@ -12,6 +12,12 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.cli.common import chosen, load, problem_in
 from vibcli.cli.viewing.shown import Shown
 from vibcli.cli.viewing.solver import Job, Solver, told
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from vibcli.language.document.nodes import Mapping
+    from vibcli.language.spec import Spec
 
 PACE = 0.1      # seconds between looks at the file
 MOST = 100      # solved parts that are kept
@@ -50,13 +56,13 @@ class Following:
     """`beside`: files that the scene reads; `wanted`: what identifies each part of the page, and its Job; `kept`: what
     was found of parts, by what identifies them; `first`: has nothing been shown as a whole so far?"""
 
-    def __init__(self, asked: Asked, shown: Shown):
+    def __init__(self, asked: Asked, shown: Shown) -> None:
         self.asked, self.shown, self.solver = asked, shown, Solver()
         self.beside: tuple[str, ...] = ()
-        self.stamps: Any = None
-        self.wanted: dict[tuple, Job] = {}
-        self.kept: dict[tuple, tuple[str, list[str]]] = {}
-        self.under_way: tuple | None = None
+        self.stamps: list[tuple[int, int, int] | None] | None = None
+        self.wanted: dict[tuple[object, ...], Job] = {}
+        self.kept: dict[tuple[object, ...], tuple[str, list[str]]] = {}
+        self.under_way: tuple[object, ...] | None = None
         self.first = True
 
     def look(self) -> None:
@@ -73,7 +79,7 @@ class Following:
             return
         self._read(data)
 
-    def _read(self, data):
+    def _read(self, data: bytes) -> None:
         source = bytes_source(data, self.asked.file)
         try:
             problem = problem_in(source, self.asked.settings, self.asked.patience)
@@ -111,7 +117,7 @@ class Following:
                 del self.kept[key]
             self._show(self.shown.state.title)
 
-    def _show(self, title):
+    def _show(self, title: str) -> None:
         """What is known of the file as it is now, when all is known; until then what was known before, if there was."""
         known = [self.kept[key] for key in self.wanted if key in self.kept]
         parts = tuple(html for html, _ in known if html)
@@ -124,7 +130,7 @@ class Following:
                         errors=tuple(error for _, errors in known for error in errors))
 
 
-def _stamp(file):
+def _stamp(file: str) -> tuple[int, int, int] | None:
     try:
         found = os.stat(file)
     except OSError:
@@ -132,13 +138,13 @@ def _stamp(file):
     return found.st_mtime_ns, found.st_size, found.st_ino
 
 
-def _beside(spec, file):
+def _beside(spec: "Spec", file: str) -> "Iterator[str]":
     """The files that records of a scene lie in."""
     for record in (spec.get("records") or {}).values():
         yield os.path.join(os.path.dirname(file), record["file"].text)
 
 
-def _cases(root):
+def _cases(root: "Mapping") -> "Iterator[tuple[str, object]]":
     """(name, content) of the cases."""
     if "cases" in root.entries:
         yield from ((name, content(part)) for name, (_, part) in root.entries["cases"][1].entries.items())

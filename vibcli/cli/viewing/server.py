@@ -63,7 +63,7 @@ class Handler(http_server.BaseHTTPRequestHandler):
         else:
             self._answer(404, "text/plain", "there is nothing here")
 
-    def _answer(self, status, kind, text):
+    def _answer(self, status: int, kind: str, text: str) -> None:
         data = text.encode("utf-8", "replace")
         self.send_response(status)
         policy = (f"{POLICY}; script-src 'nonce-{self.server.nonce}'; connect-src 'self'; base-uri 'none'; "

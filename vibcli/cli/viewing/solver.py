@@ -3,7 +3,7 @@
 import signal
 from collections.abc import Sequence
 from multiprocessing import get_context, resource_tracker
-from typing import Any
+from typing import TYPE_CHECKING
 
 from vibcli.api.source import SceneSource, bytes_source, settled
 from vibcli.base.diagnostics import render
@@ -11,6 +11,14 @@ from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.cli.common import chosen, problem_in
 from vibcli.cli.processes import end_with_parent, interrupts_held
+
+if TYPE_CHECKING:
+    from multiprocessing.connection import Connection
+    from multiprocessing.context import SpawnProcess
+
+    from vibcli.base.errors import Where
+    from vibcli.report.blocks import Document
+    from vibcli.results.problem import Problem
 
 
 class Job(NamedTuple):
@@ -27,7 +35,10 @@ class Job(NamedTuple):
 class Solver:
     """The process, started when there is something to do and kept; what it does can be broken off."""
 
-    def __init__(self):
+    process: "SpawnProcess | None"
+    ours: "Connection | None"
+
+    def __init__(self) -> None:
         self.process, self.ours, self.busy = None, None, False
 
     def start(self, job: Job) -> None:
@@ -49,7 +60,8 @@ class Solver:
             if not self.ours.poll(seconds):
                 return None
             self.busy = False
-            return self.ours.recv()
+            told_of: tuple[str, list[str]] = self.ours.recv()
+            return told_of
         except (EOFError, OSError):
             self.stop()
             return "", ["vibcli: the process that solves has ended; edit the file to try again"]
@@ -63,7 +75,7 @@ class Solver:
         self.process, self.busy = None, False
 
 
-def _serve(connection):
+def _serve(connection: "Connection") -> None:
     """Solve job by job until the other end is closed."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)       # one from the terminal reaches all; the first process ends us
     end_with_parent()
@@ -92,7 +104,7 @@ def solved(job: Job) -> tuple[str, list[str]]:
         return "", [f"vibcli: an error of its own: {type(error).__name__}: {str(error)[:200]}"]
 
 
-def _document(problem, case):
+def _document(problem: "Problem", case: str | None) -> "tuple[Document, PhysicsError | None]":
     """(the Document, the refusal where something is not found)."""
     from vibcli.api.reports import illustrated, report, solution
     from vibcli.report.blocks import Document, Refusal
@@ -113,7 +125,7 @@ def told(diagnostics: Sequence[Diagnostic], source: SceneSource) -> list[str]:
     """Diagnostics as texts, each with its line and a caret."""
     from vibcli.api.source import shown_lines
 
-    def lines(where: Any):
+    def lines(where: "Where | None") -> Sequence[str]:
         return source.lines if where is None or where.file == source.file else shown_lines(where.file)
 
     return [render(one, lines(one.where)) for one in diagnostics]

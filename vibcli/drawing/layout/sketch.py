@@ -154,7 +154,7 @@ class Sketch:
 
     def rim(self, end: "str | Reference") -> Attachment | None:
         """The Attachment of what a rope, belt or gear runs about: the centre of a body's circle, or another place."""
-        body = self.scene.bodies.get(getattr(end, "text", end) if not isinstance(end, list) else None)
+        body = self.scene.bodies.get(end if isinstance(end, str) else getattr(end, "text", None))
         if body is None or body.name not in self.frames:
             return self.attachment(end)
         place = self._kept(("rim", body.name), self.scene.rim(body, body.record.where))

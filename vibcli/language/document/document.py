@@ -24,7 +24,7 @@ MAX_SLIPS = 20
 class SlowParser(yaml.reader.Reader, yaml.scanner.Scanner, yaml.parser.Parser):  # type: ignore[misc]
     """The same events from pure Python, some twenty times slower."""
 
-    def __init__(self, text: str):
+    def __init__(self, text: str) -> None:
         yaml.reader.Reader.__init__(self, text)
         yaml.scanner.Scanner.__init__(self)
         yaml.parser.Parser.__init__(self)
@@ -64,11 +64,11 @@ def read_file(path: Any) -> tuple[Any, list[Diagnostic], list[str]]:
     return node, problems, decoding.lines(data)
 
 
-def _unreadable(file, message):
+def _unreadable(file: str, message: str) -> Diagnostic:
     return Diagnostic(Where(file, 1, 1, 0), message, "give the name of a readable .yaml file")
 
 
-def _read_text(source, file):
+def _read_text(source: str, file: str) -> tuple[Mapping | None, list[Diagnostic]]:
     """Read, and after each slip in a flow collection mend it and read again, within bounds."""
     slips, budget, hidden = [], MAX_REREAD, None
     while True:
@@ -88,7 +88,7 @@ def _read_text(source, file):
     return _top(tree, complete, slips), slips + tree.problems
 
 
-def _grow(tree):
+def _grow(tree: Tree) -> bool:
     """Fill the tree; whether the whole file was read."""
     try:
         tree.grow(_Parser(tree.source).get_event)
@@ -105,11 +105,13 @@ def _grow(tree):
         return False
 
 
-def _top(tree, complete, slips):
+def _top(tree: Tree, complete: bool, slips: list[Diagnostic]) -> Mapping | None:
     """The top mapping, or None with a report where the file holds something else."""
     top = tree.root
-    if not complete or isinstance(top, Mapping):
-        return top if complete else None
+    if not complete:
+        return None
+    if isinstance(top, Mapping):
+        return top
     if isinstance(top, Sequence) or (top is not None and (top.text or top.quoted)):
         from vibcli.language.document import syntax_messages
 

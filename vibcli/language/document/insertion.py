@@ -1,6 +1,6 @@
 """Entries put into a mapping of a scene file, its text: whatever else it holds stays as it is, comments too."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import yaml
 
@@ -26,20 +26,21 @@ def with_entries(text: str, path: Sequence[str], entries: Mapping[str, str], bef
     return _after_line(text, _end(held[-1]), lines)
 
 
-def _entry(mapping, key):
+def _entry(mapping: yaml.MappingNode, key: str) -> yaml.Node | None:
     return next((value for name, value in mapping.value if name.value == key), None)
 
 
-def _end(node):
+def _end(node: yaml.Node) -> int:
     """The index behind the last text of a node; comments and empty lines below it are none of it."""
     while not isinstance(node, yaml.ScalarNode) and not node.flow_style:
         node = node.value[-1][1] if isinstance(node, yaml.MappingNode) else node.value[-1]
     end = node.end_mark
     literal = isinstance(node, yaml.ScalarNode) and node.style in ("|", ">")
-    return end.index - (literal and end.column == 0 and end.index > node.start_mark.index)
+    index: int = end.index - (literal and end.column == 0 and end.index > node.start_mark.index)
+    return index
 
 
-def _lines(column, missing, entries) -> Iterator[str]:
+def _lines(column: int, missing: Sequence[str], entries: Mapping[str, str]) -> Iterator[str]:
     for key in missing:
         yield f"{' ' * column}{key}:"
         column += STEP
@@ -47,7 +48,7 @@ def _lines(column, missing, entries) -> Iterator[str]:
         yield f"{' ' * column}{key}: {value}"
 
 
-def _after_line(text, index, lines):
+def _after_line(text: str, index: int, lines: Iterable[str]) -> str:
     """The text with lines below the one in which an index stands, with line ends as it has them."""
     ending = "\r\n" if "\r\n" in text else "\n"
     stop = text.find("\n", index)
@@ -55,7 +56,7 @@ def _after_line(text, index, lines):
     return head + "".join(line + ending for line in lines) + tail
 
 
-def _within_braces(text, index, missing, entries):
+def _within_braces(text: str, index: int, missing: Sequence[str], entries: Mapping[str, str]) -> str:
     """The text with entries in quotes before the brace at an index."""
     inner = ", ".join(f'"{key}": "{value}"' for key, value in entries.items())
     for key in reversed(missing):

@@ -3,6 +3,7 @@
 from collections.abc import Mapping as PythonMapping
 from collections.abc import Sequence as PythonSequence
 from numbers import Integral, Real
+from typing import Any
 
 from vibcli.base.decoding import forbidden, name_of
 from vibcli.base.errors import Diagnostic, SpecError, Where
@@ -12,7 +13,7 @@ from vibcli.language.document.tree_builder import MAX_DEPTH, MAX_TEXT
 MAX_VALUES = 5_000_000
 
 
-def document_of(scene: PythonMapping) -> tuple[Mapping, list[Diagnostic]]:
+def document_of(scene: PythonMapping[Any, Any]) -> tuple[Mapping, list[Diagnostic]]:
     """(top of the document, what in it no scene file could hold)."""
     reading = _Reading()
     return reading.mapping(scene, "", 0), reading.diagnostics
@@ -34,10 +35,10 @@ def text_of(value: object) -> str | None:
 
 
 class _Reading:
-    def __init__(self):
+    def __init__(self) -> None:
         self.diagnostics, self.count = [], 0
 
-    def _place(self, path, depth):
+    def _place(self, path: str, depth: int) -> Where:
         """The place of a value: its number keeps diagnostics in the order of the mapping."""
         self.count += 1
         where = Where(path or "the scene", self.count, 1, 0)
@@ -46,7 +47,7 @@ class _Reading:
             raise SpecError([*self.diagnostics, Diagnostic(where, much, "a scene needs about eight levels")])
         return where
 
-    def _node(self, value, path, depth):
+    def _node(self, value: object, path: str, depth: int) -> Scalar | Mapping | Sequence:
         if isinstance(value, PythonMapping):
             return self.mapping(value, path, depth)
         if hasattr(value, "tolist"):        # an array or number of NumPy
@@ -61,7 +62,7 @@ class _Reading:
             self._report(where, f"expected a text, number, list or mapping, found {type(value).__name__}")
         return Scalar(self._plain(text or "", where), where)
 
-    def mapping(self, value: PythonMapping, path: str, depth: int) -> Mapping:
+    def mapping(self, value: PythonMapping[Any, Any], path: str, depth: int) -> Mapping:
         found = Mapping(self._place(path, depth))
         for key, inner in value.items():
             text = text_of(key)
@@ -77,7 +78,7 @@ class _Reading:
             found.entries[text] = (Scalar(text, where), node)
         return found
 
-    def _plain(self, text, where):
+    def _plain(self, text: str, where: Where) -> str:
         """The text, as far as a scene file could hold it."""
         wrong = forbidden().search(text)
         if wrong:
@@ -86,5 +87,5 @@ class _Reading:
             self._report(where, f"expected at most {MAX_TEXT} characters, found {len(text)}", "shorten it")
         return forbidden().sub("\ufffd", text[:MAX_TEXT])
 
-    def _report(self, where, message, hint=None):
+    def _report(self, where: Where, message: str, hint: str | None = None) -> None:
         self.diagnostics.append(Diagnostic(where, message, hint))

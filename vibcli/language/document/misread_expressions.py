@@ -28,13 +28,13 @@ def comma(source: str, start: int, file: str) -> tuple[Diagnostic, str, int] | N
     return _mended(source, start, end, file, "the comma cuts {} in two")
 
 
-def bracket(source: str, start: int, file: str) -> tuple[Diagnostic, str, int]:
+def bracket(source: str, start: int, file: str) -> tuple[Diagnostic, str, int] | None:
     """(diagnostic, mended source, index) for a name at `start` with a [ right after it, or None."""
     end = _expression_end(source, start)
     return None if end is None else _mended(source, start, end, file, "the brackets of {} need quotes")
 
 
-def _expression_end(source, start):
+def _expression_end(source: str, start: int) -> int | None:
     """The end of the expression: a comma, closing bracket, ': ' or comment outside its own brackets."""
     closers = []
     for index in range(start, min(len(source), start + _LONGEST)):
@@ -50,7 +50,7 @@ def _expression_end(source, start):
     return None
 
 
-def _mended(source, start, end, file, said):
+def _mended(source: str, start: int, end: int, file: str, said: str) -> tuple[Diagnostic, str, int]:
     text = source[start:end].translate(SHOW)
     mark = "'" if '"' in text or "\\" in text else '"'
     problem = Diagnostic(decoding.place(source, start, file, end - start),

@@ -11,7 +11,7 @@ class Scalar:
 
     __slots__ = ("inset", "quoted", "text", "where")
 
-    def __init__(self, text: str, where: "Where | None", quoted: bool = False, inset: int | None = None):
+    def __init__(self, text: str, where: "Where | None", quoted: bool = False, inset: int | None = None) -> None:
         self.text, self.where, self.quoted, self.inset = text, where, quoted, inset
 
     def place(self, offset: int, width: int = 1) -> "Where":
@@ -27,7 +27,7 @@ class Sequence:
 
     __slots__ = ("items", "where")
 
-    def __init__(self, where: "Where"):
+    def __init__(self, where: "Where") -> None:
         self.items, self.where = [], where
 
     def widen(self, width: int) -> None:
@@ -40,9 +40,13 @@ class Mapping:
 
     __slots__ = ("entries", "where")
 
-    def __init__(self, where: "Where", entries: Any = None):
+    def __init__(self, where: "Where", entries: "dict[str, tuple[Scalar, Any]] | None" = None) -> None:
         self.entries, self.where = {} if entries is None else entries, where
 
     def widen(self, width: int) -> None:
         """It ends so many characters further on its line."""
         self.where = self.where._replace(width=width)
+
+
+if TYPE_CHECKING:
+    DocumentNode = Scalar | Sequence | Mapping

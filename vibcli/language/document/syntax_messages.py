@@ -5,13 +5,13 @@ with a character of YAML's. Of all others the parser's own words are said.
 """
 
 import re
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.base import decoding
 from vibcli.base.diagnostics import quoted
 from vibcli.base.errors import Diagnostic, Where
 from vibcli.language.document import misread_expressions
-from vibcli.language.document.nodes import Sequence
+from vibcli.language.document.nodes import Scalar, Sequence
 from vibcli.language.document.tree_builder import TOO_DEEP
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ class Halt:
     """The place where the parser stopped: `index`, `where`, and the `char` and `word` there; `start`, the index of what
     it could not finish, such as an opening quote."""
 
-    def __init__(self, error: Exception, tree: "Tree"):
+    def __init__(self, error: Exception, tree: "Tree") -> None:
         mark, start = getattr(error, "problem_mark", None), getattr(error, "context_mark", None)
         self.problem, self.context = getattr(error, "problem", None) or str(error), getattr(error, "context", None)
         self.tree, self.file = tree, tree.file
@@ -59,7 +59,7 @@ class Halt:
         return decoding.split(self.source)[(where or self.where).line - 1]
 
 
-def slip(error: Exception, tree: "Tree") -> Any:
+def slip(error: Exception, tree: "Tree") -> tuple[Diagnostic, str, int] | None:
     """A bracket inside a flow collection that belongs to a name (see misread_expressions.py), or None."""
     mark, last = getattr(error, "problem_mark", None), tree.last
     if mark is None or last is None or last.style or "',' or " not in str(error):
@@ -78,7 +78,7 @@ def explained(error: Exception, tree: "Tree") -> Diagnostic:
     return Diagnostic(*((explain and explain(halt)) or (halt.here(), f"this is no YAML: {words}", LOOK_ABOVE)))
 
 
-def not_a_mapping(node: Any, source: str) -> Diagnostic:
+def not_a_mapping(node: Scalar | Sequence, source: str) -> Diagnostic:
     """The diagnostic for a file whose top level is a list or a text."""
     expected = "expected keys such as 'bodies:' at the top level"
     if isinstance(node, Sequence):
@@ -87,7 +87,7 @@ def not_a_mapping(node: Any, source: str) -> Diagnostic:
     return Diagnostic(node.where, f"{expected}, found {quoted(node.text)}", _key_value(line))
 
 
-def _key_value(line):
+def _key_value(line: str) -> str:
     """The hint for a line that should have been `key: value`."""
     name, colon, value = line.partition(":")
     if colon and value.strip() and not value.startswith(" "):
@@ -95,13 +95,13 @@ def _key_value(line):
     return KEY_VALUE
 
 
-def _tab(halt):
+def _tab(halt: Halt) -> tuple[Where, str, str]:
     index = halt.source.find("\t", halt.index - halt.where.column + 1)
     what = "in the indentation" if not halt.before().strip() else "between the words"
     return halt.at(max(index, 0)), f"found a tab {what}, expected spaces", "replace each tab by spaces"
 
 
-def _start(halt):
+def _start(halt: Halt) -> tuple[Where, str, str]:
     """A tab, or a character with which no value can start."""
     if halt.char == "\t":
         return _tab(halt)
@@ -109,14 +109,14 @@ def _start(halt):
     return halt.at(at), f"no value can start with {quoted(halt.source[at : at + 1])}", QUOTE_IT
 
 
-def _quote(halt):
+def _quote(halt: Halt) -> tuple[Where, str, str] | None:
     mark = halt.source[halt.start : halt.start + 1]
     if mark not in ("'", '"'):
         return None
     return halt.at(halt.start), f"the quote {mark} opened here is never closed", f"write {mark} where it ends"
 
 
-def _colon(halt):
+def _colon(halt: Halt) -> tuple[Where, str, str]:
     """A ': ' where no key can be."""
     before, last = halt.before(), halt.tree.last
     key = _KEY.match(before)
@@ -144,7 +144,7 @@ def _colon(halt):
             f"start it in the same column as the key of line {first.line}")
 
 
-def _no_colon(halt, first=None):
+def _no_colon(halt: Halt, first: Where | None = None) -> tuple[Where, str, str]:
     """A line that should have been `key: value`."""
     first = first or halt.at(halt.start)
     text = halt.line(first)[first.column - 1 :].rstrip()
@@ -152,11 +152,11 @@ def _no_colon(halt, first=None):
     return first._replace(width=max(1, len(text))), f"expected key: value, found {found}", _key_value(text)
 
 
-def _tight_colon(halt):
+def _tight_colon(halt: Halt) -> tuple[Where, str, str]:
     return halt.here(), "expected a space after the ':'", "put a space after the colon"
 
 
-def _bracket(halt):
+def _bracket(halt: Halt) -> tuple[Where, str, str] | None:
     """An entry of [ ] or { } that neither a comma nor the closing bracket follows."""
     tree, source = halt.tree, halt.source
     start = next((i for _, _, i in reversed(tree.stack) if source[i] in CLOSER), None) if tree.flow else None
@@ -174,11 +174,11 @@ def _bracket(halt):
             "put a comma between two entries")
 
 
-def _indent(line):
+def _indent(line: str) -> int:
     return len(line) - len(line.lstrip())
 
 
-def _indentation(halt):
+def _indentation(halt: Halt) -> tuple[Where, str, str] | None:
     """A line that belongs neither to the entry before it nor to the mapping or list around it."""
     before, last = halt.before().rstrip(), halt.tree.last
     if before[-1:] in ("'", '"') and last is not None and last.start_mark.line < halt.where.line - 1:

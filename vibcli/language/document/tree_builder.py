@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from yaml import events
 
@@ -23,6 +23,19 @@ _PROPERTY = r"\s*([!&][^\s,\[\]{}]*)"
 _ESCAPE = r"(?s)\\(?:x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|U[0-9a-fA-F]{8}|.)"
 
 
+if TYPE_CHECKING:
+    from typing import Protocol
+
+    from vibcli.language.document.nodes import DocumentNode
+
+    class SourceMark(Protocol):
+        """A place in the source, counted from 0; each of YAML's two parsers has a class of its own for it."""
+
+        index: int
+        line: int
+        column: int
+
+
 class Stopped(Exception):
     """Reading cannot go on; the reason is among the problems."""
 
@@ -40,11 +53,13 @@ class Tree:
 
     key: Any
     parent: Any
+    root: Mapping | Scalar | Sequence | None
+    last: events.ScalarEvent | None
 
     __slots__ = ("count", "file", "flow", "hidden", "key", "last", "parent", "problems", "root", "source",
                  "stack", "started", "tries")
 
-    def __init__(self, source: str, file: str, hidden: Any = None):
+    def __init__(self, source: str, file: str, hidden: dict[int, int] | None = None) -> None:
         """`hidden` maps back the characters that stand for hidden commas and brackets (see slips.py)."""
         self.source, self.file, self.hidden = source, file, hidden
         self.stack, self.problems = [], []
@@ -53,7 +68,7 @@ class Tree:
         self.started = False
         self.count = self.flow = self.tries = 0
 
-    def grow(self, next_event: Callable) -> None:
+    def grow(self, next_event: Callable[[], events.Event]) -> None:
         """Take every event of the first document; stops at the top of a second one."""
         while True:
             event = next_event()
@@ -81,7 +96,7 @@ class Tree:
             self.problems.append(Diagnostic(where, message, "mend these first"))
             raise Stopped
 
-    def _scalar(self, event):
+    def _scalar(self, event: events.ScalarEvent) -> None:
         mark, end, text = event.start_mark, event.end_mark, event.value
         line, column = mark.line, mark.column
         width = end.column - column
@@ -92,7 +107,7 @@ class Tree:
         self.last = event  # plain text on one line, without tag or anchor: those would have made it wider
         self._add(Scalar(text, _place(Where, (self.file, line + 1, column + 1, width)), False, 0))
 
-    def _unusual_scalar(self, event, mark, end):
+    def _unusual_scalar(self, event: events.ScalarEvent, mark: "SourceMark", end: "SourceMark") -> None:
         text, style = event.value, event.style
         where, inset = self._extent(mark, end, len(text), style)
         if text:
@@ -111,7 +126,7 @@ class Tree:
             self._properties(event)
         self._add(Scalar(text, where, bool(style), inset))
 
-    def _extent(self, mark, end, length, style):
+    def _extent(self, mark: "SourceMark", end: "SourceMark", length: int, style: str) -> tuple[Where, int | None]:
         """The place of a scalar, and its text's offset from there if the file holds it letter by letter."""
         inset = None
         if mark.index >= len(self.source):  # the parser starts a new line at the end of a file that has none
@@ -129,7 +144,7 @@ class Tree:
             width = len(self.source[mark.index : stop.start() if stop else None].rstrip())
         return Where(self.file, mark.line + 1, mark.column + 1, width or 1), inset
 
-    def _open(self, event, kind):
+    def _open(self, event: events.CollectionStartEvent, kind: type[Mapping | Sequence]) -> None:
         mark = event.start_mark
         where = _place(Where, (self.file, mark.line + 1, mark.column + 1, 1))
         if event.anchor is not None or event.tag is not None:
@@ -144,7 +159,7 @@ class Tree:
         if event.flow_style:
             self.flow += 1
 
-    def _close(self, event):
+    def _close(self, event: events.CollectionEndEvent) -> None:
         node = self.parent
         self.parent, self.key, _ = self.stack.pop()
         if self.flow:
@@ -153,7 +168,7 @@ class Tree:
             if mark.line + 1 == where.line:
                 node.widen(max(1, mark.column + 1 - where.column))
 
-    def _add(self, node):
+    def _add(self, node: Mapping | Scalar | Sequence | None) -> None:
         """Put a node where the parser stands: the top, the next item, the next key or its value."""
         self.count += 1
         if self.count > MAX_NODES and node is not None:
@@ -175,7 +190,8 @@ class Tree:
             if key is not _DROPPED and node is not None:
                 parent.entries[key.text] = (key, node)
 
-    def _key(self, node, entries):
+    def _key(self, node: Mapping | Scalar | Sequence | None,
+             entries: "dict[str, tuple[Scalar, DocumentNode]]") -> Scalar:
         """The node as a key, or _DROPPED with a report where it cannot be one."""
         if node.__class__ is not Scalar:
             if node is not None:
@@ -203,7 +219,7 @@ class Tree:
             return node
         return _DROPPED
 
-    def _alias(self, event):
+    def _alias(self, event: events.AliasEvent) -> None:
         mark, end = event.start_mark, event.end_mark
         text = self.source[mark.index : end.index]
         self.report(Where(self.file, mark.line + 1, mark.column + 1, max(1, len(text))),
@@ -211,7 +227,7 @@ class Tree:
                     "write the value out; a text that starts with * needs quotes")
         self._add(None)
 
-    def _properties(self, event):
+    def _properties(self, event: events.NodeEvent) -> None:
         """Report the tag and the anchor that stand before a node."""
         index = event.start_mark.index
         for _ in range((event.tag is not None) + (event.anchor is not None)):
@@ -224,7 +240,7 @@ class Tree:
             self.report(where, f"found the {kind} {quoted(text)}, which scenes do not use",
                         f"leave it out; a text that starts with {text[0]} needs quotes")
 
-    def _escapes(self, mark, end, text):
+    def _escapes(self, mark: "SourceMark", end: "SourceMark", text: str) -> str:
         """Report characters that stand in double quotes as escapes but may not stand in a file."""
         for found in re.compile(_ESCAPE).finditer(self.source, mark.index, end.index):
             char = _meant(found[0])
@@ -233,7 +249,7 @@ class Tree:
                 self.report(where, f"the escape {quoted(found[0])} is {decoding.name_of(char)}", "delete it")
         return decoding.forbidden().sub(decoding.STAND_IN, text)
 
-    def _comma(self, index):
+    def _comma(self, index: int) -> None:
         """Look whether the parenthesis left open in a flow scalar was cut by a comma."""
         from vibcli.language.document import misread_expressions
 
@@ -242,7 +258,7 @@ class Tree:
         if slip:
             raise Slipped(*slip)
 
-    def _second(self, event):
+    def _second(self, event: events.DocumentStartEvent) -> bool:
         """Is this document one too many?"""
         where = Where(self.file, event.start_mark.line + 1, event.start_mark.column + 1)
         if event.version or event.tags:
@@ -255,7 +271,7 @@ class Tree:
         return False
 
 
-def _meant(escape):
+def _meant(escape: str) -> str | None:
     """The character that a double-quoted escape means, None for those that are plain."""
     if escape[1] in "xuU" and len(escape) > 2:
         code = int(escape[2:], 16)

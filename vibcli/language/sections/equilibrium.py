@@ -1,6 +1,6 @@
 """A starting place for the search of the equilibrium, where several exist."""
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.language.document.document import Mapping
 from vibcli.language.kinds import Kind, Many, NameOf, Quantity
@@ -9,12 +9,17 @@ from vibcli.language.sections.initial import PLACE
 from vibcli.language.signal_names import signal_name
 from vibcli.symbolic.parser import plain_name
 
+if TYPE_CHECKING:
+    from vibcli.language.document.nodes import DocumentNode
+    from vibcli.language.reader import Expression, Reader
+    from vibcli.language.signal_names import SignalName
+
 
 class ByCoordinate(Kind):
     """A mapping from coordinates of the scene to expressions that are measured as they are, or to lists of them.
     `scaled`: but for one factor, which is the same along all; members deflect then as functions of the place x."""
 
-    def __init__(self, kind: Many | Quantity, wants: str, scaled: bool = False):
+    def __init__(self, kind: Many | Quantity, wants: str, scaled: bool = False) -> None:
         self.wants, self.named, self.scaled = wants, Named(kind, wants), scaled
 
     def read(self, node: Any, reader: Any) -> Any:
@@ -34,10 +39,11 @@ class ByCoordinate(Kind):
             found = {**(found or {}), signal.text: expression}
         return found
 
-    def _fields(self, node, reader):
+    def _fields(self, node: "DocumentNode",
+                reader: "Reader") -> "dict[str, tuple[SignalName, Expression] | None]":
         """{key: (SignalName, expression of x)} of the members that deflect as functions of the place, None of what is
         reported."""
-        found: dict[str, Any] = {}
+        found: dict[str, tuple[SignalName, Expression] | None] = {}
         for key, (key_node, value) in node.entries.items() if self.scaled and isinstance(node, Mapping) else ():
             signal = signal_name(plain_name(key_node.text))
             if signal.name not in reader.members:

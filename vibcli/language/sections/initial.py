@@ -10,6 +10,8 @@ from vibcli.language.spec import RELEASED
 from vibcli.symbolic.parser import plain_name
 
 if TYPE_CHECKING:
+    from vibcli.language.document.nodes import DocumentNode, Scalar
+    from vibcli.language.reader import Reader
     from vibcli.language.spec import Spec
 
 PLACE = "x"
@@ -62,7 +64,7 @@ class Initial(Kind):
                 "additionalProperties": {"type": ["string", "number"]}}
 
 
-def _field(key_node, value, reader):
+def _field(key_node: "Scalar", value: "DocumentNode", reader: "Reader") -> dict[str, Expression]:
     """{text of a signal: expression of x} of the field that a member starts with, which is checked once all members are
     known; nothing where it cannot be read."""
     signal = signal_name(plain_name(key_node.text))
@@ -73,7 +75,7 @@ def _field(key_node, value, reader):
     return {signal.text: expression}
 
 
-def with_fields_apart(sections: dict) -> dict:
+def with_fields_apart(sections: dict[str, Any]) -> dict[str, Any]:
     """The sections with the fields of members, {SignalName: expression of x}, in one of their own."""
     record = sections.get("initial")
     fields = {key: value for key, value in record.items() if "." in key} if record is not None else {}

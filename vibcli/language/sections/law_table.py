@@ -21,7 +21,12 @@ from vibcli.symbolic.semantics import literal_unit
 from vibcli.symbolic.syntax import whole_literal
 
 if TYPE_CHECKING:
-    from vibcli.language.reader import Reader
+    from collections.abc import Mapping
+
+    from vibcli.base.units import Unit
+    from vibcli.language.data_columns import Columns
+    from vibcli.language.document.nodes import DocumentNode
+    from vibcli.language.reader import Reader, Record
 
 MOST = 1000
 POINTS = "a list of points, as in [[0 mm, 0 N], [2 mm, 40 N]]"
@@ -46,10 +51,10 @@ class LawTable(NamedTuple):
     """Points (deflection or rate, force); `linear`: is it a straight line beyond its ends? `dimensions`: those of the
     columns of a file that says them."""
 
-    points: list
+    points: "list[tuple[Entry, Entry]] | list[list[Entry]]"
     where: Where
     linear: bool = False
-    dimensions: tuple = ()
+    dimensions: "tuple[Mapping[str, Fraction | int], ...]" = ()
 
     def check(self, reader: "Reader", name: str, argument: str, force: str) -> None:
         """Report what is wrong with it as a law of `name` (d or v), in the units of that and of its force."""
@@ -99,26 +104,26 @@ class _Points(Kind):
         return {"type": "array", "items": pair, "minItems": 2, "maxItems": MOST}
 
 
-def _too_long(reader, where):
+def _too_long(reader: "Reader", where: Where) -> None:
     return reader.report(where, f"a table of a law has at most {MOST} points", "thin it out: the law is smooth between "
                          "its points")
 
 
-def _entry(node, reader):
+def _entry(node: "DocumentNode", reader: "Reader") -> Entry | None:
     """The Entry of one number with its unit."""
     expression = Quantity().read(node, reader)
     if expression is None:
         return None
     number = whole_literal(expression.tree)
     if number is None:
-        return reader.report(node.where, f"expected a number with its unit, found {quoted(node.text)}",
+        return reader.report(node.where, f"expected a number with its unit, found {quoted(expression.text)}",
                              "a table is made of numbers; a law with letters is written as an expression")
     negative = number is not expression.tree and expression.tree.parts[0][0] == MINUS
     value = Fraction(number.value) * (_factor(literal_unit(number.units)) if number.units else 1)
     return Entry(-value if negative else value, node.where, expression)
 
 
-def _factor(unit):
+def _factor(unit: "Unit") -> Fraction:
     """A unit in SI units."""
     return unit.value if not (unit.pi or unit.roots) else Fraction(unit.in_si(1))
 
@@ -164,7 +169,7 @@ class LawKind(Kind):
 KIND = LawKind()
 
 
-def _tabulated(record, reader):
+def _tabulated(record: "Record", reader: "Reader") -> LawTable | None:
     linear, points = "beyond" in record, record["table"]
     if isinstance(points, list):
         for key in ("columns", "units"):
@@ -179,11 +184,11 @@ def _tabulated(record, reader):
     return LawTable(found, record.place("units" if dimensions else "table"), linear, dimensions)
 
 
-def _unit(text):
+def _unit(text: str) -> "Unit":
     return literal_unit(parse("1 " + text).units)
 
 
-def _from_file(record, reader):
+def _from_file(record: "Record", reader: "Reader") -> list[tuple[Entry, Entry]] | None:
     """The points of a file; None where something was reported."""
     where = record.place("table")
     columns, problem = reader.columns_of(record.where.file, record["table"].strip(), read_columns)
@@ -203,7 +208,7 @@ def _from_file(record, reader):
     return list(zip(*found, strict=True))
 
 
-def _number_of(record, reader, columns, which):
+def _number_of(record: "Record", reader: "Reader", columns: "Columns", which: int) -> int | None:
     """The number of a column, from 0."""
     text = record["columns"][which].strip() if "columns" in record else str(which + 1)
     where = record.place("columns" if "columns" in record else "table")
@@ -219,7 +224,7 @@ def _number_of(record, reader, columns, which):
                          "the file has no line that names its columns: write their numbers, from 1")
 
 
-def _column(record, reader, columns, i, which):
+def _column(record: "Record", reader: "Reader", columns: "Columns", i: int, which: int) -> list[Entry] | None:
     """The Entries of a column, in SI units."""
     numbers = columns.numbers(i, reader.report)
     if numbers is None:

@@ -18,9 +18,12 @@ from vibcli.symbolic.semantics import literal_unit
 from vibcli.symbolic.syntax import Number, whole_literal
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
+    from fractions import Fraction
 
-    from vibcli.language.reader import Record
+    from vibcli.base.units import Unit
+    from vibcli.language.data_columns import Columns
+    from vibcli.language.reader import Reader, Record
 
 
 class _Column(Text):
@@ -76,20 +79,21 @@ ELEMENT = _Record(
 )
 
 
-def samples_by_text(records: "Mapping[str, Record]") -> dict:
+def samples_by_text(records: "Mapping[str, Record]") -> dict[tuple[str | None, ...], Samples]:
     """{what a record says: its Samples}, with which a scene that says the same is read without its files."""
     return {_said(record): record["samples"] for record in records.values()}
 
 
-def _said(record):
+def _said(record: "Record") -> tuple[str | None, ...]:
     texts = (getattr(record.get(key), "text", record.get(key)) for key in ELEMENT.fields)
     return record["file"].where.file, *texts
 
 
-def _samples(record, reader):
+def _samples(record: "Record", reader: "Reader") -> Samples | None:
     """The Samples of a record; None with a report where there are none."""
     if (said := _said(record)) in reader.files:
-        return reader.files[said]
+        samples: Samples = reader.files[said]
+        return samples
     file = record["file"]
     columns, problem = reader.columns_of(file.where.file, file.text.strip(), read_columns)
     if isinstance(problem, Diagnostic):
@@ -101,7 +105,8 @@ def _samples(record, reader):
     return None if times is None or values is None else Samples(times, values)
 
 
-def _column(record, reader, columns, key, default):
+def _column(record: "Record", reader: "Reader", columns: "Columns", key: str,
+            default: int) -> "tuple[Sequence[float] | None, Columns, int] | None":
     """The numbers of the column that a key names."""
     i = default
     if key in record:
@@ -122,7 +127,7 @@ def _column(record, reader, columns, key, default):
     return columns.numbers(i, reader.report), columns, i
 
 
-def _times(record, reader, columns):
+def _times(record: "Record", reader: "Reader", columns: "Columns") -> "Sequence[float] | None":
     if "time_unit" in record and _unit(record["time_unit"]).dimension != units.TIME:
         return reader.report(record.place("time_unit"), f"expected a unit of time, found '{record['time_unit']}'",
                              "write s or ms")
@@ -137,7 +142,7 @@ def _times(record, reader, columns):
     return times
 
 
-def _spaced(record, reader, count):
+def _spaced(record: "Record", reader: "Reader", count: int) -> list[float] | None:
     """0, Δ, 2Δ, …: each rounded once."""
     literal = whole_literal(record["every"].tree)
     step = literal and literal.value * (literal_unit(literal.units).value if literal.units else 1)
@@ -147,7 +152,8 @@ def _spaced(record, reader, count):
     return [float(i * step) for i in range(count)]
 
 
-def _scaled(record, reader, key, found):
+def _scaled(record: "Record", reader: "Reader", key: str,
+            found: "tuple[Sequence[float] | None, Columns, int] | None") -> "Sequence[float] | None":
     """The numbers of a column in SI units."""
     if found is None or found[0] is None:
         return None
@@ -162,10 +168,10 @@ def _scaled(record, reader, key, found):
     return scaled
 
 
-def _unit(text):
+def _unit(text: str) -> "Unit":
     return literal_unit(parse("1 " + text).units)
 
 
-def dimension(record: "Record") -> dict[str, int] | None:
+def dimension(record: "Record") -> "Mapping[str, Fraction | int] | None":
     """The dimension of the values; None where no unit is given."""
     return _unit(record["unit"]).dimension if "unit" in record else None

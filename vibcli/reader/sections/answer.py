@@ -1,6 +1,6 @@
 """Expected answers: a quantity and its value or expression, which `vibcli check` compares."""
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.document.document import Mapping
@@ -10,6 +10,10 @@ from vibcli.language.reader import Expression
 from vibcli.quantities.quantity import EQUATION, declared
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.syntax import ExpressionError, QuantityRef
+
+if TYPE_CHECKING:
+    from vibcli.language.document.nodes import DocumentNode
+    from vibcli.language.reader import Reader
 
 ELEMENT = Element(
     "answer",
@@ -40,7 +44,7 @@ class Answer(NamedTuple):
 class Answers(Kind):
     wants = "a mapping from quantities to expected values"
 
-    def read(self, node: Any, reader: Any) -> list[Answer] | None:
+    def read(self, node: "DocumentNode", reader: "Reader") -> list[Answer] | None:
         if not isinstance(node, Mapping):
             return reader.expected(node, self.wants)
         answers = []

@@ -24,7 +24,7 @@ class Condition:
     __slots__ = ("left", "right", "text", "where", "word")
 
     def __init__(self, text: str, where: "Where", word: str | None = None, left: Expression | None = None,
-                 right: Expression | None = None):
+                 right: Expression | None = None) -> None:
         self.text, self.where, self.word, self.left, self.right = text, where, word, left, right
 
     @property

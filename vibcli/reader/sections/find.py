@@ -12,6 +12,8 @@ from vibcli.language.named_elements import Lazy
 from vibcli.language.sections.equilibrium import ByCoordinate
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from vibcli.language.reader import Expression, Record
 
 SEARCH, RESPONSE, FREQUENCY_RESPONSE, MODES = "equilibria", "response", "frequency_response", "modes"
@@ -26,7 +28,7 @@ AT_LENGTH = (SEARCH, MODES, *WITH_PARTICULARS)
 WRITTEN = {SEARCH: f"{{{SEARCH}: all}}"} | {word: form for word, (_, _, form) in WITH_PARTICULARS.items() if form}
 
 
-def _room(file):
+def _room(file: str) -> str:
     return "analyses." + file.rpartition("/")[0]
 
 
@@ -53,10 +55,10 @@ ELEMENT = Element(
 )
 
 
-class Questions(list):
+class Questions(list[str]):
     """The words asked, in order; `records`: {word: Record} of those that are asked at length."""
 
-    def __init__(self, items: Any):
+    def __init__(self, items: "Iterable[str | Record]") -> None:
         self.records = {key: item for item in items if not isinstance(item, str) for key in AT_LENGTH if key in item}
         super().__init__(item if isinstance(item, str) else next(key for key in AT_LENGTH if key in item)
                          for item in items)
@@ -69,12 +71,14 @@ class Questions(list):
     @property
     def within(self) -> "dict[str, list[Expression]]":
         """{coordinate: [least, most]} as written."""
-        return self.search.get("within", {}) if self.search else {}
+        bounds: dict[str, list[Expression]] = self.search.get("within", {}) if self.search else {}
+        return bounds
 
     def about(self, word: str) -> "Record | None":
         """The Record of what is asked of a response, or None."""
         record = self.records.get(word)
-        return None if record is None else record[word]
+        asked: Record | None = None if record is None else record[word]
+        return asked
 
     @property
     def in_time(self) -> "Record | None":

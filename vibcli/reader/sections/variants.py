@@ -2,7 +2,7 @@
 
 import re
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.diagnostics import quoted
 from vibcli.base.named_tuple import NamedTuple
@@ -14,6 +14,10 @@ from vibcli.language.reader import ByName, Expression, Record
 from vibcli.language.sections.parameter import UNIT
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.syntax import ExpressionError
+
+if TYPE_CHECKING:
+    from vibcli.language.document.nodes import DocumentNode
+    from vibcli.language.reader import Reader
 
 MOST_VALUES, MOST_ASKED, MOST_MISTAKES = 10_000, 20, 40
 MOST_CANDIDATES, MOST_SAMPLED = 1_000_000, 100_000
@@ -66,7 +70,7 @@ class _Requirement(Kind):
         return {"type": "string"}
 
 
-def _side(node, start, end, reader):
+def _side(node: Scalar, start: int, end: int, reader: "Reader") -> Expression | None:
     """One side of a comparison, None where something was reported."""
     from vibcli.reader.sides import report_unreadable, side
 
@@ -101,7 +105,7 @@ class _Asked(Kind):
                                  "divide the problem")
         return [one for key, value in node.entries.values() if (one := self._one(key, value, reader)) is not None]
 
-    def _one(self, key, value, reader):
+    def _one(self, key: Scalar, value: "DocumentNode", reader: "Reader") -> AskedQuantity | None:
         try:
             tree = reader.at_places(parse(key.text))
         except ExpressionError as error:

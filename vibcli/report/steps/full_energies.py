@@ -145,7 +145,7 @@ class FullEnergies:
     def dissipated(self) -> "Iterator[EnergyPart]":
         """Φ of each damper."""
         laws = [law for law in self.scene.laws if law.damper]
-        several = len({term.owner for term in (*self.scene.dampers, *laws)}) > 1
+        several = len({term.owner for term in self.scene.dampers} | {law.owner for law in laws}) > 1
         for term in self.scene.dampers:
             speed = textbook(self.scene.rate(term.s))
             u, uses = self._told(term, "u'", speed, "speed across")

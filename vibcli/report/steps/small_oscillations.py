@@ -17,6 +17,8 @@ from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
+    from vibcli.scene.energy_terms import Damper, Spring
+    from vibcli.scene.laws import Law
     from vibcli.symbolic.node import Node
 
 LENGTH, TURN = (("m_e", "kg"), ("k_e", "N/m")), (("J_e", "kg·m²"), ("k_e", "N·m/rad"))    # of q̈ and q
@@ -80,7 +82,7 @@ class Derivation:
     def _driven(self, turning):
         """Is something driven, but for frames that turn steadily?"""
         scene, time = self.scene, self.scene.time
-        stretched = (*scene.springs, *scene.dampers, *scene.laws)
+        stretched: tuple[Spring | Damper | Law, ...] = (*scene.springs, *scene.dampers, *scene.laws)
         return any(time in gradient(term.s) for term in scene.inertias if term.owner not in turning) or any(
             textbook(term.s).mask & time.mask for term in stretched if time in gradient(term.s))
 

@@ -88,9 +88,9 @@ class SteadyState:
     def entry(self, i: int, j: int) -> "tuple[Node, Node]":
         """(real part, imaginary part) of Zᵢⱼ."""
         zero, M, C, G, K = self.table.zero, *self.found[:4]
-        parts = (K.get((i, j), zero) - self.Omega ** 2 * M.get((i, j), zero),
-                 self.Omega * (C.get((i, j), zero) + G.get((i, j), zero)))
-        return tuple(zero if is_zero(part) else part for part in parts)
+        real = K.get((i, j), zero) - self.Omega ** 2 * M.get((i, j), zero)
+        imaginary = self.Omega * (C.get((i, j), zero) + G.get((i, j), zero))
+        return zero if is_zero(real) else real, zero if is_zero(imaginary) else imaginary
 
     def force(self, i: int) -> "tuple[Node, Node]":
         """(real part, imaginary part) of Fᵢ."""
