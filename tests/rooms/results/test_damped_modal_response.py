@@ -92,6 +92,28 @@ def test_a_smooth_push_at_a_damper_by_the_integral_of_bromwich():
     _bears_no_moment(found)
 
 
+CRITICAL = 1.6572548969298002       # N s/m at which λ = −3.7325751437 is double: 1/transfer and its slope are 0 there
+
+
+@pytest.mark.parametrize("aside", [0.0, 1e-12, *(pytest.param(a, marks=pytest.mark.sweep)
+                                               for a in (-1e-12, 1e-8, -1e-6, 1e-4, -1e-4, 1e-3, -1e-3, 3e-3))])
+def test_at_and_beside_critical_damping(aside):
+    """Against the integral of Bromwich; at 12 s, of residues, where the load is e^{−10t}, less than the circle about
+    both λ brings before it has died out."""
+    c = CRITICAL * (1 + aside)
+    found = signal(DampedModalResponse, problem(TIP.replace("0.7", f"{c!r}") + "forces: {pull: {at: tip, force: 1 N*"
+                                                "(t/(1 s))^6*exp(-10*t/(1 s))}}\n"), "arm.u(L)")
+    step = np.pi / 16
+    s = 6.0 + 1j * np.arange(-3000.0, 3000.0, step)
+    image = transfer(s, c) * factorial(6) / (s + 10)**7
+    expected = np.array([np.real(image @ np.exp(s * t)) * step / (2 * np.pi) for t in TIMES[:3]])
+    off = np.abs(found.values(TIMES[:3]) - expected)
+    assert (off <= [found.error(t) + 1e-15 * max(expected) * np.exp(6 * t) for t in TIMES[:3]]).all()
+    assert max(found.error(t) for t in TIMES) <= 1e-6 * max(expected)
+    if aside == 0:
+        assert abs(found.values(np.array([12.0]))[0] - 3.68714665e-21) <= 1e-29
+
+
 @pytest.mark.parametrize("c", ["0.05", "2"])
 def test_what_rounds_at_a_free_end_is_within_what_modes_lose(c):
     text = TIP.replace("0.7", c) + "forces: {pull: {at: tip, force: 1 N*exp(-t/(1 s))}}\n"
