@@ -3,7 +3,7 @@
 from math import tau
 from typing import TYPE_CHECKING
 
-from vibcli.analyses.continuous.disturbances import FALL, FIELD, PACE, SERIES, TENSION
+from vibcli.analyses.continuous.disturbances import BOTH, FALL, FIELD, PACE, SERIES, TENSION
 from vibcli.base.errors import NoBound
 
 if TYPE_CHECKING:
@@ -22,6 +22,8 @@ REASONS = {
             "{modal: 1 %}` values later on are known"),
     SERIES: (JUMPED, "let loads rise within a time, as (ramp(t) - ramp(t - T))/T does; with `damping: {modal: "
              "1 %}` values later on are known"),
+    BOTH: (JUMPED, "let it start in a shape whose moments and forces fit all ends and joints, and loads rise within a "
+           "time, as (ramp(t) - ramp(t - T))/T does; with `damping: {modal: 1 %}` values later on are known"),
 }
 LATER = "ask for values later on, when these modes have died out"
 
@@ -30,6 +32,6 @@ def without_bound(motion: "ModalMotion", output: "LinearOutput", t: float) -> No
     """The refusal of an output of a motion of which modes left out have no bound at an instant."""
     obstacle = motion.obstacle(output, t)
     reason, hint = REASONS[obstacle]
-    dies_out = obstacle in (FIELD, SERIES) and motion.slowest and motion.is_bounded(
+    dies_out = obstacle in (FIELD, SERIES, BOTH) and motion.slowest and motion.is_bounded(
         output, t + tau / motion.slowest)
     return NoBound(LEFT_OUT + reason, LATER if dies_out else hint)

@@ -31,7 +31,8 @@ SMALL = 1e-18       # of the first term: where the series ends
 ROUNDING = 1e-12    # of a load: what is no bend
 ALMOST = 1e-6       # imaginary part of a root that may be real
 GAINED = 0.25, 0.5, 1.0, 2.0    # powers of 1/ω that even damping brings
-TENSION, PACE, FIELD, SERIES, FALL = "tension", "pace", "field", "series", "fall"       # why nothing bounds it
+TENSION, PACE, FALL = "tension", "pace", "fall"       # why nothing bounds it
+FIELD, SERIES, BOTH = "field", "series", "both"
 
 
 class Start(NamedTuple):
@@ -48,6 +49,7 @@ class Disturbances:
 
     def __init__(self, modes: "UncountedModes", start: Start, segments: "Sequence[Segment]", creeping: tuple = ()):
         self.modes, self.slow = modes, _creep(creeping, modes.highest, segments)
+        self._segments, self._creeping = segments, creeping
         self.damping = Damping(0.0, modes.highest, 1.0, 0.0, inf) if creeping else damping_of(modes.basis.squares,
                                                                                               modes.rates)
         channels = modes.inputs.shape[1]
@@ -96,16 +98,20 @@ class Disturbances:
         """Is that bound finite, as what places show tells that has no sum?"""
         return self._total(output, t, order, self.modes.reaches) < inf
 
-    def obstacle(self, output: "LinearOutput") -> str:
+    def obstacle(self, output: "LinearOutput", t: float) -> str:
         """Why it is not, where it is not: an end without TENSION is read; a load's PACE is too fast; the series after a
-        start in a FIELD, or after loads, does not converge absolutely; how amplitudes FALL tells too little."""
+        start in a FIELD, or after loads, or BOTH does not converge absolutely; how amplitudes FALL tells too little."""
         if any(x and self.modes.begins_of(place) == inf for place, x in output.places.items()):
             return TENSION
         if self._loads is None:
             return PACE
         if self.damping.creeping is not None:
             return FALL
-        return FIELD if self._start.spread.any() or self._start.held.any() else SERIES
+        rest = [segment._replace(waves=(), impulses=()) for segment in self._segments]
+        still = Start(0 * self._start.held, 0 * self._start.spread)
+        of_field, of_loads = (Disturbances(self.modes, start, segments, self._creeping).bound(output, t) == inf
+                              for start, segments in ((self._start, rest), (still, self._segments)))
+        return (BOTH if of_loads else FIELD) if of_field else SERIES
 
     def _total(self, output, t, order, reach):
         return sum(self._of(part, own, t, order, reach) for part, own in self.modes.parts.split(output))

@@ -182,7 +182,7 @@ class ModalMotion:
     def obstacle(self, output: "LinearOutput", t: float) -> str:
         """Why it is not, where it is not."""
         self.stretches(float(t))
-        return FALL if self._disturbances is None else self._disturbances.obstacle(output)
+        return FALL if self._disturbances is None else self._disturbances.obstacle(output, t)
 
     def left(self, output: "LinearOutput", start: float, t: float, modes: int) -> float:
         """What those counted beyond the first `modes` can add from an instant on, on the stretch from `start`."""
