@@ -12,18 +12,19 @@ if TYPE_CHECKING:
 
 LEFT_OUT = "what the modes left out add to this signal has no bound that is known: "
 JUMPED = "after what sets in at once here the sizes of their terms have no finite sum"
+FITTING = "let it start in a shape whose moments and forces fit all ends and joints"
+SLOWLY = ("loads rise within a time, as (ramp(t) - ramp(t - T))/T does, or where they move supports, or accelerations "
+          "are asked, as smoothly as t^4")
+DAMPED = "with `damping: {modal: 1 %}` values later on are known"
 REASONS = {
     TENSION: ("it is read next to an end without tension, where a unit load moves a member without bound",
               "ask for a place further from that end"),
     PACE: ("a load changes as fast as the modes that are counted", "let it change more slowly"),
     FALL: ("as those counted tell, they fall too slowly or too unevenly",
            "let loads rise within a time; displacements have a bound more often than forces and rates do"),
-    FIELD: (JUMPED, "let it start in a shape whose moments and forces fit all ends and joints; with `damping: "
-            "{modal: 1 %}` values later on are known"),
-    SERIES: (JUMPED, "let loads rise within a time, as (ramp(t) - ramp(t - T))/T does; with `damping: {modal: "
-             "1 %}` values later on are known"),
-    BOTH: (JUMPED, "let it start in a shape whose moments and forces fit all ends and joints, and loads rise within a "
-           "time, as (ramp(t) - ramp(t - T))/T does; with `damping: {modal: 1 %}` values later on are known"),
+    FIELD: (JUMPED, f"{FITTING}; {DAMPED}"),
+    SERIES: (JUMPED, f"let {SLOWLY}; {DAMPED}"),
+    BOTH: (JUMPED, f"{FITTING}, and {SLOWLY}; {DAMPED}"),
 }
 LATER = "ask for values later on, when these modes have died out"
 

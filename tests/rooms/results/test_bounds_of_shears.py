@@ -181,6 +181,19 @@ def test_refusals_say_why_there_is_no_bound(rest, reason, hint, monkeypatch):
     assert hint in refusal.value.hint
 
 
+def test_what_moves_a_support_has_to_begin_smoothly(monkeypatch):
+    """A ramp, which was the advice, is not enough."""
+    monkeypatch.setattr(modal_response, "MOST", {True: 128, False: 128})
+    text = ("parameters: {L: 1 m}\nbodies: {hand: {slide: 1 mm*RISE}}\n" + UNIFORM.split("\n")[1].replace(
+        "left: clamped", "left: {clamped: hand}"))
+    t = np.array([0.33])
+    with pytest.raises(NoBound, match="no finite sum") as refusal:
+        signal(problem(text.replace("RISE", "(ramp(t) - ramp(t - 0.1 s))/(0.1 s)")), "arm.moment(0 m)").values(t)
+    assert "as smoothly as t^4" in refusal.value.hint
+    found = signal(problem(text.replace("RISE", "(t/(0.1 s))^4*exp(-t/(0.1 s))")), "arm.moment(0 m)")
+    assert found.error(0.33) <= 1e-6 * abs(found.values(t)[0])
+
+
 def test_bounds_below_a_fast_load_are_found(monkeypatch):
     """Its hundredth derivative is too large for a float."""
     monkeypatch.setattr(modal_response, "MOST", {True: 128, False: 128})
