@@ -36,3 +36,8 @@ def without_bound(motion: "ModalMotion", output: "LinearOutput", t: float) -> No
     dies_out = obstacle in (FIELD, SERIES, BOTH) and motion.slowest and motion.is_bounded(
         output, t + tau / motion.slowest)
     return NoBound(LEFT_OUT + reason, LATER if dies_out else hint)
+
+
+def whenever(hint: str, other: str) -> str:
+    """The hint of such a refusal of what repeats itself, so that nothing helps later on: `other` does."""
+    return f"let {SLOWLY}, or {other}" if hint in (LATER, REASONS[SERIES][1]) else hint

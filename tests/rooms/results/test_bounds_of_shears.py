@@ -194,6 +194,17 @@ def test_what_moves_a_support_has_to_begin_smoothly(monkeypatch):
     assert found.error(0.33) <= 1e-6 * abs(found.values(t)[0])
 
 
+@pytest.mark.parametrize("asked", ["rms(arm.shear(0 m))", "max(steady(arm.shear(0 m)))"])
+def test_what_repeats_itself_with_jumps_has_no_later_on(asked, monkeypatch):
+    monkeypatch.setattr(modal_response, "MOST", {True: 128, False: 128})
+    scene = vibcli.loads(UNIFORM + STEP.replace("step(t)", "square(4 rad/s*t)") + "damping: {modal: 5 %}\n")
+    with pytest.raises(NoBound, match="no finite sum") as refusal:
+        _ = scene[asked].value
+    assert "later on" not in refusal.value.hint
+    assert "ask for harmonic[1]" in refusal.value.hint
+    assert scene["harmonic[1](arm.shear(0 m))"].value > 0
+
+
 def test_bounds_below_a_fast_load_are_found(monkeypatch):
     """Its hundredth derivative is too large for a float."""
     monkeypatch.setattr(modal_response, "MOST", {True: 128, False: 128})
