@@ -122,6 +122,22 @@ def test_what_rounds_at_a_free_end_is_within_what_modes_lose(c):
     assert (2 * np.abs(modes.rows(end)[0][0]) <= modes.lost_rows(end)[0]).all()
 
 
+def test_loads_beside_modes_that_creep_as_slowly():
+    """By Bromwich's integral: the series of their derivatives over powers of the first ω that is left out, and of 2ζ/ω,
+    left what floats hold, and the refusal asked for a load that rises within a time."""
+    text = BEAM % "left: clamped" + "damping: {proportional: [3.7 s^-1, 0.05 s]}\npoints: {tip: {body: arm, at: L}}\n"
+    load = "forces: {pull: {at: tip, force: 1 N*(t/(1 s))^4*exp(-5*t/(1 s))}}\n"
+    found = signal(ModalResponse, problem(text + load), "arm.u(L)")
+    step = np.pi / 16
+    s = 1.0 + 1j * np.arange(-800.0, 800.0, step)
+    slope = 1 + 0.05 * s
+    image = transfer(np.sqrt((s * s + 3.7 * s) / slope), 0.0) / slope * factorial(4) / (s + 5)**5
+    for t in (0.8, 2.5):
+        expected = np.real(image @ np.exp(s * t)) * step / (2 * np.pi)
+        assert found.values(np.array([t]))[0] == pytest.approx(expected, rel=1e-9)
+        assert found.error(t) <= 1e-10 * expected
+
+
 def _bears_no_moment(found):
     """The end: in modes but for what their λ round, times how often waves turn along the beam."""
     end = found.asked[0].signal(with_places(parse("arm.moment(L)"), ["arm"]))

@@ -58,7 +58,7 @@ class Disturbances:
         self._start, self._sizes, self._loads = start, {}, None
         if orders is not None:
             loads = _ends_of_waves if creeping else _bends
-            self._loads = loads(segments, channels, orders, start.held, modes.highest)
+            self._loads = loads(segments, channels, orders, start.held, self.damping.unit)
 
     def sizes(self, part: int) -> np.ndarray:
         """How far what begins with each segment sets one of the UncoupledParts in motion, (segments, powers of 1/ω,
@@ -171,19 +171,19 @@ def _orders(segments, damping):
     return count
 
 
-def _bends(segments, channels, orders, held, highest):
-    """Δf⁽ᵐ⁾/ωᴺᵐ at the start of each segment, (segments, orders, channels), and impulses, (segments, channels)."""
+def _bends(segments, channels, orders, held, unit):
+    """Δf⁽ᵐ⁾/unitᵐ at the start of each segment, (segments, orders, channels), and impulses, (segments, channels)."""
     bends = np.zeros((len(segments), orders, channels))
     size = np.zeros(bends.shape)
-    bends[0, :2], size[0, :2] = -held / [[1.0], [highest]], np.abs(held) / [[1.0], [highest]]
+    bends[0, :2], size[0, :2] = -held / [[1.0], [unit]], np.abs(held) / [[1.0], [unit]]
     for number, segment in enumerate(segments):
         for wave in segment.waves:
             if wave.channel >= channels:
                 continue
-            turned = wave._replace(coefficient=wave.coefficient / highest**wave.power, exponent=wave.exponent / highest)
+            turned = wave._replace(coefficient=wave.coefficient / unit**wave.power, exponent=wave.exponent / unit)
             for side in range(min(2, len(segments) - number)):
                 tau = segments[number + 1].start - segment.start if side else 0.0
-                values, sizes = derivatives(turned, highest * tau, orders)
+                values, sizes = derivatives(turned, unit * tau, orders)
                 bends[number + side, :, wave.channel] += -values if side else values
                 size[number + side, :, wave.channel] += sizes
     return np.where(np.abs(bends) <= ROUNDING * size, 0.0, bends), _struck(segments, channels)
