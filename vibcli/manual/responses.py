@@ -38,8 +38,8 @@ RESPONSE = [
          "without both instead, exact but for rounding, as long as fronts stay few."),
         ("damped modes", "Where dampers, or drag that differs by mass from place to place, couple the modes of "
          "members, the same sum runs over damped modes, each with its own complex frequency, as many of them as the "
-         "argument principle counts in a circle. A mode that is damped critically is refused, and a damper of "
-         "√(Nμ) beside drag, as no wave comes back from it."),
+         "argument principle counts in a circle; of those that are one or nearly so, as at critical damping, the mean "
+         "over a circle about them. A damper of √(Nμ) beside drag is refused, as no wave comes back from it."),
         ("full", "`motion: full`: the full equations, integrated, for wide swings, laws, dry friction, stops, slack. "
          "Events and the balance of the energies are printed; a motion whose energies do not balance to 1e-8, or to "
          "the accuracy that is asked, is refused. It is found twice, by rules of another order or by longer steps, and "

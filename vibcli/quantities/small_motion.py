@@ -27,7 +27,10 @@ def _linear(problem, tree, harmonic=None):
     response = getattr(response, "kept_up", response)
     signal = (response if harmonic is None else _of_harmonic(response, harmonic)).signal(tree.args[0])
     if not isinstance(signal, LinearSignal):
-        raise PhysicsError(f"'{tree.head}' is not found of {signal.KIND}", "ask for max(x), min(x) or values in time")
+        spec = problem.spec
+        falls = spec.get("forces") and not spec.get("gravity") and spec.motion is None and problem.configuration.falls
+        raise PhysicsError(f"'{tree.head}' is not found of {signal.KIND}", "ask for max(x), min(x) or values in time"
+                           + (", or let what drives it from the start set in, as F*step(t) does" if falls else ""))
     return signal
 
 

@@ -2,18 +2,21 @@
 that what it started with has died out. Nothing is cut off: fronts stand where they are, and what modes leave out keeps
 its bound."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from math import ceil
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
-from vibcli.base.errors import PhysicsError
+from vibcli.base.errors import NoBound, PhysicsError
 from vibcli.language.signal_names import signal_name
 from vibcli.results.averaged_waves import averaged, fits_into
 from vibcli.results.modal_signals import ModalSignal
 from vibcli.results.signal import Signal
 from vibcli.results.signals import LinearSignal
+from vibcli.results.without_bound import whenever
 from vibcli.symbolic.syntax import NameRef
 
 if TYPE_CHECKING:
@@ -58,7 +61,8 @@ class RepeatingSignal(Signal):
     def extreme(self, start: float, end: float, sense: int) -> tuple[float, float]:
         """(instant, value) of the largest (sense 1) or smallest (−1) value within a period."""
         end = min(end, start + self.period)
-        late = self.signal.extreme(start + self.start, end + self.start, sense)
+        with _all_along():
+            late = self.signal.extreme(start + self.start, end + self.start, sense)
         top = late[0] - self.start, late[1] - self.aside
         self._tops[top] = late
         return top
@@ -106,6 +110,10 @@ class RepeatingSignal(Signal):
     def _averaged(self, function, slope):
         """(the mean of a function of its values over a period, how far that may be off); slope: by how much it changes
         with some of them at most."""
+        with _all_along():
+            return self._by_panels(function, slope)
+
+    def _by_panels(self, function, slope):
         self.signal.require_bounded(self.start + self.period)
         edges = _edges(self.period, [self.signal.fronts(self.start + self.period) - self.start])
         known = float(slope(self.signal.values(self.start + edges))) * (
@@ -134,6 +142,15 @@ class RepeatingSignal(Signal):
     def along(self, end: float) -> Any:
         """It has no few parts with known bounds."""
         raise KeyError(self.KIND)
+
+
+@contextmanager
+def _all_along() -> Iterator[None]:
+    """Of a whole period no instants are later on."""
+    try:
+        yield
+    except NoBound as error:
+        raise error.told(hint=whenever(str(error.hint), HARMONICS)) from None
 
 
 def repeating(response: "SteadyResponse", tree: Any) -> RepeatingSignal:

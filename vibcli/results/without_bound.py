@@ -3,7 +3,7 @@
 from math import tau
 from typing import TYPE_CHECKING
 
-from vibcli.analyses.continuous.disturbances import FALL, FIELD, PACE, SERIES, TENSION
+from vibcli.analyses.continuous.disturbances import BOTH, FALL, FIELD, PACE, SERIES, TENSION
 from vibcli.base.errors import NoBound
 
 if TYPE_CHECKING:
@@ -12,16 +12,19 @@ if TYPE_CHECKING:
 
 LEFT_OUT = "what the modes left out add to this signal has no bound that is known: "
 JUMPED = "after what sets in at once here the sizes of their terms have no finite sum"
+FITTING = "let it start in a shape whose moments and forces fit all ends and joints"
+SLOWLY = ("loads rise within a time, as (ramp(t) - ramp(t - T))/T does, or where they move supports, or accelerations "
+          "are asked, as smoothly as t^4")
+DAMPED = "with `damping: {modal: 1 %}` values later on are known"
 REASONS = {
     TENSION: ("it is read next to an end without tension, where a unit load moves a member without bound",
               "ask for a place further from that end"),
     PACE: ("a load changes as fast as the modes that are counted", "let it change more slowly"),
     FALL: ("as those counted tell, they fall too slowly or too unevenly",
            "let loads rise within a time; displacements have a bound more often than forces and rates do"),
-    FIELD: (JUMPED, "let it start in a shape whose moments and forces fit all ends and joints; with `damping: "
-            "{modal: 1 %}` values later on are known"),
-    SERIES: (JUMPED, "let loads rise within a time, as (ramp(t) - ramp(t - T))/T does; with `damping: {modal: "
-             "1 %}` values later on are known"),
+    FIELD: (JUMPED, f"{FITTING}; {DAMPED}"),
+    SERIES: (JUMPED, f"let {SLOWLY}; {DAMPED}"),
+    BOTH: (JUMPED, f"{FITTING}, and {SLOWLY}; {DAMPED}"),
 }
 LATER = "ask for values later on, when these modes have died out"
 
@@ -30,6 +33,11 @@ def without_bound(motion: "ModalMotion", output: "LinearOutput", t: float) -> No
     """The refusal of an output of a motion of which modes left out have no bound at an instant."""
     obstacle = motion.obstacle(output, t)
     reason, hint = REASONS[obstacle]
-    dies_out = obstacle in (FIELD, SERIES) and motion.slowest and motion.is_bounded(
+    dies_out = obstacle in (FIELD, SERIES, BOTH) and motion.slowest and motion.is_bounded(
         output, t + tau / motion.slowest)
     return NoBound(LEFT_OUT + reason, LATER if dies_out else hint)
+
+
+def whenever(hint: str, other: str) -> str:
+    """The hint of such a refusal of what repeats itself, so that nothing helps later on: `other` does."""
+    return f"let {SLOWLY}, or {other}" if hint in (LATER, REASONS[SERIES][1]) else hint

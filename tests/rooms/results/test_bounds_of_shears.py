@@ -170,6 +170,7 @@ def test_a_shear_that_is_refused_grows_without_end(monkeypatch):
     (STEP, "no finite sum", "rise within a time"),
     (STEP + "damping: {modal: 1 %}\n", "no finite sum", "later on"),
     ("initial: {arm.u: 1 mm*(x/L)^2}\n", "no finite sum", "a shape whose moments"),
+    (STEP + "initial: {arm.u: 1 mm*(x/L)^2}\n", "no finite sum", "ends and joints, and loads rise within a time"),
     (STEP.replace("step(t)", "sin(3e5 rad/s*t)"), "a load changes as fast", "more slowly")])
 def test_refusals_say_why_there_is_no_bound(rest, reason, hint, monkeypatch):
     """Of a load that is too fast for the modes that are counted the reason was that of a jump."""
@@ -178,6 +179,30 @@ def test_refusals_say_why_there_is_no_bound(rest, reason, hint, monkeypatch):
     with pytest.raises(NoBound, match=reason) as refusal:
         found.extreme(0.0, 1.0, 1) if "damping" not in rest else found.values(np.zeros(1))
     assert hint in refusal.value.hint
+
+
+def test_what_moves_a_support_has_to_begin_smoothly(monkeypatch):
+    """A ramp, which was the advice, is not enough."""
+    monkeypatch.setattr(modal_response, "MOST", {True: 128, False: 128})
+    text = ("parameters: {L: 1 m}\nbodies: {hand: {slide: 1 mm*RISE}}\n" + UNIFORM.split("\n")[1].replace(
+        "left: clamped", "left: {clamped: hand}"))
+    t = np.array([0.33])
+    with pytest.raises(NoBound, match="no finite sum") as refusal:
+        signal(problem(text.replace("RISE", "(ramp(t) - ramp(t - 0.1 s))/(0.1 s)")), "arm.moment(0 m)").values(t)
+    assert "as smoothly as t^4" in refusal.value.hint
+    found = signal(problem(text.replace("RISE", "(t/(0.1 s))^4*exp(-t/(0.1 s))")), "arm.moment(0 m)")
+    assert found.error(0.33) <= 1e-6 * abs(found.values(t)[0])
+
+
+@pytest.mark.parametrize("asked", ["rms(arm.shear(0 m))", "max(steady(arm.shear(0 m)))"])
+def test_what_repeats_itself_with_jumps_has_no_later_on(asked, monkeypatch):
+    monkeypatch.setattr(modal_response, "MOST", {True: 128, False: 128})
+    scene = vibcli.loads(UNIFORM + STEP.replace("step(t)", "square(4 rad/s*t)") + "damping: {modal: 5 %}\n")
+    with pytest.raises(NoBound, match="no finite sum") as refusal:
+        _ = scene[asked].value
+    assert "later on" not in refusal.value.hint
+    assert "ask for harmonic[1]" in refusal.value.hint
+    assert scene["harmonic[1](arm.shear(0 m))"].value > 0
 
 
 def test_bounds_below_a_fast_load_are_found(monkeypatch):

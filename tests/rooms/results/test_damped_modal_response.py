@@ -92,12 +92,50 @@ def test_a_smooth_push_at_a_damper_by_the_integral_of_bromwich():
     _bears_no_moment(found)
 
 
+CRITICAL = 1.6572548969298002       # N s/m at which λ = −3.7325751437 is double: 1/transfer and its slope are 0 there
+
+
+@pytest.mark.parametrize("aside", [0.0, 1e-12, *(pytest.param(a, marks=pytest.mark.sweep)
+                                               for a in (-1e-12, 1e-8, -1e-6, 1e-4, -1e-4, 1e-3, -1e-3, 3e-3))])
+def test_at_and_beside_critical_damping(aside):
+    """Against the integral of Bromwich; at 12 s, of residues, where the load is e^{−10t}, less than the circle about
+    both λ brings before it has died out."""
+    c = CRITICAL * (1 + aside)
+    found = signal(DampedModalResponse, problem(TIP.replace("0.7", f"{c!r}") + "forces: {pull: {at: tip, force: 1 N*"
+                                                "(t/(1 s))^6*exp(-10*t/(1 s))}}\n"), "arm.u(L)")
+    step = np.pi / 16
+    s = 6.0 + 1j * np.arange(-3000.0, 3000.0, step)
+    image = transfer(s, c) * factorial(6) / (s + 10)**7
+    expected = np.array([np.real(image @ np.exp(s * t)) * step / (2 * np.pi) for t in TIMES[:3]])
+    off = np.abs(found.values(TIMES[:3]) - expected)
+    assert (off <= [found.error(t) + 1e-15 * max(expected) * np.exp(6 * t) for t in TIMES[:3]]).all()
+    assert max(found.error(t) for t in TIMES) <= 1e-6 * max(expected)
+    if aside == 0:
+        assert abs(found.values(np.array([12.0]))[0] - 3.68714665e-21) <= 1e-29
+
+
 @pytest.mark.parametrize("c", ["0.05", "2"])
 def test_what_rounds_at_a_free_end_is_within_what_modes_lose(c):
     text = TIP.replace("0.7", c) + "forces: {pull: {at: tip, force: 1 N*exp(-t/(1 s))}}\n"
     modes = signal(DampedModalResponse, problem(text), "arm.u(L)").modal.modes
     end = LinearOutput(places={FieldPoint(0, 1.0, 2): 1.0})
     assert (2 * np.abs(modes.rows(end)[0][0]) <= modes.lost_rows(end)[0]).all()
+
+
+def test_loads_beside_modes_that_creep_as_slowly():
+    """By Bromwich's integral: the series of their derivatives over powers of the first ω that is left out, and of 2ζ/ω,
+    left what floats hold, and the refusal asked for a load that rises within a time."""
+    text = BEAM % "left: clamped" + "damping: {proportional: [3.7 s^-1, 0.05 s]}\npoints: {tip: {body: arm, at: L}}\n"
+    load = "forces: {pull: {at: tip, force: 1 N*(t/(1 s))^4*exp(-5*t/(1 s))}}\n"
+    found = signal(ModalResponse, problem(text + load), "arm.u(L)")
+    step = np.pi / 16
+    s = 1.0 + 1j * np.arange(-800.0, 800.0, step)
+    slope = 1 + 0.05 * s
+    image = transfer(np.sqrt((s * s + 3.7 * s) / slope), 0.0) / slope * factorial(4) / (s + 5)**5
+    for t in (0.8, 2.5):
+        expected = np.real(image @ np.exp(s * t)) * step / (2 * np.pi)
+        assert found.values(np.array([t]))[0] == pytest.approx(expected, rel=1e-9)
+        assert found.error(t) <= 1e-10 * expected
 
 
 def _bears_no_moment(found):

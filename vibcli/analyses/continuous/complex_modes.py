@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from vibcli.analyses.continuous.coincident_roots import nearest
 from vibcli.analyses.continuous.doubt import Doubt
 from vibcli.analyses.continuous.modal_states import States
 from vibcli.analyses.continuous.mode_basis import ModeBasis, in_floats, on_part
@@ -26,8 +27,6 @@ if TYPE_CHECKING:
 EPSILON = 2.0**-52
 NOISE = 2.0**-51    # of the largest amplitude at the start: what is only rounding
 UNFELT = 1e-12      # of the dampers that a rigid motion could move: it moves none
-SAME = 1e-12        # relative distance of λ that are one
-BESIDE = 8          # neighbours in |λ| among which the nearest λ is
 STEADY = 0.98       # share of the decay of modes of half the frequency: it does not fade as these grow
 SAFE = 0.9
 
@@ -90,7 +89,7 @@ class ComplexModes:
         self.left_out, self.fading = (basis.radius, np.inf), _fading(rates)
         self.lost, self.disturbed = NOISE * most, None
         errors = basis.errors[free:]
-        self.doubt = Doubt(errors + EPSILON * (rates != 0), 8 * EPSILON + 4 * errors * abs(rates) / _nearest(rates))
+        self.doubt = Doubt(errors + EPSILON * (rates != 0), 8 * EPSILON + 4 * errors * abs(rates) / nearest(rates))
 
     def rows(self, output: "LinearOutput") -> tuple[np.ndarray, np.ndarray]:
         """What an output reads of each state, its rate and acceleration, (3, states), and of what nothing holds."""
@@ -100,16 +99,6 @@ class ComplexModes:
     def lost_rows(self, output: "LinearOutput") -> np.ndarray:
         """What rounding leaves of the rows over states."""
         return self.basis.lost(output)[:, self.basis.free:]
-
-
-def _nearest(rates):
-    """The distance of each λ to the next one, conjugates too."""
-    found = np.where(rates.imag > 0, 2 * rates.imag, np.inf)
-    for away in range(1, min(BESIDE, len(rates) - 1) + 1):
-        apart = np.minimum(abs(rates[away:] - rates[:-away]), abs(rates[away:] - rates[:-away].conj()))
-        apart = np.where(apart > SAME * abs(rates[away:]), apart, np.inf)
-        found[away:], found[:-away] = np.minimum(found[away:], apart), np.minimum(found[:-away], apart)
-    return np.where(np.isfinite(found), found, np.maximum(abs(rates), 1e-300))
 
 
 def _fading(rates):

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from vibcli.analyses.continuous.argument_count import zeros_within
+from vibcli.analyses.continuous.coincident_roots import coincident_roots
 from vibcli.analyses.continuous.damped_estimates import between, estimates, half_turns, inner_estimates
 from vibcli.analyses.continuous.damped_roots import ALIKE, DampedRoot, Whole, approached, roots_at
 from vibcli.analyses.continuous.damped_series import RootsOfPart
@@ -113,12 +114,17 @@ class DampedPart(PartWithModes):
         if effort > 1:
             starts = np.concatenate([starts, self._undamped(radius, top)])
         inner = inner_estimates(self.matrix.pieces, radius, max(abs(starts).max(initial=0.0), top))
-        found = settled_from(divisions, starts, inner)
+        found, slow = settled_from(divisions, starts, inner)
         roots = _beyond(rates, found, radius)
-        roots = _beyond(roots, settled_from(divisions, between(self.matrix.pieces, roots), inner[:0]), radius)
-        values, errors, groups = polished(divisions, roots)
-        return RootsOfPart(values, errors, [
-            ShapesOf(self.numbered(one.pieces), one.numbers, self.placed(one.shapes), one.bends) for one in groups])
+        found, more = settled_from(divisions, between(self.matrix.pieces, roots), inner[:0])
+        values, errors, groups = polished(divisions, _beyond(roots, found, radius))
+        several = coincident_roots(divisions, values, errors, distinct(np.concatenate([slow, more])))
+        return RootsOfPart(values, errors, list(map(self._of_scene, groups)),
+                           [one._replace(shapes=self._of_scene(one.shapes)) for one in several])
+
+    def _of_scene(self, shapes):
+        """ShapesOf over its coordinates as ones over those of the scene."""
+        return shapes._replace(pieces=self.numbered(shapes.pieces), shapes=self.placed(shapes.shapes))
 
     def _undamped(self, radius, top):
         """iω without dampers: each root but those of strong dampers has its own near it."""

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix, EvaluatedMatrix
 
 STEPS, SETTLED = 30, 1e-9
+NEARLY = 1e-6       # a relative step towards a root next to another one, where no step is as short as a settled one
 UNIT = 2.0**-53
 GIVEN = 2.0         # roundings of a damper beside √(Nμ), as they are given
 ALIKE = 1e-7        # relative distance below which roots are looked at together
@@ -58,19 +59,31 @@ class Whole:
 
 
 def approached(whole: Whole, s: complex) -> complex | None:
-    """The root to which Newton's steps lead from s; None where they do not settle."""
+    """The root to which Newton's steps lead from s; None where they do not settle. On the real axis they never do next
+    to two that are conjugate: then from aside."""
+    found, last = _followed(whole, s)
+    if found is None and last is not None and not last.imag:
+        found = _followed(whole, last * (1 + 1j * NEARLY))[0]
+    return found
+
+
+def _followed(whole, s):
+    """(the root, the place of the last step), None where there is none."""
+    shortest, best = NEARLY, None
     for _ in range(STEPS):
         D, slope, _ = _scaled(whole.at(s), s)
         if not np.isfinite(D).all():
-            return None
+            return None, None
         step = newton_steps(D, slope)
         if not len(step):
-            return None
+            return None, None
         step = step[np.argmin(abs(step))]
-        s = s + step
-        if abs(step) <= SETTLED * abs(s):
-            return s if s.imag >= 0 else s.conjugate()
-    return None
+        s = complex(s + step)
+        if abs(step) <= shortest * abs(s):
+            shortest, best = abs(step) / abs(s), s if s.imag >= 0 else s.conjugate()
+            if shortest <= SETTLED:
+                break
+    return best, s
 
 
 def roots_at(whole: Whole, s: complex) -> list[DampedRoot]:

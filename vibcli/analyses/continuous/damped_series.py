@@ -16,6 +16,7 @@ from vibcli.base.named_tuple import NamedTuple
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from vibcli.analyses.continuous.coincident_roots import CoincidentRoots
     from vibcli.analyses.continuous.damped_parts import DampedPart, StillPart
     from vibcli.analyses.continuous.damped_source import Region
     from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix
@@ -29,8 +30,8 @@ GAPS = 6                # between roots that are tried in turn for the circle
 
 
 class DampedSeries(NamedTuple):
-    """All λ ≠ 0 with Im λ ≥ 0 within |λ| < radius, by |λ|, those of each part, their relative bounds and shapes;
-    resting: how often 0 is one."""
+    """What moves with all λ ≠ 0 with Im λ ≥ 0 within |λ| < radius, by |λ|: λ or of those that coincide points about
+    them, their relative bounds and shapes; of_parts: these λ of each part; resting: how often 0 is one."""
 
     parts: "Sequence[DampedPart | StillPart]"
     radius: float
@@ -51,11 +52,36 @@ class Known(NamedTuple):
 
 
 class RootsOfPart(NamedTuple):
-    """λ by |λ|, their relative bounds and shapes."""
+    """λ by |λ|, their relative bounds and shapes; several: those among them, or beside, that are one or nearly so."""
 
     values: np.ndarray
     errors: np.ndarray
     groups: list[ShapesOf]
+    several: "Sequence[CoincidentRoots]" = ()
+
+    def by_themselves(self) -> np.ndarray:
+        """Which are not among several."""
+        return ~np.any([one.holds(self.values) for one in self.several], axis=0) if self.several else np.full(
+            len(self.values), True)
+
+    def all(self) -> tuple[np.ndarray, np.ndarray]:
+        """λ and their bounds, of several their middle as often as they are."""
+        own = self.by_themselves()
+        middles = np.repeat([one.middle for one in self.several], [one.several for one in self.several])
+        return np.append(self.values[own], middles), np.append(self.errors[own], np.zeros(len(middles)))
+
+    def moving(self) -> tuple[np.ndarray, np.ndarray, list[ShapesOf]]:
+        """What moves as a mode each: λ, their bounds, and shapes; of several the points about them."""
+        own = self.by_themselves()
+        place, count = np.where(own, np.cumsum(own) - 1, len(own)), int(own.sum())
+        rates, errors = [self.values[own]], [self.errors[own]]
+        groups = [group.among(place[group.numbers], count) for group in self.groups]
+        for one in self.several:
+            groups.append(one.shapes._replace(numbers=one.shapes.numbers + count))
+            rates.append(one.points)
+            errors.append(one.errors)
+            count += len(one.points)
+        return np.concatenate(rates), np.concatenate(errors), groups
 
 
 def within_region(low: "Region") -> Known:
@@ -82,22 +108,18 @@ def damped_series(known: "Known | DampedSeries", count: int) -> DampedSeries:
     for effort in EFFORTS[:1] if count > MANY else EFFORTS:
         own = [part.series(rates, known.radius, top, effort)
                for part, rates in zip(known.parts, known.of_parts, strict=True)]
-        values, errors, order = _merged(own)
-        radius = _circle(known.parts, values, min(count, len(values)), known.resting)
+        values, errors = (np.concatenate(part) for part in zip(*(one.all() for one in own), strict=True))
+        order = np.argsort(abs(values), kind="stable")
+        values, errors = values[order], errors[order]
+        radius = _circle(known.parts, values, min(count, len(values)), known.resting, [
+            (abs(found.middle), found.radius) for one in own for found in one.several])
         if radius is not None and (errors[:np.searchsorted(abs(values), radius)] < SURE).all():
-            return _within(radius, known, own, values, errors, order)
+            return _within(radius, known, own)
     if not (errors < SURE).all():
-        raise PhysicsError("two damped modes of members are one, or nearly so: a mode is damped critically",
-                           "give it a little more or less damping")
+        raise PhysicsError("damped modes of members are so nearly one that they are not told apart",
+                           "give them a little more or less damping")
     raise PhysicsError("the damped modes of members are not counted so far: some of them may be missing",
                        "ask for steady(…)")
-
-
-def _merged(parts):
-    """(values, errors) of all parts by |λ|, and the place of each in that order."""
-    values, errors = (np.concatenate([one[k] for one in parts]) for k in range(2))
-    order = np.argsort(abs(values), kind="stable")
-    return values[order], errors[order], np.argsort(order)
 
 
 def swallowed(matrix: "DynamicMatrix", pace: float) -> bool:
@@ -112,27 +134,30 @@ def swallowed(matrix: "DynamicMatrix", pace: float) -> bool:
     return bool(np.linalg.svd(D, compute_uv=False)[-1] < SWALLOWED)
 
 
-def _circle(parts, roots, count, resting):
-    """A radius within which there are as many roots as are found, about so many; None where these are others."""
+def _circle(parts, roots, count, resting, barred):
+    """A radius within which there are as many roots as are found, about so many; None where these are others. barred:
+    (|λ|, distance) of several that it does not part."""
     sizes = abs(roots)
     certain = resting + np.append(0, np.cumsum(np.where(roots.imag > 0, 2, 1)))
     for low in range(count - 1, max(count - 1 - GAPS, -1), -1):
         high = sizes[low + 1] if low + 1 < len(sizes) else sizes[low] * (1 + 0.5 / len(sizes))
         for share in SECTIONS if high > sizes[low] * (1 + ALIKE) else ():
             radius = float(sizes[low] + share * (high - sizes[low]))
-            inside = zeros_of(parts, radius)
+            inside = None if any(abs(radius - size) < far for size, far in barred) else zeros_of(parts, radius)
             if inside is not None:
                 return radius if inside == certain[low + 1] else None
     return None
 
 
-def _within(radius, known, parts, rates, errors, order):
-    """The DampedSeries of those within a radius; order: the place of each root of the parts among all."""
-    count, kept, first = int((abs(rates) < radius).sum()), [], 0
-    for one in parts:
-        place = order[first:first + len(one.values)]
-        for group in one.groups:
-            kept.append(group.among(place[group.numbers], count))
-        first += len(one.values)
-    of_parts = [one.values[abs(one.values) < radius] for one in parts]
-    return DampedSeries(known.parts, radius, of_parts, rates[:count], errors[:count], kept, known.resting)
+def _within(radius, known, parts):
+    """The DampedSeries of those within a radius."""
+    moving, kept, first = [one.moving() for one in parts], [], 0
+    rates, errors = (np.concatenate([one[k] for one in moving]) for k in range(2))
+    order = np.argsort(abs(rates), kind="stable")
+    place, count = np.argsort(order), int((abs(rates) < radius).sum())
+    for own, _, groups in moving:
+        kept += [group.among(place[first:first + len(own)][group.numbers], count) for group in groups]
+        first += len(own)
+    of_parts = [values[abs(values) < radius] for values, _ in (one.all() for one in parts)]
+    return DampedSeries(known.parts, radius, of_parts, rates[order][:count], errors[order][:count], kept,
+                        known.resting)

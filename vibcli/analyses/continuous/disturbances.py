@@ -31,7 +31,8 @@ SMALL = 1e-18       # of the first term: where the series ends
 ROUNDING = 1e-12    # of a load: what is no bend
 ALMOST = 1e-6       # imaginary part of a root that may be real
 GAINED = 0.25, 0.5, 1.0, 2.0    # powers of 1/ω that even damping brings
-TENSION, PACE, FIELD, SERIES, FALL = "tension", "pace", "field", "series", "fall"       # why nothing bounds it
+TENSION, PACE, FALL = "tension", "pace", "fall"       # why nothing bounds it
+FIELD, SERIES, BOTH = "field", "series", "both"
 
 
 class Start(NamedTuple):
@@ -48,6 +49,7 @@ class Disturbances:
 
     def __init__(self, modes: "UncountedModes", start: Start, segments: "Sequence[Segment]", creeping: tuple = ()):
         self.modes, self.slow = modes, _creep(creeping, modes.highest, segments)
+        self._segments, self._creeping = segments, creeping
         self.damping = Damping(0.0, modes.highest, 1.0, 0.0, inf) if creeping else damping_of(modes.basis.squares,
                                                                                               modes.rates)
         channels = modes.inputs.shape[1]
@@ -56,7 +58,7 @@ class Disturbances:
         self._start, self._sizes, self._loads = start, {}, None
         if orders is not None:
             loads = _ends_of_waves if creeping else _bends
-            self._loads = loads(segments, channels, orders, start.held, modes.highest)
+            self._loads = loads(segments, channels, orders, start.held, self.damping.unit)
 
     def sizes(self, part: int) -> np.ndarray:
         """How far what begins with each segment sets one of the UncoupledParts in motion, (segments, powers of 1/ω,
@@ -96,16 +98,20 @@ class Disturbances:
         """Is that bound finite, as what places show tells that has no sum?"""
         return self._total(output, t, order, self.modes.reaches) < inf
 
-    def obstacle(self, output: "LinearOutput") -> str:
+    def obstacle(self, output: "LinearOutput", t: float) -> str:
         """Why it is not, where it is not: an end without TENSION is read; a load's PACE is too fast; the series after a
-        start in a FIELD, or after loads, does not converge absolutely; how amplitudes FALL tells too little."""
+        start in a FIELD, or after loads, or BOTH does not converge absolutely; how amplitudes FALL tells too little."""
         if any(x and self.modes.begins_of(place) == inf for place, x in output.places.items()):
             return TENSION
         if self._loads is None:
             return PACE
         if self.damping.creeping is not None:
             return FALL
-        return FIELD if self._start.spread.any() or self._start.held.any() else SERIES
+        rest = [segment._replace(waves=(), impulses=()) for segment in self._segments]
+        still = Start(0 * self._start.held, 0 * self._start.spread)
+        of_field, of_loads = (Disturbances(self.modes, start, segments, self._creeping).bound(output, t) == inf
+                              for start, segments in ((self._start, rest), (still, self._segments)))
+        return (BOTH if of_loads else FIELD) if of_field else SERIES
 
     def _total(self, output, t, order, reach):
         return sum(self._of(part, own, t, order, reach) for part, own in self.modes.parts.split(output))
@@ -165,19 +171,19 @@ def _orders(segments, damping):
     return count
 
 
-def _bends(segments, channels, orders, held, highest):
-    """Δf⁽ᵐ⁾/ωᴺᵐ at the start of each segment, (segments, orders, channels), and impulses, (segments, channels)."""
+def _bends(segments, channels, orders, held, unit):
+    """Δf⁽ᵐ⁾/unitᵐ at the start of each segment, (segments, orders, channels), and impulses, (segments, channels)."""
     bends = np.zeros((len(segments), orders, channels))
     size = np.zeros(bends.shape)
-    bends[0, :2], size[0, :2] = -held / [[1.0], [highest]], np.abs(held) / [[1.0], [highest]]
+    bends[0, :2], size[0, :2] = -held / [[1.0], [unit]], np.abs(held) / [[1.0], [unit]]
     for number, segment in enumerate(segments):
         for wave in segment.waves:
             if wave.channel >= channels:
                 continue
-            turned = wave._replace(coefficient=wave.coefficient / highest**wave.power, exponent=wave.exponent / highest)
+            turned = wave._replace(coefficient=wave.coefficient / unit**wave.power, exponent=wave.exponent / unit)
             for side in range(min(2, len(segments) - number)):
                 tau = segments[number + 1].start - segment.start if side else 0.0
-                values, sizes = derivatives(turned, highest * tau, orders)
+                values, sizes = derivatives(turned, unit * tau, orders)
                 bends[number + side, :, wave.channel] += -values if side else values
                 size[number + side, :, wave.channel] += sizes
     return np.where(np.abs(bends) <= ROUNDING * size, 0.0, bends), _struck(segments, channels)

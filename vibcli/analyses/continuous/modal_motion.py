@@ -182,7 +182,7 @@ class ModalMotion:
     def obstacle(self, output: "LinearOutput", t: float) -> str:
         """Why it is not, where it is not."""
         self.stretches(float(t))
-        return FALL if self._disturbances is None else self._disturbances.obstacle(output)
+        return FALL if self._disturbances is None else self._disturbances.obstacle(output, t)
 
     def left(self, output: "LinearOutput", start: float, t: float, modes: int) -> float:
         """What those counted beyond the first `modes` can add from an instant on, on the stretch from `start`."""
@@ -254,16 +254,17 @@ class ModalMotion:
     def _rounded(self, read, stretch, old):
         """What rounding and mixed shapes leave of a stretch, by the time since it began; old: how far C was off."""
         doubt, rates = self.modes.doubt, self.states.rates
-        free, driven = np.zeros(2), []
+        driven = []
         for stroke in stretch.strokes:
             own, k, near = self._rest.of_powers(read, stroke)[1], stroke.power, self._rest.near(stroke.exponent)
-            free = np.pad(free, (0, max(0, k + 3 - len(free))))
             for _, part, at, a in self._parts(stroke):
                 for i, g in enumerate(part):
                     own[i] += float(read.off @ np.abs(g)) + doubt.of(rates, read.states, near * g)[0]
                     own[i] += 16 * EPSILON * abs(complex(g[near] @ read.states[near]))
-                felt = np.abs(read.states[at] * a)
-                free[k + 1:k + 3] += 16 * EPSILON * felt.sum(), float((doubt.phase * np.abs(rates))[at] @ felt)
+                felt = np.abs(read.states[at] * a) / (k + 1)        # of k! E, by τᵏ⁺¹ of what fades most slowly
+                rounds = 16 * EPSILON * felt.sum(), float((doubt.phase * np.abs(rates))[at] @ felt)
+                slowest = max(stroke.exponent.real, float(rates.real[at].max(initial=-inf)))
+                driven.append((slowest, np.append(np.zeros(k + 1), rounds)))
             driven.append((stroke.exponent.real, own))
         polynomial = np.polynomial.polynomial.polyval
 
@@ -272,7 +273,7 @@ class ModalMotion:
             early += float((read.off * np.abs(stretch.free) + np.abs(read.states) * old) @ np.exp(rates.real * tau))
             early += sum(float(lost_by(self.modes.rigid_inputs, stretch, np.array([tau]), order)[0] @ np.abs(row))
                          for order, row in enumerate(read.rigid) if row.any())
-            return early + late * tau + polynomial(tau, free) + sum(
+            return early + late * tau + sum(
                 np.exp(pace * tau) * polynomial(tau, own) for pace, own in driven)
         return rounded
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.excitation.forcing import Segment
 
 EPSILON = 2.0**-52
-NEAR = 1e-3         # relative: an exponent next to an eigenvalue
+NEAR = 1e-3         # an exponent next to an eigenvalue: (distance/|λ|)ᵏ⁺¹ of a wave τᵏ
 ALIKE, AROUND = 3e-5, 3e-4      # |1 − ζ| below which two λ of a mode are not told apart, and how far about ζ they are
 
 
@@ -104,7 +104,7 @@ def parts(states: States, stroke: Stroke) -> Iterator[tuple[complex, np.ndarray,
     """(s, g (k + 1, states), numbers of states next to s, their a) of both halves of a stroke."""
     for s, force in halves(stroke):
         a, gap = states.inputs @ force, s - states.rates
-        close = np.abs(gap) <= NEAR * np.maximum(abs(s), np.abs(states.rates))
+        close = np.abs(gap) <= NEAR ** (1 / (stroke.power + 1)) * np.maximum(abs(s), np.abs(states.rates))
         gap = np.where(close, 1.0, gap)
         g = np.zeros((stroke.power + 1, len(a)), complex)
         g[stroke.power] = np.where(close, 0.0, a / gap)

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix
     from vibcli.mechanics.factored_system import PlacedPiece
 
-STEPS, SETTLED = 14, 1e-11
+STEPS, SETTLED, SLOW = 14, 1e-11, 1e-3
 UNIT = 2.0**-53
 ALIKE, SAME = 1e-9, 1e-12       # relative distance of roots that are looked at together, and of those that are one
 WHOLE = 4.0         # times their natural size up to which pieces stay whole: rounding grows as they do
@@ -45,9 +45,12 @@ class ShapesOf(NamedTuple):
         return ShapesOf(self.pieces, numbers[kept], self.shapes[kept], bends)
 
 
-def settled_from(divisions: "Divisions", starts: np.ndarray, inner: np.ndarray) -> np.ndarray:
-    """Where Newton's steps lead from places, and from ones near frequencies of held pieces."""
-    return np.concatenate([approached(divisions, starts), approached(divisions.inner, inner)])
+def settled_from(divisions: "Divisions", starts: np.ndarray, inner: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Where Newton's steps lead from places, and from ones near frequencies of held pieces; and where these only come
+    ever nearer."""
+    found = _followed(divisions, starts), _followed(divisions.inner, inner)
+    settled, slow = (np.concatenate(part) for part in zip(*found, strict=True))
+    return settled, slow
 
 
 class Divisions:
@@ -96,6 +99,11 @@ class Divisions:
 
 def approached(divisions: Divisions, s: np.ndarray) -> np.ndarray:
     """Where Newton's steps settle."""
+    return _followed(divisions, s)[0]
+
+
+def _followed(divisions, s):
+    """(where Newton's steps settle, where they are still on their way to, as where roots coincide)."""
     s, settled, moving = s.astype(complex), np.zeros(len(s), bool), np.arange(len(s))
     for _ in range(STEPS):
         if not len(moving):
@@ -104,9 +112,10 @@ def approached(divisions: Divisions, s: np.ndarray) -> np.ndarray:
         s[moving] += step
         done = abs(step) <= SETTLED * abs(s[moving])
         settled[moving[done]] = True
-        moving = moving[~done & np.isfinite(step)]
-    found = s[settled]
-    return np.where(found.imag < 0, found.conj(), found)
+        kept = ~done & np.isfinite(step)
+        moving, step = moving[kept], step[kept]
+    slow = moving[abs(step) <= SLOW * abs(s[moving])] if len(moving) else moving
+    return tuple(np.where(found.imag < 0, found.conj(), found) for found in (s[settled], s[slow]))
 
 
 def _steps(divisions, s):
@@ -199,17 +208,18 @@ def polished(divisions: Divisions, s: np.ndarray) -> tuple[np.ndarray, np.ndarra
         felt = (abs(found) * given[at_own]).sum(axis=1) ** 2
         errors[place] = UNIT * ((SLACK * GUARD * spread + GIVEN * felt) / abs(steep) / abs(values[place]) + 4)
         p = units[at_own] * found / np.sqrt(steep)[:, None]
-        groups.append(ShapesOf(*_placed(matrix, place, p, s[at][at_own])))
+        groups.append(placed_shapes(matrix, place, p, s[at][at_own]))
     values = np.where(abs(values.imag) <= 2 * errors * abs(values), values.real, values)
     order = np.argsort(abs(values), kind="stable")
     place = np.argsort(order)
     return values[order], errors[order], [one._replace(numbers=place[one.numbers]) for one in groups]
 
 
-def _placed(matrix, numbers, p, s):
-    """What a ShapesOf is of."""
+def placed_shapes(matrix: "DynamicMatrix", numbers: np.ndarray, p: np.ndarray, s: np.ndarray,
+                  loads: np.ndarray | float = 0.0) -> ShapesOf:
+    """Those of x over the coordinates of a matrix, D(s) x = loads."""
     pieces, shapes = matrix.in_scene(p)
-    return pieces, numbers, shapes, bends(matrix, p, s)
+    return ShapesOf(pieces, numbers, shapes, bends(matrix, p, s, loads))
 
 
 def _apart(x, D, slope, size):

@@ -24,14 +24,21 @@ class Damping(NamedTuple):
     even: float = 0.0
 
     def terms(self, count: int) -> np.ndarray:
-        """Of |Δf⁽ᵐ⁾|/ωᵐ, or where they creep of |Δf⁽ᵐ⁾|/ωᴺᵐ, in E ω²/|b|."""
+        """Of |Δf⁽ᵐ⁾|/ωᵐ, or where they creep of |Δf⁽ᵐ⁾|/`unit`ᵐ, in E ω²/|b|."""
         if self.creeping == inf:
             return np.ones(count)
-        step = self._double_at_most
+        share = self.unit / self.highest
+        step = self._double_at_most * share
         u = [1.0, step]
         while len(u) < count:
-            u.append(step * u[-1] + u[-2])
-        return np.array([u[m] + (u[m - 1] if m else 0.0) for m in range(count)])
+            u.append(step * u[-1] + share**2 * u[-2])
+        return np.array([u[m] + (share * u[m - 1] if m else 0.0) for m in range(count)])
+
+    @property
+    def unit(self) -> float:
+        """Of the derivatives of loads: `highest`, or where they creep the rate at which they do."""
+        creeps = self.creeping is not None and self.creeping < inf
+        return self.highest / max(self._double_at_most, 1.0) if creeps else self.highest
 
     @property
     def _double_at_most(self):

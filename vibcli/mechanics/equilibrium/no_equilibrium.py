@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from vibcli.mechanics.equilibrium.energy_descent import EnergyDescent
 
 ALONE = ", or ask for what needs none: find: [accelerations]"
+SET_IN = ", or let the load set in at t = 0, as F*step(t) does"
 FAR, BESIDE = 1e6, 1e-6      # of the size of the figure
 TOLD = 1e-9                  # of the largest eigenvalue: one below zero that is not that of rounding
 JUMPS = ("abs", "sign", "min", "max", "step", "ramp")
@@ -49,10 +50,12 @@ def unbounded(search: "EnergyDescent", q: "np.ndarray") -> PhysicsError:
                              "add the spring or support that carries the load, or start elsewhere with "
                              "`equilibrium:`" + ALONE, search.numeric.spec.origin(name).where)
     why = "the potential energy keeps falling" if search.numeric.system.conservative else "forces keep driving"
+    spec = search.numeric.spec
+    later = SET_IN if spec.members and spec.get("forces") and not spec.get("gravity") else ""
     return NoEquilibrium(
         f"no equilibrium is reached from the {_origin(search)}: nothing holds '{name}', {why} along it",
-        "add the spring or support that carries the load, or start elsewhere with `equilibrium:`" + ALONE,
-        search.numeric.spec.origin(name).where)
+        "add the spring or support that carries the load, or start elsewhere with `equilibrium:`" + later + ALONE,
+        spec.origin(name).where)
 
 
 def repelled(search: "EnergyDescent", refusal: PhysicsError) -> PhysicsError:

@@ -1,0 +1,167 @@
+"""Damped modes of one shape whose λ are one, or nearly so, as where damping is critical: what they bring to D(s)⁻¹ is
+Cauchy's mean over a circle about them,
+
+    (1/N) Σ (z − c) v vᵀ/(−g)/(s − z),      [D(z) y; yᵀ 0] [v; g] = [0; 1],
+
+as D⁻¹ = E − v vᵀ/g where E, v and g have no pole next to them (y: the shape at their middle c). So the points z of the
+circle move as modes do. With g′ = −vᵀ D′ v they tell Σ (λ − c)ᵏ as well.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from vibcli.analyses.continuous.counting import GUARD, SLACK
+from vibcli.analyses.continuous.damped_roots import GIVEN
+from vibcli.analyses.continuous.newton_of_members import Divisions, ShapesOf, placed_shapes
+from vibcli.base.named_tuple import NamedTuple
+
+POINTS = 64         # of a circle
+RADII = 0.15, 0.04, 0.01        # of Re c, as tried: (rt)ᴺ/N! e^{−rt}, what they leave of e^{zt}, is below 1e-14 until
+#                                 e^{ct} is below 1e-50
+WITHIN, BEYOND = 0.5, 1.8       # of the radius: how far away they are at most, and all others at least
+COUNTED, MIDDLE = 1e-3, 0.02    # of one, how far off their number is at most; of the radius, their middle
+CENTRED = 6         # circles at most until their middle is known
+UNSURE = 1e-8       # bound of a λ that may be several
+LOST, ENOUGH, SURE = 1e-11, 1e-11, 1e-6     # relative errors: of modes beside another, of several; the largest that is
+#                                             told
+LED = 4e-3          # relative distance of a λ to which Newton's steps lead slowly
+BESIDE, SAME = 8, 1e-12     # neighbours in |λ| among which the nearest λ is; relative distance of λ that are one
+UNIT = 2.0**-53
+
+
+class CoincidentRoots(NamedTuple):
+    """So many λ beside their middle, the radius of the circle about it, its points (Im > 0 where the middle is real),
+    bounds that these have as λ, and their shapes."""
+
+    middle: complex
+    several: int
+    radius: float
+    points: np.ndarray
+    errors: np.ndarray
+    shapes: ShapesOf
+
+    def holds(self, s: np.ndarray) -> np.ndarray:
+        """Which λ lie within the circle, or its mirror image."""
+        return np.minimum(abs(s - self.middle), abs(s - self.middle.conjugate())) < self.radius
+
+
+class CircleOfRoots(NamedTuple):
+    """Points about a middle, the matrix and units there, y, v (points, n), g and their number; lost: bounds of the
+    relative errors of g."""
+
+    matrix: Any
+    units: np.ndarray
+    middle: complex
+    radius: float
+    turns: np.ndarray
+    y: np.ndarray
+    v: np.ndarray
+    g: np.ndarray
+    lost: np.ndarray
+    several: int
+
+
+def coincident_roots(divisions: Divisions, values: np.ndarray, errors: np.ndarray,
+                     slow: np.ndarray) -> list[CoincidentRoots]:
+    """Those among λ by |λ| with relative bounds, and among others to which Newton's steps lead slowly."""
+    apart = nearest(values)
+    unsure = (errors > UNSURE) | ((apart < 2 * WITHIN * RADII[0] * abs(values.real)) & (
+        4 * errors * abs(values) > LOST * apart))
+    slow = [s for s in slow if not (abs(s - values[~unsure]) < LED * abs(s)).any()]
+    found: list[CoincidentRoots] = []
+    for s in [*values[unsure], *slow]:
+        if not any(one.holds(s) for one in found):
+            one = _beside(divisions, complex(s), values)
+            found += [] if one is None else [one]
+    return found
+
+
+def _beside(divisions, s, values):
+    """The CoincidentRoots beside s; None where there are not several."""
+    best = None
+    for share in RADII:
+        circle = _centred(divisions, s, share)
+        if circle is not None and _apart(circle, values):
+            one = _roots(circle)
+            if one[0] <= SURE and (best is None or one[0] < best[0]):
+                best = one
+            if best is not None and best[0] <= ENOUGH:
+                break
+    return None if best is None else best[1]
+
+
+def _apart(circle, values):
+    """Are all other λ far from the circle?"""
+    away = np.concatenate([abs(values - circle.middle), abs(values.conj() - circle.middle)])
+    return not ((away > circle.radius) & (away < BEYOND * circle.radius)).any()
+
+
+def _centred(divisions, s, share):
+    """The CircleOfRoots about several λ beside s; None where there are not several within."""
+    for _ in range(CENTRED):
+        s = complex(s.real, 0.0) if abs(s.imag) < share * abs(s.real) else s
+        circle, sums = _circle(divisions, s, share * abs(s.real))
+        if not np.isfinite(sums).all() or circle.several < 2 or abs(sums[0] - circle.several) > COUNTED:
+            return None
+        middle = sums / circle.several / circle.radius ** np.arange(len(sums))
+        if abs(middle[1]) < MIDDLE:
+            spread = abs(middle[2:]) ** (1 / np.arange(2, len(sums)))
+            return circle if spread.max() < WITHIN else None
+        s += complex(middle[1]) * circle.radius
+    return None
+
+
+def _circle(divisions, s, radius):
+    """(the CircleOfRoots, Σ (λ − s)ᵏ of the λ within for k = 0 … 4)."""
+    (matrix, _, (D,), _, (units,), _), = divisions.parts(np.array([s]))
+    y = np.linalg.svd(D if s.imag else D.real)[2].conj()[-1]
+    turns = np.exp(2j * np.pi * (np.arange(POINTS) + 0.5) / POINTS)
+    one = matrix.at(s + radius * turns, steep=True)
+    D, slope = (np.moveaxis(part, -1, 0) * units[:, None] * units for part in (one.D, one.slope))
+    with np.errstate(all="ignore"):
+        v, g = _bordered(D, y)
+        flow = -np.einsum("ki,kij,kj->k", v, slope, v) / g
+        sums = np.array([np.mean((radius * turns)**(k + 1) * flow) for k in range(5)])
+        given = (abs(v) * units * np.sqrt(one.given.T)).sum(axis=1)
+        lost = UNIT * (SLACK * GUARD * abs(v).sum(axis=1)**2 + GIVEN * given**2) / abs(g)
+    several = round(sums[0].real) if np.isfinite(sums[0]) else 0
+    return CircleOfRoots(matrix, units, s, radius, turns, y, v, g, lost, several), sums
+
+
+def _bordered(D, y):
+    """(v, g) of each D."""
+    n = len(y)
+    whole, end = np.zeros((len(D), n + 1, n + 1), complex), np.zeros((n + 1, 1))
+    whole[:, :n, :n], whole[:, n, :n], whole[:, :n, n], end[n] = D, y, y, 1.0
+    try:
+        found = np.linalg.solve(whole, end[None])[:, :, 0]
+    except np.linalg.LinAlgError:
+        found = np.full((len(D), n + 1), np.nan)
+    return found[:, :n], found[:, n]
+
+
+def _roots(circle):
+    """(the largest relative error of what they bring, the CoincidentRoots)."""
+    c, r = circle.middle, circle.radius
+    points = c + r * circle.turns
+    powers = abs(np.fft.fft(circle.v / circle.g[:, None], axis=0)).max(axis=1)
+    cut = powers[POINTS // 2 - 1:POINTS // 2 + 2].max() / powers.max()
+    kept = np.full(POINTS, True) if c.imag else points.imag > 0
+    lost = (circle.lost + cut**2)[kept]
+    weight = np.sqrt(-r * circle.turns / POINTS / circle.g)[kept]
+    shapes, put = circle.units * circle.v[kept], -circle.g[kept, None] * circle.y / circle.units
+    errors = lost * nearest(points[kept]) / (4 * abs(points[kept]))
+    found = placed_shapes(circle.matrix, np.arange(kept.sum()), weight[:, None] * shapes, points[kept],
+                          weight[:, None] * put)
+    return float(lost.max()), CoincidentRoots(c, circle.several, r, points[kept], errors, found)
+
+
+def nearest(rates: np.ndarray) -> np.ndarray:
+    """The distance of each λ to the next one, conjugates too."""
+    found = np.where(rates.imag > 0, 2 * rates.imag, np.inf)
+    for away in range(1, min(BESIDE, len(rates) - 1) + 1):
+        apart = np.minimum(abs(rates[away:] - rates[:-away]), abs(rates[away:] - rates[:-away].conj()))
+        apart = np.where(apart > SAME * abs(rates[away:]), apart, np.inf)
+        found[away:], found[:-away] = np.minimum(found[away:], apart), np.minimum(found[:-away], apart)
+    return np.where(np.isfinite(found), found, np.maximum(abs(rates), 1e-300))
