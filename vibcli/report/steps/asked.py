@@ -11,9 +11,9 @@ from vibcli.quantities.letters import any_quantity
 from vibcli.quantities.quantity import OF_STATE, is_choice, quantity_of
 from vibcli.report.blocks import Words
 from vibcli.report.steps.agreement import same, samples_of, tidy
-from vibcli.report.steps.characteristic import LONG
 from vibcli.report.steps.directions import tell_direction
 from vibcli.report.steps.free_vibration import tell_of_free
+from vibcli.report.steps.held_against import is_short
 from vibcli.report.steps.in_numbers_alone import tell_left
 from vibcli.report.steps.instants import tell_instant
 from vibcli.report.steps.kept_up import tell_of_kept_up
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
-BY_LETTERS = tell_direction, tell_instant, tell_of_free      # that have lines of their own
+BY_LETTERS = tell_direction, tell_instant, tell_of_free, tell_of_kept_up      # that have lines of their own
 CLOSE = 1e-9        # relative: of an expression and the engine's number
 OF_LETTERS = "period", "decay", "zeta", "stiffness", "damping"        # told in letters, where no line settles them
 BESIDE = "frequency", "period", "period_d", "eigenvalue"      # told beside another number of the mode
@@ -89,7 +89,7 @@ def _told_as_expression(problem, sheet, asked):
     value, unit = None, unit_told(problem.spec, asked)
     with suppress(KeyError):
         value, = evaluate([node], Floats, known)
-    if letters(node) > LONG or node.op == "number":
+    if not is_short(node) or node.op == "number":
         return node.op == "number"
     text = as_printed(asked.text, {*problem.spec.parameters, *problem.spec.coordinates})
     sheet.write(Words(f"{text}:  "), node, *(() if value is None else number(value, unit)), node=node,
@@ -153,7 +153,7 @@ def _in_letters(problem: "Problem", asked: "Expression", value: float) -> "Node 
     except (PhysicsError, SpecError):
         return None
     again, = evaluate([node], Floats, problem.numeric.floats)
-    return node if letters(node) <= LONG and abs(again - value) <= CLOSE * abs(value) else None
+    return node if is_short(node) and abs(again - value) <= CLOSE * abs(value) else None
 
 
 def short_quantity(problem: "Problem", tree: Any) -> "Node":

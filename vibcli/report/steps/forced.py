@@ -94,6 +94,8 @@ def _one_harmonic(degree):
     lag = _lag(degree, steady) if lags else None
     if lags and formula.tangent is not None:
         lines.append(_told_lag(degree, theta, formula, lag, lines))
+        if lag is not None:
+            _know_lag(degree, theta, steady, lag, lines)
     degree.about.know(X, degree.about.value(formula.amplitude))
     tell_of_one(degree.about, sheet, X, formula.Omega, lines)
     if not formula.ahead:
@@ -129,6 +131,15 @@ def _told_lag(degree, theta, formula, lag, lines):
                                   settles="quarter of a turn", value=lag, unit="rad")
     more = [] if lag is None else [Words(",  "), theta, *number(lag, "rad")]
     return degree.settled([theta.table.call("tan", theta)], formula.tangent, "", "tan theta", lines, more=more)
+
+
+def _know_lag(degree, theta, steady, lag, lines):
+    """Let the last line tell the letter of the lag, θ = arg((R + iS)/(A + iB)), in numbers."""
+    (real, ahead), Omega = _load(degree, steady), steady.formula.Omega
+    R, S = degree.K - degree.M * Omega ** 2, degree.C * Omega
+    node = theta.table.call("atan2", S * real - R * ahead, R * real + S * ahead)
+    degree.sheet.write(settles=theta.name, node=node, value=lag, unit="rad", letter=theta.name, joined=True, uses=lines)
+    degree.about.know(theta, lag)
 
 
 def _lag(degree, steady):

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.notation.as_printed import as_printed
+from vibcli.notation.plain import plain
 from vibcli.quantities.expression import value_of
 from vibcli.report.blocks import Words
 from vibcli.report.steps.characteristic import LONG
@@ -20,6 +21,14 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 
+WIDE = 300          # columns of an expression, three lines of print, beyond which it is told by its number alone
+
+
+def is_short(node: "Node") -> bool:
+    """Is an expression one to read?"""
+    return letters(node) <= LONG and len(plain(node)) <= WIDE
+
+
 def tell_found(problem: "Problem", sheet: WorkedSolution, asked: "Expression",
                forms: "Iterable[tuple[Node, Sequence[Any]]]", uses: "Sequence[int]", least: int = INSTANCES) -> bool:
     """Is the first of the forms, (expression, parts that tell it), that is the engine's written down? Not a long one;
@@ -28,7 +37,7 @@ def tell_found(problem: "Problem", sheet: WorkedSolution, asked: "Expression",
     with suppress(PhysicsError):
         for node, told in forms:
             known = found_at(problem, sheet, asked, least) if known is None else known
-            if letters(node) <= LONG and (is_found(node, known) or not (known or least)):
+            if is_short(node) and (is_found(node, known) or not (known or least)):
                 nothing = vanishes(node, known)
                 _write(problem, sheet, asked, problem.scene.table.zero if nothing else node, [
                     *told, " = 0"] if nothing else told, uses)

@@ -3,7 +3,12 @@
     lag  θ = −arg H = atan2(Ω (a d − b c), a c + Ω² b d),   mean power of a dashpot  ½ c |u̇|²,   mean energy of a
     spring  ½ k ⟨Δ²⟩;
 
-resonances and antiresonances of one that has them in closed form."""
+resonances and antiresonances of one that has them in closed form, and with one degree of freedom where |H|² is half of
+that at the peak, for m|H|² ~ 1/((Ω² − ω² + 2δ²)² + 4δ²ω_d²) at
+
+    Ω² = ω² − 2δ² ∓ 2δω_d,   and of an unbalance, with Ω⁴ above,   Ω² = ω⁴/(ω² − 2δ² ± 2δω_d)
+
+(Thomson & Dahleh 1998, section 3.10)."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -29,14 +34,18 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 PARTS = "re", "im", "arg", "phase"
+SIDES = {"1": -1, "2": 1}       # of a peak where it has half its power
 
 
 def tell_of_kept_up(problem: "Problem", sheet: WorkedSolution, asked: "Expression") -> bool:
     """Is what is asked of a steady state, or read off a frequency response, written down in letters?"""
     tree = asked.tree
     at = _response_at(tree)
-    forms = ((node, [node]) for node in _forms(problem, tree)) if at is None else _at_a_frequency(
-        problem, sheet, tree, at)
+    if getattr(tree, "head", "") == "half_power":
+        forms = _half_power(problem, sheet, tree)
+    else:
+        forms = ((node, [node]) for node in _forms(problem, sheet, tree)) if at is None else _at_a_frequency(
+            problem, sheet, tree, at)
     return tell_found(problem, sheet, asked, forms, [sheet.last])
 
 
@@ -67,13 +76,14 @@ def _at_a_frequency(problem, sheet, tree, response):
         yield node, [node]
 
 
-def _forms(problem, tree: Any) -> "Iterator[Node]":
+def _forms(problem, sheet, tree: Any) -> "Iterator[Node]":
     head, args = getattr(tree, "head", getattr(tree, "name", "")), getattr(tree, "args", ())
     if not args:
         return
     first = args[0]
     of_response = isinstance(first, QuantityRef) and first.head == "frf"
     if head == "phase":
+        yield from _by_lag(problem, sheet, first)
         steady = problem.symbolic_steady_state(_named(first))
         lag, quarter = _part(problem, steady.formula, "phase"), problem.scene.table.pi / 2
         yield from (lag, lag - quarter, lag + 3 * quarter) if steady.wave == "cos" else (lag,)
@@ -81,6 +91,15 @@ def _forms(problem, tree: Any) -> "Iterator[Node]":
         yield from _read_off(problem, tree, problem.symbolic_frequency_response(*first.indices))
     elif head == "mean" and isinstance(first, NameRef):
         yield from _means(problem, first)
+
+
+def _by_lag(problem, sheet, signal):
+    """That of the only coordinate by the letter of its lag, where this has a number."""
+    theta = sheet.letter("theta")
+    if isinstance(signal, NameRef) and [signal.name] == problem.scene.coordinates and not signal.primes and any(
+            line.letter == theta for line in sheet.steps):
+        node, quarter = problem.scene.table.parameter(theta), problem.scene.table.pi / 2
+        yield from (node, node - quarter, node + 3 * quarter)
 
 
 def _named(signal):
@@ -110,6 +129,21 @@ def _read_off(problem, tree, formula) -> "Iterator[Node]":
     elif formula.peak is not None:
         Omega, size, at = copied([formula.Omega, formula.amplitude, formula.peak.Omega], table)
         yield at if tree.component == "Omega" else substitute([size], {Omega: at})[0]
+
+
+def _half_power(problem, sheet, tree) -> "Iterator[tuple[Node, list[Any]]]":
+    """Where a peak of one degree of freedom has half its power, by the letters that lines have for ω, δ and ω_d."""
+    named = [sheet.letter(name) for name in ("omega", "delta", "omega_d")]
+    if not {line.letter for line in sheet.steps}.issuperset(named) or tree.indices[0] not in SIDES:
+        return
+    table, sense = problem.scene.table, SIDES[tree.indices[0]]
+    omega, delta, omega_d = map(table.parameter, named)
+    peak, spread, Omega = omega ** 2 - 2 * delta ** 2, 2 * delta * omega_d, table.parameter(sheet.letter("Omega"))
+    told = any(line.settles.startswith("half_power") for line in sheet.steps)
+    for node, u in ((table.sqrt(peak + sense * spread), Omega ** 2), (
+            omega ** 2 / table.sqrt(peak - sense * spread), omega ** 4 / Omega ** 2)):
+        yield node, [*([] if told else [Words("|H|² is half of that at its peak where  "), (u - peak) ** 2, " = ",
+                                        spread ** 2, Words(":  ")]), node]
 
 
 def _means(problem, signal) -> "Iterator[Node]":
