@@ -59,7 +59,7 @@ def asked(record):
 def test_half_power_points_are_told_by_the_letters_of_the_damped_oscillation():
     of = told(DRIVEN.format(**LETTERS, wave="sin", asked=asked(PEAK)))
     assert shown(of["half_power[1](frf[x, f])"]) == (
-        "half_power[1](frf[x, f]):  |H|² is half of that at its peak where  (ω² − 2·δ² − Ω²)² = 4·δ²·ω_d²:  "
+        "half_power[1](frf[x, f]):  |H|² is half of that at its peak at Ω_h  with  (ω² − 2·δ² − Ω_h²)² = 4·δ²·ω_d²:  "
         "√(ω² − 2·δ² − 2·δ·ω_d)")
     assert shown(of["half_power[2](frf[x, f])"]) == "half_power[2](frf[x, f]):  √(ω² − 2·δ² + 2·δ·ω_d)"
 

@@ -138,11 +138,11 @@ def _half_power(problem, sheet, tree) -> "Iterator[tuple[Node, list[Any]]]":
         return
     table, sense = problem.scene.table, SIDES[tree.indices[0]]
     omega, delta, omega_d = map(table.parameter, named)
-    peak, spread, Omega = omega ** 2 - 2 * delta ** 2, 2 * delta * omega_d, table.parameter(sheet.letter("Omega"))
+    peak, spread, Omega = omega ** 2 - 2 * delta ** 2, 2 * delta * omega_d, table.parameter(sheet.letter("Omega", "h"))
     told = any(line.settles.startswith("half_power") for line in sheet.steps)
     for node, u in ((table.sqrt(peak + sense * spread), Omega ** 2), (
             omega ** 2 / table.sqrt(peak - sense * spread), omega ** 4 / Omega ** 2)):
-        yield node, [*([] if told else [Words("|H|² is half of that at its peak where  "), (u - peak) ** 2, " = ",
+        yield node, [*([] if told else [Words("|H|² is half of that at its peak at "), Omega, Words("  with  "), (u - peak) ** 2, " = ",
                                         spread ** 2, Words(":  ")]), node]
 
 
