@@ -11,7 +11,9 @@ from vibcli.quantities.letters import any_quantity
 from vibcli.quantities.quantity import OF_STATE, is_choice, quantity_of
 from vibcli.report.blocks import Words
 from vibcli.report.steps.agreement import same, samples_of, tidy
+from vibcli.report.steps.asked_of_pieces import tell_of_pieces
 from vibcli.report.steps.directions import tell_direction
+from vibcli.report.steps.extremes import HEADS
 from vibcli.report.steps.free_vibration import tell_of_free
 from vibcli.report.steps.held_against import is_short
 from vibcli.report.steps.in_numbers_alone import tell_left
@@ -30,7 +32,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
-BY_LETTERS = tell_direction, tell_instant, tell_of_free, tell_of_kept_up      # that have lines of their own
+BY_LETTERS = tell_direction, tell_instant, tell_of_free, tell_of_kept_up, tell_of_pieces     # with lines of their own
 CLOSE = 1e-9        # relative: of an expression and the engine's number
 OF_LETTERS = "period", "decay", "zeta", "stiffness", "damping"        # told in letters, where no line settles them
 BESIDE = "frequency", "period", "period_d", "eigenvalue"      # told beside another number of the mode
@@ -43,12 +45,14 @@ def tell_asked(problem: "Problem", sheet: WorkedSolution) -> None:
     if problem.numeric.has_free_symbols:
         _tell_in_letters(problem, sheet)
         return
-    settled, before = {line.settles for line in sheet.steps}, sheet.last
+    settled, before = {line.settles for line in sheet.steps}, len(sheet.steps)
     of_answers = [one for one in problem.spec.answers if _untold(problem.spec, one.asked)]
+    extremes = {one.asked.text for one in of_answers if getattr(one.asked.tree, "head", "") in HEADS}
     for one in (*(rules.ask if rules is not None else ()), *of_answers):
         if one.asked.text not in settled and _is_number(problem.spec, one.asked.tree):
             settled.add(one.asked.text)
-            _tell(problem, sheet, one.asked, joined=one in of_answers and sheet.last > before)
+            beside = len(sheet.steps) > before or sheet.steps[-1].settles in extremes
+            _tell(problem, sheet, one.asked, joined=one in of_answers and beside)
 
 
 def _tell_in_letters(problem, sheet):
@@ -60,7 +64,7 @@ def _tell_in_letters(problem, sheet):
         if asked.text in settled:
             continue
         try:
-            ways = (_by_frequency, tell_instant, tell_of_free) if isinstance(asked.tree, QuantityRef) else ()
+            ways = IN_LETTERS if isinstance(asked.tree, QuantityRef) else ()
             if not any(tell(problem, sheet, asked) for tell in (*ways, tell_of_kept_up, _told_as_expression)):
                 left.append(asked)
         except (PhysicsError, SpecError):
@@ -79,6 +83,9 @@ def _by_frequency(problem, sheet, asked):
     node = 2 * table.pi / table.parameter(line.letter)
     sheet.write(Words(f"{as_printed(asked.text)}:  "), node, settles=asked.text, node=node, uses=[line.number])
     return True
+
+
+IN_LETTERS = _by_frequency, tell_instant, tell_of_free, tell_of_pieces
 
 
 def _told_as_expression(problem, sheet, asked):
@@ -121,7 +128,7 @@ def _is_number(spec, tree):
 
 def _tell(problem, sheet, asked, joined):
     for tell in BY_LETTERS if isinstance(asked.tree, QuantityRef) else ():
-        if joined and tell is tell_of_free:
+        if joined and tell not in (tell_direction, tell_instant):
             sheet.join_next()
         with suppress(PhysicsError, SpecError):
             if tell(problem, sheet, asked):

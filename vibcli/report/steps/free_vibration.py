@@ -3,8 +3,9 @@ instant, and of one vibration
 
     amplitude √(a² + b²),   phase atan2(b, a),   period 2π/ω,   decrement 2πδ/ω;
 
-its envelope falls to 1/n in the time ln n/δ, in ln n over the decrement cycles. Two vibrations have the envelope
-√(A₁² + A₂² + 2 A₁A₂ cos (Δω t − Δφ)) and beat in 2π/Δω. Largest are cosines of one sign at t = 0."""
+its envelope falls to 1/n in the time ln n/δ, in ln n over the decrement cycles; one that is critically damped passes
+zero at −a/b. Two vibrations have the envelope √(A₁² + A₂² + 2 A₁A₂ cos (Δω t − Δφ)) and beat in 2π/Δω. Largest are
+cosines of one sign at t = 0."""
 
 from collections.abc import Iterator
 from contextlib import suppress
@@ -86,6 +87,8 @@ def _of_one(problem, sheet, tree, wave: "FreeWave") -> "Iterator[Node]":
         yield table.sqrt(wave.square)
     if tree.head == "phase":
         yield table.call("atan2", b, a)
+    if rate.is_zero and tree.head == "zero":
+        yield -a / b
     if rate.is_zero:
         return
     if tree.head == "zero":

@@ -29,6 +29,12 @@ def is_short(node: "Node") -> bool:
     return letters(node) <= LONG and len(plain(node)) <= WIDE
 
 
+def _is_readable(told):
+    """Is each expression of what is told short?"""
+    nodes = [getattr(part, "node", part) for part in told]
+    return all(is_short(node) for node in nodes if hasattr(node, "op"))
+
+
 def tell_found(problem: "Problem", sheet: WorkedSolution, asked: "Expression",
                forms: "Iterable[tuple[Node, Sequence[Any]]]", uses: "Sequence[int]", least: int = INSTANCES) -> bool:
     """Is the first of the forms, (expression, parts that tell it), that is the engine's written down? Not a long one;
@@ -37,7 +43,7 @@ def tell_found(problem: "Problem", sheet: WorkedSolution, asked: "Expression",
     with suppress(PhysicsError):
         for node, told in forms:
             known = found_at(problem, sheet, asked, least) if known is None else known
-            if is_short(node) and (is_found(node, known) or not (known or least)):
+            if _is_readable(told) and (is_found(node, known) or not (known or least)):
                 nothing = vanishes(node, known)
                 _write(problem, sheet, asked, problem.scene.table.zero if nothing else node, [
                     *told, " = 0"] if nothing else told, uses)

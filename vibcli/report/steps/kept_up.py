@@ -142,8 +142,9 @@ def _half_power(problem, sheet, tree) -> "Iterator[tuple[Node, list[Any]]]":
     told = any(line.settles.startswith("half_power") for line in sheet.steps)
     for node, u in ((table.sqrt(peak + sense * spread), Omega ** 2), (
             omega ** 2 / table.sqrt(peak - sense * spread), omega ** 4 / Omega ** 2)):
-        yield node, [*([] if told else [Words("|H|² is half of that at its peak at "), Omega, Words("  with  "), (u - peak) ** 2, " = ",
-                                        spread ** 2, Words(":  ")]), node]
+        condition = [Words("|H|² is half of that at its peak at "), Omega, Words("  with  "), (u - peak) ** 2, " = ",
+                     spread ** 2, Words(":  ")]
+        yield node, [*([] if told else condition), node]
 
 
 def _means(problem, signal) -> "Iterator[Node]":

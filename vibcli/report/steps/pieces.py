@@ -17,7 +17,9 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.degree import Degree
 from vibcli.report.steps.extremes import Swing, tell_extremes
+from vibcli.report.steps.free_arcs import rest_behind, tell_arcs
 from vibcli.report.steps.matrix_units import unit_of_entry
+from vibcli.report.steps.motion_by_pieces import MotionByPieces, ToldPiece
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.normal_form import TooLong, expanded, is_zero, textbook
 from vibcli.symbolic.rationals import ONE
@@ -130,25 +132,34 @@ def tell_pieces(degree: Degree, pieces: Sequence[LoadPiece]) -> None:
     if found is None:
         return
     Omega, lines = found
-    for kind in dict.fromkeys(piece.kind for piece in pieces):
+    units = {kind: _unit(degree, kind, Omega) for kind in dict.fromkeys(piece.kind for piece in pieces)}
+    for kind, unit in units.items():
         letters[kind] = sheet.letter(degree.name, kind)
         lightly = ", under-damped," if rest is None and not degree.C.is_zero else ""
         head = Words(f"{KINDS[kind]} at τ = 0 brings about{lightly} from rest  ")
-        lines.append(sheet.write(head, Name(letters[kind]), "(τ) = ", _unit(degree, kind, Omega), settles=letters[kind],
+        lines.append(sheet.write(head, Name(letters[kind]), "(τ) = ", unit, settles=letters[kind],
                                  uses=degree.found.lines))
-    told: list[Any] = []
-    for piece in pieces:
-        negative = piece.factor.op != "sum" and piece.factor.coefficient < 0
-        size = -piece.factor if negative else piece.factor
-        sign = " − " if negative and told else "−" if negative else " + " if told else ""
-        factor = [] if size is size.table.one else [Factor(size), "·"]
-        told += [sign, *factor, Name(letters[piece.kind]), "(", degree.problem.scene.time - piece.begins, ")"]
-    line = sheet.write(Words("so by superposition  "), Name(degree.name), " = ", *[part for part in told if part != ""],
-                       Words("   (each from when its argument is positive)"), settles="forced motion", uses=lines)
+    told = [ToldPiece(piece.factor, _by_name(degree, piece.begins), units[piece.kind], letters[piece.kind], piece.kind)
+            for piece in pieces]
+    settles = None if degree.C.is_zero else rest_behind(degree, told[-1].begins, told)
+    motion = MotionByPieces(told, degree.about.letter(sheet.letter("tau")), sheet.last + 1, settles)
+    sheet.write(Words("so by superposition  "), Name(degree.name), " = ", *motion.told(
+        told, degree.problem.scene.time), Words("   (each from when its argument is positive)"),
+        settles="forced motion", uses=lines)
+    sheet.by_pieces = motion
     if [piece.kind for piece in pieces] == ["step"]:
-        (_, F, begins, _), rest = pieces[0], degree.about.place[degree.about.scene.q[0]]
+        (F, begins, *_), rest = told[0], degree.about.place[degree.about.scene.q[0]]
         follows = textbook(F / degree.K)
-        tell_extremes(degree, Swing(rest + follows, -follows, None, begins, line))
+        tell_extremes(degree, Swing(rest + follows, -follows, None, begins, motion.line))
+    else:
+        tell_arcs(degree, motion)
+
+
+def _by_name(degree, instant):
+    """An instant by the letter that the file has for it."""
+    parameters = degree.problem.scene.parameters
+    return next((parameters.nodes[name] for name, node in parameters.in_letters.items() if is_zero(node - instant)),
+                instant)
 
 
 def _resistances(degree, pieces):
