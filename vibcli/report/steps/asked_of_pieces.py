@@ -1,20 +1,20 @@
 """What is asked of a motion that lines tell as the sum of what pieces of a load bring about, and of signals that follow
 it: values at an instant, and in numbers the largest and the smallest, where a search finds that ṡ(t) = 0."""
 
-from itertools import count
 from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import NotInLetters, PhysicsError
+from vibcli.base.errors import NotInLetters
 from vibcli.mechanics.symbolic_linear import outputs
 from vibcli.notation.as_printed import as_printed
-from vibcli.quantities.expression import measure
 from vibcli.quantities.responses_in_letters import at_rest
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.held_against import tell_found
 from vibcli.report.steps.instances import instances
-from vibcli.report.steps.motion_by_pieces import LATE, shortest
-from vibcli.report.steps.step import WorkedSolution, number
-from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.report.steps.motion_by_pieces import LATE
+from vibcli.report.steps.parts_of_a_turn import shortest
+from vibcli.report.steps.searched_extremes import INSTANTS, tell_searched
+from vibcli.report.steps.step import WorkedSolution
+from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.discontinuous_functions import PULSES
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
@@ -33,10 +33,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
-INSTANT = {"max": "argmax", "min": "argmin", "argmax": "argmax", "argmin": "argmin"}
-TURN = "turning back at"
 SHORT = 12          # letters of a value that is told as it is
-STILL = 1e-6        # relative: of an instant that a search found, and of that where the rate vanishes
 
 
 def tell_of_pieces(problem: "Problem", sheet: WorkedSolution, asked: "Expression") -> bool:
@@ -48,11 +45,17 @@ def tell_of_pieces(problem: "Problem", sheet: WorkedSolution, asked: "Expression
         return tell_found(problem, sheet, asked, _at_instant(problem, sheet, tree), [sheet.by_pieces.line])
     if tree.head == "final" and sheet.by_pieces.settles is not None:
         return tell_found(problem, sheet, asked, _final(problem, sheet, tree.args[0]), [sheet.by_pieces.line])
-    if tree.head not in INSTANT:
+    if tree.head not in INSTANTS:
         return False
     if problem.numeric.has_free_symbols:
         return tell_found(problem, sheet, asked, _by_coordinate(problem, sheet, tree.args[0]), [sheet.last])
-    return _tell_extreme(problem, sheet, asked)
+    first, motion = tree.args[0], sheet.by_pieces
+
+    def begun(at):
+        return motion.begun(at, next(instances(problem, sheet))[1])
+
+    return tell_searched(problem, sheet, asked, lambda t, at: _signal(problem, sheet, first, t, begun(at), at),
+                         lambda t, at, node: _shown(problem, sheet, first, t, begun(at), at, node), [motion.line])
 
 
 def _at_instant(problem, sheet, tree: Any) -> "Iterator[tuple[Node, list[Any]]]":
@@ -159,46 +162,3 @@ def _by_coordinate(problem, sheet, tree) -> "Iterator[tuple[Node, list[Any]]]":
             sign, factor = ("−", -rows[0]) if rows[0].coefficient < 0 and rows[0].op != "sum" else ("", rows[0])
             before = [sign] * bool(sign) if fixed.is_zero else [fixed, f" {sign or '+'} "]
             yield node, [*before, Factor(factor), "·", Words(as_printed(line.settles, {name})), " = ", node]
-
-
-def _tell_extreme(problem, sheet, asked) -> bool:
-    """Is an extreme told by the instant at which a search finds that the signal turns back?"""
-    tree = asked.tree
-    try:
-        letter, begun, at = _turn(problem, sheet, tree)
-        node = letter if tree.head in INSTANT.values() else _signal(problem, sheet, tree.args[0], letter, begun, at)
-    except PhysicsError:
-        return False
-    shown = [node] if node is letter else _shown(problem, sheet, tree.args[0], letter, begun, at, node)
-    return tell_found(problem, sheet, asked, [(node, shown)], [sheet.last])
-
-
-def _turn(problem, sheet, tree) -> "tuple[Node, list[ToldPiece], float]":
-    """(the letter of the instant, written down once; the pieces that have begun by then; it); NotInLetters where the
-    signal does not turn back."""
-    known = next(instances(problem, sheet))[1]
-    instant = tree._replace(head=INSTANT[tree.head])
-    at = float(measure(problem, instant)[0])
-    begun, time, zero = sheet.by_pieces.begun(at, known), problem.scene.time, problem.scene.table.zero
-    rate = gradient(_signal(problem, sheet, tree.args[0], time, begun, at)).get(time, zero)
-    speed, bent = evaluate([rate, gradient(rate).get(time, zero)], Floats, {**known, time.name: at})
-    if not abs(speed) <= STILL * abs(bent * at):
-        raise NotInLetters("this signal does not turn back there")
-    told = next((line for line in sheet.steps if line.settles.startswith(TURN) and abs(line.value - at) <= STILL * at),
-                None)
-    if told is not None:
-        return problem.scene.table.parameter(told.letter), begun, at
-    name = next(name for n in count(1) for name in [sheet.letter(f"t{n}")]
-                if name not in {line.letter for line in sheet.steps})
-    letter = problem.scene.table.parameter(name)
-    first = tree.args[0]
-    head = [Name(first.name + "'" * (first.primes + 1))] if isinstance(first, NameRef) and (
-        first.name in problem.scene.coordinates) else [Words(f"the rate of {as_printed(_name(first))}")]
-    sheet.write(*head, " = 0", Words(" at  "), letter, *number(at, "s"), Words("  (by a search)"), letter=name,
-                settles=f"{TURN} {name}", value=at, unit="s", vanishes=substitute([rate], {time: letter})[0],
-                uses=[sheet.by_pieces.line], opens=True)
-    return letter, begun, at
-
-
-def _name(signal):
-    return signal.name + "'" * signal.primes if isinstance(signal, NameRef) else signal.text

@@ -10,7 +10,8 @@ from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.degree import Degree
 from vibcli.report.steps.extremes import Swing, asked_extremes, tell_extremes
 from vibcli.report.steps.instances import instances
-from vibcli.report.steps.motion_by_pieces import MotionByPieces, ToldPiece, shortest
+from vibcli.report.steps.motion_by_pieces import MotionByPieces, ToldPiece
+from vibcli.report.steps.parts_of_a_turn import shortest
 from vibcli.report.steps.step import number
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.nested_form import letters

@@ -17,6 +17,7 @@ from vibcli.report.blocks import Words
 from vibcli.report.steps.agreement import same, samples_of
 from vibcli.report.steps.free_waves import lines_of, value_at, waves_of
 from vibcli.report.steps.held_against import tell_found
+from vibcli.report.steps.searched_extremes import INSTANTS, tell_searched
 from vibcli.report.steps.step import WorkedSolution
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.nested_form import letters
@@ -38,11 +39,17 @@ EXTREMES = {"max": 1, "argmax": 1, "min": -1, "argmin": -1}
 
 def tell_of_free(problem: "Problem", sheet: WorkedSolution, asked: "Expression") -> bool:
     """Is what is asked a number of a free motion, and is it written down by the lines that tell that?"""
-    if not sheet.waves or not asked.tree.args or (asked.tree.head == VALUE and not problem.numeric.has_free_symbols
-                                                  and isinstance(asked.tree.args[0], NameRef)):
+    tree, numeric = asked.tree, not problem.numeric.has_free_symbols
+    of_one = len(problem.scene.coordinates) == 1
+    if not sheet.waves or not tree.args or (tree.head == VALUE and numeric and of_one and isinstance(
+            tree.args[0], NameRef)):
         return False
-    least = {"least": 0} if asked.tree.head == "beat_period" else {}
-    return tell_found(problem, sheet, asked, _forms(problem, sheet, asked.tree), lines_of(sheet), **least)
+    least = {"least": 0} if tree.head == "beat_period" else {}
+    if tell_found(problem, sheet, asked, _forms(problem, sheet, tree), lines_of(sheet), **least):
+        return True
+    return tree.head in INSTANTS and numeric and not isinstance(tree.args[0], QuantityRef) and tell_searched(
+        problem, sheet, asked, lambda t, _: value_at(problem, sheet, tree.args[0], t), lambda t, at, node: [node],
+        lines_of(sheet))
 
 
 def _forms(problem, sheet, tree: Any) -> "Iterator[tuple[Node, list[Any]]]":

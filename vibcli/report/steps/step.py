@@ -56,6 +56,7 @@ class WorkedSolution:
         self._beside: WorkedLine | None = None
         self.drawn: dict[Problem, tuple] = {}       # scenes in numbers that were drawn of one in letters
         self.waves: dict[str, ToldMotion] = {}      # of coordinates that move freely by the letters of lines
+        self.in_numbers: dict[str, float] = {}      # of letters in whose place lines have the number
         self.by_pieces: MotionByPieces | None = None        # of the only coordinate under pieces of a load
 
     @property
