@@ -1,5 +1,5 @@
-"""Values and extremes of motions that worked solutions tell as the sum of modes, beside what loads keep up: held against
-the matrix exponential."""
+"""Values and extremes of motions that worked solutions tell as the sum of modes, beside what loads keep up: held
+against the matrix exponential."""
 
 import numpy as np
 import pytest

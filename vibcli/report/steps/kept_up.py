@@ -6,9 +6,11 @@
 resonances and antiresonances of one that has them in closed form, and with one degree of freedom where |H|² is half of
 that at the peak, for m|H|² ~ 1/((Ω² − ω² + 2δ²)² + 4δ²ω_d²) at
 
-    Ω² = ω² − 2δ² ∓ 2δω_d,   and of an unbalance, with Ω⁴ above,   Ω² = ω⁴/(ω² − 2δ² ± 2δω_d)
+    Ω² = ω² − 2δ² ∓ 2δω_d,   of an unbalance, with Ω⁴ above,   Ω² = ω⁴/(ω² − 2δ² ± 2δω_d),   of a speed, with Ω²
+    above, whose peak is at ω,   Ω = √(ω² + δ²) ∓ δ;
 
-(Thomson & Dahleh 1998, section 3.10)."""
+what is shaken through spring and dashpot moves most at Ω² = ω⁴ (√(1 + 8δ²/ω²) − 1)/(4δ²) (Thomson & Dahleh 1998,
+section 3.10; Rao 2011, section 3.6)."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -89,6 +91,7 @@ def _forms(problem, sheet, tree: Any) -> "Iterator[Node]":
         yield from (lag, lag - quarter, lag + 3 * quarter) if steady.wave == "cos" else (lag,)
     elif head in ("peak", "antiresonance") and of_response and not first.args:
         yield from _read_off(problem, tree, problem.symbolic_frequency_response(*first.indices))
+        yield from _peaks(problem, sheet, tree)
     elif head == "mean" and isinstance(first, NameRef):
         yield from _means(problem, first)
 
@@ -131,20 +134,40 @@ def _read_off(problem, tree, formula) -> "Iterator[Node]":
         yield at if tree.component == "Omega" else substitute([size], {Omega: at})[0]
 
 
-def _half_power(problem, sheet, tree) -> "Iterator[tuple[Node, list[Any]]]":
-    """Where a peak of one degree of freedom has half its power, by the letters that lines have for ω, δ and ω_d."""
+def _by_letters(problem, sheet) -> "tuple[Node, Node, Node] | None":
+    """ω, δ and ω_d of one degree of freedom; None where lines do not tell them."""
     named = [sheet.letter(name) for name in ("omega", "delta", "omega_d")]
-    if not {line.letter for line in sheet.steps}.issuperset(named) or tree.indices[0] not in SIDES:
+    if not {line.letter for line in sheet.steps}.issuperset(named):
+        return None
+    omega, delta, omega_d = map(problem.scene.table.parameter, named)
+    return omega, delta, omega_d
+
+
+def _half_power(problem, sheet, tree) -> "Iterator[tuple[Node, list[Any]]]":
+    """Where a peak of one degree of freedom has half its power: of a place, of an unbalance, of a speed."""
+    known = _by_letters(problem, sheet)
+    if known is None or tree.indices[0] not in SIDES:
         return
-    table, sense = problem.scene.table, SIDES[tree.indices[0]]
-    omega, delta, omega_d = map(table.parameter, named)
+    table, sense, (omega, delta, omega_d) = problem.scene.table, SIDES[tree.indices[0]], known
     peak, spread, Omega = omega ** 2 - 2 * delta ** 2, 2 * delta * omega_d, table.parameter(sheet.letter("Omega", "h"))
     told = any(line.settles.startswith("half_power") for line in sheet.steps)
-    for node, u in ((table.sqrt(peak + sense * spread), Omega ** 2), (
-            omega ** 2 / table.sqrt(peak - sense * spread), omega ** 4 / Omega ** 2)):
-        condition = [Words("|H|² is half of that at its peak at "), Omega, Words("  with  "), (u - peak) ** 2, " = ",
-                     spread ** 2, Words(":  ")]
+    for node, off, size in (
+            (table.sqrt(peak + sense * spread), Omega ** 2 - peak, spread),
+            (omega ** 2 / table.sqrt(peak - sense * spread), omega ** 4 / Omega ** 2 - peak, spread),
+            (table.sqrt(omega ** 2 + delta ** 2) + sense * delta, Omega ** 2 - omega ** 2, 2 * delta * Omega)):
+        condition = [Words("|H|² is half of that at its peak at "), Omega, Words("  with  "), off ** 2, " = ",
+                     size ** 2, Words(":  ")]
         yield node, [*([] if told else condition), node]
+
+
+def _peaks(problem, sheet, tree) -> "Iterator[Node]":
+    """Where the motion of one that is shaken through spring and dashpot is greatest, and of a speed."""
+    known = _by_letters(problem, sheet)
+    if known is None or tree.indices != ("1",) or tree.component != "Omega":
+        return
+    omega, delta, _ = known
+    squared = 8 * delta ** 2 / omega ** 2
+    yield from (omega, omega ** 2 / (2 * delta) * problem.scene.table.sqrt(problem.scene.table.sqrt(1 + squared) - 1))
 
 
 def _means(problem, signal) -> "Iterator[Node]":

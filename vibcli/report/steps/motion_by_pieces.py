@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.report.blocks import Factor, Name
+from vibcli.report.steps.step import told
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 
@@ -66,3 +67,36 @@ class MotionByPieces(NamedTuple):
             factor = [] if size is size.table.one else [Factor(size), "·"]
             parts += [*sign, *factor, Name(piece.name + "'" * rate), "(", t - piece.begins, ")"]
         return parts
+
+
+class MotionByModes(NamedTuple):
+    """The same of a coordinate of several, and [(its part of a mode, the name of the normal coordinate)]."""
+
+    by_pieces: MotionByPieces
+    modes: Sequence[tuple[float, Name]]
+
+    @property
+    def line(self) -> int:
+        return self.by_pieces.line
+
+    @property
+    def settles(self) -> None:
+        return None
+
+    def begun(self, at: float, values: "Mapping[str, float]") -> list[ToldPiece]:
+        """The pieces that do something at an instant."""
+        return self.by_pieces.begun(at, values)
+
+    def value(self, pieces: "Sequence[ToldPiece]", t: "Node", time: "Node", rate: int = 0) -> "Node":
+        """The sum of such pieces, of their rates of change or those of these."""
+        return self.by_pieces.value(pieces, t, time, rate)
+
+    def told(self, _: "Sequence[ToldPiece]", t: "Node | None", rate: int = 0) -> list[Any]:
+        """Parts of Σ uₖ pₖ, at an instant where one is given."""
+        parts: list[Any] = []
+        for part, name in self.modes:
+            sign = " − " if part < 0 else " + " if parts else ""
+            size = f"{told(abs(part))}·" if abs(part) != 1 else ""
+            parts += [sign if parts else sign.strip(), size, Name(name.text + "'" * rate), *(
+                [] if t is None else ["(", t, ")"])]
+        return [part for part in parts if part != ""]

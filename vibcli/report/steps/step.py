@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from vibcli.language.reader import Expression
     from vibcli.language.spec import Spec
     from vibcli.report.steps.free_waves import ToldMotion
-    from vibcli.report.steps.motion_by_pieces import MotionByPieces
+    from vibcli.report.steps.motion_by_pieces import MotionByModes, MotionByPieces
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
@@ -57,7 +57,7 @@ class WorkedSolution:
         self.drawn: dict[Problem, tuple] = {}       # scenes in numbers that were drawn of one in letters
         self.waves: dict[str, ToldMotion] = {}      # of coordinates that move freely by the letters of lines
         self.in_numbers: dict[str, float] = {}      # of letters in whose place lines have the number
-        self.by_pieces: MotionByPieces | None = None        # of the only coordinate under pieces of a load
+        self.by_pieces: dict[str, MotionByPieces | MotionByModes] = {}      # of coordinates under pieces of loads
 
     @property
     def last(self) -> int:

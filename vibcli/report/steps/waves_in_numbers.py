@@ -74,5 +74,6 @@ def with_numbers(sheet: WorkedSolution, told: "Sequence[Any]") -> list[Any]:
         node: Node | None = getattr(part, "node", part) if isinstance(part, Factor) or hasattr(part, "op") else None
         names = {} if node is None else {one.name: figure(sheet.in_numbers[one.name]) for one in reachable([node])
                                          if one.op == "symbol" and one.name in sheet.in_numbers}
-        parts.append(WithNumbers(node, names) if names else part)
+        shown = [WithNumbers(node, names) if names else part]
+        parts += ["(", *shown, ")"] if names and isinstance(part, Factor) and part.node.op == "sum" else shown
     return parts
