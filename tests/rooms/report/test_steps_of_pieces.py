@@ -40,7 +40,7 @@ def motion(force, t, c, bends=(0.1,)):
     delta = mpmath.mpf(c) / 4
     rate = mpmath.sqrt(400 - delta**2)
     places = [0, *[bend for bend in bends if bend < t], t]
-    return mpmath.quad(lambda s: force(s) * mpmath.exp(-delta * (t - s)) * mpmath.sin(rate * (t - s)), places) / (2 * rate)
+    return mpmath.quad(lambda s: force(s) * mpmath.exp(delta * (s - t)) * mpmath.sin(rate * (t - s)) / rate, places) / 2
 
 
 FORCES = [(PULSE, lambda s: 5 * (s < 0.1)), ("F*(1 - t/t1)*(step(t) - step(t - t1))", lambda s: max(5 - 50 * s, 0)),

@@ -19,6 +19,7 @@ from vibcli.report.steps.held_against import is_short
 from vibcli.report.steps.in_numbers_alone import tell_left
 from vibcli.report.steps.instants import tell_instant
 from vibcli.report.steps.kept_up import tell_of_kept_up
+from vibcli.report.steps.overdamped import tell_of_overdamped
 from vibcli.report.steps.place_of_rest import as_counted
 from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -32,7 +33,8 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
-BY_LETTERS = tell_direction, tell_instant, tell_of_free, tell_of_kept_up, tell_of_pieces     # with lines of their own
+BY_LETTERS = (tell_direction, tell_instant, tell_of_free, tell_of_overdamped, tell_of_kept_up,
+              tell_of_pieces)       # that have lines of their own
 CLOSE = 1e-9        # relative: of an expression and the engine's number
 OF_LETTERS = "period", "decay", "zeta", "stiffness", "damping"        # told in letters, where no line settles them
 BESIDE = "frequency", "period", "period_d", "eigenvalue"      # told beside another number of the mode

@@ -12,6 +12,7 @@ from vibcli.report.steps.extremes import Swing, asked_extremes, tell_extremes
 from vibcli.report.steps.instances import instances
 from vibcli.report.steps.motion_by_pieces import MotionByPieces, ToldPiece
 from vibcli.report.steps.parts_of_a_turn import shortest
+from vibcli.report.steps.resonance import ROUNDED
 from vibcli.report.steps.step import number
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.nested_form import letters
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 LONG = 4            # letters of an instant, beyond which it has one of its own
+ROOM = 22           # lines, behind which none is told that nothing asks for
+WAVES = "sin", "cos"
 
 
 class Bend(NamedTuple):
@@ -40,11 +43,9 @@ class Bend(NamedTuple):
 
 
 def tell_arcs(degree: Degree, motion: MotionByPieces) -> None:
-    """Write down those in which the engine finds an extreme that is asked."""
-    rest = degree.about.place[degree.about.scene.q[0]]
-    for bend in _bends(degree, motion):
-        if not asked_extremes(degree):
-            return
+    """Write down those in which the engine finds an extreme that is asked, else the last one where there is room."""
+    rest, bends, before = degree.about.place[degree.about.scene.q[0]], _bends(degree, motion), len(degree.sheet.steps)
+    for bend in bends if asked_extremes(degree) else ():
         written = len(degree.sheet.steps)
         if bend.before or bend.blows:
             swing = _Arc(degree, motion, bend).write()
@@ -54,6 +55,9 @@ def tell_arcs(degree: Degree, motion: MotionByPieces) -> None:
         tell_extremes(degree, swing)
         if len(degree.sheet.steps) == told:
             del degree.sheet.steps[written:]
+    behind = {piece.begins for piece in motion.pieces} - {motion.pieces[0].begins}
+    if len(degree.sheet.steps) == before and bends and bends[-1].at in behind and degree.sheet.last < ROOM:
+        _Arc(degree, motion, bends[-1]).write()
 
 
 def _bends(degree, motion) -> "list[Bend]":
@@ -77,11 +81,22 @@ def rest_behind(degree: Degree, at: "Node", begun: "Sequence[ToldPiece]") -> "No
     """x_s about which it swings from an instant on; None where a piece grows or swings."""
     table, ramps = degree.about.table, [piece for piece in begun if piece.kind == "ramp"]
     grows = not degree.about.tidy(table.total([piece.factor for piece in ramps])).is_zero
-    if grows or any(piece.kind in ("sin", "cos") for piece in begun):
+    if grows or not _cancel(degree, [piece for piece in begun if piece.kind in WAVES]):
         return None
     load = [piece.factor for piece in begun if piece.kind == "step"] + [
         piece.factor * (at - piece.begins) for piece in ramps]
     return degree.about.tidy(table.total(load) / degree.K)
+
+
+def _cancel(degree, waves):
+    """Do waves that have begun add up to nothing?"""
+    table, (sine, _) = degree.about.table, WAVES
+    turned = [(piece, piece.rate * piece.begins) for piece in waves]
+    along = [piece.factor * (table.call("cos", at) if piece.kind == sine else table.call("sin", at))
+             for piece, at in turned]
+    across = [piece.factor * (-table.call("sin", at) if piece.kind == sine else table.call("cos", at))
+              for piece, at in turned]
+    return all(degree.about.cancel(parts, ROUNDED) for parts in (along, across))
 
 
 class _Arc:

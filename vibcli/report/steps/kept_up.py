@@ -90,8 +90,11 @@ def _forms(problem, sheet, tree: Any) -> "Iterator[Node]":
         lag, quarter = _part(problem, steady.formula, "phase"), problem.scene.table.pi / 2
         yield from (lag, lag - quarter, lag + 3 * quarter) if steady.wave == "cos" else (lag,)
     elif head in ("peak", "antiresonance") and of_response and not first.args:
+        if tree.head == "peak" and tree.component != "Omega":
+            yield from _peaks(problem, sheet, tree)
         yield from _read_off(problem, tree, problem.symbolic_frequency_response(*first.indices))
-        yield from _peaks(problem, sheet, tree)
+        if tree.head == "peak":
+            yield from _peaks(problem, sheet, tree)
     elif head == "mean" and isinstance(first, NameRef):
         yield from _means(problem, first)
 
@@ -163,11 +166,24 @@ def _half_power(problem, sheet, tree) -> "Iterator[tuple[Node, list[Any]]]":
 def _peaks(problem, sheet, tree) -> "Iterator[Node]":
     """Where the motion of one that is shaken through spring and dashpot is greatest, and of a speed."""
     known = _by_letters(problem, sheet)
-    if known is None or tree.indices != ("1",) or tree.component != "Omega":
+    if known is None or tree.indices != ("1",):
         return
     omega, delta, _ = known
+    if tree.component != "Omega":
+        yield from _heights(problem, tree.args[0], *known)
+        return
     squared = 8 * delta ** 2 / omega ** 2
     yield from (omega, omega ** 2 / (2 * delta) * problem.scene.table.sqrt(problem.scene.table.sqrt(1 + squared) - 1))
+
+
+def _heights(problem, response, omega, _, omega_d) -> "Iterator[Node]":
+    """s/(C ω_d) of s/|K − MΩ² + iΩC|, and sω²/(C ω_d) where Ω² stands above."""
+    formula = problem.symbolic_frequency_response(*response.indices)
+    factor, above, C, Omega = copied([formula.scale, formula.numerator[0], formula.denominator[1], formula.Omega],
+                                     problem.scene.table)
+    if formula.short and not C.is_zero and formula.numerator[1].is_zero:
+        yield from (textbook(size * factor * above) / (C * omega_d) for size in (1, -1, omega ** 2 / Omega ** 2,
+                                                                             -(omega ** 2 / Omega ** 2)))
 
 
 def _means(problem, signal) -> "Iterator[Node]":

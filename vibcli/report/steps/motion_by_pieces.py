@@ -22,13 +22,14 @@ LATE = 1e-9         # relative: of an instant at which a piece has begun
 
 
 class ToldPiece(NamedTuple):
-    """factor·unit(t − begins), and the name of the unit response."""
+    """factor·unit(t − begins), the name of the unit response, and Ω of a wave."""
 
     factor: Any
     begins: Any
     unit: Any
     name: str
     kind: str
+    rate: Any = None
 
 
 class MotionByPieces(NamedTuple):

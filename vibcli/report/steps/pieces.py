@@ -141,8 +141,8 @@ def tell_pieces(degree: Degree, pieces: Sequence[LoadPiece]) -> None:
         head = Words(f"{of} at τ = 0 brings about{lightly} from rest  ")
         lines.append(sheet.write(head, Name(letters[kind]), "(τ) = ", unit, settles=letters[kind],
                                  uses=degree.found.lines))
-    told = [ToldPiece(piece.factor, _by_name(degree, piece.begins), units[piece.kind], letters[piece.kind], piece.kind)
-            for piece in pieces]
+    told = [ToldPiece(piece.factor, _by_name(degree, piece.begins), units[piece.kind], letters[piece.kind], piece.kind,
+                      piece.rate) for piece in pieces]
     settles = None if degree.C.is_zero else rest_behind(degree, told[-1].begins, told)
     motion = MotionByPieces(told, degree.about.letter(sheet.letter("tau")), sheet.last + 1, settles)
     sheet.write(Words("so by superposition  "), Name(degree.name), " = ", *motion.told(
