@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 LONG = 4            # letters of an instant, beyond which it has one of its own
-ROOM = 22           # lines, behind which none is told that nothing asks for
+ROOM = 22           # lines, behind which none is told
 WAVES = "sin", "cos"
 
 
@@ -43,7 +43,9 @@ class Bend(NamedTuple):
 
 
 def tell_arcs(degree: Degree, motion: MotionByPieces) -> None:
-    """Write down those in which the engine finds an extreme that is asked, else the last one where there is room."""
+    """Write down those in which the engine finds an extreme that is asked, else the last one; where there is room."""
+    if degree.sheet.last >= ROOM:
+        return
     rest, bends, before = degree.about.place[degree.about.scene.q[0]], _bends(degree, motion), len(degree.sheet.steps)
     for bend in bends if asked_extremes(degree) else ():
         written = len(degree.sheet.steps)
@@ -56,7 +58,7 @@ def tell_arcs(degree: Degree, motion: MotionByPieces) -> None:
         if len(degree.sheet.steps) == told:
             del degree.sheet.steps[written:]
     behind = {piece.begins for piece in motion.pieces} - {motion.pieces[0].begins}
-    if len(degree.sheet.steps) == before and bends and bends[-1].at in behind and degree.sheet.last < ROOM:
+    if len(degree.sheet.steps) == before and bends and bends[-1].at in behind:
         _Arc(degree, motion, bends[-1]).write()
 
 
@@ -121,8 +123,9 @@ class _Arc:
         A = table.zero if (place - rest).is_zero else self.A
         wave = A * table.call("cos", self.rate * tau) + self.B * table.call("sin", self.rate * tau)
         decay = [table.call("exp", -(self.delta * tau)), "·"] if self.damped else []
-        since = [] if self.at.is_zero else [Words("  with  "), tau, " = ", t - self.at]
-        line = sheet.write(Words("from  "), t, " = ", self.at, *([" = ", self.bend.at] * (self.at is not self.bend.at)),
+        since = [] if self.at.is_zero else [Words("  with  "), f"{tau.name.replace('tau', 'τ')} = ", t - self.at]
+        line = sheet.write(Words("from  "), f"{t.name} = ", self.at, *([" = ", self.bend.at] * (
+            self.at is not self.bend.at)),
                            Words(" on"), *since, Words(":  "), Name(self.degree.name), " = ",
                            *([] if rest.is_zero else [rest, " + "]), *decay, Factor(wave) if decay else wave,
                            settles=f"motion from bend {self.bend.order}", uses=[self.motion.line],
