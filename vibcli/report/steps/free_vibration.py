@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters
 from vibcli.notation.as_printed import as_printed
+from vibcli.notation.plain import plain
 from vibcli.report.blocks import Words
 from vibcli.report.steps.agreement import same, samples_of
 from vibcli.report.steps.free_waves import lines_of, value_at, waves_of
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
+WIDE = 120      # columns of a root with numbers, which is not broken
 ZEROS = 3       # passages through zero that are looked at
 EXTREMES = {"max": 1, "argmax": 1, "min": -1, "argmin": -1}
 
@@ -130,6 +132,8 @@ def _at_instant(problem, sheet, tree):
         if first.head != "envelope":
             return
         node = _envelope(waves_of(problem, sheet, first.args[0]), time)
+        if sheet.in_numbers and len(plain(node)) > WIDE:
+            return
     else:
         node = value_at(problem, sheet, first, time)
     t = lower(instant, problem.scene.table, _parameters(problem))
