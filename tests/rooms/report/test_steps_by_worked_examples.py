@@ -29,9 +29,10 @@ answers: {"peak[1](frf[x, f]).Omega": 1.732 rad/s, "peak[1](frf[x, f]).value": 0
 forces: {f: {at: b, force: F*sin(w*t)}}
 answers: {"half_power[1](frf[x', f])": 1307 rad/s, "half_power[1](frf[x', f])/(2*pi)": 208 Hz,
           "(half_power[2](frf[x', f]) - half_power[1](frf[x', f]))/(2*pi)": 26.7 Hz}
-""", ("at Ω_h  with  (ω² − Ω_h²)² = 4·δ²·Ω_h²", "√(ω² + δ²) − δ = 1307.17 rad/s", "= 208.042", "= 26.7231")),
+""", ("at Ω_h  with  (ω² − Ω_h²)² = 4·δ²·Ω_h²", "√(ω² + δ²) − δ = 1307.17 rad/s", "= 208.042",
+      "= 26.7231")),
     "Bower, EN 40 at Brown: a car of 0.5 Hz and ζ = 0.2 on waves of 10 m and 20 cm, fastest at 4.8 m/s": (
-        "parameters: {m: 1 Mg, f0: 0.5 Hz, k: m*(2*pi*f0)^2, c: 0.4*sqrt(k*m), l: 10 m, v: 5 m/s, Y: 20 cm}" + ROAD + """
+        "parameters: {m: 1 Mg, f: 0.5 Hz, k: m*(2*pi*f)^2, c: 0.4*sqrt(k*m), l: 10 m, v: 5 m/s, Y: 0.2 m}" + ROAD + """
 answers: {"peak[1](frf[y, road]).Omega": 3 rad/s, "Y*peak[1](frf[y, road]).value": 0.55 m}
 """, ("= 0.2 < 1: under-damped", "ω²·√(√(8·δ²/ω² + 1) − 1)/(2·δ) = 3.03079 rad/s", "= 0.546784 m")),
     "Ques10, solved: a vehicle of 1200 kg and 400 kN/m, ζ = 0.5, at 20 km/h on waves of 6 m, 0.05 m: 0.0550 m": (
@@ -92,7 +93,8 @@ forces: {f: {at: lower, force: F1*(1 - t/td)*(step(t) - step(t - td))},
          g: {at: upper, force: F2*(1 - t/td)*(step(t) - step(t - td))}}
 answers: {max(x1): 0 m, x2(td): 0 m, max(s2.force): 0 N}
 """, ("with the shape of mode 1  u₁ = (1, 1.61803):  p̈₁ + ω₁²·p₁ = u₁·Q/(u₁·M·u₁) = ",
-      "s_k(τ) = (1 − cos(τ·ω_k))/ω_k²", "r_k(τ) = (τ − sin(τ·ω_k)/ω_k)/ω_k²", "so by superposition  p₁ = ", "x₁ = p₁ + p₂,  x₂ = 1.61803·p₁ − 0.618034·p₂",
+      "s_k(τ) = (1 − cos(τ·ω_k))/ω_k²", "r_k(τ) = (τ − sin(τ·ω_k)/ω_k)/ω_k²", "so by superposition  p₁ = ",
+      "x₁ = p₁ + p₂,  x₂ = 1.61803·p₁ − 0.618034·p₂",
       "max(x₁):  p₁(t₁) + p₂(t₁)", "x₂(td):  1.61803·p₁(td) − 0.618034·p₂(td)", "max(s2.force):  −k·x₁(")),
 }
 

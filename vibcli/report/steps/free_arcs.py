@@ -27,7 +27,7 @@ ROOM = 22           # lines, behind which none is told
 WAVES = "sin", "cos"
 
 
-class Bend(NamedTuple):
+class LoadBend(NamedTuple):
     """The number of an instant at which pieces begin, it, those that began before, all that have begun, and x_s."""
 
     order: int
@@ -62,7 +62,7 @@ def tell_arcs(degree: Degree, motion: MotionByPieces) -> None:
         _Arc(degree, motion, bends[-1]).write()
 
 
-def _bends(degree, motion) -> "list[Bend]":
+def _bends(degree, motion) -> "list[LoadBend]":
     """Those behind which no piece grows or swings, in order; none where the letters leave the order open."""
     orders, instants = [], list(dict.fromkeys(piece.begins for piece in motion.pieces))
     for values in degree.about.samples:
@@ -75,7 +75,7 @@ def _bends(degree, motion) -> "list[Bend]":
         before, begun = ([piece for piece in motion.pieces if rank[piece.begins] < end] for end in (order - 1, order))
         rest = rest_behind(degree, at, begun)
         if rest is not None:
-            found.append(Bend(order, at, before, begun, rest))
+            found.append(LoadBend(order, at, before, begun, rest))
     return found
 
 
@@ -104,7 +104,7 @@ def _cancel(degree, waves):
 class _Arc:
     """The motion from a bend on."""
 
-    def __init__(self, degree: Degree, motion: MotionByPieces, bend: Bend):
+    def __init__(self, degree: Degree, motion: MotionByPieces, bend: LoadBend):
         self.degree, self.motion, self.bend, self.sheet, self.table = (degree, motion, bend, degree.sheet,
                                                                        degree.about.table)
         self.A, self.B = (degree.about.letter(self.sheet.letter(f"{letter}{bend.order}")) for letter in "AB")
