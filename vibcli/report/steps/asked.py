@@ -36,7 +36,8 @@ if TYPE_CHECKING:
 BY_LETTERS = (tell_direction, tell_instant, tell_of_free, tell_of_overdamped, tell_of_kept_up,
               tell_of_pieces)       # that have lines of their own
 CLOSE = 1e-9        # relative: of an expression and the engine's number
-OF_LETTERS = "period", "decay", "zeta", "stiffness", "damping"        # told in letters, where no line settles them
+OF_SPRINGS = "stiffness", "damping", "law", "stiffness_correction"       # of springs, dashpots, and what these hold
+OF_LETTERS = "period", "decay", "zeta"      # told in letters, where no line settles them
 BESIDE = "frequency", "period", "period_d", "eigenvalue"      # told beside another number of the mode
 
 
@@ -113,10 +114,10 @@ def _of_quantities(problem, asked):
 
 
 def _untold(spec, asked):
-    """Is it of a motion, of a node, or an expression of quantities that the scene does not choose?"""
+    """Is it of a motion, of a node, of springs, or an expression of quantities that the scene does not choose?"""
     quantities = asked.parts.quantities
     if isinstance(asked.tree, QuantityRef):
-        return bool(asked.tree.args) or asked.tree.head == "node"
+        return bool(asked.tree.args) or asked.tree.head in ("node", *OF_SPRINGS)
     return bool(quantities) and not any(is_choice(spec, tree) for tree in quantities)
 
 
