@@ -196,4 +196,4 @@ def test_the_greatest_stiffness_that_answers_ask_is_told_by_its_entries():
         answers: {"stiffness[b].max": 0 N/m}
         """)
     assert any(line.startswith("stiffness[b].xx:  k_xx = k₁ + k₂/2 = 400") for line in told)
-    assert told[-1].startswith("stiffness[b].max:  k_xx/2 + k_yy/2 + √(((k_xx − k_yy)/2)² + k_xy²) = 430.277")
+    assert told[-1].startswith("stiffness[b].max:  k_xx/2 + k_yy/2 + √(((k_xx − k_yy)/2)² + k_xy²) = 430.278")
