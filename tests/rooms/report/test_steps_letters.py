@@ -170,3 +170,30 @@ def test_bodies_on_different_axes_have_each_its_letter():
     assert any("fixed O₁" in line and "J_O₁ = J_C + m·O₁C²" in line for line in told)
     assert any("bar turns about the fixed O₂" in line and "J_bar = J_C + m·O₂C²" in line for line in told)
     assert any("arm turns about the fixed O₂" in line and "J_arm = " in line for line in told)
+
+
+TAUT = """
+parameters: {{l: {}, k: {}, N: {}, m: 2 kg}}
+bodies: {{b: {{mass: m, at: [0, 0], slide: {{along: [1, 0], by: x}}}}}}
+springs: {{s: {{k: k, between: [[0, l], b], preload: N}}, t: {{k: k, between: [[0, -l], b], preload: N}}}}
+answers: {{"stiffness_correction[s, x]": 0 N/m, "stiffness_correction[s, x^3]": 0 N/m^3}}
+"""
+
+
+@pytest.mark.parametrize("values", [("", "", ""), ("0.4 m", "900 N/m", "30 N")])
+def test_what_the_geometry_of_a_spring_adds_is_told_in_letters(values):
+    """N/l, and (k − N/l)/(2l²)."""
+    told = " ".join(lines(TAUT.format(*values))).replace("\u00a0", " ")
+    assert "stiffness_correction[s, x]:  N/l" in told and "stiffness_correction[s, x³]:  (l·k − N)/(2·l³)" in told
+    assert ("= 75 N/m" in told and "= 2578.1" in told) == bool(values[0])
+
+
+def test_the_greatest_stiffness_that_answers_ask_is_told_by_its_entries():
+    told = lines("""
+        parameters: {k1: 300 N/m, k2: 200 N/m, m: 2 kg}
+        bodies: {b: {mass: m, at: [0, 0], move: [x, y]}}
+        springs: {s: {k: k1, between: [[-1 m, 0], b]}, t: {k: k2, between: [[1 m, 1 m], b]}}
+        answers: {"stiffness[b].max": 0 N/m}
+        """)
+    assert any(line.startswith("stiffness[b].xx:  k_xx = k₁ + k₂/2 = 400") for line in told)
+    assert told[-1].startswith("stiffness[b].max:  k_xx/2 + k_yy/2 + √(((k_xx − k_yy)/2)² + k_xy²) = 430.278")

@@ -240,16 +240,20 @@ def _root(parts, w):
 
 
 def _peak(scale, Omega, numerator, denominator, w):
-    """The Peak of s/|k − mΩ² + iΩc|, for c² < 2km: Ω² = k/m − c²/(2m²), and 2k²/(2km − c²) where s has the factor Ω²;
-    None of other responses."""
+    """The Peak of s/|k − mΩ² + iΩc|, for c² < 2km: Ω² = k/m − c²/(2m²), and 2k²/(2km − c²) where s, or what stands
+    above, has the factor Ω²; None of other responses."""
     real, c = denominator
     slope, free = gradient(real).get(w), [scale, scale / (Omega * Omega)]
-    held = [Omega in reachable([node, numerator[0], real, c]) for node in free]
-    if c.is_zero or slope is None or slope.mask or not numerator[1].is_zero or numerator[0].mask or all(held):
+    above = numerator[0] if not numerator[0].mask else textbook(numerator[0] / w)
+    held = [Omega in reachable([node, above, real, c]) for node in free]
+    rises = above is not numerator[0]
+    if c.is_zero or slope is None or slope.mask or not numerator[1].is_zero or above.mask or all(held) or (
+            rises and held[0]):
         return None
     m, k = -slope, textbook(substitute([real], {w: w.table.zero})[0])
     if k.table.is_positive(textbook(c * c - 2 * k * m)):
         return None
-    square = shorter(2 * k * k / (2 * k * m - c * c)) if held[0] else _simple(k / m) - textbook(c * c / (2 * m * m))
-    Omega = root(square) if held[0] else w.table.sqrt(square)
+    rises = rises or held[0]
+    square = shorter(2 * k * k / (2 * k * m - c * c)) if rises else _simple(k / m) - textbook(c * c / (2 * m * m))
+    Omega = root(square) if rises else w.table.sqrt(square)
     return Peak(Omega, textbook(c * c), textbook(2 * k * m))

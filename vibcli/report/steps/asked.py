@@ -11,12 +11,15 @@ from vibcli.quantities.letters import any_quantity
 from vibcli.quantities.quantity import OF_STATE, is_choice, quantity_of
 from vibcli.report.blocks import Words
 from vibcli.report.steps.agreement import same, samples_of, tidy
-from vibcli.report.steps.characteristic import LONG
+from vibcli.report.steps.asked_of_pieces import tell_of_pieces
 from vibcli.report.steps.directions import tell_direction
+from vibcli.report.steps.extremes import HEADS
 from vibcli.report.steps.free_vibration import tell_of_free
+from vibcli.report.steps.held_against import is_short
 from vibcli.report.steps.in_numbers_alone import tell_left
 from vibcli.report.steps.instants import tell_instant
 from vibcli.report.steps.kept_up import tell_of_kept_up
+from vibcli.report.steps.overdamped import tell_of_overdamped
 from vibcli.report.steps.place_of_rest import as_counted
 from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -30,9 +33,11 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
-BY_LETTERS = tell_direction, tell_instant, tell_of_free      # that have lines of their own
+BY_LETTERS = (tell_direction, tell_instant, tell_of_free, tell_of_overdamped, tell_of_kept_up,
+              tell_of_pieces)       # that have lines of their own
 CLOSE = 1e-9        # relative: of an expression and the engine's number
-OF_LETTERS = "period", "decay", "zeta", "stiffness", "damping"        # told in letters, where no line settles them
+OF_SPRINGS = "stiffness", "damping", "law", "stiffness_correction"       # of springs, dashpots, and what these hold
+OF_LETTERS = "period", "decay", "zeta"      # told in letters, where no line settles them
 BESIDE = "frequency", "period", "period_d", "eigenvalue"      # told beside another number of the mode
 
 
@@ -43,12 +48,14 @@ def tell_asked(problem: "Problem", sheet: WorkedSolution) -> None:
     if problem.numeric.has_free_symbols:
         _tell_in_letters(problem, sheet)
         return
-    settled, before = {line.settles for line in sheet.steps}, sheet.last
+    settled, before = {line.settles for line in sheet.steps}, len(sheet.steps)
     of_answers = [one for one in problem.spec.answers if _untold(problem.spec, one.asked)]
+    extremes = {one.asked.text for one in of_answers if getattr(one.asked.tree, "head", "") in HEADS}
     for one in (*(rules.ask if rules is not None else ()), *of_answers):
         if one.asked.text not in settled and _is_number(problem.spec, one.asked.tree):
             settled.add(one.asked.text)
-            _tell(problem, sheet, one.asked, joined=one in of_answers and sheet.last > before)
+            beside = len(sheet.steps) > before or sheet.steps[-1].settles in extremes
+            _tell(problem, sheet, one.asked, joined=one in of_answers and beside)
 
 
 def _tell_in_letters(problem, sheet):
@@ -60,7 +67,7 @@ def _tell_in_letters(problem, sheet):
         if asked.text in settled:
             continue
         try:
-            ways = (_by_frequency, tell_instant, tell_of_free) if isinstance(asked.tree, QuantityRef) else ()
+            ways = IN_LETTERS if isinstance(asked.tree, QuantityRef) else ()
             if not any(tell(problem, sheet, asked) for tell in (*ways, tell_of_kept_up, _told_as_expression)):
                 left.append(asked)
         except (PhysicsError, SpecError):
@@ -81,6 +88,9 @@ def _by_frequency(problem, sheet, asked):
     return True
 
 
+IN_LETTERS = _by_frequency, tell_instant, tell_of_free, tell_of_pieces
+
+
 def _told_as_expression(problem, sheet, asked):
     """Is its expression in letters written down, as it is not long?"""
     samples, known = samples_of(problem, {}), problem.scene.parameters.values(Floats)
@@ -89,7 +99,7 @@ def _told_as_expression(problem, sheet, asked):
     value, unit = None, unit_told(problem.spec, asked)
     with suppress(KeyError):
         value, = evaluate([node], Floats, known)
-    if letters(node) > LONG or node.op == "number":
+    if not is_short(node) or node.op == "number":
         return node.op == "number"
     text = as_printed(asked.text, {*problem.spec.parameters, *problem.spec.coordinates})
     sheet.write(Words(f"{text}:  "), node, *(() if value is None else number(value, unit)), node=node,
@@ -104,10 +114,10 @@ def _of_quantities(problem, asked):
 
 
 def _untold(spec, asked):
-    """Is it of a motion, of a node, or an expression of quantities that the scene does not choose?"""
+    """Is it of a motion, of a node, of springs, or an expression of quantities that the scene does not choose?"""
     quantities = asked.parts.quantities
     if isinstance(asked.tree, QuantityRef):
-        return bool(asked.tree.args) or asked.tree.head == "node"
+        return bool(asked.tree.args) or asked.tree.head in ("node", *OF_SPRINGS)
     return bool(quantities) and not any(is_choice(spec, tree) for tree in quantities)
 
 
@@ -121,7 +131,7 @@ def _is_number(spec, tree):
 
 def _tell(problem, sheet, asked, joined):
     for tell in BY_LETTERS if isinstance(asked.tree, QuantityRef) else ():
-        if joined and tell is tell_of_free:
+        if joined and tell not in (tell_direction, tell_instant):
             sheet.join_next()
         with suppress(PhysicsError, SpecError):
             if tell(problem, sheet, asked):
@@ -153,7 +163,7 @@ def _in_letters(problem: "Problem", asked: "Expression", value: float) -> "Node 
     except (PhysicsError, SpecError):
         return None
     again, = evaluate([node], Floats, problem.numeric.floats)
-    return node if letters(node) <= LONG and abs(again - value) <= CLOSE * abs(value) else None
+    return node if is_short(node) and abs(again - value) <= CLOSE * abs(value) else None
 
 
 def short_quantity(problem: "Problem", tree: Any) -> "Node":

@@ -59,8 +59,9 @@ class _Entries:
 
     def __init__(self, problem: "Problem", sheet: WorkedSolution, tree: "QuantityRef", nodes: "list[Node]"):
         self.sheet, self.tree, self.nodes = sheet, tree, nodes
-        of = {one.asked.tree.indices[0] for one in problem.spec.get("variants").ask if (
-            getattr(one.asked.tree, "head", "") in SECTIONS)}
+        rules = problem.spec.get("variants")
+        of = {one.asked.tree.indices[0] for one in (*(rules.ask if rules is not None else ()), *problem.spec.answers)
+              if getattr(one.asked.tree, "head", "") in SECTIONS}
         place = tree.indices[0] if len(of) > 1 else ""
         self.names = [sheet.letter(f"{LETTER[tree.head]}_{name}", place) for name in ENTRIES]
         self.symbols = [nodes[0].table.parameter(name, positive=False) for name in self.names]

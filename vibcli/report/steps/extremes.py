@@ -6,6 +6,7 @@ from a start at rest first at τ = π/ω_d, with x = x_r − A e^{−πδ/ω_d},
 
 (Thomson & Dahleh 1998, section 4.3)."""
 
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
@@ -16,26 +17,31 @@ from vibcli.report.steps.degree import Degree
 from vibcli.report.steps.instances import found_at, instances, is_found
 from vibcli.report.steps.place_of_rest import as_counted
 from vibcli.report.steps.step import number, unit_told
+from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.syntax import NameRef
 
 if TYPE_CHECKING:
+    from vibcli.language.reader import Expression
     from vibcli.symbolic.node import Node
 
 INSTANTS = "argmax", "argmin"
 HEADS = ("max", "min", *INSTANTS, "overshoot")
+SHORT = 4           # letters of what is put in for a letter
 TURNS = 3           # places where it turns back that are looked at
 
 
 class Swing(NamedTuple):
     """x_r + e^{−δτ} (A cos ω_dτ + B sin ω_dτ) from τ = t − begins = 0 on, the line that tells it; B is None where it
-    starts at rest."""
+    starts at rest; `beside`: where it turns back is told beside it."""
 
     rest: "Node"
     A: "Node"
     B: "Node | None"
     begins: "Node"
     line: int
+    beside: bool = False
 
 
 class TurningBack(NamedTuple):
@@ -50,7 +56,7 @@ class TurningBack(NamedTuple):
 
 def tell_extremes(degree: Degree, swing: Swing) -> None:
     """Write down the extremes that are asked of the coordinate, and their instants, where the engine finds the same."""
-    asked = _asked(degree) if not degree.problem.spec.choices else []
+    asked = asked_extremes(degree)
     found = list(_found(degree, swing, asked, {}))
     numbers = sorted({turn.number for _, turn, _ in found if turn.letter is not None})
     if len(numbers) > 1:
@@ -58,26 +64,30 @@ def tell_extremes(degree: Degree, swing: Swing) -> None:
     lines: dict = {}
     for turn in sorted((turn for _, turn, _ in found), key=lambda turn: turn.number):
         if turn.instant is not None and (swing.B is None or turn.letter is not None) and turn.number not in lines:
-            lines[turn.number] = _tell_turn(degree, swing, turn, bool(lines))
+            lines[turn.number] = _tell_turn(degree, swing, turn, swing.beside or bool(lines))
     before = degree.sheet.last
     for one, turn, node in found:
         _tell(degree, one, node, lines.get(turn.number, swing.line), joined=degree.sheet.last > before)
 
 
-def _found(degree, swing, asked, letters):
+def _found(degree, swing, asked, numbered):
     """(what is asked, its TurningBack, its expression), with letters t₁, t₂ … by the numbers of places."""
     for one in asked:
-        form = _form_of(degree, swing, one, found_at(degree.problem, degree.sheet, one), letters)
+        form = _form_of(degree, swing, one, found_at(degree.problem, degree.sheet, one), numbered)
         if form is not None:
             yield one, *form
 
 
-def _asked(degree):
-    """What is asked of extremes of the coordinate."""
+def asked_extremes(degree: Degree) -> "list[Expression]":
+    """What is asked of extremes of the coordinate, and no line tells."""
     spec, rules = degree.problem.spec, degree.problem.spec.get("variants")
+    if spec.choices:
+        return []
+    settled = {line.settles for line in degree.sheet.steps}
     every = {one.asked.text: one.asked for one in (*(rules.ask if rules is not None else ()), *spec.answers)}
-    return [one for one in every.values() if getattr(one.tree, "head", "") in HEADS and one.tree.args and isinstance(
-        one.tree.args[0], NameRef) and (one.tree.args[0].name, one.tree.args[0].primes) == (degree.name, 0)]
+    return [one for one in every.values() if one.text not in settled and getattr(one.tree, "head", "") in HEADS
+            and one.tree.args and isinstance(one.tree.args[0], NameRef)
+            and (one.tree.args[0].name, one.tree.args[0].primes) == (degree.name, 0)]
 
 
 def _tell_turn(degree, swing, turn, joined):
@@ -105,14 +115,27 @@ def _tell(degree, asked, node, line, joined):
     if not problem.numeric.has_free_symbols:
         value, unit = float(value_of(problem, asked)[0]), unit_told(problem.spec, asked)
     text = as_printed(asked.text, {*problem.spec.parameters, *problem.spec.coordinates})
-    shown = [] if node.op == "number" and value is not None else [Words(":  "), node]
+    shown = [] if node.op == "number" and value is not None else [Words(":  "), node, *_put_in(degree, node)]
     degree.sheet.write(Words(text), *shown, *(() if value is None else number(value, unit)), *as_counted(
         problem, asked.tree), settles=asked.text, node=node, value=value, unit=unit, uses=[line], joined=joined)
 
 
-def _form_of(degree, swing, asked, values, letters):
+def _put_in(degree, node):
+    """Parts of ` = the same` of a scene in letters by what lines have for its letters, where that is short."""
+    if not degree.problem.numeric.has_free_symbols:
+        return []
+    table = degree.about.table
+    known = {table.parameter(line.letter): line.node for line in degree.sheet.steps if line.letter and (
+        line.node is not None) and letters(line.node) <= SHORT}
+    found, = substitute([node], known)
+    with suppress(KeyError):        # of letters that are defined by others
+        found = degree.about.tidy(found)
+    return [" = ", found] if found is not node and letters(found) <= letters(node) + 1 else []
+
+
+def _form_of(degree, swing, asked, values, numbered):
     """(the TurningBack, its expression) of what the engine finds; None of others."""
-    for turn in _turns(degree, swing, letters):
+    for turn in _turns(degree, swing, numbered):
         node = _form(degree, swing, asked.tree.head, turn)
         if node is not None and is_found(node, [(_at(turn, known), value) for known, value in values]):
             return turn, node
@@ -136,7 +159,7 @@ def _form(degree, swing, head, turn):
     return turn.place
 
 
-def _turns(degree, swing, letters):
+def _turns(degree, swing, numbered):
     """The start, and the first places where it turns back."""
     table, A, B, rate = degree.about.table, swing.A, swing.B, _rate(degree)
     yield TurningBack(None, swing.rest + A)
@@ -150,7 +173,8 @@ def _turns(degree, swing, letters):
             at = (table.call("atan2", B, A) + k * table.pi) / rate
             yield TurningBack(at, swing.rest + (size if k % 2 == 0 else -size), number=k + 1)
         else:
-            t = degree.about.letter(degree.sheet.letter(f"t{letters.get(k + 1, 1)}"))
+            of = ("t" if swing.begins.is_zero else "tau") + str(numbered.get(k + 1, 1))
+            t = degree.about.letter(degree.sheet.letter(of))
             wave = A * table.call("cos", rate * t) + B * table.call("sin", rate * t)
             instant = (table.call("atan", _tangent(degree, swing)) + k * table.pi) / rate
             yield TurningBack(instant, swing.rest + _decay(degree, t) * wave, t, k + 1)

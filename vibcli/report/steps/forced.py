@@ -18,7 +18,8 @@ from vibcli.report.steps.resonance import is_resonance, tell_growing, tell_reson
 from vibcli.report.steps.step import number
 from vibcli.symbolic.common_denominator import single
 from vibcli.symbolic.derivatives import gradient
-from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.normal_form import is_zero, textbook
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -90,35 +91,56 @@ def _one_harmonic(degree):
     lines = [line, *([_complex_equation(degree, X, steady, line)] if lags else [])]
     size = degree.about.tidy(formula.amplitude) if formula.undamped else formula.amplitude
     degree.settled([X], size, degree.unit, f"amplitude({degree.name})", lines)
-    _by_ratio(degree, X, formula, lines)
+    _by_ratio(degree, X, steady, lines)
     lag = _lag(degree, steady) if lags else None
     if lags and formula.tangent is not None:
         lines.append(_told_lag(degree, theta, formula, lag, lines))
+        if lag is not None:
+            _know_lag(degree, theta, steady, lag, lines)
     degree.about.know(X, degree.about.value(formula.amplitude))
     tell_of_one(degree.about, sheet, X, formula.Omega, lines)
     if not formula.ahead:
         tell_start(degree, KeptUp(steady, X, theta if lags else None, lag), lines)
 
 
-def _by_ratio(degree, X, formula, lines):
+def _by_ratio(degree, X, steady, lines):
     """The same amplitude by r = Ω/ω and ζ, where it is a product of these."""
     from vibcli.analyses.closed_form.dimensionless import CONSTANT, SQUARE, dimensionless
 
-    found = dimensionless(formula)
+    formula, table, sheet = steady.formula, degree.about.table, degree.sheet
+    found = dimensionless(formula) if formula.Omega.op == "symbol" else _product(degree, steady)
     if found is None:
         return
-    table, sheet, Omega = degree.about.table, degree.sheet, degree.about.letter(formula.Omega.name)
+    Omega = gradient(steady.argument)[degree.problem.scene.time]
     r, omega = degree.about.letter(sheet.letter("r")), degree.about.known_value(found.omega)
     turned = 2 * degree.zeta * r
     above = {CONSTANT: table.one, SQUARE: r ** 2}.get(found.above, table.sqrt(1 + turned ** 2))
     below = 1 - r ** 2 if found.zeta is None else table.sqrt((1 - r ** 2) ** 2 + turned ** 2)
-    speed = degree.about.known_value(formula.Omega)
+    speed = degree.about.known_value(Omega)
     value = None if None in (omega, speed) else speed / omega
     gain = [] if found.gain.op == "number" and found.gain.coefficient == 1 else [Factor(found.gain)]
     over = ["/", Factor(below)] if gain and above is table.one else ["·"] * bool(gain) + [above / below]
     sheet.write(Words("or, with  "), r, " = ", Omega / degree.omega, *(() if value is None else number(value)),
                 Words(":  "), X, " = ", *gain, *over, settles=r.name, node=Omega / degree.omega, value=value,
                 letter=r.name, uses=lines)
+
+
+def _product(degree, steady):
+    """The same of a frequency that is an expression: of a load F/K, of one proportional to Ω² by F/(MΩ²), and of a
+    support that moves, whose load is K and iΩC times a place."""
+    from vibcli.analyses.closed_form.dimensionless import BASE, CONSTANT, SQUARE, Dimensionless
+
+    (A, B), Omega = _load(degree, steady), gradient(steady.argument)[degree.problem.scene.time]
+    shaken = not (A.is_zero or B.is_zero)
+    unlike = shaken and (degree.C.is_zero or not is_zero(A * degree.C * Omega - B * degree.K))
+    if unlike or (degree.C.is_zero and A.is_zero):
+        return None
+    F = A if degree.C.is_zero else _size_of(B if A.is_zero else A)
+    over = textbook(F / Omega ** 2)
+    squared = not shaken and letters(over) < letters(F)
+    gain = over / degree.M if squared else F / degree.K
+    return Dimensionless(degree.about.tidy(gain), BASE if shaken else SQUARE if squared else CONSTANT, degree.root(
+        degree.K / degree.M), None if degree.C.is_zero else degree.zeta)
 
 
 def _told_lag(degree, theta, formula, lag, lines):
@@ -129,6 +151,15 @@ def _told_lag(degree, theta, formula, lag, lines):
                                   settles="quarter of a turn", value=lag, unit="rad")
     more = [] if lag is None else [Words(",  "), theta, *number(lag, "rad")]
     return degree.settled([theta.table.call("tan", theta)], formula.tangent, "", "tan theta", lines, more=more)
+
+
+def _know_lag(degree, theta, steady, lag, lines):
+    """Let the last line tell the letter of the lag, θ = arg((R + iS)/(A + iB)), in numbers."""
+    (real, ahead), Omega = _load(degree, steady), steady.formula.Omega
+    R, S = degree.K - degree.M * Omega ** 2, degree.C * Omega
+    node = theta.table.call("atan2", S * real - R * ahead, R * real + S * ahead)
+    degree.sheet.write(settles=theta.name, node=node, value=lag, unit="rad", letter=theta.name, joined=True, uses=lines)
+    degree.about.know(theta, lag)
 
 
 def _lag(degree, steady):

@@ -3,8 +3,9 @@ instant, and of one vibration
 
     amplitude √(a² + b²),   phase atan2(b, a),   period 2π/ω,   decrement 2πδ/ω;
 
-its envelope falls to 1/n in the time ln n/δ, in ln n over the decrement cycles. Two vibrations have the envelope
-√(A₁² + A₂² + 2 A₁A₂ cos (Δω t − Δφ)) and beat in 2π/Δω. Largest are cosines of one sign at t = 0."""
+its envelope falls to 1/n in the time ln n/δ, in ln n over the decrement cycles; one that is critically damped passes
+zero at −a/b. Two vibrations have the envelope √(A₁² + A₂² + 2 A₁A₂ cos (Δω t − Δφ)) and beat in 2π/Δω. Largest are
+cosines of one sign at t = 0."""
 
 from collections.abc import Iterator
 from contextlib import suppress
@@ -12,10 +13,12 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters
 from vibcli.notation.as_printed import as_printed
+from vibcli.notation.plain import plain
 from vibcli.report.blocks import Words
 from vibcli.report.steps.agreement import same, samples_of
 from vibcli.report.steps.free_waves import lines_of, value_at, waves_of
 from vibcli.report.steps.held_against import tell_found
+from vibcli.report.steps.searched_extremes import INSTANTS, tell_searched
 from vibcli.report.steps.step import WorkedSolution
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.nested_form import letters
@@ -31,17 +34,24 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
+WIDE = 120      # columns of a root with numbers, which is not broken
 ZEROS = 3       # passages through zero that are looked at
 EXTREMES = {"max": 1, "argmax": 1, "min": -1, "argmin": -1}
 
 
 def tell_of_free(problem: "Problem", sheet: WorkedSolution, asked: "Expression") -> bool:
     """Is what is asked a number of a free motion, and is it written down by the lines that tell that?"""
-    if not sheet.waves or not asked.tree.args or (asked.tree.head == VALUE and not problem.numeric.has_free_symbols
-                                                  and isinstance(asked.tree.args[0], NameRef)):
+    tree, numeric = asked.tree, not problem.numeric.has_free_symbols
+    of_one = len(problem.scene.coordinates) == 1
+    if not sheet.waves or not tree.args or (tree.head == VALUE and numeric and of_one and isinstance(
+            tree.args[0], NameRef)):
         return False
-    least = {"least": 0} if asked.tree.head == "beat_period" else {}
-    return tell_found(problem, sheet, asked, _forms(problem, sheet, asked.tree), lines_of(sheet), **least)
+    least = {"least": 0} if tree.head == "beat_period" else {}
+    if tell_found(problem, sheet, asked, _forms(problem, sheet, tree), lines_of(sheet), **least):
+        return True
+    return tree.head in INSTANTS and numeric and not isinstance(tree.args[0], QuantityRef) and tell_searched(
+        problem, sheet, asked, lambda t, _: value_at(problem, sheet, tree.args[0], t), lambda t, at, node: [node],
+        lines_of(sheet))
 
 
 def _forms(problem, sheet, tree: Any) -> "Iterator[tuple[Node, list[Any]]]":
@@ -86,6 +96,8 @@ def _of_one(problem, sheet, tree, wave: "FreeWave") -> "Iterator[Node]":
         yield table.sqrt(wave.square)
     if tree.head == "phase":
         yield table.call("atan2", b, a)
+    if rate.is_zero and tree.head == "zero":
+        yield -a / b
     if rate.is_zero:
         return
     if tree.head == "zero":
@@ -120,6 +132,8 @@ def _at_instant(problem, sheet, tree):
         if first.head != "envelope":
             return
         node = _envelope(waves_of(problem, sheet, first.args[0]), time)
+        if sheet.in_numbers and len(plain(node)) > WIDE:
+            return
     else:
         node = value_at(problem, sheet, first, time)
     t = lower(instant, problem.scene.table, _parameters(problem))

@@ -11,12 +11,14 @@ from vibcli.report.steps.complex_numbers import complex_told
 from vibcli.report.steps.from_modes import ALIKE, motion_of, waves
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number, told
+from vibcli.report.steps.waves_in_numbers import NOTHING_KEPT, NumberedWave, know_decay, know_waves
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from numpy import ndarray
 
+    from vibcli.report.steps.waves_in_numbers import KeptUpPart
     from vibcli.results.problem import Problem
 
 RULE = ("each complex mode has of the start its shape by (M·speeds + (λ·M + C)·places) over its shape by (2·λ·M + C) "
@@ -39,8 +41,8 @@ class ComplexMode(NamedTuple):
 
 
 def tell_complex_modes(about: AboutRest, sheet: WorkedSolution, modes: "Sequence[ComplexMode]", uses: "Sequence[int]",
-                       kept: "Mapping[str, list]") -> None:
-    """Write down their sum; `kept`: what is added to coordinates, [" + ", part, …]."""
+                       kept: "Mapping[str, KeptUpPart]") -> None:
+    """Write down their sum; `kept`: what is added to coordinates."""
     pairs = any(mode.root.imag for mode in modes)
     lines = [sheet.write(Words(RULE + PAIRS * pairs), settles="parts of the start", uses=uses)]
     lines += [_part_of(about, sheet, mode, lines[:1]) for mode in modes]
@@ -48,7 +50,11 @@ def tell_complex_modes(about: AboutRest, sheet: WorkedSolution, modes: "Sequence
         nothing = ALIKE * max(abs(mode.sizes[i]) for mode in modes)
         terms = [part for mode in modes for part in _terms(about, sheet, mode, i, nothing)]
         if terms or name in kept:
-            motion_of(about, sheet, name, [*kept.get(name, []), *terms], lines)
+            line = motion_of(about, sheet, name, [*kept.get(name, NOTHING_KEPT).told, *terms], lines)
+            if pairs and all(mode.root.imag for mode in modes):
+                know_waves(about, sheet, name, [NumberedWave(
+                    mode.order, complex(mode.sizes[i]).real, -complex(mode.sizes[i]).imag, True, nothing)
+                    for mode in modes], kept.get(name, NOTHING_KEPT).waves, line)
 
 
 def complex_modes_of(problem: "Problem", start: "Sequence[Sequence[float]]") -> list[ComplexMode]:
@@ -105,8 +111,11 @@ def _part_of(about, sheet, mode, uses):
     parts += [part for name in names for part in (" : ", Name(name))][1:]
     parts += [" = " + " : ".join(f"({told})" if " " in (told := complex_told(complex(x))) else told
                                  for x in mode.shape), Words(",  its part is  ")]
-    return sheet.write(*parts, complex_told(mode.part), Words(f" {unit}"), settles=f"part {complex_told(mode.root)}",
+    line = sheet.write(*parts, complex_told(mode.part), Words(f" {unit}"), settles=f"part {complex_told(mode.root)}",
                        uses=uses)
+    if mode.root.imag:
+        know_decay(sheet, mode.order, -mode.root.real, mode.root.imag, line)
+    return line
 
 
 def _terms(about, sheet, mode, i, nothing):

@@ -15,11 +15,13 @@ from vibcli.report.steps.free_waves import ToldMotion, from_start
 from vibcli.report.steps.held import SmallEquations
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number, told
+from vibcli.report.steps.waves_in_numbers import NOTHING_KEPT, NumberedWave, know_decay, know_waves
 from vibcli.symbolic.normal_form import is_zero
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
+    from vibcli.report.steps.waves_in_numbers import KeptUpPart
     from vibcli.results.problem import Problem
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
@@ -93,8 +95,8 @@ def _complete(modes, start):
 
 
 def tell_modes(about: AboutRest, sheet: WorkedSolution, modes: "Sequence[ModeFromStart]", uses: "Sequence[int]",
-               kept: "Mapping[str, list]") -> None:
-    """Write down their sum; `kept`: what is added to coordinates, [" + ", part, …]."""
+               kept: "Mapping[str, KeptUpPart]") -> None:
+    """Write down their sum; `kept`: what is added to coordinates."""
     names = about.scene.coordinates
     rest = [not any(getattr(mode, part) for mode in modes) for part in ("place", "speed")]
     lines = [_start_of(about, sheet, mode, rest, uses) for mode in modes]
@@ -103,7 +105,11 @@ def tell_modes(about: AboutRest, sheet: WorkedSolution, modes: "Sequence[ModeFro
     for i, name in enumerate(names):
         terms = [part for mode in moved for part in _terms(about, sheet, mode, mode.shape[i])]
         if terms or name in kept:
-            line = motion_of(about, sheet, name, [*kept.get(name, []), *terms], lines)
+            line = motion_of(about, sheet, name, [*kept.get(name, NOTHING_KEPT).told, *terms], lines)
+            size = [ALIKE * abs(mode.shape[i]) * (abs(mode.place) + abs(mode.B)) for mode in moved]
+            know_waves(about, sheet, name, [NumberedWave(mode.order, mode.shape[i] * mode.place, mode.shape[i] * mode.B,
+                                                         bool(mode.delta), nothing) for mode, nothing in zip(
+                moved, size, strict=True)], kept.get(name, NOTHING_KEPT).waves, line)
         if terms and not kept:
             _beats(about, sheet, name, [(mode, mode.shape[i]) for mode in moved], line)
 
@@ -122,8 +128,11 @@ def _start_of(about, sheet, mode, rest, uses):
               number(_cleared(mode.speed, mode.place * mode.omega), f"{unit}/s"))
     shape = [part for one, x in zip(units, mode.shape, strict=True) for part in (
         ", ", told(x), *([Words(f"\u00a0{one}/{unit}")] if x and one != unit else []))][1:]
-    return sheet.write(*_parts_of_start(about, sheet, mode.order, shape, values, rest), *damped,
+    line = sheet.write(*_parts_of_start(about, sheet, mode.order, shape, values, rest), *damped,
                        settles=f"start of mode {mode.order}", value=mode.place, unit=unit, uses=uses)
+    if mode.delta:
+        know_decay(sheet, mode.order, mode.delta, mode.rate, line)
+    return line
 
 
 def _parts_of_start(about, sheet, order, shape, values, rest):

@@ -9,12 +9,15 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.given_damping_in_letters import proportional
 from vibcli.report.blocks import Name, Words
+from vibcli.report.steps.free_waves import FreeWave
 from vibcli.report.steps.from_complex_modes import complex_modes_of, tell_complex_modes
 from vibcli.report.steps.from_modes import modes_of, tell_modes
 from vibcli.report.steps.from_the_start import IN_TIME
 from vibcli.report.steps.held import SmallEquations
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number
+from vibcli.report.steps.waves_in_numbers import KeptUpPart
+from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
@@ -53,9 +56,9 @@ def tell_driven_from_start(kept: "Sequence[tuple[SteadyState, Sequence[complex]]
         told += [Words(",  " * bool(i)), Name(name), *number(left[0][i], unit), Words(",  "), Name(name + "'"), *number(
             left[1][i], f"{unit}/s")]
     line = sheet.write(*told, Words(", of which free modes are made"), settles="rest of the start", uses=uses)
-    parts = {name: [part for one, values in kept if values[k] for part in _kept(one, k)]
-             for k, name in enumerate(names)}
-    _tell_free(about, sheet, left, [*uses, line], {name: told for name, told in parts.items() if told})
+    parts = {name: KeptUpPart([part for one, values in kept if values[k] for part in _kept(one, k)],
+                              _waves(kept, k)) for k, name in enumerate(names)}
+    _tell_free(about, sheet, left, [*uses, line], {name: part for name, part in parts.items() if part.told})
 
 
 def _at_start(steady, values):
@@ -84,7 +87,7 @@ def _start(problem) -> "list[list[float]] | None":
 
 
 def _tell_free(about: AboutRest, sheet: WorkedSolution, start: "Sequence[Sequence[float]]", uses: "Sequence[int]",
-               kept: "Mapping[str, list]") -> None:
+               kept: "Mapping[str, KeptUpPart]") -> None:
     modes = modes_of(about.problem, start)
     if modes:
         tell_modes(about, sheet, modes, uses, kept)
@@ -100,3 +103,17 @@ def _kept(steady, k):
     if steady.undamped:
         return [" + ", X, f"·{steady.wave}(", steady.argument, ")"]
     return [" + ", "|", X, f"|·{steady.wave}(", steady.argument, " − ", steady.own("theta", k), ")"]
+
+
+def _waves(kept, k):
+    """The same as waves of Ωt by the parts of X = a + ib; None where these have no letters, or t is not counted so."""
+    found = []
+    for steady, values in kept:
+        still, = substitute([steady.argument], {steady.about.scene.time: steady.table.zero})
+        if not values[k]:
+            continue
+        if not (steady.phasors.known and still.is_zero):
+            return None
+        a, b = steady.phasors.parts_of(k)
+        found.append(FreeWave(*((b, a) if steady.wave == "sin" else (a, -b)), steady.Omega, steady.table.zero))
+    return found

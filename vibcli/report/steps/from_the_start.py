@@ -57,16 +57,15 @@ def _write(degree, wave, x0, v0, lines):
     rate = degree.omega_d if damped else degree.omega
     free = A * table.call("cos", rate * t) + B * table.call("sin", rate * t)
     decay = [table.call("exp", -(degree.delta * t)), "·"] if damped else []
-    kept = _kept(wave, t)
-    whole = kept + (decay[0] * free if damped else free)
-    line = sheet.write(Words("with a free motion  "), Name(degree.name), " = ", kept, " + ", *decay,
+    whole = _kept(wave, t) + (decay[0] * free if damped else free)
+    line = sheet.write(Words("with a free motion  "), Name(degree.name), " = ", _kept(wave, t), " + ", *decay,
                        Factor(free) if damped else free, settles="motion", uses=lines, node=whole)
     place, speed = _at_start(degree, wave)
     Omega = gradient(wave.steady.argument)[t]
-    if wave.theta is None and wave.steady.mean is None and is_zero(wave.steady.argument - Omega * t):
-        a, b = (wave.X, table.zero) if wave.steady.wave == "cos" else (table.zero, wave.X)
-        free = FreeWave(table.zero if (x0 - place).is_zero else A, B, rate, table.zero)
-        sheet.waves[degree.name] = ToldMotion([FreeWave(a, b, Omega, table.zero), free], line)
+    kept = _as_wave(degree, wave, Omega)
+    if kept is not None:
+        free = FreeWave(table.zero if (x0 - place).is_zero else A, B, rate, degree.delta if damped else table.zero)
+        sheet.waves[degree.name] = ToldMotion([kept, free], line)
     ahead = v0 - speed + (degree.delta * A if damped else table.zero)
     values = _values(degree, wave, x0 - place, v0 - speed)
     told: list[Any] = []
@@ -84,6 +83,16 @@ def _kept(wave, t) -> "Node":
     argument = wave.steady.argument if wave.theta is None else wave.steady.argument - wave.theta
     node = wave.X * wave.X.table.call(wave.steady.wave, argument)
     return node if wave.steady.mean is None else wave.steady.mean + node
+
+
+def _as_wave(degree, wave, Omega) -> FreeWave | None:
+    """What is kept up as a wave of Ωt; None where it has another phase or a mean, or its lag has no number."""
+    table, zero, (steady, X, theta, lag) = degree.about.table, degree.about.table.zero, wave
+    if steady.mean is not None or not is_zero(steady.argument - Omega * degree.problem.scene.time) or (
+            theta is not None and lag is None):
+        return None
+    along, across = (X, zero) if theta is None else (X * table.call("cos", theta), X * table.call("sin", theta))
+    return FreeWave(*((along, across) if steady.wave == "cos" else (-across, along)), Omega, zero)
 
 
 def _at_start(degree, wave):

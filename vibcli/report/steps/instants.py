@@ -10,6 +10,7 @@ from vibcli.notation.as_printed import as_printed
 from vibcli.quantities.expression import value_of
 from vibcli.report.blocks import Words
 from vibcli.report.steps.instances import found_at, is_found
+from vibcli.report.steps.parts_of_a_turn import shortest
 from vibcli.report.steps.place_of_rest import as_counted
 from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.symbolic.derivatives import gradient, substitute
@@ -32,6 +33,7 @@ def tell_instant(problem: "Problem", sheet: WorkedSolution, asked: "Expression")
     if found is None:
         return False
     (node, line), value, unit = found, None, ""
+    node = shortest(problem, sheet, node)
     if not problem.numeric.has_free_symbols:
         value, unit = float(value_of(problem, asked)[0]), unit_told(problem.spec, asked)
     shown = [" = ", node] if (line is None and node.op != "number") or value is None else []

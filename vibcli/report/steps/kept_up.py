@@ -3,7 +3,14 @@
     lag  θ = −arg H = atan2(Ω (a d − b c), a c + Ω² b d),   mean power of a dashpot  ½ c |u̇|²,   mean energy of a
     spring  ½ k ⟨Δ²⟩;
 
-resonances and antiresonances of one that has them in closed form."""
+resonances and antiresonances of one that has them in closed form, and with one degree of freedom where |H|² is half of
+that at the peak, for m|H|² ~ 1/((Ω² − ω² + 2δ²)² + 4δ²ω_d²) at
+
+    Ω² = ω² − 2δ² ∓ 2δω_d,   of an unbalance, with Ω⁴ above,   Ω² = ω⁴/(ω² − 2δ² ± 2δω_d),   of a speed, with Ω²
+    above, whose peak is at ω,   Ω = √(ω² + δ²) ∓ δ;
+
+what is shaken through spring and dashpot moves most at Ω² = ω⁴ (√(1 + 8δ²/ω²) − 1)/(4δ²) (Thomson & Dahleh 1998,
+section 3.10; Rao 2011, section 3.6)."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -29,14 +36,18 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 PARTS = "re", "im", "arg", "phase"
+SIDES = {"1": -1, "2": 1}       # of a peak where it has half its power
 
 
 def tell_of_kept_up(problem: "Problem", sheet: WorkedSolution, asked: "Expression") -> bool:
     """Is what is asked of a steady state, or read off a frequency response, written down in letters?"""
     tree = asked.tree
     at = _response_at(tree)
-    forms = ((node, [node]) for node in _forms(problem, tree)) if at is None else _at_a_frequency(
-        problem, sheet, tree, at)
+    if getattr(tree, "head", "") == "half_power":
+        forms = _half_power(problem, sheet, tree)
+    else:
+        forms = ((node, [node]) for node in _forms(problem, sheet, tree)) if at is None else _at_a_frequency(
+            problem, sheet, tree, at)
     return tell_found(problem, sheet, asked, forms, [sheet.last])
 
 
@@ -67,20 +78,34 @@ def _at_a_frequency(problem, sheet, tree, response):
         yield node, [node]
 
 
-def _forms(problem, tree: Any) -> "Iterator[Node]":
+def _forms(problem, sheet, tree: Any) -> "Iterator[Node]":
     head, args = getattr(tree, "head", getattr(tree, "name", "")), getattr(tree, "args", ())
     if not args:
         return
     first = args[0]
     of_response = isinstance(first, QuantityRef) and first.head == "frf"
     if head == "phase":
+        yield from _by_lag(problem, sheet, first)
         steady = problem.symbolic_steady_state(_named(first))
         lag, quarter = _part(problem, steady.formula, "phase"), problem.scene.table.pi / 2
         yield from (lag, lag - quarter, lag + 3 * quarter) if steady.wave == "cos" else (lag,)
     elif head in ("peak", "antiresonance") and of_response and not first.args:
+        if tree.head == "peak" and tree.component != "Omega":
+            yield from _peaks(problem, sheet, tree)
         yield from _read_off(problem, tree, problem.symbolic_frequency_response(*first.indices))
+        if tree.head == "peak":
+            yield from _peaks(problem, sheet, tree)
     elif head == "mean" and isinstance(first, NameRef):
         yield from _means(problem, first)
+
+
+def _by_lag(problem, sheet, signal):
+    """That of the only coordinate by the letter of its lag, where this has a number."""
+    theta = sheet.letter("theta")
+    if isinstance(signal, NameRef) and [signal.name] == problem.scene.coordinates and not signal.primes and any(
+            line.letter == theta for line in sheet.steps):
+        node, quarter = problem.scene.table.parameter(theta), problem.scene.table.pi / 2
+        yield from (node, node - quarter, node + 3 * quarter)
 
 
 def _named(signal):
@@ -110,6 +135,55 @@ def _read_off(problem, tree, formula) -> "Iterator[Node]":
     elif formula.peak is not None:
         Omega, size, at = copied([formula.Omega, formula.amplitude, formula.peak.Omega], table)
         yield at if tree.component == "Omega" else substitute([size], {Omega: at})[0]
+
+
+def _by_letters(problem, sheet) -> "tuple[Node, Node, Node] | None":
+    """ω, δ and ω_d of one degree of freedom; None where lines do not tell them."""
+    named = [sheet.letter(name) for name in ("omega", "delta", "omega_d")]
+    if not {line.letter for line in sheet.steps}.issuperset(named):
+        return None
+    omega, delta, omega_d = map(problem.scene.table.parameter, named)
+    return omega, delta, omega_d
+
+
+def _half_power(problem, sheet, tree) -> "Iterator[tuple[Node, list[Any]]]":
+    """Where a peak of one degree of freedom has half its power: of a place, of an unbalance, of a speed."""
+    known = _by_letters(problem, sheet)
+    if known is None or tree.indices[0] not in SIDES:
+        return
+    table, sense, (omega, delta, omega_d) = problem.scene.table, SIDES[tree.indices[0]], known
+    peak, spread, Omega = omega ** 2 - 2 * delta ** 2, 2 * delta * omega_d, table.parameter(sheet.letter("Omega", "h"))
+    told = any(line.settles.startswith("half_power") for line in sheet.steps)
+    for node, off, size in (
+            (table.sqrt(peak + sense * spread), Omega ** 2 - peak, spread),
+            (omega ** 2 / table.sqrt(peak - sense * spread), omega ** 4 / Omega ** 2 - peak, spread),
+            (table.sqrt(omega ** 2 + delta ** 2) + sense * delta, Omega ** 2 - omega ** 2, 2 * delta * Omega)):
+        condition = [Words("|H|² is half of that at its peak at "), Omega, Words("  with  "), off ** 2, " = ",
+                     size ** 2, Words(":  ")]
+        yield node, [*([] if told else condition), node]
+
+
+def _peaks(problem, sheet, tree) -> "Iterator[Node]":
+    """Where the motion of one that is shaken through spring and dashpot is greatest, and of a speed."""
+    known = _by_letters(problem, sheet)
+    if known is None or tree.indices != ("1",):
+        return
+    omega, delta, _ = known
+    if tree.component != "Omega":
+        yield from _heights(problem, tree.args[0], *known)
+        return
+    squared = 8 * delta ** 2 / omega ** 2
+    yield from (omega, omega ** 2 / (2 * delta) * problem.scene.table.sqrt(problem.scene.table.sqrt(1 + squared) - 1))
+
+
+def _heights(problem, response, omega, _, omega_d) -> "Iterator[Node]":
+    """s/(C ω_d) of s/|K − MΩ² + iΩC|, and sω²/(C ω_d) where Ω² stands above."""
+    formula = problem.symbolic_frequency_response(*response.indices)
+    factor, above, C, Omega = copied([formula.scale, formula.numerator[0], formula.denominator[1], formula.Omega],
+                                     problem.scene.table)
+    if formula.short and not C.is_zero and formula.numerator[1].is_zero:
+        yield from (textbook(size * factor * above) / (C * omega_d) for size in (1, -1, omega ** 2 / Omega ** 2,
+                                                                             -(omega ** 2 / Omega ** 2)))
 
 
 def _means(problem, signal) -> "Iterator[Node]":

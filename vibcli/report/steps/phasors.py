@@ -81,7 +81,7 @@ class Phasors:
     def tell_asked(self, uses: "list[int]") -> None:
         """Write down the amplitudes of other signals that a sheet asks."""
         if self.known:
-            for asked, signal in asked_of_signals(self.about):
+            for asked, signal in asked_of_signals(self.about, answers=True):
                 found = self._of_signal(signal)
                 if found is not None:
                     tell_amplitude(self.about, self.sheet, asked, *found, uses)
@@ -123,10 +123,11 @@ class SignalAboutRest(NamedTuple):
     drive: Any
 
 
-def asked_of_signals(about: AboutRest) -> "Iterator[tuple[Expression, SignalAboutRest]]":
-    """What a sheet asks of amplitudes of signals that are no coordinates."""
+def asked_of_signals(about: AboutRest, answers: bool = False) -> "Iterator[tuple[Expression, SignalAboutRest]]":
+    """What a sheet asks of amplitudes of signals that are no coordinates, and answers."""
     rules = about.problem.spec.get("variants")
-    for one in rules.ask if rules is not None else ():
+    asked = (*(rules.ask if rules is not None else ()), *(about.problem.spec.answers if answers else ()))
+    for one in {one.asked.text: one for one in asked}.values():
         tree = one.asked.tree
         if isinstance(tree, QuantityRef) and tree.head == "amplitude" and not (
                 isinstance(tree.args[0], NameRef) and tree.args[0].name in about.scene.coordinates):

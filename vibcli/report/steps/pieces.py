@@ -6,6 +6,8 @@
     sin Ωτ          (R sin Ωτ − S cos Ωτ + e^{−δτ} (S cos ω_dτ + (δS − ΩR) sin ω_dτ / ω_d)) / (R² + S²)
     cos Ωτ          (R cos Ωτ + S sin Ωτ − e^{−δτ} (R cos ω_dτ + (δR + ΩS) sin ω_dτ / ω_d)) / (R² + S²)
 
+    sin ωτ          (sin ωτ − ωτ cos ωτ)/(2 K),   cos ωτ   ωτ sin ωτ/(2 K)   where nothing damps
+
 with R = K − MΩ², S = CΩ and τ > 0 the time since it began (Thomson & Dahleh 1998, chapter 4); of any other load the
 integral of the impulses that it consists of.
 """
@@ -17,7 +19,11 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.degree import Degree
 from vibcli.report.steps.extremes import Swing, tell_extremes
+from vibcli.report.steps.free_arcs import rest_behind, tell_arcs
 from vibcli.report.steps.matrix_units import unit_of_entry
+from vibcli.report.steps.motion_by_pieces import MotionByPieces, ToldPiece
+from vibcli.report.steps.resonance import ROUNDED
+from vibcli.report.steps.unit_responses import UnitResponses
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.normal_form import TooLong, expanded, is_zero, textbook
 from vibcli.symbolic.rationals import ONE
@@ -126,40 +132,47 @@ def tell_pieces(degree: Degree, pieces: Sequence[LoadPiece]) -> None:
     if (rest is not None and rest <= 0) or not _from_rest(degree):
         return
     sheet, letters = degree.sheet, {}
-    found = _resistances(degree, pieces)
-    if found is None:
-        return
-    Omega, lines = found
-    for kind in dict.fromkeys(piece.kind for piece in pieces):
+    Omega, lines = _resistances(degree, pieces)
+    units = {kind: _unit(degree, kind, Omega) for kind in dict.fromkeys(piece.kind for piece in pieces)}
+    for kind, unit in units.items():
         letters[kind] = sheet.letter(degree.name, kind)
         lightly = ", under-damped," if rest is None and not degree.C.is_zero else ""
-        head = Words(f"{KINDS[kind]} at τ = 0 brings about{lightly} from rest  ")
-        lines.append(sheet.write(head, Name(letters[kind]), "(τ) = ", _unit(degree, kind, Omega), settles=letters[kind],
+        of = KINDS[kind].replace("Ω", "ω") if Omega is None else KINDS[kind]
+        head = Words(f"{of} at τ = 0 brings about{lightly} from rest  ")
+        lines.append(sheet.write(head, Name(letters[kind]), "(τ) = ", unit, settles=letters[kind],
                                  uses=degree.found.lines))
-    told: list[Any] = []
-    for piece in pieces:
-        negative = piece.factor.op != "sum" and piece.factor.coefficient < 0
-        size = -piece.factor if negative else piece.factor
-        sign = " − " if negative and told else "−" if negative else " + " if told else ""
-        factor = [] if size is size.table.one else [Factor(size), "·"]
-        told += [sign, *factor, Name(letters[piece.kind]), "(", degree.problem.scene.time - piece.begins, ")"]
-    line = sheet.write(Words("so by superposition  "), Name(degree.name), " = ", *[part for part in told if part != ""],
-                       Words("   (each from when its argument is positive)"), settles="forced motion", uses=lines)
+    told = [ToldPiece(piece.factor, _by_name(degree, piece.begins), units[piece.kind], letters[piece.kind], piece.kind,
+                      piece.rate) for piece in pieces]
+    settles = None if degree.C.is_zero else rest_behind(degree, told[-1].begins, told)
+    motion = MotionByPieces(told, degree.about.letter(sheet.letter("tau")), sheet.last + 1, settles)
+    sheet.write(Words("so by superposition  "), Name(degree.name), " = ", *motion.told(
+        told, degree.problem.scene.time), Words("   (each from when its argument is positive)"),
+        settles="forced motion", uses=lines)
+    sheet.by_pieces[degree.name] = motion
     if [piece.kind for piece in pieces] == ["step"]:
-        (_, F, begins, _), rest = pieces[0], degree.about.place[degree.about.scene.q[0]]
+        (F, begins, *_), rest = told[0], degree.about.place[degree.about.scene.q[0]]
         follows = textbook(F / degree.K)
-        tell_extremes(degree, Swing(rest + follows, -follows, None, begins, line))
+        tell_extremes(degree, Swing(rest + follows, -follows, None, begins, motion.line))
+    else:
+        tell_arcs(degree, motion)
+
+
+def _by_name(degree, instant):
+    """An instant by the letter that the file has for it."""
+    parameters = degree.problem.scene.parameters
+    return next((parameters.nodes[name] for name, node in parameters.in_letters.items() if is_zero(node - instant)),
+                instant)
 
 
 def _resistances(degree, pieces):
-    """(Ω of waves, the numbers of the lines of Ω, R and S), (None, []) of other pieces; None where nothing damps at
-    resonance."""
+    """(Ω of waves, the numbers of the lines of Ω, R and S), (None, []) of other pieces and at resonance that nothing
+    damps."""
     rate = next((piece.rate for piece in pieces if piece.rate is not None), None)
     if rate is None:
         return None, []
     resists = degree.K - degree.M * rate ** 2
-    if degree.C.is_zero and (is_zero(resists) or degree.about.value(resists) == 0.0):
-        return None
+    if _resonates(degree, resists):
+        return None, []
     Omega, lines = rate, []
     if rate.op != "symbol":
         Omega = degree.about.letter(degree.sheet.letter("Omega"))
@@ -175,9 +188,18 @@ def _resistances(degree, pieces):
     return Omega, lines
 
 
+def _resonates(degree, resists):
+    return degree.C.is_zero and (is_zero(resists) or degree.about.cancel([degree.K, resists - degree.K], ROUNDED))
+
+
 def _unit_wave(degree, kind, Omega, decays):
-    """The response to a wave that begins at τ = 0; decays: (δ, ω_d, e^{−δτ})."""
+    """The response to a wave that begins at τ = 0, Ω being None of one at the natural frequency; decays: (δ, ω_d,
+    e^{−δτ})."""
     table, (delta, rate, decay) = degree.about.table, decays
+    if Omega is None:
+        turned = rate * degree.about.letter(degree.sheet.letter("tau"))
+        sine = table.call("sin", turned)
+        return (turned * sine if kind == "cos" else sine - turned * table.call("cos", turned)) / (2 * degree.K)
     tau, R = (degree.about.letter(degree.sheet.letter(letter)) for letter in ("tau", "R"))
     S = table.zero if degree.C.is_zero else degree.about.letter(degree.sheet.letter("S"))
     sine, cosine = table.call("sin", rate * tau), table.call("cos", rate * tau)
@@ -193,18 +215,9 @@ def _unit_wave(degree, kind, Omega, decays):
 
 def _unit(degree, kind, Omega=None):
     """The response to a unit of a kind as a function of τ."""
-    table = degree.about.table
-    tau, M, K = degree.about.letter(degree.sheet.letter("tau")), degree.M, degree.K
-    damped = not degree.C.is_zero
-    rate, delta = (degree.omega_d, degree.delta) if damped else (degree.omega, table.zero)
-    sine, cosine = table.call("sin", rate * tau), table.call("cos", rate * tau)
-    decay = table.call("exp", -(delta * tau)) if damped else table.one
-    if kind in WAVES:
-        return _unit_wave(degree, kind, Omega, (delta, rate, decay))
-    if kind == "impulse":
-        return decay * sine / (M * rate)
-    if kind == "step":
-        return (1 - decay * (cosine + delta * sine / rate)) / K
-    square = degree.omega ** 2
-    return (tau - 2 * delta / square + decay * (2 * delta * cosine / square + (delta ** 2 - rate ** 2) * sine / (
-        square * rate))) / K
+    damped, tau = not degree.C.is_zero, degree.about.letter(degree.sheet.letter("tau"))
+    if kind not in WAVES:
+        return UnitResponses(degree.M, degree.K, degree.omega, degree.delta, degree.omega_d, tau, damped).of(kind)
+    rate, delta = (degree.omega_d, degree.delta) if damped else (degree.omega, degree.about.table.zero)
+    decay = degree.about.table.call("exp", -(delta * tau)) if damped else degree.about.table.one
+    return _unit_wave(degree, kind, Omega, (delta, rate, decay))

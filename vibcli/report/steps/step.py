@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from vibcli.language.reader import Expression
     from vibcli.language.spec import Spec
     from vibcli.report.steps.free_waves import ToldMotion
+    from vibcli.report.steps.motion_by_pieces import MotionByModes, MotionByPieces
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
@@ -55,6 +56,8 @@ class WorkedSolution:
         self._beside: WorkedLine | None = None
         self.drawn: dict[Problem, tuple] = {}       # scenes in numbers that were drawn of one in letters
         self.waves: dict[str, ToldMotion] = {}      # of coordinates that move freely by the letters of lines
+        self.in_numbers: dict[str, float] = {}      # of letters in whose place lines have the number
+        self.by_pieces: dict[str, MotionByPieces | MotionByModes] = {}      # of coordinates under pieces of loads
 
     @property
     def last(self) -> int:
