@@ -8,7 +8,7 @@ METHODS = {
              "vibcli itself, from the element data on"),
     "assembled_modes": (("modes",), "eigh and eig of assembled K and M"),
     "state_eigenvalues": (("damped modes",), "eig of the state matrix and of the pencil that is assembled"),
-    "finite_elements": (("member modes", "damped member modes", "member response"),
+    "finite_elements": (("member modes", "damped member modes", "member response", "rated response"),
                         "members in 1 … 128 elements a piece, and eigh or LU"),
     "elements_in_time": (("member motion",), "members in 1 … 128 elements a piece, by modes and by Newmark's steps"),
     "mode_sums": (("motion", "steady motion"), "modal superposition with 1 … n undamped modes"),
