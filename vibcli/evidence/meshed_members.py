@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 
 import mpmath
 import numpy as np
-from numpy.polynomial.polynomial import polyval
 
 from vibcli.analyses.continuous.finite_elements import AT, WEIGHTS, element_nodes, finite_elements, shapes
 from vibcli.base.named_tuple import NamedTuple
@@ -113,8 +112,9 @@ def at_frequency(members: "DrivenMembers", given: "Mapping[int, complex]", divis
     loads = np.array([-part[np.ix_(free, driven)] @ inputs for part in reversed(matrices)])
     for i, parts in members.spread.items():
         for piece, coefficients in parts:
-            powers = np.array(coefficients) / members.elements.pieces[piece].piece.length ** np.arange(len(coefficients))
-            loads[0] += given.get(i, 0) * mesh.load(piece, partial(polyval, c=powers))[free]
+            length = members.elements.pieces[piece].piece.length
+            along = np.polynomial.Polynomial(coefficients, (0, length), (0, 1))
+            loads[0] += given.get(i, 0) * mesh.load(piece, along)[free]
     rows = mesh.rows(members.place, members.rows)
     M, C, K = (part[np.ix_(free, free)] for part in matrices)
     return MeshAtFrequency(M, C, K, loads, rows[:, free], rows[:, driven] @ inputs)
