@@ -3,6 +3,12 @@
 from collections.abc import Sequence
 from typing import Any
 
+LARGEST = 20_000        # terms of a sum of two quotients before these are made shorter, which takes for ever of more
+
+
+class TooLong(Exception):
+    """A quotient of which nobody would read what it is."""
+
 
 class Extension:
     """F[λ]/(p) for an irreducible p over a field F. `modulus`: [p₀, …, p_d] with p_d ≠ 0; `zero` of F."""
@@ -19,7 +25,8 @@ class Extension:
             top = element.pop()
             if top:
                 for i in range(d):
-                    element[len(element) - d + i] -= top * self.modulus[i]
+                    place = len(element) - d + i
+                    element[place] = _less(element[place], top * self.modulus[i])
         return _trimmed(element)
 
     def times(self, a: Sequence[Any], b: Any) -> list[Any]:
@@ -28,7 +35,7 @@ class Extension:
     def minus(self, a: Sequence[Any], b: Sequence[Any]) -> list[Any]:
         n = max(len(a), len(b))
         a, b = (list(x) + [self.zero] * (n - len(x)) for x in (a, b))
-        return _trimmed([x - y for x, y in zip(a, b, strict=True)])
+        return _trimmed([_less(x, y) for x, y in zip(a, b, strict=True)])
 
     def inverse(self, a: Sequence[Any]) -> list[Any]:
         """1/a by Euclid's algorithm on (p, a)."""
@@ -51,7 +58,7 @@ class Extension:
         while len(a) >= len(b):
             factor, shift = a[-1] / b[-1], len(a) - len(b)
             quotient[shift] = factor
-            a = _trimmed([x - factor * b[i - shift] if i >= shift else x for i, x in enumerate(a)][:-1])
+            a = _trimmed([_less(x, factor * b[i - shift]) if i >= shift else x for i, x in enumerate(a)][:-1])
         return quotient, a
 
     def null_vectors(self, rows: Sequence[list[list[Any]]]) -> list[list[list[Any]]]:
@@ -78,6 +85,13 @@ class Extension:
         for row, column in zip(work, pivots, strict=False):
             vector[column] = self.minus([], row[free])
         return vector
+
+
+def _less(x, y):
+    """x − y; TooLong of quotients of polynomials with very many terms."""
+    if hasattr(x, "numer") and len(x.numer) * len(y.denom) + len(y.numer) * len(x.denom) > LARGEST:
+        raise TooLong
+    return x - y
 
 
 def _trimmed(element):

@@ -6,7 +6,7 @@ SymPy's steps are bounded in calls: a polynomial that is not factored is taken w
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from vibcli.analyses.closed_form.algebraic_extension import Extension
+from vibcli.analyses.closed_form.algebraic_extension import Extension, TooLong
 from vibcli.analyses.closed_form.characteristic_roots import solutions
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.rational_functions import Quotients
@@ -73,7 +73,7 @@ class Characteristic:
                     for row in zip(self.M, self.K, strict=True)]
             try:
                 return field.null_vectors(rows)
-            except (IndexError, ZeroDivisionError):     # the polynomial was not factored
+            except (IndexError, ZeroDivisionError, TooLong):    # the polynomial was not factored, or holds very much
                 return []
         return within(CALLS, work, [])
 

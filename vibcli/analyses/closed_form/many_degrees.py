@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
+from vibcli.analyses.closed_form.algebraic_extension import TooLong
 from vibcli.analyses.closed_form.amplitude_ratios import with_ratio
 from vibcli.analyses.closed_form.block_modes import block_modes
 from vibcli.analyses.closed_form.characteristic import LARGEST
@@ -40,7 +41,10 @@ def several(symbolic: "SymbolicSystem", modal: "ModalAnalysis", M: "Mapping[tupl
     damping = C if C and not G and damps_each(parts, C) else {}
 
     def solved():
-        return [block_modes(table, n, part, congruent(table, damping, part.columns), values) for part in parts]
+        try:
+            return [block_modes(table, n, part, congruent(table, damping, part.columns), values) for part in parts]
+        except TooLong:
+            return []
 
     found = within(CALLS, solved, [])
     modes, left = [mode for part, _ in found for mode in part], [rest for _, part in found for rest in part]

@@ -8,8 +8,10 @@ import pytest
 from support.closed_forms import TEXTBOOK, chain, pendulums, ring
 from support.scenes import number, problem
 from support.trees import new_table, symbol
+from sympy import ZZ
+from sympy.polys import fields
 
-from vibcli.analyses.closed_form.algebraic_extension import Extension
+from vibcli.analyses.closed_form.algebraic_extension import Extension, TooLong
 from vibcli.analyses.closed_form.toeplitz_chains import cosines
 from vibcli.base.errors import PhysicsError
 from vibcli.check.instances import Instances
@@ -275,3 +277,14 @@ def test_arithmetic_with_a_root_is_that_of_a_field(modulus):
             assert field.times(field.times(b, a), field.inverse(a)) == b
         assert field.minus(field.times(a, b), field.times(a, c)) == field.times(a, field.minus(b, c))
         assert field.minus(field.minus(a, b), a) == field.minus([], b)
+
+
+def test_quotients_of_very_many_terms_are_given_up():
+    """Of two over 4 letters each the difference would first have 2·84·210 terms."""
+    field, *letters = fields.field("a:h", ZZ)
+    first, second = (field.raw_new(whole**6, (whole + 1)**6) for whole in (
+        sum(letter.numer for letter in part) for part in (letters[:4], letters[4:])))
+    extension = Extension(field, [field(-2), field(0), field(1)])
+    with pytest.raises(TooLong):
+        extension.minus([first], [second])
+    assert extension.minus([first], [field.raw_new(first.numer, field.ring(1))])[0].denom == first.denom
