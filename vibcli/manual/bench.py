@@ -29,6 +29,7 @@ BENCH = [
         ("backbone[1](x)(10 cm)", "the integrators, over two periods of one coordinate"),
         ("omega, zeta, frf of members", "1 … 128 finite elements a piece, and `eigh`, `eig`, LU at that frequency, "
          "or sums over their modes where `damping:` gives these ratios"),
+        ("k, k[2] that are chosen", "none: what the conditions determine by true values stands beside ours"),
         ("peak[1](frf[x, F]).value", "grids of 100 … 1,000,000 frequencies, with parabolas and without"),
     ],
     "vibcli itself begins with the element data, finds its modes anew, and states a bound, which stands beside its "

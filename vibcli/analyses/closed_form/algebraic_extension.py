@@ -3,11 +3,9 @@
 from collections.abc import Sequence
 from typing import Any
 
+from vibcli.symbolic.normal_form import TooLong
+
 LARGEST = 20_000        # terms of a sum of two quotients before these are made shorter, which takes for ever of more
-
-
-class TooLong(Exception):
-    """A quotient of which nobody would read what it is."""
 
 
 class Extension:

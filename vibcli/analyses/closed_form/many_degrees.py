@@ -3,7 +3,6 @@
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from vibcli.analyses.closed_form.algebraic_extension import TooLong
 from vibcli.analyses.closed_form.amplitude_ratios import with_ratio
 from vibcli.analyses.closed_form.block_modes import block_modes
 from vibcli.analyses.closed_form.characteristic import LARGEST
@@ -18,6 +17,7 @@ from vibcli.analyses.closed_form.numeric_verification import (
     shape_confirmed,
 )
 from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.normal_form import TooLong
 from vibcli.symbolic.time_limit import within
 
 if TYPE_CHECKING:

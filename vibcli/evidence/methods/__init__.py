@@ -4,7 +4,7 @@ METHODS = {
     "ours": (("modes", "damped modes", "motion", "full motion", "steady motion", "response",
               "peak", "member modes", "damped member modes", "member response", "rated response", "member motion",
               "static position", "vibrations", "matrix entry", "derivative", "force law", "moment of a body",
-              "estimate", "fold"),
+              "estimate", "fold", "chosen parameter"),
              "vibcli itself, from the element data on"),
     "assembled_modes": (("modes",), "eigh and eig of assembled K and M"),
     "state_eigenvalues": (("damped modes",), "eig of the state matrix and of the pencil that is assembled"),

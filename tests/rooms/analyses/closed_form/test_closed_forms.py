@@ -11,7 +11,7 @@ from support.trees import new_table, symbol
 from sympy import ZZ
 from sympy.polys import fields
 
-from vibcli.analyses.closed_form.algebraic_extension import Extension, TooLong
+from vibcli.analyses.closed_form.algebraic_extension import Extension
 from vibcli.analyses.closed_form.toeplitz_chains import cosines
 from vibcli.base.errors import PhysicsError
 from vibcli.check.instances import Instances
@@ -19,6 +19,7 @@ from vibcli.check.verdicts import check
 from vibcli.report.document import Report
 from vibcli.report.formats.text import section_lines, shown
 from vibcli.report.sections.spectrum_data import frequencies_data
+from vibcli.symbolic.normal_form import TooLong
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.rational_functions import Quotients
 from vibcli.symbolic.syntax import Sum
