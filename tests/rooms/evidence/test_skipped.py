@@ -87,3 +87,9 @@ def test_what_is_skipped_would_have_a_cost():
 def test_stages_of_members_have_a_cost_or_none_that_is_found(scene):
     problem = problem_of(text_source("parameters: {L: 1 m}\n" + scene))
     assert [one.stage for one in stage_costs(problem, {"modes"})] == list(STAGES)
+
+
+def test_motions_by_their_amplitude_take_no_motion_in_time():
+    problem = problem_of(text_source("bodies: {a: {mass: 2 kg, slide: x}}\nsprings: {s: {law: 'd*(8 N/m) + "
+                                     "d^3*(5 N/m^3)', between: [ground, a]}}"))
+    assert [one.stage for one in stage_costs(problem, {"full motion"})] == list(STAGES)
