@@ -138,15 +138,15 @@ answers:
 """
 
 
-def test_a_parameter_is_no_quantity_to_be_compared(tmp_path, capsys):
+def test_a_parameter_that_is_chosen_is_compared_and_what_is_made_of_it_is_not(tmp_path, capsys):
     path = tmp_path / "chosen.yaml"
     path.write_text(CHOSEN, encoding="utf-8")
-    for options, compared in [(["--of", "2*m"], []), (["--of", "m[1]"], []), ([], ["omega"]),
-                              (["--of", "omega", "--of", "m"], ["omega"])]:
+    for options, compared in [(["--of", "2*m"], []), (["--of", "m[1]"], ["m[1]"]), ([], ["m", "omega"]),
+                              (["--of", "omega", "--of", "m"], ["omega", "m"])]:
         found = json.loads(out_of(capsys, str(path), "--json", *options).out)
         assert [one["asked"] for one in found["compared"]] == compared
-        left, = found["not compared"]
-        assert left["asked"] == (options[-1] if options else "m") and "no other method" in left["why"]
+        left = [(one["asked"], "no other method" in one["why"]) for one in found["not compared"]]
+        assert left == ([] if compared else [("2*m", True)])
 
 
 def test_without_a_file_options_of_scenes_are_refused(capsys):

@@ -224,6 +224,18 @@ def test_several_curves_are_named_in_a_legend_and_beside():
     assert len(set(samples)) == 2
 
 
+def test_a_dot_is_a_dot_in_the_legend():
+    """One curve of a single point, one of two, one with a lone point beside others."""
+    curves = (Curve("dot", (1.0,), (2.0,)), Curve("line", (1.0, 2.0), (3.0, 1.0)),
+              Curve("both", (1.0, 2.0, math.nan, 3.0), (1.0, 2.0, math.nan, 2.5)))
+    drawn = Figure("", (Panel("x", "y", curves=curves),))
+    told = braille(drawn, 80, 12).splitlines()[0]
+    assert "  o dot " in told and re.search("[⠀-⣿] line .*[⠀-⣿] ? both$", told)
+    legend = next(part for part in ET.fromstring(picture(drawn, "svg")).iter() if part.get("id") == "legend_1")
+    entries = [part for part in legend if (part.get("id") or "").startswith("line2d")]
+    assert [[piece.tag.partition("}")[2] for piece in part] for part in entries] == [["g"], ["path"], ["path"]]
+
+
 def test_marks_stand_at_their_places():
     lines = braille(FIGURES["frf"]).splitlines()
     first = next(i for i, line in enumerate(lines) if "│" in line or "┤" in line)

@@ -1,6 +1,6 @@
 """What of a scene is compared: the numbers that it asks, all modes being one."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from importlib import import_module
 from typing import TYPE_CHECKING
 
@@ -9,8 +9,8 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.subject import ALONE, COUNTED, NO_NUMBER, Subject
 from vibcli.evidence.subjects import DAMPED, NATURAL, SUBJECTS
 from vibcli.quantities import FORMS
-from vibcli.quantities.quantity import COUNT, OF_STATE, TRUTH, declared, named
-from vibcli.symbolic.syntax import QuantityRef
+from vibcli.quantities.quantity import COUNT, OF_STATE, TRUTH, declared, is_choice, named
+from vibcli.symbolic.syntax import NameRef, QuantityRef
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Expression
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 PARTS = ("re", "im", "arg")
 ALL_MODES = ("omega", "frequency", "zeta", "omega_d", "eigenvalue")
+CHOSEN = ("", "chosen")         # of parameters that conditions determine
 
 
 class NotCompared(NamedTuple):
@@ -41,21 +42,25 @@ def subjects(problem: "Problem", asked: "Iterable[Expression]", or_modes: bool =
             yield NotCompared(text, _why_not(tree))
         else:
             try:
-                yield _function(make)(problem, tree)
+                yield _subject(problem, tree, make)
             except PhysicsError as error:
                 yield NotCompared(text, error.message)
 
 
 def _makers(problem, asked, or_modes):
     """(text, tree, what makes its Subject, None where nothing does, as of what is made of parameters alone)."""
-    found = [(tree.text, tree, _maker(tree)) if tree else (expression.text, None, None)
-             for expression in asked for tree in expression.parts.quantities or (None,)]
-    if not or_modes or any(tree for _, tree, _ in found):
+    found = [(tree.text if isinstance(tree, QuantityRef) else expression.text, tree, _maker(problem.spec, tree))
+             for expression in asked for tree in expression.parts.quantities or (expression.tree,)]
+    if not or_modes or any(isinstance(tree, QuantityRef) for _, tree, _ in found):
         return found
     return found + [(head, None, SUBJECTS[head]) for head in ("omega", *["eigenvalue"] * problem.modal.damps)]
 
 
-def _maker(tree: QuantityRef):
+def _maker(spec, tree):
+    if isinstance(tree, (QuantityRef, NameRef)) and is_choice(spec, tree):
+        return CHOSEN
+    if not isinstance(tree, QuantityRef):
+        return None
     if tree.head in PARTS and SUBJECTS.get(getattr(tree.args[0], "head", "")) == DAMPED:
         return DAMPED               # of a shape
     made = declared(tree)
@@ -63,13 +68,25 @@ def _maker(tree: QuantityRef):
     return None if found in (NATURAL, DAMPED) and tree.args else found
 
 
-def _why_not(tree: QuantityRef | None) -> str:
+def _why_not(tree) -> str:
     """Why nothing else finds it."""
-    quantity = declared(tree) if tree else None     # none of a value of a parameter that is chosen
+    quantity = declared(tree) if isinstance(tree, QuantityRef) else None
     kind = quantity.kind if quantity else None
     return COUNTED if kind == COUNT else NO_NUMBER if kind in (*OF_STATE, TRUTH) else ALONE
 
 
-def _function(make) -> Callable[["Problem", QuantityRef | None], Subject]:
+def _subject(problem, tree, make):
+    if make is CHOSEN:
+        from vibcli.evidence.chosen import chosen
+
+        return chosen(problem, tree, _needed)
     file, name = make
-    return getattr(import_module(f"vibcli.evidence.subjects.{file}"), name)
+    return getattr(import_module(f"vibcli.evidence.subjects.{file}"), name)(problem, tree)
+
+
+def _needed(problem: "Problem", tree: QuantityRef) -> Subject:
+    """That of a quantity which a condition names."""
+    make = _maker(problem.spec, tree)
+    if make is None:
+        raise PhysicsError(f"no reference is found of {tree.text}, which is to be chosen for")
+    return _subject(problem, tree, make)

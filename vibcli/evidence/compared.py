@@ -62,7 +62,9 @@ def in_numbers(problem: "Problem") -> "tuple[Problem, dict[str, str]]":
         return problem, {}
     from vibcli.results.random_states import random_instances
 
-    found = next(random_instances(problem), None)
+    draws = problem.choice.draws if problem.choice is not None else ()      # at which what is chosen counts
+    found = problem.with_values({name: draws[0].numeric.given[name] for name in problem.symbolic.letters}
+                                ) if draws else next(random_instances(problem), None)
     if found is None:
         raise PhysicsError("no values were found for its letters with which the drawing fits together",
                            "give them with --set")

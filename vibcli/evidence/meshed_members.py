@@ -1,7 +1,7 @@
 """Members cut into finite elements, cubic ones of beams, linear ones of others: what is needed of them beside K and M
-in order to calculate responses, and the motion of all of it under loads.
+in order to calculate responses at a frequency, and the motion of all of it under loads.
 
-    M q̈ + C q̇ + K q = Σ v Re tᵖ e^{λt}
+    (K + s C + s² M) q = f,     M q̈ + C q̇ + K q = Σ v Re tᵖ e^{λt}
 """
 
 from functools import partial
@@ -19,8 +19,9 @@ from vibcli.evidence.reference.member_starts import started_members
 from vibcli.evidence.reference.rated_members import rated_members
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Mapping, Sequence
 
+    from vibcli.evidence.reference.member_responses import DrivenMembers
     from vibcli.evidence.reference.member_starts import StartedMembers
     from vibcli.evidence.reference.rated_members import GivenDamping
     from vibcli.mechanics.factored_system import FactoredSystem
@@ -55,6 +56,15 @@ class MeshedMembers:
             found[i] = x
         return found
 
+    def rows(self, place: "PlaceOutput | None", parts: "Sequence[dict[int, float]]") -> np.ndarray:
+        """Of a signal, over q, q̇, q̈: at a place, or of coordinates."""
+        found = np.zeros((3, self.size))
+        if place is not None:
+            found[place.primes] = self.at(place)
+        for row, terms in zip(found, parts, strict=False):
+            row += self.row(terms)
+        return found
+
     def at(self, place: "PlaceOutput") -> np.ndarray:
         """What the element at a place has there, as a function of all coordinates."""
         piece, at = self.elements.pieces[place.piece].piece, place.share * self.divisions
@@ -72,6 +82,42 @@ class MeshedMembers:
     def _spread(self, piece, i, shares):
         rows = *self.nodes[piece][i], *self.nodes[piece][i + 1]
         return sum(x * self.row(row) for x, row in zip(shares, rows, strict=True))
+
+
+class MeshAtFrequency(NamedTuple):
+    """M, C, K of what moves freely; loads: on it, of s⁰, s¹, s²; rows: of a signal, over q, q̇, q̈; own: what inputs
+    add to that."""
+
+    M: np.ndarray
+    C: np.ndarray
+    K: np.ndarray
+    loads: np.ndarray
+    rows: np.ndarray
+    own: np.ndarray
+
+    def pushed(self, s: complex) -> np.ndarray:
+        """f at a rate s."""
+        return s ** np.arange(3) @ self.loads
+
+    def signal(self, s: complex, q: np.ndarray) -> complex:
+        """That of these coordinates."""
+        return complex(s ** np.arange(3) @ (self.rows @ q + self.own))
+
+
+def at_frequency(members: "DrivenMembers", given: "Mapping[int, complex]", divisions: int) -> MeshAtFrequency:
+    """Members in floats whose inputs have these phasors."""
+    mesh, driven = MeshedMembers(members.elements, divisions), np.arange(members.n, members.elements.n)
+    matrices, free = mesh.matrices(), np.delete(np.arange(mesh.size), driven)
+    inputs = np.array([complex(given.get(int(i), 0)) for i in driven])
+    loads = np.array([-part[np.ix_(free, driven)] @ inputs for part in reversed(matrices)])
+    for i, parts in members.spread.items():
+        for piece, coefficients in parts:
+            length = members.elements.pieces[piece].piece.length
+            along = np.polynomial.Polynomial(coefficients, (0, length), (0, 1))
+            loads[0] += given.get(i, 0) * mesh.load(piece, along)[free]
+    rows = mesh.rows(members.place, members.rows)
+    M, C, K = (part[np.ix_(free, free)] for part in matrices)
+    return MeshAtFrequency(M, C, K, loads, rows[:, free], rows[:, driven] @ inputs)
 
 
 class MembersInTime(NamedTuple):
@@ -129,11 +175,8 @@ def in_motion(members: "StartedMembers", divisions: int) -> MeshInMotion | None:
     mesh, driven = MeshedMembers(members.elements, divisions), range(members.n, members.end)
     M, C, K = mesh.matrices()
     free = np.delete(np.arange(mesh.size), driven)
-    rows = np.zeros((3, mesh.size))
-    if members.place is not None:
-        rows[members.place.primes] = mesh.at(members.place)
-    elif members.row is not None:
-        rows[:] = [mesh.row(part) for part in (members.row.q, members.row.v, members.row.a)]
+    row = members.row
+    rows = mesh.rows(members.place, (row.q, row.v, row.a) if row else ())
     pushes = {i: -K[:, i] for i in driven}
     for part in members.spread:
         pushes[part.input] += mesh.load(part.piece, partial(values_of, part.along))

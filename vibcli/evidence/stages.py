@@ -36,7 +36,7 @@ def stage_costs(problem: Problem, kinds: set[str]) -> list[StageCost]:
         if problem.modal.damps:
             fresh.modal.damped  # noqa: B018
     if kinds & {"motion", "full motion", "vibrations"}:
-        with suppress(PhysicsError):    # of a backbone there need be none
+        with suppress(PhysicsError):        # none is asked where motions are by their amplitudes
             fresh.response  # noqa: B018
     needed = set(fresh.timings)
     return [_cost(fresh, stage, stage in needed) for stage in STAGES]

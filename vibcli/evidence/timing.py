@@ -19,7 +19,8 @@ STOPPED, SPENT = "stopped", "left out: too long"
 
 class Point(NamedTuple):
     """One attempt. seconds: (lower quartile, median, upper quartile) of its runs, the one of a run that was ended;
-    error: relative, None where it has no answer; bound: what it states; why: it has none."""
+    error: relative, no less than the true value leaves open, None where it has no answer; bound: what it states; why:
+    it has none."""
 
     method: str
     setting: str
@@ -119,7 +120,7 @@ def _point(subject, attempt, spent, found: MethodAnswer | None, why, times):
         return Point(attempt.method, attempt.setting, (spent,) * 3, 0, None, None, why)
     times = times or [spent]
     quartiles = tuple(quantiles(times, n=4, method="inclusive")) if len(times) > 1 else (times[0],) * 3
-    error = subject.error(found.values, subject.true)
+    error = max(subject.error(found.values, subject.true), 10.0**-subject.true.digits)
     if not math.isfinite(error):
         return Point(attempt.method, attempt.setting, quartiles, len(times), None, None,
                      f"{len(found.values)} values, of which there are {len(subject.true.values)}")

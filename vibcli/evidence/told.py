@@ -84,7 +84,7 @@ def _row(point: "Point", digits: int):
         return point.method, point.setting, over + middle if point.seconds[1] else "", _brief(point.why), ""
     least = 10.0**-digits
     return (point.method, point.setting, f"{middle} ({low} … {high})" if point.runs > 1 else f"{middle} (one run)",
-            f"< {least:.0e}" if 0 < point.error < least else f"{point.error:.1e}",
+            f"< {least:.0e}" if point.error <= least else f"{point.error:.1e}",
             "" if point.bound is None else f"{float(point.bound):.1e}")
 
 
@@ -153,5 +153,6 @@ def _data(one: "WorkPrecision") -> dict[str, Any]:
             "verdict": verdict(one.points),
             "points": [{"method": point.method, "with": point.setting or None, "seconds": point.seconds[1],
                         "quartiles": [point.seconds[0], point.seconds[2]], "runs": point.runs, "error": point.error,
+                        "error below": None if point.error is None else point.error <= 10.0**-true.digits,
                         "bound": None if point.bound is None else float(point.bound), "why": point.why or None}
                        for point in one.points]}

@@ -27,7 +27,9 @@ BENCH = [
         ("J[b, O], centre[b].x, mass[b]", "sums over 1 … 1000 cells a side of its shapes, and Gauss's quadratures "
          "of 1 … 32 points"),
         ("backbone[1](x)(10 cm)", "the integrators, over two periods of one coordinate"),
-        ("omega, zeta, frf of members", "1 … 128 finite elements a piece, and `eigh`, `eig`, or LU at that frequency"),
+        ("omega, zeta, frf of members", "1 … 128 finite elements a piece, and `eigh`, `eig`, LU at that frequency, "
+         "or sums over their modes where `damping:` gives these ratios"),
+        ("k, k[2] that are chosen", "none: what the conditions determine by true values stands beside ours"),
         ("peak[1](frf[x, F]).value", "grids of 100 … 1,000,000 frequencies, with parabolas and without"),
     ],
     "vibcli itself begins with the element data, finds its modes anew, and states a bound, which stands beside its "
@@ -45,9 +47,10 @@ BENCH = [
     "and by three times its spread, in two runs out of two (exit code 1); where no row is on both sides nothing is "
     "compared (exit code 4).",
     "`-o curve.svg` (png, pdf) draws it: relative error across, time up, a cross at the edge for what was refused or "
-    "stopped; `-o table.md` (html, txt) writes the tables; `--json` holds all points. Letters without value are given "
-    "the same ones at every run, which are told. Without FILE the project's own measurements are made, against "
-    "budgets; `--only PART` takes some.",
+    "stopped; `-o table.md` (html, txt) writes the tables; `--json` holds all points, and with `error below` "
+    "says of an error that the digits of the true value show no smaller one. Letters without value are given the same "
+    "ones at every run, which are told. Without FILE the project's own measurements are made, against budgets; `--only "
+    "PART` takes some.",
 ]
 
 STRESS = [

@@ -109,13 +109,15 @@ def _curves(axes: Any, sheet: "Sheet") -> list[tuple[Any, str]]:
 
 def _line(axes: Any, sheet: "Sheet", runs: list[list[tuple[float, float]]], colour: str,
           dashes: str | tuple[int, tuple[float, ...]], width: float, order: float) -> Any:
+    """What stands for it in the legend: a dot where it is nothing but dots."""
     if sum(turns([y for _, y in run]) for run in runs) > style.CROWDED:
         width, dashes = 0.5 * width, "-"
     artist, = axes.plot(*_values(sheet, runs), color=colour, linestyle=dashes, linewidth=width, zorder=order,
                         solid_joinstyle="round", scalex=False, scaley=False)
-    axes.plot(*_values(sheet, [run for run in runs if len(run) == 1]), linestyle="", marker="o", markersize=3,
-              color=colour, scalex=False, scaley=False)
-    return artist
+    single = [run for run in runs if len(run) == 1]
+    dots, = axes.plot(*_values(sheet, single), linestyle="", marker="o", markersize=3, color=colour, scalex=False,
+                      scaley=False)
+    return dots if single and len(single) == len(runs) else artist
 
 
 def _arrow(axes: Any, sheet: "Sheet", runs: list[list[tuple[float, float]]]) -> None:

@@ -10,6 +10,7 @@ _PATTERNS = ("x", "xxxxx    ", "xx  ", "xxxxxxx  x  ", "xxx       ")
 _OF_KIND = {"envelope": "x   ", "guide": "x    ", "orbit": "x   "}
 _HEADS = "→↗↑↖←↙↓↘"
 _POINTS = "×o#@◆"
+_DOT = "o"         # of a line of one point
 _LONGEST = 14      # columns of a label beside its curve
 _NAME = 24         # of a name beside a point
 _COVERED = 3       # orbits are as bad to cover as one part in so many of another line
@@ -33,7 +34,7 @@ def draw(canvas: Canvas, sheet: Sheet) -> list[str]:
             continue
         pattern = _OF_KIND.get(curve.kind) or _PATTERNS[len(lines) % len(_PATTERNS)]
         _line(canvas, sheet, runs, canvas.layer(), pattern)
-        samples.append(_sample(pattern))
+        samples.append(_DOT if runs and all(len(run) == 1 for run in runs) else _sample(pattern))
         lines += [] if curve.kind in _OF_KIND else [number]
     _arrows(canvas, sheet)
     _names(canvas, sheet)
@@ -52,7 +53,7 @@ def _line(canvas: Canvas, sheet: Sheet, runs: list[list[tuple[float, float]]], l
         points = thinned(run, sheet.x, 2 * canvas.columns)
         canvas.polyline(layer, [canvas.dots(sheet.x.part(x), sheet.y.part(y)) for x, y in points], pattern)
         if len(run) == 1:
-            canvas.write(*_cell(canvas, sheet, *run[0]), "o")
+            canvas.write(*_cell(canvas, sheet, *run[0]), _DOT)
 
 
 def _sample(pattern: str) -> str:

@@ -190,7 +190,7 @@ def usage_of(head: str, quantity: Declaration, spec: "Spec | None" = None) -> st
         f".{quantity.components[0]}" if quantity.components[0] else "")
 
 
-def is_choice(spec: "Spec", tree: QuantityRef) -> bool:
+def is_choice(spec: "Spec", tree: QuantityRef | NameRef) -> bool:
     """Does a tree ask for a chosen parameter: c, or its second solution c[2]?"""
     choices = spec.get("choose") or ()
     if isinstance(tree, NameRef):

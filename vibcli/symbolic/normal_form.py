@@ -24,7 +24,7 @@ MOST, SQUARES = 300, (3, 6, 10)     # terms; of squares of sums of two, three an
 
 
 class TooLong(ArithmeticError):
-    """More than MOST terms."""
+    """More terms than are worked with."""
 
 
 def expanded(node: "Node", kept: "Collection[Node] | None" = None) -> dict[Any, Any]:

@@ -83,9 +83,17 @@ def test_times_have_no_exponents(seconds, said):
     assert told._row(late, 20)[2:4] == (f"over {said}", STOPPED)
 
 
-@pytest.mark.parametrize(("error", "said"), [(3e-19, "3.0e-19"), (3e-21, "< 1e-20"), (0.0, "0.0e+00")])
+@pytest.mark.parametrize(("error", "said"), [(3e-19, "3.0e-19"), (1e-20, "< 1e-20"), (0.0, "< 1e-20")])
 def test_errors_are_told_as_far_as_the_digits_of_the_true_value_go(error, said):
     assert told._row(point("RK45", 1e-3, error), 20)[3] == said
+
+
+def test_no_error_is_less_than_the_true_value_leaves_open():
+    subject = Subject("modes", "omega", "", None, ONE._replace(digits=12), None, None, relative_error)
+    found = measured(subject, runs(vibcli=lambda _: MethodAnswer([1 + 1e-15]),
+                                   eig=lambda _: MethodAnswer([1 + 1e-9])), 1)
+    assert [one["error below"] for one in told._data(WorkPrecision(subject, found))["points"]] == [True, False]
+    assert [one.error for one in found] == [1e-12, pytest.approx(1e-9)]
 
 
 def test_long_reasons_stand_below_the_table():

@@ -33,8 +33,8 @@ PUSHED = "forces: {pull: {at: end, force: (500 N)*sin((300 rad/s)*t)}}"
     ("", "initial: {rod.u: '(1 mm)*min(x/(1 m), 1/4)'}", "rod.u(1 m)(1.8 ms)", lambda: mpmath.mpf("1e-4")),
     ("", PUSHED, "rod.u(1 m)(3 ms)", lambda: (1 - mpmath.cos(mpmath.mpf("0.9"))) / 1200)])
 def test_between_fronts(monkeypatch, more, rest, quantity, exact):
-    monkeypatch.setattr(member_fronts, "START", 30)     # and 60 digits instead of 64 and 128
-    monkeypatch.setattr(member_fronts, "DIGITS", 22)
+    for name, value in (("START", 30), ("GROWTH", 2.0), ("DIGITS", 22)):        # 30 and 60 digits instead of 64 and 96
+        monkeypatch.setattr(member_fronts, name, value)
     one = problem(BAR % (more, rest, quantity))
     assert_true(of_member_motion(one, one.spec.answers[0].asked.tree), exact, 38, 1e-12)
 
@@ -54,3 +54,14 @@ def test_no_turn_is_looked_for_where_rounding_alone_is_left(digits):
                   for delay, bend in ((0, 1), (1, -2), (3, 2), (4, -1))]
         found = SignalInFronts(mpmath.mpf(0), fronts, 44 * unit).extreme(1)
         assert all(abs(x - y) < 1e-40 for x, y in zip(found, (2 * unit, 2 * unit**2), strict=False))
+
+
+def test_fronts_are_found_once_for_an_extreme_and_its_instant(monkeypatch):
+    calls, found = [], member_fronts.in_fronts
+    monkeypatch.setattr(member_fronts, "in_fronts", lambda *given: calls.append(given) or found(*given))
+    for name, value in (("START", 30), ("DIGITS", 16)):
+        monkeypatch.setattr(member_fronts, name, value)
+    one = problem(BAR % ("", LET_GO, "rod.u(1 m)(0 s)"))
+    extremes = [member_fronts.extremes(one, "rod.u(1 m)", 0.007, -1, instant) for instant in (False, True)]
+    assert len(calls) == 2
+    assert [float(true.values[0]) for true in extremes] == [pytest.approx(-5e-4), pytest.approx(0.004)]

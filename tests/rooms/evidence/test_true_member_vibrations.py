@@ -1,12 +1,15 @@
 """True motions of beams in time, by the poles of their images: beside closed forms, and within the bounds of what the
 program answers."""
 
+from itertools import islice, pairwise
+
 import mpmath
 import numpy as np
 import pytest
 from support.references import assert_true
 from support.scenes import problem
 
+from vibcli.evidence.methods.finite_elements import attempts
 from vibcli.evidence.reference import (
     member_pole_sums,
     member_poles,
@@ -15,6 +18,7 @@ from vibcli.evidence.reference import (
     rated_members,
 )
 from vibcli.evidence.reference.member_starts import started_members
+from vibcli.evidence.subject import Deadline
 from vibcli.evidence.subjects.motions import of_member_motion
 from vibcli.evidence.subjects.steady_states import of_wave
 
@@ -84,6 +88,8 @@ def test_of_modes_with_ratios(monkeypatch, damping, zeta):
         assert abs(abs(mpmath.fsum(terms)) / found.true.values[0] - 1) <= mpmath.mpf(10)**-9
     ours = found.ours()
     assert found.error(ours.values, found.true) <= ours.bound <= 1e-9
+    plain = [found.error(one.run(Deadline(60)).values, found.true) for one in islice(attempts(found), 4)]
+    assert all(fine < coarse / 6 for coarse, fine in pairwise(plain)) and plain[-1] < 1e-4
 
 
 def omega(n):

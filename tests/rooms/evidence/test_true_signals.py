@@ -2,6 +2,7 @@
 what the program answers by other means."""
 
 import math
+from itertools import islice, pairwise
 
 import mpmath
 import pytest
@@ -9,7 +10,7 @@ from support.scenes import problem
 
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.asked import subjects
-from vibcli.evidence.methods import assembled_modes, held_inputs, integrators
+from vibcli.evidence.methods import assembled_modes, finite_elements, held_inputs, integrators
 from vibcli.evidence.reference import member_responses
 from vibcli.evidence.subject import Deadline
 from vibcli.evidence.subjects import steady_states
@@ -164,9 +165,6 @@ def test_a_beam_alone_has_the_receptance_of_its_closed_form():
 
 
 def test_with_an_absorber_ours_is_within_its_bound_and_elements_come_near():
-    from vibcli.evidence.methods import finite_elements
-    from vibcli.evidence.subject import Deadline
-
     one = problem(BEAM % (ABSORBER, ", \"frf[y', F](7 Hz)\": 1 m/N/s"))
     for subject in subjects(one, [answer.asked for answer in one.spec.answers]):
         ours = subject.ours()
@@ -175,6 +173,17 @@ def test_with_an_absorber_ours_is_within_its_bound_and_elements_come_near():
         errors = [subject.error(attempt.run(Deadline(60)).values, subject.true)
                   for attempt in finite_elements.attempts(subject)]
         assert min(errors) < 1e-6 < errors[0]
+
+
+@pytest.mark.parametrize(("signal", "falls"), [("arm.u(0.3 m)", 8), ("arm.u'(0.5 m)", 8), ("arm.moment(0.6 m)", 3)])
+def test_elements_come_near_of_what_is_within_members_under_loads_along_them(signal, falls):
+    """Displacements by the fourth power of their length, moments by its square."""
+    wind = "forces: {wind: {body: arm, per_length: (2 N/m^2)*x*cos((130 rad/s)*t)}}\n"
+    one = problem(BEAM.partition("points")[0] + wind + f"answers: {{\"amplitude({signal})\": 0}}")
+    subject, = subjects(one, [answer.asked for answer in one.spec.answers])
+    errors = [subject.error(attempt.run(Deadline(60)).values, subject.true)
+              for attempt in islice(finite_elements.attempts(subject), 1, 5)]
+    assert all(fine < coarse / falls for coarse, fine in pairwise(errors)) and errors[-1] < 1e-2 / falls
 
 
 def test_members_that_lose_energy_in_their_material_are_left_out():

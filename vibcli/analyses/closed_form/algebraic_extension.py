@@ -4,11 +4,9 @@ from collections.abc import Callable, Sequence
 from math import prod
 from typing import Any
 
+from vibcli.symbolic.normal_form import TooLong
+
 MOST = 1e8      # numbers by which common factors of two elements are looked for
-
-
-class TooManyLetters(ArithmeticError):
-    """The common factors of elements would take far too long to find."""
 
 
 class Extension:
@@ -94,21 +92,21 @@ class Extension:
 
 
 def unless_long(work: Callable, *args: Any) -> Any:
-    """What work gives; None where it is TooManyLetters."""
+    """What work gives; None where it is TooLong."""
     try:
         return work(*args)
-    except TooManyLetters:
+    except TooLong:
         return None
 
 
 def _require_short(*elements):
-    """TooManyLetters where sums or products of their coefficients have. SymPy puts a number for one letter after the
+    """TooLong where sums or products of their coefficients have. SymPy puts a number for one letter after the
     other, each as many times longer as that letter's degree (Char, Geddes & Gonnet, GCDHEU, 1989), so that the product
     of all degrees tells how long they become."""
     degrees = [[max(column) for column in zip(*(part.degrees() for c in element if c for part in (c.numer, c.denom)),
                                              strict=True)] for element in elements]
     if prod(1 + sum(column) for column in zip(*filter(None, degrees), strict=True)) > MOST:
-        raise TooManyLetters
+        raise TooLong
 
 
 def _trimmed(element):

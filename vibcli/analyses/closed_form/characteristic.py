@@ -6,9 +6,10 @@ SymPy's steps are bounded in calls: a polynomial that is not factored is taken w
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from vibcli.analyses.closed_form.algebraic_extension import Extension, TooManyLetters
+from vibcli.analyses.closed_form.algebraic_extension import Extension
 from vibcli.analyses.closed_form.characteristic_roots import solutions
 from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.normal_form import TooLong
 from vibcli.symbolic.rational_functions import Quotients
 from vibcli.symbolic.time_limit import within
 
@@ -73,7 +74,7 @@ class Characteristic:
                     for row in zip(self.M, self.K, strict=True)]
             try:
                 return field.null_vectors(rows)
-            except (IndexError, ZeroDivisionError, TooManyLetters):     # or the polynomial was not factored
+            except (IndexError, ZeroDivisionError, TooLong):     # or the polynomial was not factored
                 return []
         return within(CALLS, work, [])
 

@@ -11,11 +11,10 @@ import numpy as np
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.meshed_members import MembersInTime, MeshInMotion, in_motion
-from vibcli.evidence.methods.finite_elements import DIVISIONS
+from vibcli.evidence.methods.finite_elements import DIVISIONS, MOST
 from vibcli.evidence.plain_equations import SAMPLES, extreme
 from vibcli.evidence.subject import Deadline, MethodAnswer, MethodRun, Subject
 
-MOST = 600              # coordinates
 FINEST = 64             # elements a piece, of which a few modes are taken
 FEW = (1, 2, 4, 8, 16, 32)
 STEPPED, STEPS = (8, 32), (100, 1000, 10_000, 100_000)

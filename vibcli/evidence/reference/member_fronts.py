@@ -7,6 +7,7 @@ coefficients are means over a larger circle; each sum over j is a function witho
 """
 
 from collections.abc import Iterator
+from functools import lru_cache
 from heapq import heappop, heappush
 from itertools import count, pairwise
 from typing import TYPE_CHECKING, Any
@@ -23,7 +24,7 @@ from vibcli.evidence.reference.settled import TrueValues, settled
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
-DIGITS, START, GROWTH, LIMIT = 40, 64, 2.0, 512
+DIGITS, START, GROWTH, LIMIT = 40, 64, 1.5, 512
 MOST = 600              # fronts
 SAME = 20               # digits to which two delays are one
 SAMPLES, FEW = 12, 3    # between two fronts, where the turns are looked for, and the size alone
@@ -114,6 +115,12 @@ def in_fronts(problem: "Problem", signal: str, until: Any) -> SignalInFronts:
     return SignalInFronts(members.held, fronts, until)
 
 
+@lru_cache(maxsize=8)
+def _kept(problem, signal, until, _digits):
+    """Kept for other features, as far as each number of digits goes."""
+    return in_fronts(problem, signal, until)
+
+
 def _terms(images, radius, largest):
     """cⱼ/j! of an image at the points of half of a circle, from s = R on, without the last that are nothing."""
     means = _transformed([*images, *(mpmath.conj(x) for x in images[-2:0:-1])])
@@ -198,7 +205,7 @@ def extremes(problem: "Problem", signal: str, until: Any, sense: int, instant: b
     """The largest or smallest value of a signal until an instant, or where it has it; about: its largest size, or
     `until`."""
     def found():
-        t, top, size = in_fronts(problem, signal, until).extreme(sense)
+        t, top, size = _kept(problem, signal, until, mpmath.mp.dps).extreme(sense)
         return ([t], mpmath.mpf(until)) if instant else ([top], size)
 
     return settled(found, DIGITS, START, LIMIT, GROWTH, sized=True)

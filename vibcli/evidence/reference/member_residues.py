@@ -11,7 +11,7 @@ from vibcli.evidence.reference.member_images import MemberImages
 from vibcli.evidence.reference.member_poles import PoleSearch, in_floats
 from vibcli.evidence.reference.member_starts import StartedMembers
 
-LARGE, MANY = 1e-22, 150    # rounding, of the largest residue, with which these need all digits, and how many may
+LARGE, MANY = 1e-24, 150    # rounding, of the largest residue, with which these need all digits, and how many may
 FEWEST, WORK = 8, 2e5       # of them in any case, and products that eliminations may take
 SECANTS = 8
 CLOSE = 1e-25           # distance of places at which residues are read, relative

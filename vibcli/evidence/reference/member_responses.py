@@ -92,13 +92,13 @@ class DrivenMembers(NamedTuple):
 
 
 def driven_members(problem: "Problem", signal: str, about: PreciseConfiguration | None = None,
-                   resting: bool = False) -> DrivenMembers:
+                   lossless: bool = False) -> DrivenMembers:
     """Those of a scene that lead to a signal, at the working precision, about another configuration perhaps;
-    PhysicsError of members that lose energy in their material, unless all is at rest."""
+    PhysicsError of members that lose energy in their material, unless that is left out."""
     configuration = about or PreciseConfiguration(problem.configuration)
     opened, place = configuration.with_inputs, place_output(configuration, signal)
     require_plain(opened.elements)
-    if not resting and (problem.spec.get("damping") is not None or any(
+    if not lossless and (problem.spec.get("damping") is not None or any(
             placed.retardation for placed in opened.elements.pieces)):
         raise PhysicsError("no reference is found of responses of members that lose energy in their material, or by "
                            "`damping:`")
@@ -141,8 +141,15 @@ def _taylor(opened, force, start, length):
     return found
 
 
-def in_floats(exact: DrivenMembers) -> DrivenMembers:
-    """The same in floats."""
+def driven_in_floats(problem: "Problem", signal: str, given: Callable[[], Mapping[int, Any]], lossless: bool = False
+                     ) -> tuple[DrivenMembers, dict[int, complex]]:
+    """(them, the phasors of inputs) in floats."""
+    with mpmath.workdps(30):
+        exact, inputs = driven_members(problem, signal, None, lossless), given()
+    return _in_floats(exact), {i: complex(x) for i, x in inputs.items()}
+
+
+def _in_floats(exact):
     rows = tuple({i: float(x) for i, x in row.items()} for row in exact.rows)
     spread = {i: [(piece, [float(x) for x in part]) for piece, part in parts] for i, parts in exact.spread.items()}
     place = exact.place and exact.place._replace(share=float(exact.place.share), factor=float(exact.place.factor))

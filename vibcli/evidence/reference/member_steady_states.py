@@ -60,11 +60,12 @@ def given_inputs(problem: "Problem") -> GivenInputs:
 
 def of_rated(given: GivenInputs, signal: str, head: str) -> TrueValues:
     """The amplitude or lag of a signal of members that `damping:` damps."""
-    return rated_members.at_frequency(given.problem, signal, lambda: _only(given)[0], lambda: _only(given)[1],
+    return rated_members.at_frequency(given.problem, signal, lambda: only(given)[0], lambda: only(given)[1],
                                       _READ[head])
 
 
-def _only(given):
+def only(given: GivenInputs) -> tuple[Any, dict[int, Any]]:
+    """(Ω, {input: phasor}) of loads of one frequency."""
     every = given.phasors()
     if len(every) != 1:
         raise PhysicsError("a reference of steady states of members is found of loads of one frequency")
@@ -73,7 +74,7 @@ def _only(given):
 
 def phasor(given: GivenInputs, signal: str) -> tuple[Any, Any, Any]:
     """(X of a signal, Ω, the size of what X is summed of) at the working precision; PhysicsError of several Ω."""
-    Omega, inputs = _only(given)
+    Omega, inputs = only(given)
     X, size = driven_members(given.problem, signal).at(Omega, inputs)
     return (X if abs(X) > mpmath.mpf(10) ** (NOTHING - mpmath.mp.dps // 2) * size else mpmath.mpc(0)), Omega, size
 

@@ -225,6 +225,12 @@ def rated_members(problem: "Problem", signal: str, until: Any) -> RatedMembers:
     return RatedMembers(problem, signal, until)
 
 
+def damping_of(problem: "Problem", signal: str) -> GivenDamping:
+    """That of the modes which lead to a signal."""
+    with mpmath.workdps(DIGITS):
+        return rated_members(problem, signal, 1).damping
+
+
 def at_frequency(problem: "Problem", signal: str, Omega: Callable[[], Any],
                  given: Callable[[], dict[int, Any]], read: Callable[[Any], Any]) -> TrueValues:
     """What is read of the phasor of a signal at Ω() where inputs have those of given(); about: its size."""

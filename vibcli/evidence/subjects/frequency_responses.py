@@ -38,15 +38,8 @@ def at_frequency(problem: "Problem", tree: QuantityRef) -> Subject:
     (signal, driver), value = tree.indices, number_of(problem, tree.args[0])
     read: Callable = abs if tree.head == "transmissibility" else complex
     data: tuple
-    if problem.configuration.linear_system.pieces and problem.spec.get("damping") is not None:
-        kind, data = "rated response", ()
-        true = rated_members.at_frequency(problem, signal, Omega,
-                                          lambda: member_responses.given_by(problem, driver)(Omega()), mpmath.mpc)
-    elif problem.configuration.linear_system.pieces:
-        kind, true = "member response", member_responses.value(problem, signal, driver, Omega)
-        with mpmath.workdps(30):
-            data = member_responses.in_floats(member_responses.driven_members(problem, signal)), {
-                i: complex(x) for i, x in member_responses.given_by(problem, driver)(value).items()}
+    if problem.configuration.linear_system.pieces:
+        kind, true, data = _of_members(problem, signal, driver, Omega)
     else:
         kind, true = "response", reference.value(problem, signal, driver, Omega)
         with mpmath.workdps(30):
@@ -55,6 +48,19 @@ def at_frequency(problem: "Problem", tree: QuantityRef) -> Subject:
         with mpmath.workdps(true.working):
             true = true._replace(values=[abs(true.values[0])])
     return _subject(problem, tree, kind, "frequency response at a frequency", true, (*data, value, read))
+
+
+def _of_members(problem, signal, driver, Omega):
+    """(kind, TrueValues, what finite elements are given)."""
+    def unit():
+        return member_responses.given_by(problem, driver)(Omega())
+
+    if problem.spec.get("damping") is None:
+        return ("member response", member_responses.value(problem, signal, driver, Omega),
+                (*member_responses.driven_in_floats(problem, signal, unit), None))
+    true = rated_members.at_frequency(problem, signal, Omega, unit, mpmath.mpc)
+    return "rated response", true, (*member_responses.driven_in_floats(problem, signal, unit, True),
+                                    rated_members.damping_of(problem, signal))
 
 
 def _asked_elsewhere(problem, tree):

@@ -15,6 +15,7 @@ from vibcli.evidence.reference import (
     member_responses,
     member_steady_states,
     periodic,
+    rated_members,
     steady_state,
 )
 from vibcli.evidence.reference.frequency_response import in_floats
@@ -56,14 +57,14 @@ def _of_members(problem, tree):
         raise PhysicsError("of scenes with members a reference is found of single signals")
     text = of.name + "'" * of.primes
     given = member_steady_states.given_inputs(problem)
-    if problem.spec.get("damping") is not None:
-        return _wave(problem, tree, "rated response", member_steady_states.of_rated(given, text, tree.head), None)
-    true = member_steady_states.of_wave(given, text, tree.head)
+    rated = problem.spec.get("damping") is not None
+    find = member_steady_states.of_rated if rated else member_steady_states.of_wave
+    true, damping = find(given, text, tree.head), rated_members.damping_of(problem, text) if rated else None
     with mpmath.workdps(30):
-        (Omega, inputs), = given.phasors()
-        exact = member_responses.in_floats(member_responses.driven_members(problem, text))
-    data = exact, {i: complex(x) for i, x in inputs.items()}, float(Omega), READ[tree.head]
-    return _wave(problem, tree, "member response", true, data)
+        Omega, inputs = member_steady_states.only(given)
+    data = *member_responses.driven_in_floats(problem, text, lambda: inputs, rated), damping
+    return _wave(problem, tree, "rated response" if rated else "member response", true,
+                 (*data, float(Omega), READ[tree.head]))
 
 
 def _wave(problem, tree, kind, true, data):

@@ -122,14 +122,15 @@ class _Arc:
         place, speed = (self.motion.value(before, self.bend.at, t, order) for order in (0, 1))
         A = table.zero if (place - rest).is_zero else self.A
         wave = A * table.call("cos", self.rate * tau) + self.B * table.call("sin", self.rate * tau)
-        decay = [table.call("exp", -(self.delta * tau)), "·"] if self.damped else []
+        fading = table.call("exp", -(self.delta * tau)) if self.damped else table.one
         since = [] if self.at.is_zero else [Words("  with  "), f"{tau.name.replace('tau', 'τ')} = ", t - self.at]
         line = sheet.write(Words("from  "), f"{t.name} = ", self.at, *([" = ", self.bend.at] * (
             self.at is not self.bend.at)),
                            Words(" on"), *since, Words(":  "), Name(self.degree.name), " = ",
-                           *([] if rest.is_zero else [rest, " + "]), *decay, Factor(wave) if decay else wave,
+                           *([] if rest.is_zero else [rest, " + "]),
+                           *([fading, "·", Factor(wave)] if self.damped else [wave]),
                            settles=f"motion from bend {self.bend.order}", uses=[self.motion.line],
-                           node=rest + (decay[0] * wave if decay else wave))
+                           node=rest + fading * wave)
         if self.at is not self.bend.at:
             self._settle(self.at, self.bend.at, "s", line)
         told = [*self.motion.told(before, self.bend.at), *_sum([-rest], bool(before))]
