@@ -13,6 +13,7 @@ from vibcli.report.steps.instances import found_at, is_found
 from vibcli.report.steps.place_of_rest import as_counted
 from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.node import is_number
 from vibcli.symbolic.parser import VALUE
 from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import NameRef, parts_of
@@ -34,7 +35,7 @@ def tell_instant(problem: "Problem", sheet: WorkedSolution, asked: "Expression")
     (node, line), value, unit = found, None, ""
     if not problem.numeric.has_free_symbols:
         value, unit = float(value_of(problem, asked)[0]), unit_told(problem.spec, asked)
-    shown = [" = ", node] if (line is None and node.op != "number") or value is None else []
+    shown = [" = ", node] if (line is None and not is_number(node)) or value is None else []
     names = {*problem.spec.parameters, *problem.spec.coordinates}
     sheet.write(Words(as_printed(asked.text, names)), *shown, *(() if value is None else number(value, unit)),
                 *as_counted(problem, asked.tree), settles=asked.text, node=node, value=value, unit=unit, uses=[line])

@@ -17,6 +17,7 @@ from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.node import is_number
 from vibcli.symbolic.normal_form import is_zero, textbook
 
 READABLE = 24       # letters of an expression, beyond which it is told in numbers where it has them
@@ -234,5 +235,5 @@ def tell_accelerations(problem: "Problem", sheet: WorkedSolution, lines: Iterabl
         value = None if floats is None else evaluate([node], Floats, floats)[0]
         unit = "m/s²" if problem.system.dimension(name) else "1/s²"
         sheet.write(Words("from rest as drawn  "), Name(name + "''"), *(
-            () if node.op == "number" and value is not None else (" = ", node)), *(() if value is None else number(
+            () if is_number(node) and value is not None else (" = ", node)), *(() if value is None else number(
                 value, unit)), settles=f"{name}''(0 s)", node=node, value=value, unit=unit, uses=list(lines))
