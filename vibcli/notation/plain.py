@@ -12,7 +12,7 @@ from vibcli.notation.numbers import NEGATIVE, added_as_decimal, common_denominat
 from vibcli.notation.ordering import factor_rank, is_rooted, positive_first, term_rank, upright
 from vibcli.notation.radicals import enclosed, is_constant, place, split
 from vibcli.symbolic.discontinuous_functions import PULSES
-from vibcli.symbolic.node import is_measure
+from vibcli.symbolic.node import is_measure, is_number
 from vibcli.symbolic.rationals import ONE
 
 if TYPE_CHECKING:
@@ -149,7 +149,8 @@ class Notation:
 
     def _product(self, node: "Node", tightness: int) -> str:
         text = self.added([self._alone(node)])
-        return self.brackets(text) if tightness > 1 or (tightness and node.coefficient < 0) else text
+        loose = node.coefficient < 0 or is_number(node)
+        return self.brackets(text) if tightness > 1 or (tightness and loose) else text
 
     def _call(self, node: "Node", tightness: int) -> str:
         if node.name == "power":

@@ -47,7 +47,7 @@ class SteadyState:
         self.n, self.given = len(self.names), gradient(argument)[about.scene.time]
         kinds = sorted({wave for parts in loads.values() for wave in parts})
         self.wave = kinds[0] if len(kinds) == 1 else "sin"
-        symbol = (self.given.op == "symbol" or is_number(self.given)) or letters(self.given) <= 2
+        symbol = self.given.op == "symbol" or is_number(self.given) or letters(self.given) <= 2
         self.Omega = self.given if symbol else about.letter(sheet.letter("Omega"))
         if not symbol:
             self._know()
@@ -109,7 +109,7 @@ class SteadyState:
             return sheet.write(Words("likewise"), *under, settles="steady state", uses=self.found.lines)
         M, C, G, K = (Name(sheet.matrix(letter)) for letter in "MCGK")
         both = [part for name, matrix in ((C, self.found.C), (G, self.found.G)) if matrix for part in (" + ", name)][1:]
-        rates = [" + i·", Omega, "·", *(["(", *both, ")"] if len(both) > 1 else both)] if both else []
+        rates = [" + i·", Factor(Omega), "·", *(["(", *both, ")"] if len(both) > 1 else both)] if both else []
         X, F = (Name(sheet.letter(letter)) for letter in "XF")
         form = [X, f"·{self.wave}(", *argument, ")"]
         if not self.undamped:
@@ -169,9 +169,10 @@ class SteadyState:
             sheet.letter("F")), Words(":  ")], len(sheet.steps)
         for letter, more, parts, unit in self.defined:
             value = self._complex(*parts)
-            plain = value is None or all(is_number(part) for part in parts)
-            shown = [*complex_parts(*parts), *(() if plain else (" = " + complex_told(value),)),
-                     *([] if value is None else [Words(f" {unit}")])]
+            shown = complex_parts(*parts)
+            if value is not None:
+                plain = all(is_number(part) for part in parts)
+                shown = [*([] if plain else [*shown, " = "]), complex_told(value), Words(f" {unit}")]
             joined = len(sheet.steps) > first
             sheet.write(*([] if joined else head), letter, more, " = ", *shown, settles=letter.name, uses=uses,
                         joined=joined, unit=unit * (value is not None), **(
