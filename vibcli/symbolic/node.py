@@ -195,17 +195,19 @@ def is_number(node: "Node") -> bool:
         is_measure(base) for base, _ in node.args))
 
 
-def varies(atom: "Node", monomials: "Sequence[Sequence[tuple[Node, Any]]]") -> bool:
-    """Is it the letter of a unit that terms of a sum have in several powers? It stays with their numbers."""
-    return is_measure(atom) and len({dict(monomial).get(atom, 0) for monomial in monomials}) > 1
+def _stays(atom, monomials, with_units):
+    """Does the letter of a unit stay with the numbers of a sum?"""
+    return is_measure(atom) and not (with_units and len({dict(monomial).get(atom, 0) for monomial in monomials}) == 1)
 
 
-def content_of(
-        monomials: "Sequence[Sequence[tuple[Node, Fraction | int]]]") -> "tuple[tuple[Node, Fraction | int], ...]":
-    """((atom, exponent), …): the monomial that all have as a factor, without letters of units in several powers."""
+def content_of(monomials: "Sequence[Sequence[tuple[Node, Fraction | int]]]",
+               with_units: bool) -> "tuple[tuple[Node, Fraction | int], ...]":
+    """((atom, exponent), …): the monomial that all have as a factor, letters of units where all have them in one
+    power and `with_units`."""
     common = {atom: min(dict(monomial).get(atom, ZERO) for monomial in monomials)
               for atom in {atom for monomial in monomials for atom, _ in monomial}}
-    return tuple(sorted(((a, e) for a, e in common.items() if e and not varies(a, monomials)), key=by_index))
+    found = [(atom, e) for atom, e in common.items() if e and not _stays(atom, monomials, with_units)]
+    return tuple(sorted(found, key=by_index))
 
 
 def by_index(pair: "tuple[Node, Any]") -> int:

@@ -244,8 +244,8 @@ def factors_of(table: "Table", terms: Any) -> "tuple[tuple[Node, Fraction | int]
         return ((table.zero, ONE),)
     if len(monomials) == 1:
         return ((table.number(terms[monomials[0]]), ONE), *monomials[0])
-    content = content_of(monomials)
     scale = _scale(list(terms.values()))
+    content = content_of(monomials, with_units=abs(scale) != 1)
     inner = {times(monomial, content, -1): exact(value / scale) for monomial, value in terms.items()}
     for lead in dict.fromkeys((ONE, next(map(abs, inner.values())))) if len(inner) in SQUARES else ():
         if (root := square_root({monomial: exact(value / lead) for monomial, value in inner.items()})) is not None:

@@ -98,6 +98,10 @@ def _small(problem):
     about = about_rest(problem, sheet)
     tell_loops(about, sheet, conditions)
     _solved(about, sheet, Derivation(about, sheet).equations())
+    if problem.scene.loops is not None:
+        from vibcli.report.steps.first_order_multipliers import tell_first_order_multipliers
+
+        tell_first_order_multipliers(about, sheet)
     return sheet
 
 
