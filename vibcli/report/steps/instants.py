@@ -35,6 +35,10 @@ def tell_instant(problem: "Problem", sheet: WorkedSolution, asked: "Expression")
     (node, line), value, unit = found, None, ""
     if not problem.numeric.has_free_symbols:
         value, unit = float(value_of(problem, asked)[0]), unit_told(problem.spec, asked)
+    if any((one.number, one.settles, one.value) == (line, asked.text.rpartition("(")[0], value) and one.node is node
+           for one in sheet.steps):         # a force from rest is told with its expression there
+        sheet.write(settles=asked.text, node=node, value=value, unit=unit, uses=[line], joined=True)
+        return True
     shown = [" = ", node] if (line is None and not is_number(node)) or value is None else []
     names = {*problem.spec.parameters, *problem.spec.coordinates}
     sheet.write(Words(as_printed(asked.text, names)), *shown, *(() if value is None else number(value, unit)),

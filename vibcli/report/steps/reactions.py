@@ -98,13 +98,14 @@ def tell_forces(problem: "Problem", sheet: WorkedSolution) -> None:
     except PhysicsError:
         _along(problem, sheet, text)
         return
+    wanted = [signal for signal, node in found.values.items()
+              if node is not None and not node.is_zero and (everything or signal in at_rest)]
+    if not wanted:
+        _along(problem, sheet, text)
     told = {line.settles for line in sheet.steps if f"equilibrium[{line.settles}]" not in text}
-    wanted = [signal for signal, node in found.values.items() if node is not None and not node.is_zero and (
-        everything or (signal in at_rest and signal not in told))]
+    wanted = [signal for signal in wanted if everything or signal not in told]
     if wanted and not found.degree:
         _tell_balance(problem, sheet, found, wanted, moves)
-    elif not wanted:
-        _along(problem, sheet, text)
 
 
 def _forces(problem):
