@@ -1,9 +1,10 @@
 """Numbers with units in a scene keep them in its worked solution, in every notation, and cancel as numbers do."""
 
 import re
+from pathlib import Path
 
 import pytest
-from support.scenes import problem
+from support.scenes import kept_problem_of, problem
 from support.worked_lines import InOtherUnits
 
 from vibcli.notation.latex import latex
@@ -67,3 +68,12 @@ def test_it_stands_so_in_all_notations(scene):
     assert "<mn>0.03</mn><mtext>" in mathml(node) and "m</mtext>" in mathml(node)
     assert language(node) == "3*k/100"      # for programs
     assert plain.with_values({"k": "1200"})(node) == "0.03·1200"
+
+
+def test_balances_in_numbers_have_units():
+    """Of moments forces have arms in metres, of forces they have none."""
+    found = kept_problem_of(Path("problems/1_statics_and_energy/jib_crane_with_winch.yaml"))
+    told = {one.settles: formula(one.parts, plain).replace("\u00a0", " ") for one in worked(found)}
+    assert told["balance[phi]"].endswith("−(4.74342 m)·S_tie − (1.71758 m)·S_rope_1 + (6 m)·S_rope_2 + 12360.6 N·m = 0")
+    assert told["balance[mast.reaction.y]"] == "mast.reaction.y = S_rope_2 + 4120.2 N"
+    assert told["balance[jib.reaction.x]"] == "jib.reaction.x = 0.948683·S_tie + 0.979117·S_rope_1"

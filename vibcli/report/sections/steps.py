@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 BARE = re.compile(r"(?<![\w.^√])(\d+\.\d+|\d{3,})·(?!i\b)[^\W\d]")        # halves and thirds have no unit
-PUT_IN = re.compile(r"to order|expanded|^balance\[")        # what lines settle in which numbers stand for letters
+PUT_IN = re.compile("to order|expanded")        # what lines settle in which numbers stand for letters
 SI = "Numbers that stand beside letters without a unit are in SI units."
 
 

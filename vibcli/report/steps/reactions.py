@@ -5,8 +5,8 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.notation.numbers import figure
 from vibcli.report.blocks import Name, Words
-from vibcli.report.sections.equations_of_motion import numeric_sum
 from vibcli.report.sections.statics import condition_in_numbers
 from vibcli.report.sections.too_long import brief
 from vibcli.report.steps.agreement import ALIKE, samples_of
@@ -40,11 +40,11 @@ def tell_statics(problem: "Problem", sheet: WorkedSolution) -> None:
         about = words_of(problem, name)
         told = f",  {about}" if about else ""
         lines.append(sheet.write(Words("balance along "), Name(name), Words(f"{told}:  "), *_readable(
-            problem, found, node), " = 0", settles=f"balance[{name}]"))
+            problem, found, node, not problem.system.dimension(name)), " = 0", settles=f"balance[{name}]"))
     known = _values(problem, found, found.supports)
     for signal, node in found.supports.items():
         if not node.is_zero and node is not found.values.get(signal) and signal not in _zero(known):
-            lines.append(sheet.write(Words(signal), " = ", *_readable(problem, found, node),
+            lines.append(sheet.write(Words(signal), " = ", *_readable(problem, found, node, "moment" in signal),
                                      settles=f"balance[{signal}]"))
     told = [signal for signal, node in found.values.items() if node is not None and not node.is_zero]
     _tell_values(problem, sheet, found, told, lines)
@@ -76,11 +76,24 @@ def _put_in(problem, balances):
             for name, node in known.items() if name in acting]
 
 
-def _readable(problem, found, node):
-    """Parts of a balance, in numbers where it is long and has them."""
+def _readable(problem, found, node, turns):
+    """Parts of a balance, in numbers where it is long and has them; `turns`: of moments."""
     if problem.numeric.has_free_symbols or letters(node) <= READABLE:
         return [brief(node)]
-    return numeric_sum(condition_in_numbers(problem, found, node))
+    parts: list[Any] = []
+    for value, symbol in condition_in_numbers(problem, found, node):
+        alone = symbol.op == "number"
+        of_moment = not alone and "moment" in found.forces[symbol]
+        unit = ("N·m" if turns else "N") if alone else {(True, False): "m", (False, True): "1/m"}.get(
+            (turns, of_moment), "")
+        sign, size = (" − " if value < 0 else " + ") if parts else "−" * (value < 0), figure(abs(value))
+        if alone:
+            parts += [sign + size, Words("\u00a0" + unit)]
+        elif unit:
+            parts += [f"{sign}({size}", Words("\u00a0" + unit), ")·", symbol]
+        else:
+            parts += [sign + (f"{size}·" if abs(value) != 1 else ""), symbol]
+    return parts or ["0"]
 
 
 def tell_forces(problem: "Problem", sheet: WorkedSolution) -> None:
