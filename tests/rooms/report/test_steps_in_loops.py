@@ -43,5 +43,5 @@ def test_forces_along_small_motions_follow_from_multipliers(more):
     known = {**found.numeric.floats, **values, **dict.fromkeys(UNITS.values(), 1.0), found.scene.time.name: 0.2}
     for name in ("pin.force.x", "pin.force.y"):
         assert evaluate([lines[name].node], Floats, known)[0] == pytest.approx(values[name], rel=1e-9)
-        assert re.search(rf"so  {name} = −λ_pin_{name[-1]} = ", formula(lines[name].parts, plain))
+        assert re.search(rf"{name} = −λ_pin_{name[-1]} = ", formula(lines[name].parts, plain))
     assert sum(name.startswith("balance[") for name in lines) == 2 and "multipliers" not in lines

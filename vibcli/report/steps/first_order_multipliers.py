@@ -108,12 +108,16 @@ def tell_first_order_multipliers(about: AboutRest, sheet: WorkedSolution) -> Non
     told = [part for symbol, tie in ties for part in (Words(",  "), symbol, Words(f" for '{tie.name}'"))][1:]
     line = sheet.write(Words("cut free, each condition acts by its slope times a multiplier:  "), *told,
                        settles="cut free")
-    lines = [sheet.write(Words("to the first order along  "), Name(loose.coordinates[i]), Words(":  "), node, " = 0",
-                         settles=f"balance[{loose.coordinates[i]}]", node=node, uses=[line])
-             for i, node in zip(rows, tied, strict=True)]
+    for k, (i, node) in enumerate(zip(rows, tied, strict=True)):
+        name = loose.coordinates[i]
+        sheet.write(Words("along  " if k else "to the first order along  "), Name(name), Words(":  "), node, " = 0",
+                    settles=f"balance[{name}]", node=node, uses=[line], joined=k > 0)
+    balances, first = sheet.last, True
     for (symbol, tie), value in zip(ties, values, strict=True):
         if tie.signal in text:
-            node = value if tie.form in LENGTHENING else -value
-            node = min((textbook(node), single(node)), key=letters)
             sign = symbol if tie.form in LENGTHENING else -symbol
-            sheet.write(Words(f"so  {tie.signal}"), " = ", sign, " = ", node, settles=tie.signal, node=node, uses=lines)
+            node = textbook(value if tie.form in LENGTHENING else -value)
+            node = min((node, single(node)), key=letters)
+            sheet.write(Words("so  " * first + tie.signal), " = ", sign, " = ", node, settles=tie.signal, node=node,
+                        uses=[balances], joined=not first)
+            first = False
