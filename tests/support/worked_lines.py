@@ -12,6 +12,7 @@ from vibcli.report.blocks import Factor, Name, SumOfTerms, WithNumbers, Words
 from vibcli.report.steps.worked import asks_in_full, worked
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.node import UNITS
 
 SMALL = 1e-4        # of angles in radians, lengths in metres: how far from rest expansions are looked at
 OTHERS = {"kg": 1.37, "m": 0.83, "s": 1.19}     # how much of an SI unit others are
@@ -34,7 +35,7 @@ class Checked:
         for one in (scene.scene, *([scene.system.scene_with_multipliers] if asks_in_full(scene) else [])):
             for node in (*one.q, *one.v, *one.a):
                 small.setdefault(node.name, SMALL * draw.uniform(0.5, 1))
-        self.values = {**parameters, scene.scene.time.name: 0.3, **small}
+        self.values = {**parameters, **dict.fromkeys(UNITS.values(), 1.0), scene.scene.time.name: 0.3, **small}
         self.defined = {}
         for one in self.lines:
             if one.letter and one.node is not None:
@@ -140,6 +141,8 @@ class InOtherUnits(Checked):
         spec, letter = self.problem.spec, name.rstrip("'")
         if letter == self.problem.scene.time.name:
             return OTHERS["s"]
+        if letter in UNITS.values():
+            return OTHERS[letter.removeprefix("1 ")]
         known = letter in spec.parameters
         dimension = spec.dimensions.of(letter) if known else self.problem.system.dimension(letter)
         return of_dimension(dimension) / OTHERS["s"] ** (len(name) - len(letter))
@@ -161,7 +164,7 @@ def told_later(problem, lines):
     """[(number of a line, letter)] of letters that stand in it and that neither the scene has nor lines up to it tell:
     by what they settle, alone before an equality, or alone among words; but for UNKNOWNS of a form that is tried."""
     scenes = [problem.scene, problem.system.scene_with_multipliers]
-    known = {*problem.spec.parameters, *problem.scene.parameters.nodes, *problem.spec.coordinates}
+    known = {*UNITS.values(), *problem.spec.parameters, *problem.scene.parameters.nodes, *problem.spec.coordinates}
     known |= {node.name for one in scenes for node in (*one.q, *one.v, *one.a, one.time)}
     known |= {name for one in scenes for name in one.dependent}
     known |= {name + mark for name in known for mark in ("'", "''")}

@@ -79,7 +79,8 @@ def _on_placed(name, kind, line, at, scene):
     """Those of a place carried by a body; None where it does not reach there, or moves on and on, which is reported."""
     frame = scene.frame(name)
     now, off = frame.point(*at), beyond_reach(name.text, at, scene)
-    if off > SAME * scene.number(line.length) and (frame.angle.mask or not kind.bends):
+    turns = scene.turns(scene.bodies[name.text]._replace(frame=frame))
+    if off > SAME * scene.number(line.length) and (turns or not kind.bends):
         return scene.report(name.where, f"this end and '{name.text}', which is a point, are {off:.6g} m apart as drawn",
                             "draw them at the same place, or give it a size, as in `shape: rectangle, width: 2 m, "
                             "height: 1 m`")

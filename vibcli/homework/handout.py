@@ -121,7 +121,7 @@ class Handout:
         """The worked solution of a variant, line by line; where a scene has none, what `solve` tells of it."""
         problem, told = self.problem(number), ("given", "chosen")
         try:
-            steps = section_of(problem, self.worked.lines(self.variants[number].values))
+            steps = section_of(self.worked.lines(self.variants[number].values))
         except PhysicsError:
             told, steps = SOLUTION, ()
         report = Report(problem)

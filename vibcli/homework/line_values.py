@@ -14,6 +14,7 @@ from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.symbolic.array_arithmetic import Arrays
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.node import UNITS
 
 if TYPE_CHECKING:
     from vibcli.report.steps.step import WorkedLine
@@ -36,7 +37,7 @@ class LineValues:
         self.letters: list[list[int]] = []
         self.uses: list[list[int]] = []
         self._groups: list[list[int]] = []      # of each line those that are found together with it
-        self._still: dict[str, float] = {}      # {letter: number} of what vanishes
+        self._still = dict.fromkeys(UNITS.values(), 1.0)        # {letter: number}, of what vanishes as well
         self._read(_told(problem))
 
     @property
@@ -55,7 +56,7 @@ class LineValues:
             one.op == "symbol" and one.name == _letter(self.lines[self.letters[i][0]]) for one in (node, -node))
 
     def parameters(self, given: "Mapping[str, np.ndarray]") -> dict[str, Any]:
-        """{parameter: number, or array where it hangs on what is given}, and the letters of what vanishes."""
+        """{parameter: number, or array where it hangs on what is given}, letters of units, and of what vanishes."""
         known = {name: float(value) for name, value in self.problem.numeric.given.items()}
         return {**self._still, **self.problem.scene.parameters.values(Arrays, {**known, **given})}
 

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
+from vibcli.symbolic.node import is_measured
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -161,7 +162,9 @@ def _terminates(value: "int | Fraction") -> bool:
 
 
 def common_denominator(node: "Node", values: "Sequence[Fraction | int]") -> int:
-    """The denominator that all terms of a sum of parameters share; 1 where they do not."""
+    """The denominator that all terms of a sum of parameters share; 1 where they do not, or all have units."""
+    if all(is_measured(part) for part, _ in node.args):
+        return 1
     values = [*values, node.coefficient] if node.coefficient else values
     below = {value.denominator for value in values}
     return 1 if node.mask or len(below) > 1 or shown_as_decimal(values[0]) else below.pop()

@@ -1,11 +1,12 @@
 """The order in which the terms of a sum and the factors of a product are written."""
 
+import sys
 from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.radicals import is_constant
 from vibcli.symbolic.expression_graph import reachable
-from vibcli.symbolic.node import first_variable
+from vibcli.symbolic.node import first_variable, is_measure, is_number
 from vibcli.symbolic.rationals import ONE
 
 if TYPE_CHECKING:
@@ -13,6 +14,8 @@ if TYPE_CHECKING:
     from fractions import Fraction
 
     from vibcli.symbolic.node import Node
+
+LAST = sys.maxsize, 0       # behind all letters
 
 
 def positive_first(pieces: list[tuple[bool, str]], rooted: int) -> list[tuple[bool, str]]:
@@ -39,11 +42,12 @@ def term_rank(pair: "tuple[Node, Fraction | int]") -> "tuple[int | list[tuple[in
 
 
 def _letters(node: "Node") -> "tuple[bool, list[tuple[int, int | Fraction]]]":
-    """Of terms of parameters those without a root first, then in the order of letters, higher powers first."""
+    """Of terms of parameters those without a root first, then in the order of letters, higher powers first; numbers
+    with units last."""
     if node.mask:
         return False, []
     factors = node.args if node.op == "product" else ((node, ONE),)
-    return is_rooted(node), sorted((_first_letter(base), -e) for base, e in factors)
+    return is_rooted(node), sorted((_first_letter(base), -e) for base, e in factors if not is_measure(base)) or [LAST]
 
 
 def _first_letter(node: "Node") -> int:
@@ -69,8 +73,8 @@ def factor_rank(pair: "tuple[Node, Fraction | int]") -> tuple[int, int]:
     """Numbers, parameters, brackets, coordinates, then functions, so that no argument seems to go on: y·sin φ;
     velocities and accelerations last."""
     base = pair[0]
-    if base.op == "number" or (base.op == "sum" and is_constant(base)):
-        kind = -1 if base.op == "number" else 0
+    if is_number(base) or (base.op == "sum" and is_constant(base)):
+        kind = -1 if base.op != "sum" else 0
     elif base.op in ("symbol", "pi") and not base.mask:
         kind = 1
     elif base.op in ("sum", "call"):

@@ -12,6 +12,7 @@ from vibcli.notation.numbers import NEGATIVE, added_as_decimal, common_denominat
 from vibcli.notation.ordering import factor_rank, is_rooted, positive_first, term_rank, upright
 from vibcli.notation.radicals import enclosed, is_constant, place, split
 from vibcli.symbolic.discontinuous_functions import PULSES
+from vibcli.symbolic.node import is_measure, is_number
 from vibcli.symbolic.rationals import ONE
 
 if TYPE_CHECKING:
@@ -32,7 +33,7 @@ class Notation:
     """Writes nodes; the subclasses say how symbols, products, powers and brackets look. values: {symbol: number as
     text} of those that are put in."""
 
-    minus = "−"
+    minus, measures = "−", True         # are numbers written with their units?
     number: Callable[..., str]
     symbol: Callable[..., str]
     call: Callable[..., str]
@@ -72,6 +73,10 @@ class Notation:
 
     def _symbol(self, node: "Node", tightness: int) -> str:
         value = self.values.get(node.name)
+        if is_measure(node):
+            from vibcli.notation.measured import with_unit
+
+            return with_unit(self, node.name, tightness)
         if value is None:
             return self.symbol(node.name)
         text = self.numeral(value)
@@ -144,7 +149,8 @@ class Notation:
 
     def _product(self, node: "Node", tightness: int) -> str:
         text = self.added([self._alone(node)])
-        return self.brackets(text) if tightness > 1 or (tightness and node.coefficient < 0) else text
+        loose = node.coefficient < 0 or is_number(node)
+        return self.brackets(text) if tightness > 1 or (tightness and loose) else text
 
     def _call(self, node: "Node", tightness: int) -> str:
         if node.name == "power":
@@ -167,6 +173,12 @@ class Notation:
 
     def factors(self, value: Fraction | int, args: "Sequence[tuple[Node, Fraction | int]]") -> tuple[Any, ...]:
         """(value, above, below, under the root above, below it): a rational and lists of (node, exponent)."""
+        if any(is_measure(base) for base, _ in args):
+            from vibcli.notation.measured import measured
+
+            value, args = measured(value, args, self.measures and not self.values)
+            if not args:
+                return value, [], [], [], []
         return split(value, sorted(args, key=factor_rank))
 
     def powered(self, base: Any, exponent: Any, alone: Any) -> str:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.notation.numbers import LARGEST
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
-from vibcli.symbolic.node import rooted_square
+from vibcli.symbolic.node import is_measure, rooted_square
 from vibcli.symbolic.rationals import HALF, ONE, square_part
 
 if TYPE_CHECKING:
@@ -110,7 +110,7 @@ def _with_number(inside: int | Fraction, factors: "Sequence[tuple[Node, Any]]",
 
 def is_constant(node: "Node") -> bool:
     """Does a node hold no letter?"""
-    return not any(part.op == "symbol" for part in reachable([node]))
+    return not any(part.op == "symbol" and not is_measure(part) for part in reachable([node]))
 
 
 def enclosed(text: str) -> bool:

@@ -21,7 +21,7 @@ COMPUTED = 10 ** 6      # denominators from which on a number is a decimal
 class Language(Plain):
     """The scene's own expression language, so that a result can be pasted into a file."""
 
-    minus, dot, rounds = "-", "*", False
+    minus, dot, rounds, measures = "-", "*", False, False
 
     def symbol(self, name: str) -> str:
         return name

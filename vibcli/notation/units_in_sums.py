@@ -7,6 +7,7 @@ from functools import reduce
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
+from vibcli.symbolic.node import ALL_PURE
 from vibcli.symbolic.parser import FUNCTIONS
 
 if TYPE_CHECKING:
@@ -14,7 +15,6 @@ if TYPE_CHECKING:
 
     from vibcli.symbolic.node import Node
 
-ALL_PURE: "Collection[Any]" = frozenset()    # hidden: no number has a unit
 SMALL = 12      # numerator and denominator of what is a pure number where no number has hidden its unit
 PURE = FUNCTIONS.keys() - {"abs", "max", "min", "ramp", "impulse", "sqrt"}     # functions whose values have no unit
 

@@ -10,7 +10,7 @@ from vibcli.quantities.cycle_count import counts_cycles
 from vibcli.quantities.quantity import about_which, declared, is_choice
 from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
 from vibcli.symbolic.running_errors import Rounded, RunningErrors, error_in, number_in
-from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.semantics import lower, lower_measured
 from vibcli.symbolic.syntax import ExpressionError, QuantityRef, parts_of
 
 if TYPE_CHECKING:
@@ -167,7 +167,7 @@ def argument_in_letters(problem: "Problem", tree: Any) -> "Node":
     if parts_of(tree).quantities:
         raise NotInLetters("what is asked at another quantity is found in numbers",
                            "give the parameters values with --set")
-    return lower(tree, problem.scene.table, _symbols(problem.scene))
+    return lower_measured(tree, problem.scene.table, _symbols(problem.scene))
 
 
 def _symbols(scene):

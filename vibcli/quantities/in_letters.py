@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import NotInLetters
 from vibcli.quantities.cycle_count import counts_cycles
 from vibcli.quantities.quantity import OF_STATE, about_which, declared
-from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.semantics import lower_measured
 from vibcli.symbolic.syntax import Call, NameRef, QuantityRef, parts_of
 from vibcli.symbolic.transfer_between_tables import copied
 
@@ -52,7 +52,7 @@ def frequency_of(problem: "Problem", tree: Any) -> "Node":
     if parts_of(tree).quantities:
         raise NotInLetters("a response at such a frequency is found in numbers")
     scene = problem.scene
-    node = lower(tree, scene.table, lambda name, primes, part: scene.parameters.nodes[name])
+    node = lower_measured(tree, scene.table, lambda name, primes, part: scene.parameters.nodes[name])
     return node * 2 * scene.table.pi if counts_cycles(problem.spec, tree) else node
 
 

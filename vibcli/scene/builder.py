@@ -20,6 +20,7 @@ from vibcli.scene.places import Frame, Places
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats
 from vibcli.symbolic.expression import Table
+from vibcli.symbolic.node import ALL_PURE, UNITS
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -49,7 +50,8 @@ class Builder:
         self.spec, self.variant, self.owner, self.reports, self.idle = spec, variant, None, Reports(), False
         records = spec.sections.get("records") or {}
         self.table = table = Table({name: record["samples"] for name, record in records.items()},
-                                   dimension=None if spec.free_numbers else spec.dimensions.of)
+                                   dimension=None if spec.free_numbers else spec.dimensions.of,
+                                   hidden=ALL_PURE if UNITS["m"] in spec.parameters else set())
         self.parameters = Parameters(spec, table, given=given)
         self.sample = self.parameters.values(Floats, _samples(spec, self.parameters.free, given, attempt))
         if watched:

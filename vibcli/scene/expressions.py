@@ -22,7 +22,7 @@ from vibcli.symbolic.normal_form import (
     textbook,
 )
 from vibcli.symbolic.rationals import ONE
-from vibcli.symbolic.semantics import literal_unit, lower
+from vibcli.symbolic.semantics import literal_unit, lower_measured
 from vibcli.symbolic.syntax import ExpressionError, Sum, parts_of
 
 if TYPE_CHECKING:
@@ -56,11 +56,12 @@ class Expressions:
             return known[name] if name in known else self.coordinates.symbol(name, primes)
 
         try:
-            node = lower(expression.tree, self.table, symbol)
+            node = lower_measured(expression.tree, self.table, symbol)
         except ExpressionError as error:
             self.reports.report(expression.scalar.place(error.offset, error.width), error.message, error.hint)
             return self.table.one
-        self.table.hidden.update(_hidden(expression.tree))
+        if isinstance(self.table.hidden, set):
+            self.table.hidden.update(_hidden(expression.tree))
         if self.reports.finished or node.mask or node.op == "symbol":
             return node
         problem = unusable(evaluate([node], Floats, self.sample)[0], Floats)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters, nested
-from vibcli.symbolic.node import remembered
+from vibcli.symbolic.node import is_measure, remembered
 from vibcli.symbolic.normal_form import TooLong, cleared, expanded, factors_of, reduced
 from vibcli.symbolic.rationals import ONE, ZERO
 
@@ -50,11 +50,11 @@ def fraction(node: "Node") -> "tuple[tuple[Node, Fraction | int], ...]":
 
 
 def _denominator(terms):
-    """((atom, exponent), …): the lowest negative exponent of each atom, as a positive one."""
+    """((atom, exponent), …): the lowest negative exponent of each atom but letters of units, as a positive one."""
     lowest = {}
     for monomial in terms:
         for atom, e in monomial:
-            if e < 0:
+            if e < 0 and not is_measure(atom):
                 lowest[atom] = min(lowest.get(atom, ZERO), e)
     return tuple((atom, -e) for atom, e in sorted(lowest.items(), key=lambda pair: pair[0].index))
 
@@ -65,8 +65,10 @@ def _parts(table, atom):
 
 
 def _written(table, terms):
-    """A polynomial as factors: a rational, common letters, and a sum with whole coefficients."""
-    values = list(terms.values())
+    """A polynomial as factors: a rational, common letters, and a sum with whole coefficients, but for those with units
+    beside others."""
+    bare = [value for monomial, value in terms.items() if not any(is_measure(atom) for atom, _ in monomial)]
+    values = bare or list(terms.values())
     scale = Fraction(gcd(*(v.numerator for v in values)), lcm(*(v.denominator for v in values))) if values else ONE
     factors = factors_of(table, {monomial: value / scale for monomial, value in terms.items()})
     return ((table.number(scale), ONE),

@@ -5,12 +5,12 @@ within BITS; parameters are leaves. Every walk is iterative, because a node is a
 `index` is an order of evaluation.
 """
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.exact_values import folded
-from vibcli.symbolic.node import BARS, Node, one_variable, union, without_bars
+from vibcli.symbolic.node import BARS, Node, by_index, one_variable, union, without_bars
 from vibcli.symbolic.rationals import BITS, HALF, ONE, ZERO, bits, exact, rational_power, square_part
 
 if TYPE_CHECKING:
@@ -29,9 +29,10 @@ class Table:
     time: Node
 
     def __init__(self, records: dict[Any, Any] | None = None, squares_at_sample: bool = False,
-                 functions: "dict[str, DefinedFunction] | None" = None, dimension: Any = None):
+                 functions: "dict[str, DefinedFunction] | None" = None, dimension: Any = None,
+                 hidden: "Collection[Any] | None" = None):
         """`records`: {name: samples} of functions of the time; `functions`: {name: DefinedFunction}."""
-        self._nodes, self._count, self.dimension, self.hidden = {}, 0, dimension, set()
+        self._nodes, self._count, self.dimension, self.hidden = {}, 0, dimension, set() if hidden is None else hidden
         self.variables, self.called = [], set()
         self.sample, self.signs, self.squares_at_sample = None, {}, squares_at_sample
         self.time, self.records, self.functions = None, records or {}, functions or {}
@@ -148,7 +149,7 @@ class Table:
             if node.op == "product":
                 return self._make("product", node.args, c)
             return self._make("product", ((node, ONE),), c)
-        args.sort(key=_index_of_first)
+        args.sort(key=by_index)
         return self._make("sum", tuple(args), exact(constant))
 
     def total(self, nodes: Iterable[Node]) -> Node:
@@ -182,7 +183,7 @@ class Table:
             if base.op == "sum":
                 return self.sum((base, coefficient))
         elif len(args) > 1:
-            args.sort(key=_index_of_first)
+            args.sort(key=by_index)
         return self._make("product", tuple(args), exact(coefficient))
 
     def _gather(self, node, exponent, coefficient, collected):
@@ -293,7 +294,3 @@ class Table:
             return value
         self.called.add(name)
         return self._make("call", tuple(args), ONE, name=name)
-
-
-def _index_of_first(pair):
-    return pair[0].index

@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import wraps
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
-from vibcli.symbolic.rationals import HALF, ONE, exact_root
+from vibcli.symbolic.rationals import HALF, ONE, ZERO, exact_root
 
 if TYPE_CHECKING:
     from vibcli.symbolic.expression import Table
@@ -20,7 +20,10 @@ if TYPE_CHECKING:
 
 OfNode = TypeVar("OfNode", bound=Callable[..., Any])
 BARS = {"abs", "sign"}
+UNITS = {base: f"1 {base}" for base in ("kg", "m", "s")}   # {unit: its letter, which is 1}: what it multiplies has it
 FEW = 4096      # variables that ints tell apart, a bit for each
+
+ALL_PURE: "frozenset[Any]" = frozenset()    # numbers whose units no letter tells: none, as all have theirs by letters
 
 
 class Node:
@@ -173,8 +176,40 @@ def times(a: Sequence[tuple[Node, Fraction | int]], b: Any,
         else:
             continue
         exponents[atom] = total
-    return tuple(exponents.items()) if as_in_a else tuple(sorted(exponents.items(), key=_index))
+    return tuple(exponents.items()) if as_in_a else tuple(sorted(exponents.items(), key=by_index))
 
 
-def _index(pair):
+def is_measure(node: "Node") -> bool:
+    """Is it the letter of a unit, or a number with one?"""
+    return node.op == "symbol" and node.name[:1].isdigit()
+
+
+def is_measured(node: "Node") -> bool:
+    """Is it a number with a unit, or a product of one?"""
+    return is_measure(node) or (node.op == "product" and any(is_measure(base) for base, _ in node.args))
+
+
+def is_number(node: "Node") -> bool:
+    """Is it a number, perhaps with a unit?"""
+    return node.op == "number" or is_measure(node) or (node.op == "product" and all(
+        is_measure(base) for base, _ in node.args))
+
+
+def _stays(atom, monomials, with_units):
+    """Does the letter of a unit stay with the numbers of a sum?"""
+    return is_measure(atom) and not (with_units and len({dict(monomial).get(atom, 0) for monomial in monomials}) == 1)
+
+
+def content_of(monomials: "Sequence[Sequence[tuple[Node, Fraction | int]]]",
+               with_units: bool) -> "tuple[tuple[Node, Fraction | int], ...]":
+    """((atom, exponent), …): the monomial that all have as a factor, letters of units where all have them in one
+    power and `with_units`."""
+    common = {atom: min(dict(monomial).get(atom, ZERO) for monomial in monomials)
+              for atom in {atom for monomial in monomials for atom, _ in monomial}}
+    found = [(atom, e) for atom, e in common.items() if e and not _stays(atom, monomials, with_units)]
+    return tuple(sorted(found, key=by_index))
+
+
+def by_index(pair: "tuple[Node, Any]") -> int:
+    """The rank of a factor (node, exponent): nodes in the order in which they were made."""
     return pair[0].index

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.expression_graph import reachable
-from vibcli.symbolic.node import cofunction, remembered, times
+from vibcli.symbolic.node import cofunction, content_of, remembered, times
 from vibcli.symbolic.rationals import HALF, ONE, ZERO, exact, exact_root
 
 if TYPE_CHECKING:
@@ -244,10 +244,8 @@ def factors_of(table: "Table", terms: Any) -> "tuple[tuple[Node, Fraction | int]
         return ((table.zero, ONE),)
     if len(monomials) == 1:
         return ((table.number(terms[monomials[0]]), ONE), *monomials[0])
-    common = {atom: min(dict(monomial).get(atom, ZERO) for monomial in monomials)
-              for atom in {atom for monomial in monomials for atom, _ in monomial}}
-    content = tuple(sorted((pair for pair in common.items() if pair[1]), key=lambda pair: pair[0].index))
     scale = _scale(list(terms.values()))
+    content = content_of(monomials, with_units=abs(scale) != 1)
     inner = {times(monomial, content, -1): exact(value / scale) for monomial, value in terms.items()}
     for lead in dict.fromkeys((ONE, next(map(abs, inner.values())))) if len(inner) in SQUARES else ():
         if (root := square_root({monomial: exact(value / lead) for monomial, value in inner.items()})) is not None:

@@ -7,10 +7,20 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.symbolic.node import Node, rooted_square
+from vibcli.symbolic.node import ALL_PURE, UNITS, Node, rooted_square
 from vibcli.symbolic.parser import FUNCTIONS
 from vibcli.symbolic.rationals import HALF, ONE
-from vibcli.symbolic.syntax import ExpressionError, Number, Sum, UnitPower, whole_literal
+from vibcli.symbolic.syntax import (
+    ExpressionError,
+    NameRef,
+    Number,
+    Power,
+    Product,
+    Sum,
+    UnitPower,
+    rebuilt,
+    whole_literal,
+)
 
 if TYPE_CHECKING:
     from vibcli.base.units import Unit
@@ -188,6 +198,22 @@ def lower(tree: Any, table: "Table", symbol: Callable) -> "Node":
     except ZeroDivisionError:
         raise ExpressionError(tree.start, tree.end - tree.start, "this divides by zero",
                               "look for a difference that vanishes") from None
+
+
+def lower_measured(tree: Any, table: "Table", symbol: Callable) -> "Node":
+    """The same with literals times the letters of their units, where the table has these."""
+    return lower(rebuilt(tree, _lettered) if table.hidden is ALL_PURE else tree, table, symbol)
+
+
+def _lettered(part):
+    if not isinstance(part, Number) or not part.units:
+        return part
+    start, end = part.start, part.end
+    factors: list[tuple[int, Any]] = [(1, part)]
+    for base, exponent in literal_unit(part.units).dimension.items():
+        size = Number(start, end, abs(Fraction(exponent)), ())
+        factors.append((1 if exponent > 0 else -1, Power(start, end, NameRef(start, end, UNITS[base], 0), size)))
+    return Product(start, end, tuple(factors)) if factors[1:] else part
 
 
 def _raised(base, exponent):

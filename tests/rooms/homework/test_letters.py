@@ -117,7 +117,7 @@ def test_worked_solutions_in_letters_go_along_one_path():
     for one in solved(ROD).accepted:
         problem = document.anew(one.values)
         fresh = worked(problem)
-        along, anew = (render([Document("", None, (), tuple(section_of(problem, each)))], None)
+        along, anew = (render([Document("", None, (), tuple(section_of(each)))], None)
                        for each in (lines.lines(one.values), fresh))
         assert along == anew
     assert lines.alone == 1

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from support.scenes import problem
 
 from vibcli.api.source import file_source, problem_of
 from vibcli.homework.asked_keys import key_of
@@ -98,3 +99,16 @@ def test_lines_follow_from_others_by_way_of_lines_without_numbers():
     """The determinant of a double pendulum from the mass matrix, and that from the inertia about the hinge."""
     known = LineValues(problem_named("double_pendulum_rods"))
     assert known.number("J_O_upper") in known.uses[known.number("a2")]
+
+
+def test_lines_with_units_of_numbers_in_the_file_have_values():
+    """A mass m + 0.5 kg on a spring, damped by 24 N·s/m: ω² = k/3.5 kg, δ = 24/7 1/s."""
+    known = LineValues(problem("""
+        parameters: {k: 1.2 kN/m, m: 3 kg}
+        bodies: {b: {mass: m + 0.5 kg, slide: x}}
+        springs: {s: {k: k, between: [ground, b]}}
+        dampers: {d: {c: 24 N*s/m, between: [ground, b]}}
+    """))
+    found = known.values({"k": np.array([1200.0, 4800.0])})
+    omega, delta = (found[known.number(name)] for name in ("omega[1]", "delta"))
+    assert omega == pytest.approx(np.sqrt(np.array([1200.0, 4800.0]) / 3.5)) and delta == pytest.approx([24 / 7] * 2)

@@ -61,7 +61,7 @@ def assert_worked_alike(path, document, variants):
             problem = settled(document.with_values(values).problem())
             fresh = Report(problem)
             fresh.add("steps")
-            assert (fresh.refusal is None) and typst_of(section_of(problem, lines)) == typst_of(fresh.sections)
+            assert (fresh.refusal is None) and typst_of(section_of(lines)) == typst_of(fresh.sections)
         kinds.add(tuple((line.settles, line.unit, line.node is None) for line in lines))
     assert shared.alone <= PATHS.get(path.stem, 1) and shared.alone + shared.sharing == WORKED
     assert len(kinds) == 1

@@ -6,6 +6,7 @@ import pytest
 from support.scenes import problem, problem_of
 
 from vibcli.base.errors import PhysicsError
+from vibcli.check.verdicts import check
 from vibcli.mechanics.member_warnings import member_warnings
 
 TRIALS = Path(__file__).parents[2] / "trials"
@@ -115,3 +116,17 @@ def test_a_member_without_mass_is_told_what_would_move_it(member, told_of):
     assert told_of in refused.value.hint
     attached = refused.value.hint.partition("as in ")[2]
     assert problem(f"{member}, {attached}}}}}\n").modal.modes[0].omega > 0
+
+
+def test_it_has_the_reactions_of_a_body_that_reaches_there():
+    """A load of 3 N at 0.6 m turns the slider 5 cm beside the beam by 3·0.65 N·m, and its slope is that of a clamp."""
+    found = problem("""
+        parameters: {L: 0.6 m, F: 3 N, EI: 20 N*m^2}
+        bodies: {base: {mass: 2 kg, at: [-0.05 m, 0], slide: {along: [0, 1], by: y}}}
+        springs: {s: {k: 400 N/m, between: [[-0.05 m, -0.3 m], base]}}
+        beams: {wing: {from: [0, 0], to: [L, 0], EI: EI, mass_per_length: 0.3 kg/m, left: {clamped: base}}}
+        points: {tip: {body: wing, at: L}}
+        forces: {f: {at: tip, force: [0, F]}}
+        answers: {"equilibrium[base.reaction.moment]": -1.95 N*m, "equilibrium[wing.slope(L)]": F*L^2/(2*EI)}
+    """)
+    assert [verdict.agrees for verdict in check(found)] == [True, True]

@@ -161,7 +161,7 @@ def test_every_equality_holds(path):
     assert not any(isinstance(part, Words) and part.text.rstrip().endswith(":") for part in last)
     searched = any(one.value is not None and one.node is None for one in checked.lines)
     assert checked.count or searched or scene.laws or found.spec.get("energies") or scene.timed or scene.matrices
-    assert not faults(Document(path.stem, None, (), section_of(found, checked.lines)), FORMATS)
+    assert not faults(Document(path.stem, None, (), section_of(checked.lines)), FORMATS)
 
 
 @pytest.mark.parametrize(("more", "words"), [

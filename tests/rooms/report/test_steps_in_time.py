@@ -140,6 +140,11 @@ def test_half_cycles_that_the_engine_has_not_are_not_told(monkeypatch):
     assert "final(x)" not in by_name(RUBBED)
 
 
+def without_units(text):
+    """A formula as Python reads it, (9 1/s)·t as 9*t."""
+    return re.sub(r"\(([\d.]+)\u00a0[^()]*\)", r"\1", text).replace("·", "*").replace("−", "-")
+
+
 @pytest.mark.parametrize(("c", "roots", "F"), [("6", 2, 0), ("60", 3, 0), ("6", 2, 5), ("0", 0, 5)])
 def test_a_motion_from_the_start_is_a_sum_of_modes_beside_what_is_kept_up(c, roots, F):
     """Where damping couples them, of complex ones; held against expm of the state matrix, with the load as a state."""
@@ -167,10 +172,41 @@ def test_a_motion_from_the_start_is_a_sum_of_modes_beside_what_is_kept_up(c, roo
         ("|X", "amplitude(x{})", "|"), ("θ", "phase(x{})", ""))}
     due = expm(A * t) @ np.array([0.01, 0, 0, 0.3, 0, 9])
     for name, wanted in (("x1", due[0]), ("x2", due[1])):
-        told = settled[f"motion of {name}"].split(" = ")[1].partition("   (in m")[0].replace("·", "*").replace("−", "-")
+        told = without_units(settled[f"motion of {name}"].split(" = ")[1].partition("   (in m")[0])
         value = eval(re.sub(r"δ\d|ω_d\d|ω\d|\|X\d\||X\d|θ\d", lambda one: f"({letters[one.group()]})", told),
                      {"cos": math.cos, "sin": math.sin, "exp": math.exp, "t": t})
         assert value == pytest.approx(wanted, rel=2e-4)
+
+
+@pytest.mark.parametrize("c", ["8", "0"])
+def test_what_moves_freely_goes_on_with_its_speed_beside_what_vibrates(c):
+    """Two wagons that nothing holds, held against expm of the state matrix."""
+    scene = f"""
+        parameters: {{m1: 3 kg, m2: 5 kg, k: 1.2 kN/m, c: {c} N*s/m}}
+        bodies: {{a: {{mass: m1, slide: x}}, b: {{mass: m2, slide: y}}}}
+        springs: {{s: {{k: k, between: [a, b]}}}}
+        dampers: {{d: {{c: c, between: [a, b]}}}}
+        initial: {{x: 2 cm, y': 0.1 m/s}}
+        answers: {{x(1.3 s): 0 m}}
+    """ if float(c) else """
+        parameters: {m1: 3 kg, m2: 5 kg, k: 1.2 kN/m}
+        bodies: {a: {mass: m1, slide: x}, b: {mass: m2, slide: y}}
+        springs: {s: {k: k, between: [a, b]}}
+        initial: {x: 2 cm, y': 0.1 m/s}
+        answers: {x(1.3 s): 0 m}
+    """
+    lines = worked(problem(scene))
+    settled = {line.settles: formula(line.parts, plain).translate(DIGITS) for line in lines}
+    assert settled["start of mode 1"].endswith("as ω1 = 0 it moves freely,  p1 = p1(0) + ṗ1(0)·t")
+    minus, couples, A, t = -np.diag([1 / 3, 1 / 5]), np.array([[1, -1], [-1, 1]]), np.zeros((4, 4)), 1.3
+    A[:2, 2:], A[2:, :2], A[2:, 2:] = np.eye(2), minus @ couples * 1200, minus @ couples * float(c)
+    values = {line.settles: line.value for line in lines}
+    letters = {"δ2": values.get("decay[2]"), "ω_d2": values.get("omega_d[2]"), "ω2": values["omega[2]"]}
+    for name, wanted in zip("xy", expm(A * t) @ np.array([0.02, 0, 0, 0.1]), strict=False):
+        told = without_units(settled[f"motion of {name}"].split(" = ")[1].partition("   (in m")[0])
+        value = eval(re.sub(r"δ2|ω_d2|ω2", lambda one: f"({letters[one.group()]})", told),
+                     {"cos": math.cos, "sin": math.sin, "exp": math.exp, "t": t})
+        assert value == pytest.approx(wanted, rel=2e-4, abs=1e-7)
 
 
 @pytest.mark.parametrize("c", ["6", "0"])
@@ -201,7 +237,7 @@ def test_under_two_harmonics_and_a_steady_load_each_keeps_up_its_own(c):
     letters |= {f"|X{i}{n}|": values.get(f"amplitude {n} of x{i}") for i in (1, 2) for n in (1, 2)}
     letters |= {f"θ{i}{n}": values.get(f"lag {n} of x{i}") for i in (1, 2) for n in (1, 2)} | signed
     for name, wanted in zip(("x1", "x2"), due, strict=True):
-        told = settled[f"motion of {name}"].split(" = ")[1].partition("   (in m")[0].replace("·", "*").replace("−", "-")
+        told = without_units(settled[f"motion of {name}"].split(" = ")[1].partition("   (in m")[0])
         value = eval(re.sub(r"δ\d|ω_d\d|ω\d|\|X\d\d\||X\d\d|θ\d\d", lambda one: f"({letters[one.group()]})", told),
                      {"cos": math.cos, "sin": math.sin, "exp": math.exp, "t": t})
         assert value == pytest.approx(wanted, rel=2e-4, abs=1e-7)

@@ -85,7 +85,8 @@ def test_lines_of_problems(name, case, wanted):
     assert not any(" = 0 = 0" in line for line in lines)
 
 
-@pytest.mark.parametrize(("name", "noted"), [("shelter_under_a_blast", True), ("garland_of_power_springs", True),
+@pytest.mark.parametrize(("name", "noted"), [("shelter_under_a_blast", False), ("garland_of_power_springs", False),
+                                             ("jib_crane_with_winch", False),
                                              ("scale_pan_on_a_hardening_spring", True), ("gear_pair_and_rack", False),
                                              ("quarter_car_damped", False), ("lever_on_shaking_floor", False),
                                              ("disc_on_sprung_platform", False), ("platform_on_rods_dies_down", False)])

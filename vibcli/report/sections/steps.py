@@ -15,55 +15,27 @@ if TYPE_CHECKING:
 
 
 BARE = re.compile(r"(?<![\w.^√])(\d+\.\d+|\d{3,})·(?!i\b)[^\W\d]")        # halves and thirds have no unit
-JOINS, FACTORS = ("springs", "dampers"), ("mass", "inertia", "k", "c", "torsion")
-PUT_IN = re.compile(r"to order|expanded|^balance\[")        # what lines settle in which numbers stand for letters
-WITH_UNITS = re.compile(r"modal_mass\[|normal coordinates|motion of ")       # what lines settle whose units are told
-RAISED = {ord(sign): f"^{digit}" for digit, sign in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")}
+PUT_IN = re.compile("to order|expanded")        # what lines settle in which numbers stand for letters
 SI = "Numbers that stand beside letters without a unit are in SI units."
 
 
 def steps(problem: "Problem", _: "Report") -> Iterator[Section]:
     from vibcli.report.steps.worked import worked
 
-    yield from section_of(problem, worked(problem))
+    yield from section_of(worked(problem))
 
 
-def _has_bare_numbers(problem, found):
-    """Do numbers stand beside letters whose units are not told: those of literals in the file, or of letters that these
-    are put in for?"""
+def _has_bare_numbers(found):
+    """Do numbers stand beside letters whose units are not told, those of letters that they are put in for?"""
     from vibcli.notation.plain import plain
     from vibcli.report.formats.formula import formula
 
-    hidden = () if problem.scene.pieces else problem.scene.table.hidden
-    if 1 in hidden and any(_is_literal(record.get(key)) for kind in ("bodies", *JOINS) for record in (
-            problem.spec.get(kind) or {}).values() for key in FACTORS):
-        return True         # 1 kg is not seen at all
-    lines = [one for one in found if not (WITH_UNITS.match(one.settles) or _is_homogeneous(one))] if hidden else [
-        one for one in found if PUT_IN.search(one.settles)]
+    lines = [one for one in found if PUT_IN.search(one.settles)]
     return any(BARE.search(formula([part for part in one.parts if not isinstance(part, blocks.WithNumbers)], plain))
                for one in lines)
 
 
-def _is_homogeneous(one):
-    """Has what a line settles its unit by its letters alone, so that its numbers are pure?"""
-    from vibcli.base import units
-    from vibcli.notation.units_in_sums import ALL_PURE, dimension_of
-
-    if one.node is None or not one.unit or one.node.table.dimension is None:
-        return False
-    text = one.unit.translate(RAISED)
-    try:
-        wanted = units.parse_unit(text).dimension
-    except ValueError:
-        return False
-    return dimension_of(one.node, one.node.table.dimension, ALL_PURE) == wanted
-
-
-def _is_literal(field):
-    return getattr(getattr(field, "tree", None), "kind", "") == "number"
-
-
-def section_of(problem: "Problem", found: "Sequence[WorkedLine]") -> tuple[Section, ...]:
+def section_of(found: "Sequence[WorkedLine]") -> tuple[Section, ...]:
     """The lines of a scene as a section, and below them what numbers without units are in."""
     told: dict = {}
     for one in found:
@@ -74,7 +46,7 @@ def section_of(problem: "Problem", found: "Sequence[WorkedLine]") -> tuple[Secti
     digits = len(str(len(told)))
     heads = {number: Words(f"{number:\u00a0>{digits}}\u00a0\u00a0") for number in told}
     lines = blocks.equations(line(heads[number], *parts, hang=digits + 2) for number, parts in told.items())
-    return section("Steps", lines, paragraph(SI) if _has_bare_numbers(problem, found) else None)
+    return section("Steps", lines, paragraph(SI) if _has_bare_numbers(found) else None)
 
 
 def _data(problem):

@@ -24,6 +24,7 @@ from vibcli.report.steps.place_of_rest import as_counted
 from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.node import is_number
 from vibcli.symbolic.radicals import root, without_bars
 from vibcli.symbolic.rationals import ONE
 from vibcli.symbolic.syntax import QuantityRef
@@ -99,8 +100,8 @@ def _told_as_expression(problem, sheet, asked):
     value, unit = None, unit_told(problem.spec, asked)
     with suppress(KeyError):
         value, = evaluate([node], Floats, known)
-    if not is_short(node) or node.op == "number":
-        return node.op == "number"
+    if not is_short(node) or is_number(node):
+        return is_number(node)
     text = as_printed(asked.text, {*problem.spec.parameters, *problem.spec.coordinates})
     sheet.write(Words(f"{text}:  "), node, *(() if value is None else number(value, unit)), node=node,
                 settles=asked.text, value=value, unit=unit * (value is not None), uses=[sheet.last])
@@ -143,7 +144,7 @@ def _tell(problem, sheet, asked, joined):
     unit = unit_told(problem.spec, asked)
     node = _in_letters(problem, asked, value)
     text = as_printed(asked.text, {*problem.spec.parameters, *problem.spec.coordinates})
-    shown = [Words(text)] if node is None or node.op == "number" else [Words(f"{text}:  "), node]
+    shown = [Words(text)] if node is None or is_number(node) else [Words(f"{text}:  "), node]
     more = [Words("   (there the mode does not move)")] if getattr(asked.tree, "head", "") == "node" else as_counted(
         problem, asked.tree)
     sheet.write(*shown, *number(value, unit), *more, settles=asked.text, node=node,

@@ -16,6 +16,7 @@ from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.node import is_number
 from vibcli.symbolic.normal_form import is_zero
 from vibcli.symbolic.radicals import root
 
@@ -84,7 +85,7 @@ def tell_coefficient(about: AboutRest, sheet: WorkedSolution, found: "tuple[Node
     """Write down a letter and what it is, a sum of determinants that are multiplied by the time to a power."""
     letter, node = found
     value, unit = about.value(node), unit_of_determinant(about.problem, power)
-    shown = [] if value is not None and (letters(node) > LONG or node.op == "number") else [" = ", node]
+    shown = [] if value is not None and (letters(node) > LONG or is_number(node)) else [" = ", node]
     return sheet.write(letter, *shown, *(() if value is None else number(value, unit)), settles=letter.name, node=node,
                        value=value, unit="" if value is None else unit, uses=uses)
 

@@ -17,6 +17,7 @@ from vibcli.report.steps.place_of_rest import about_rest
 from vibcli.report.steps.small_oscillations import Derivation
 from vibcli.report.steps.step import WorkedSolution
 from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.node import is_number
 from vibcli.symbolic.syntax import parts_of
 
 if TYPE_CHECKING:
@@ -41,7 +42,7 @@ def tell_chosen(problem: "Problem", sheet: WorkedSolution) -> None:
     first, *others = problem.choice.solutions
     for name, condition in problem.choice.conditions.items():
         form, value = first.forms[name], first.values[name]
-        parts: list[Any] = [Name(name), *([" = ", form] if form is not None and form.op != "number" else [])]
+        parts: list[Any] = [Name(name), *([" = ", form] if form is not None and not is_number(form) else [])]
         unit = ""
         if value is not None:
             number, unit = quantity(float(value), problem.spec.dimensions.of(name))
@@ -79,7 +80,7 @@ def _written_out(problem, sheet, condition) -> list[Any]:
         return []
     with suppress(PhysicsError, SpecError):
         node = at_instant(problem, sheet, asked) or short_quantity(with_letters(problem), asked.tree)
-        if letters(node) <= LONG and node.op != "number":
+        if letters(node) <= LONG and not is_number(node):
             told = as_given(condition.right, names_of(problem))
             return [node, " = ", *([Words(told)] if isinstance(told, str) else told.parts), Words(",  ")]
     return []

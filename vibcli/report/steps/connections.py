@@ -20,6 +20,7 @@ from vibcli.report.steps.step import WorkedSolution, number, place_told
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.node import is_number
 from vibcli.symbolic.normal_form import is_zero, textbook
 
 if TYPE_CHECKING:
@@ -90,7 +91,7 @@ class Connections:
         node = self.about.rest(substitute([slope], {law.x: at})[0])
         name = self.sheet.letter(letter, law.owner)
         value, unit = self.about.value(node), SLOPES[letter, self._unit(law.owner)]
-        shown = [" = ", node] if value is None or node.op != "number" else []
+        shown = [" = ", node] if value is None or not is_number(node) else []
         self.sheet.write(Words(f"{what} of {law.owner} at rest, the slope of its law:  "), Name(name), *shown,
                          *(() if value is None else number(value, unit)), settles=name, node=node, value=value,
                          unit="" if value is None else unit)

@@ -17,6 +17,7 @@ from vibcli.report.steps.characteristic import LONG
 from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.node import is_number
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Expression
@@ -74,7 +75,7 @@ class _Entries:
         if told is not None:
             return told
         node, value, unit = self.nodes[i], self.values[i], UNIT[self.tree.head]
-        shown = [" = ", node] if node.op != "number" and letters(node) <= LONG else []
+        shown = [" = ", node] if not is_number(node) and letters(node) <= LONG else []
         return self.sheet.write(Words(f"{as_printed(settles)}:  "), self.symbols[i], *shown, *number(value, unit),
                                 settles=settles, node=node, value=value, unit=unit, letter=self.names[i])
 

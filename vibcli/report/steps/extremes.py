@@ -20,6 +20,7 @@ from vibcli.report.steps.step import number, unit_told
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.node import is_number
 from vibcli.symbolic.syntax import NameRef
 
 if TYPE_CHECKING:
@@ -115,7 +116,7 @@ def _tell(degree, asked, node, line, joined):
     if not problem.numeric.has_free_symbols:
         value, unit = float(value_of(problem, asked)[0]), unit_told(problem.spec, asked)
     text = as_printed(asked.text, {*problem.spec.parameters, *problem.spec.coordinates})
-    shown = [] if node.op == "number" and value is not None else [Words(":  "), node, *_put_in(degree, node)]
+    shown = [] if is_number(node) and value is not None else [Words(":  "), node, *_put_in(degree, node)]
     degree.sheet.write(Words(text), *shown, *(() if value is None else number(value, unit)), *as_counted(
         problem, asked.tree), settles=asked.text, node=node, value=value, unit=unit, uses=[line], joined=joined)
 

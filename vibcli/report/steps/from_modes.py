@@ -2,7 +2,8 @@
 
     q = Σ uₖ pₖ,   pₖ = e^{−δₖt} (Aₖ cos ωₖt + Bₖ sin ωₖt),   mₖ = uₖᵀM uₖ,   pₖ(0) = uₖᵀM q(0)/mₖ,
 
-where nothing damps or what damps leaves the modes apart; and beats, where two modes of one amplitude are close."""
+where nothing damps or what damps leaves the modes apart, and pₖ = pₖ(0) + ṗₖ(0)·t of what moves freely; and beats,
+where two modes of one amplitude are close."""
 
 from math import pi, sqrt
 from typing import TYPE_CHECKING, Any
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 ALIKE = 1e-9            # relative: of sums that vanish, and of amplitudes that are the same
+ROUNDING = 1e-14        # relative: what sums of a few terms are off
 CLOSE = 0.2             # of the difference of two frequencies over their sum, up to which they beat
 
 
@@ -47,20 +49,21 @@ class ModeFromStart(NamedTuple):
 
     @property
     def B(self) -> float:
-        """The amplitude of the sine."""
-        return (self.speed + self.delta * self.place) / self.rate
+        """The amplitude of the sine; of what moves freely the factor of the time."""
+        return (self.speed + self.delta * self.place) / self.rate if self.omega else self.speed
 
 
 def modes_of(problem: "Problem", start: "Sequence[Sequence[float]]") -> list[ModeFromStart]:
-    """All modes with their parts of a start, places and speeds from rest; none where they do not oscillate, or are
-    coupled by damping."""
+    """All modes with their parts of a start, places and speeds from rest; none where they neither oscillate nor move
+    freely, or are coupled by damping."""
     names = problem.scene.coordinates
     M, C, _, K = problem.configuration.linear_system.matrices()
     found = []
     for mode in problem.modal.modes:
         u = [complex(x).real for x in problem.modal.shape(mode)]
         mass, damps = _form(M, u, u), _form(C, u, u)
-        if not mode.omega or damps / (2 * mass) >= mode.omega or _left(M, K, u, float(mode.omega)) > ALIKE:
+        if mode.omega is None or _left(M, K, u, float(mode.omega)) > ALIKE or (
+                damps / (2 * mass) >= mode.omega if mode.omega else damps):
             return []
         found.append(ModeFromStart(mode.index, u, float(mode.omega), damps / (2 * mass), *(
             _form(M, u, x) / mass for x in start)))
@@ -68,14 +71,16 @@ def modes_of(problem: "Problem", start: "Sequence[Sequence[float]]") -> list[Mod
 
 
 def _form(matrix: "Mapping[tuple[int, int], float]", one, other):
-    return sum(value * one[i] * other[j] for (i, j), value in matrix.items())
+    """uᵀ M v, zero where rounding alone is left of its terms."""
+    terms = [value * one[i] * other[j] for (i, j), value in matrix.items()]
+    return _cleared(sum(terms), sum(map(abs, terms)), ROUNDING)
 
 
 def _left(M, K, u, omega):
     """How much of (K − ω²M) u is left, relative to its terms."""
     rows = {i for i, _ in (*M, *K)}
     size = max(sum(abs(value * u[j]) for (k, j), value in K.items() if k == i) for i in rows)
-    return max(abs(sum(value * u[j] for (k, j), value in K.items() if k == i) - omega**2 * sum(
+    return size and max(abs(sum(value * u[j] for (k, j), value in K.items() if k == i) - omega**2 * sum(
         value * u[j] for (k, j), value in M.items() if k == i)) for i in rows) / size
 
 
@@ -124,8 +129,13 @@ def _start_of(about, sheet, mode, rest, uses):
         damped = [Words(",  "), Name(delta), *number(mode.delta, "1/s"), Words(",  "), Name(rate), " = ",
                   about.table.sqrt(_letter(about, sheet, "omega", mode) ** 2 - about.letter(delta) ** 2),
                   *number(mode.rate, "rad/s")]
-    values = (number(_cleared(mode.place, mode.speed / mode.omega), unit),
-              number(_cleared(mode.speed, mode.place * mode.omega), f"{unit}/s"))
+    place, speed = (_cleared(mode.place, mode.speed / mode.omega), _cleared(mode.speed, mode.place * mode.omega)) if (
+        mode.omega) else (mode.place, mode.speed)
+    values = number(place, unit), number(speed, f"{unit}/s")
+    if not mode.omega:
+        p, omega = (sheet.letter(f"{letter}{mode.order}") for letter in ("p", "omega"))
+        damped = [Words(",  and as "), Name(omega), " = 0", Words(" it moves freely,  "), Name(p), " = ", Name(p),
+                  "(0) + ", Name(p + "'"), "(0)·", about.scene.time]
     shape = [part for one, x in zip(units, mode.shape, strict=True) for part in (
         ", ", told(x), *([Words(f"\u00a0{one}/{unit}")] if x and one != unit else []))][1:]
     line = sheet.write(*_parts_of_start(about, sheet, mode.order, shape, values, rest), *damped,
@@ -150,9 +160,9 @@ def _parts_of_start(about, sheet, order, shape, values, rest):
     return parts
 
 
-def _cleared(value, beside):
+def _cleared(value, beside, left=ALIKE):
     """A value, zero where rounding alone is left beside another."""
-    return 0.0 if abs(value) <= ALIKE * abs(beside) else value
+    return 0.0 if abs(value) <= left * abs(beside) else value
 
 
 def _letter(about, sheet, letter, mode):
@@ -161,6 +171,10 @@ def _letter(about, sheet, letter, mode):
 
 def _terms(about, sheet, mode, u):
     """[sign, part, …] of u pₖ."""
+    if not mode.omega:
+        values = [(u * mode.place, []), (u * mode.speed, ["·", about.scene.time])]
+        return [part for value, more in values if value for part in (
+            " − " if value < 0 else " + ", told(abs(value)), *more)]
     size = abs(mode.place) + abs(mode.B)
     return waves(about.scene, sheet, mode.order, (u * mode.place, u * mode.B), ALIKE * abs(u) * size, bool(mode.delta))
 
@@ -195,7 +209,8 @@ def motion_of(about: AboutRest, sheet: WorkedSolution, name: str, terms: "Sequen
 
 def _beats(about, sheet, name, parts, line):
     """The product of a slow and a fast wave that two cosines of one amplitude are."""
-    if len(parts) != 2 or any(mode.delta or abs(mode.B) > ALIKE * abs(mode.place) for mode, _ in parts):
+    if len(parts) != 2 or any(mode.delta or not mode.omega or abs(mode.B) > ALIKE * abs(mode.place)
+                              for mode, _ in parts):
         return
     (one, u), (two, v) = parts
     a, b = u * one.place, v * two.place

@@ -14,6 +14,7 @@ from vibcli.report.steps.free_waves import FreeWave, ToldMotion
 from vibcli.report.steps.step import number
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.node import is_number
 from vibcli.symbolic.normal_form import is_zero
 
 if TYPE_CHECKING:
@@ -70,7 +71,7 @@ def _write(degree, wave, x0, v0, lines):
     values = _values(degree, wave, x0 - place, v0 - speed)
     told: list[Any] = []
     for letter, form, value, unit in zip((A, B), (x0 - place, ahead / rate), values, (degree.unit,) * 2, strict=True):
-        shown = [] if form.op == "number" and value is not None else [" = ", form]
+        shown = [] if is_number(form) and value is not None else [" = ", form]
         told += [Words(",  " * bool(told)), letter, *shown, *(() if value is None else number(value, unit))]
     sheet.write(Words("at t = 0  "), Name(degree.name), " = ", x0, Words(",  "), Name(degree.name + "'"), " = ", v0,
                 Words(":  "), *told, settles="motion from the start", uses=[line])

@@ -15,6 +15,7 @@ from vibcli.report.steps.place_of_rest import as_counted
 from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.report.steps.waves_in_numbers import with_numbers
 from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.node import is_number
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Expression
@@ -57,6 +58,6 @@ def _write(problem, sheet, asked, node, told, uses):
     if not problem.numeric.has_free_symbols:
         value, unit = float(value_of(problem, asked)[0]), unit_told(problem.spec, asked)
     text = as_printed(asked.text, {*problem.spec.parameters, *problem.spec.coordinates})
-    shown = [] if node.op == "number" and value is not None else [Words(":  "), *with_numbers(sheet, told)]
+    shown = [] if is_number(node) and value is not None else [Words(":  "), *with_numbers(sheet, told)]
     sheet.write(Words(text), *shown, *(() if value is None else number(value, unit)), *as_counted(problem, asked.tree),
                 settles=asked.text, node=node, value=value, unit=unit, uses=uses)

@@ -14,6 +14,7 @@ from vibcli.report.steps.parts_of_a_turn import shortest
 from vibcli.report.steps.place_of_rest import as_counted
 from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.node import is_number
 from vibcli.symbolic.parser import VALUE
 from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import NameRef, parts_of
@@ -36,7 +37,11 @@ def tell_instant(problem: "Problem", sheet: WorkedSolution, asked: "Expression")
     node = shortest(problem, sheet, node)
     if not problem.numeric.has_free_symbols:
         value, unit = float(value_of(problem, asked)[0]), unit_told(problem.spec, asked)
-    shown = [" = ", node] if (line is None and node.op != "number") or value is None else []
+    if any((one.number, one.settles, one.value) == (line, asked.text.rpartition("(")[0], value) and one.node is node
+           for one in sheet.steps):         # a force from rest is told with its expression there
+        sheet.write(settles=asked.text, node=node, value=value, unit=unit, uses=[line], joined=True)
+        return True
+    shown = [" = ", node] if (line is None and not is_number(node)) or value is None else []
     names = {*problem.spec.parameters, *problem.spec.coordinates}
     sheet.write(Words(as_printed(asked.text, names)), *shown, *(() if value is None else number(value, unit)),
                 *as_counted(problem, asked.tree), settles=asked.text, node=node, value=value, unit=unit, uses=[line])

@@ -15,6 +15,7 @@ from vibcli.report.steps.free_waves import FreeWave, ToldMotion
 from vibcli.report.steps.step import number
 from vibcli.symbolic.common_denominator import single
 from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.node import is_number
 from vibcli.symbolic.normal_form import is_zero, textbook
 
 if TYPE_CHECKING:
@@ -161,7 +162,7 @@ class OneDegree:
         """A, B, the start and its speed: letters for these where they are more than a letter or a number."""
         name = self.degree.name
         at_start = f"{name}_0" if name[-1].isdigit() else f"{name}0"
-        known = [node if node.op in ("symbol", "number") else None for node in start]
+        known = [node if (node.op == "symbol" or is_number(node)) else None for node in start]
         return [node or self.about.letter(self.sheet.letter(letter)) for letter, node in zip(
             ("A", "B", at_start, "v0"), (None, None, *known), strict=True)]
 
@@ -221,13 +222,13 @@ class OneDegree:
         for which, letter, node, per in ((name, x0, start[0], ""), (name + "'", v0, start[1], "/s")):
             known = None if node.op == "symbol" else self.about.value(node)
             of_start += [Words(",  " * bool(of_start)), Name(which), *([" = ", letter] if letter is not node else []),
-                         *([" = ", node] if node.op != "number" or not known else []),
+                         *([" = ", node] if not is_number(node) or not known else []),
                          *(number(known, unit + per) if known else ())]
         found = [(letter, form, self.about.value(value), unit + per) for letter, form, value, per in (
             (A, forms[0], exact[0], ""), (B, forms[1], exact[1], "/s" * of_speed))]
         constants: list = []
         for letter, form, known, its in found:
-            shown = [] if form.op == "number" and known is not None else [" = ", form]
+            shown = [] if is_number(form) and known is not None else [" = ", form]
             value = () if known is None else number(known, its)
             constants += [Words(",  " * bool(constants)), letter, *shown, *value]
         line = self.sheet.write(Words("at t = 0  "), *of_start, Words(":  "), *constants, uses=[line],

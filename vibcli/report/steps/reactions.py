@@ -5,8 +5,8 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.notation.numbers import figure
 from vibcli.report.blocks import Name, Words
-from vibcli.report.sections.equations_of_motion import numeric_sum
 from vibcli.report.sections.statics import condition_in_numbers
 from vibcli.report.sections.too_long import brief
 from vibcli.report.steps.agreement import ALIKE, samples_of
@@ -17,6 +17,7 @@ from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.node import is_number
 from vibcli.symbolic.normal_form import is_zero, textbook
 
 READABLE = 24       # letters of an expression, beyond which it is told in numbers where it has them
@@ -39,11 +40,11 @@ def tell_statics(problem: "Problem", sheet: WorkedSolution) -> None:
         about = words_of(problem, name)
         told = f",  {about}" if about else ""
         lines.append(sheet.write(Words("balance along "), Name(name), Words(f"{told}:  "), *_readable(
-            problem, found, node), " = 0", settles=f"balance[{name}]"))
+            problem, found, node, not problem.system.dimension(name)), " = 0", settles=f"balance[{name}]"))
     known = _values(problem, found, found.supports)
     for signal, node in found.supports.items():
         if not node.is_zero and node is not found.values.get(signal) and signal not in _zero(known):
-            lines.append(sheet.write(Words(signal), " = ", *_readable(problem, found, node),
+            lines.append(sheet.write(Words(signal), " = ", *_readable(problem, found, node, "moment" in signal),
                                      settles=f"balance[{signal}]"))
     told = [signal for signal, node in found.values.items() if node is not None and not node.is_zero]
     _tell_values(problem, sheet, found, told, lines)
@@ -75,11 +76,24 @@ def _put_in(problem, balances):
             for name, node in known.items() if name in acting]
 
 
-def _readable(problem, found, node):
-    """Parts of a balance, in numbers where it is long and has them."""
+def _readable(problem, found, node, turns):
+    """Parts of a balance, in numbers where it is long and has them; `turns`: of moments."""
     if problem.numeric.has_free_symbols or letters(node) <= READABLE:
         return [brief(node)]
-    return numeric_sum(condition_in_numbers(problem, found, node))
+    parts: list[Any] = []
+    for value, symbol in condition_in_numbers(problem, found, node):
+        alone = symbol.op == "number"
+        of_moment = not alone and "moment" in found.forces[symbol]
+        unit = ("N·m" if turns else "N") if alone else {(True, False): "m", (False, True): "1/m"}.get(
+            (turns, of_moment), "")
+        sign, size = (" − " if value < 0 else " + ") if parts else "−" * (value < 0), figure(abs(value))
+        if alone:
+            parts += [sign + size, Words("\u00a0" + unit)]
+        elif unit:
+            parts += [f"{sign}({size}", Words("\u00a0" + unit), ")·", symbol]
+        else:
+            parts += [sign + (f"{size}·" if abs(value) != 1 else ""), symbol]
+    return parts or ["0"]
 
 
 def tell_forces(problem: "Problem", sheet: WorkedSolution) -> None:
@@ -99,10 +113,12 @@ def tell_forces(problem: "Problem", sheet: WorkedSolution) -> None:
         return
     wanted = [signal for signal, node in found.values.items()
               if node is not None and not node.is_zero and (everything or signal in at_rest)]
+    if not wanted:
+        _along(problem, sheet, text)
+    told = {line.settles for line in sheet.steps if f"equilibrium[{line.settles}]" not in text}
+    wanted = [signal for signal in wanted if everything or signal not in told]
     if wanted and not found.degree:
         _tell_balance(problem, sheet, found, wanted, moves)
-    elif not wanted:
-        _along(problem, sheet, text)
 
 
 def _forces(problem):
@@ -234,5 +250,5 @@ def tell_accelerations(problem: "Problem", sheet: WorkedSolution, lines: Iterabl
         value = None if floats is None else evaluate([node], Floats, floats)[0]
         unit = "m/s²" if problem.system.dimension(name) else "1/s²"
         sheet.write(Words("from rest as drawn  "), Name(name + "''"), *(
-            () if node.op == "number" and value is not None else (" = ", node)), *(() if value is None else number(
+            () if is_number(node) and value is not None else (" = ", node)), *(() if value is None else number(
                 value, unit)), settles=f"{name}''(0 s)", node=node, value=value, unit=unit, uses=list(lines))

@@ -17,6 +17,7 @@ from vibcli.report.steps.step import WorkedSolution, number, of_time, told
 from vibcli.report.steps.two_degrees import NOTHING, TwoDegrees
 from vibcli.symbolic.evaluation import evaluate_rational
 from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.node import is_number
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
@@ -79,8 +80,8 @@ class SeveralDegrees:
 
     def _put_in(self, letter, i, j, node):
         """Parts of ` = entry`, and ` = number unit` of one that is more than a letter, of up to three degrees."""
-        names, told = self.about.scene.coordinates, [" = ", node] * (node.op != "number")
-        alone = letters(node) <= 1 and node.op != "number"
+        names, told = self.about.scene.coordinates, [" = ", node] * (not is_number(node))
+        alone = letters(node) <= 1 and not is_number(node)
         value = None if alone or len(names) > NUMBERED else self.about.value(node)
         exact = None if value is None else evaluate_rational([node], self.problem.scene.parameters.exact)
         value = 0.0 if exact == [0] else value

@@ -14,6 +14,7 @@ from vibcli.report.steps.turning import TurningFrames
 from vibcli.report.steps.written_out import WrittenOut
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.node import is_number
 from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
@@ -149,7 +150,7 @@ class Derivation:
         places = [step.number for step in self.sheet.steps if step.settles.startswith("equilibrium[")]
         force = about.value(one.tension)
         told = () if force is None else number(force, unit)
-        told = told if told and one.tension.op == "number" else (" = ", one.tension, *told)
+        told = told if told and is_number(one.tension) else (" = ", one.tension, *told)
         self.sheet.write(Words(words), Name(one.shown.name), *told,
                          *(self._deflection(one, unit) if one.linear else ()), settles=one.shown.name,
                          node=one.tension, value=force, unit=unit, uses=[line] if follows else places,

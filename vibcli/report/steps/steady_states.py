@@ -22,6 +22,7 @@ from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.node import is_number
 from vibcli.symbolic.normal_form import is_zero, textbook
 from vibcli.symbolic.syntax import NameRef
 
@@ -46,7 +47,7 @@ class SteadyState:
         self.n, self.given = len(self.names), gradient(argument)[about.scene.time]
         kinds = sorted({wave for parts in loads.values() for wave in parts})
         self.wave = kinds[0] if len(kinds) == 1 else "sin"
-        symbol = self.given.op in ("symbol", "number") or letters(self.given) <= 2
+        symbol = self.given.op == "symbol" or is_number(self.given) or letters(self.given) <= 2
         self.Omega = self.given if symbol else about.letter(sheet.letter("Omega"))
         if not symbol:
             self._know()
@@ -108,7 +109,7 @@ class SteadyState:
             return sheet.write(Words("likewise"), *under, settles="steady state", uses=self.found.lines)
         M, C, G, K = (Name(sheet.matrix(letter)) for letter in "MCGK")
         both = [part for name, matrix in ((C, self.found.C), (G, self.found.G)) if matrix for part in (" + ", name)][1:]
-        rates = [" + i·", Omega, "·", *(["(", *both, ")"] if len(both) > 1 else both)] if both else []
+        rates = [" + i·", Factor(Omega), "·", *(["(", *both, ")"] if len(both) > 1 else both)] if both else []
         X, F = (Name(sheet.letter(letter)) for letter in "XF")
         form = [X, f"·{self.wave}(", *argument, ")"]
         if not self.undamped:
@@ -168,9 +169,10 @@ class SteadyState:
             sheet.letter("F")), Words(":  ")], len(sheet.steps)
         for letter, more, parts, unit in self.defined:
             value = self._complex(*parts)
-            plain = value is None or all(part.op == "number" for part in parts)
-            shown = [*complex_parts(*parts), *(() if plain else (" = " + complex_told(value),)),
-                     *([] if value is None else [Words(f" {unit}")])]
+            shown = complex_parts(*parts)
+            if value is not None:
+                plain = all(is_number(part) for part in parts)
+                shown = [*([] if plain else [*shown, " = "]), complex_told(value), Words(f" {unit}")]
             joined = len(sheet.steps) > first
             sheet.write(*([] if joined else head), letter, more, " = ", *shown, settles=letter.name, uses=uses,
                         joined=joined, unit=unit * (value is not None), **(

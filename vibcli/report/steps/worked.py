@@ -37,6 +37,7 @@ def worked(problem: "Problem") -> list[WorkedLine]:
     """The steps of a scene: to its equations of motion where these are asked, or small oscillations are not told apart
     element by element; then to its small oscillations."""
     _require_told(problem)
+    problem = with_units(problem)
     sheet = _sheet_of(problem)
     tell_expansion(problem, sheet)
     tell_by_amplitude(problem, sheet)
@@ -45,6 +46,15 @@ def worked(problem: "Problem") -> list[WorkedLine]:
         tell_chosen_motion(problem, sheet)
     tell_asked(problem, sheet)
     return sheet.steps
+
+
+def with_units(problem: "Problem") -> "Problem":
+    """The same with letters for the units of numbers that stand in its expressions, which are printed beside these."""
+    if not problem.scene.table.hidden or problem.scene.table.dimension is None or problem.scene.pieces:
+        return problem
+    from vibcli.language.units_as_letters import with_unit_letters
+
+    return problem.with_spec(with_unit_letters(problem.spec)).with_choice(problem.choice, problem)
 
 
 def _sheet_of(problem):
@@ -88,6 +98,10 @@ def _small(problem):
     about = about_rest(problem, sheet)
     tell_loops(about, sheet, conditions)
     _solved(about, sheet, Derivation(about, sheet).equations())
+    if problem.scene.loops is not None:
+        from vibcli.report.steps.first_order_multipliers import tell_first_order_multipliers
+
+        tell_first_order_multipliers(about, sheet)
     return sheet
 
 
