@@ -63,6 +63,10 @@ class ModalSignal(Signal):
 
         return float(self.modal.errors(self.reads, np.array([t]))[0])
 
+    @property
+    def is_estimated(self) -> bool:
+        return self.modal.is_estimated(self.reads)
+
     def error_of_mean(self, start: float, end: float) -> float:
         """Of its mean: what modes left out add are free vibrations on each stretch, |∫ e^{λt} dt| ≤ 2/|λ|."""
         slowest = min(self.modal.modes.left_out)
