@@ -38,7 +38,7 @@ APART, BALANCE = 0.2, 8.0       # of the radius within which all modes are count
                                 # and times the inverse of how many these are its square
 PLACES = 40.0       # places on a circle, over that share: what is left out is told to e⁻⁴⁰
 FAST = 0.5          # of that radius: exponents of loads well within
-INDEFINITE = 1e-12  # of the largest damper: what is no negative one
+INDEFINITE = 1e-12  # of dampers of one size: what is none
 MIXED = 100.0       # times (damping / distance of neighbours)²: how far shapes of modes are from real ones
 MOST = 4_096        # modes that a start in fields is divided in; those beyond add their own
 INSIDE = 1e-12      # of a length
@@ -83,11 +83,12 @@ class LeftOutEnergy:
         self.n, (_, C, self._M), rates = transfer.n, transfer.matrix.polynomial, modes.states.rates
         self.held, self.struck = (transfer.at_rest(begun[0]), self._M @ begun[1]) if twice is None else np.zeros(
             (2, self.n))
-        values, vectors = np.linalg.eigh(C)
-        least = -INDEFINITE * np.abs(values).max(initial=0.0)
-        self._strokes = vectors[:, values > -least] * np.sqrt(values[values > -least])
-        self.valid = bool((C == C.T).all() and (values >= least).all() and not self._grows()
-                          and not any(one.piece.drag for one in transfer.pieces) and (twice or 0.0) < inf)
+        size = np.sqrt(np.maximum(np.diagonal(C), 0.0))
+        values, vectors = np.linalg.eigh(C / np.outer(*[np.where(size, size, 1.0)] * 2))
+        self._strokes = (size[:, None] * vectors * np.sqrt(np.maximum(values, 0.0)))[:, values > INDEFINITE]
+        self.valid = bool((C == C.T).all() and (values >= -INDEFINITE).all() and not C[size == 0].any()
+                          and not self._grows() and (twice or 0.0) < inf
+                          and not any(one.piece.drag or one.retardation for one in transfer.pieces))
         apart = min(APART, (BALANCE / max(1, len(rates))) ** 0.5)
         half = int(PLACES / apart / 2) + 1
         turn = np.exp(1j * np.pi * (np.arange(half) + 0.5) / half)

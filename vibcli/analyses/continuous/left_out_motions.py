@@ -31,7 +31,8 @@ class LeftOutMotions:
         if not self.bounds(output, t, order):
             return inf
         number = int(np.searchsorted(self.times, t, side="right")) - 1
-        return self.energy.reach(output, order) * float(self._sums[max(0, number)])
+        found = self.energy.reach(output, order) * float(self._sums[max(0, number)])
+        return found if found < inf else inf
 
     def bounds(self, output: "LinearOutput", _: float, order: int = 0) -> bool:
         """Is that bound finite?"""

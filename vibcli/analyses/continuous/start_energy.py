@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from vibcli.mechanics.factored_system import PlacedPiece
 
 PLACES, WAVES = 16, 4.0     # of Gauss's rule on a panel, and how far fields may turn or grow over one
-GAP = 1e-12         # of the largest end value: what is none
+GAP = 1e-11         # of the largest end value: what is none
 
 
 def start_energy(transfer: "ExactTransfer", begun: tuple[np.ndarray, np.ndarray], given: "Sequence[Any]") -> float:
