@@ -80,8 +80,8 @@ class LeftOutEnergy:
     def __init__(self, modes: "ComplexModes", transfer: "ExactTransfer", begun: "tuple[np.ndarray, np.ndarray]",
                  twice: float | None = None):
         self.modes, self.states, self.basis, self.transfer = modes, modes.states, modes.basis, transfer
-        self.n, (_, C, self._M), rates = transfer.n, transfer.matrix.polynomial, modes.states.rates
-        self.held, self.struck = (transfer.at_rest(begun[0]), self._M @ begun[1]) if twice is None else np.zeros(
+        self.n, (_, C, M), rates = transfer.n, transfer.matrix.polynomial, modes.states.rates
+        self.held, self.struck = (transfer.at_rest(begun[0]), M @ begun[1]) if twice is None else np.zeros(
             (2, self.n))
         size = np.sqrt(np.maximum(np.diagonal(C), 0.0))
         values, vectors = np.linalg.eigh(C / np.outer(*[np.where(size, size, 1.0)] * 2))
@@ -94,7 +94,7 @@ class LeftOutEnergy:
         turn = np.exp(1j * np.pi * (np.arange(half) + 0.5) / half)
         self.places = [(1 - share * apart) * self.basis.radius * turn for share in (1.0, 1.5)]
         self.chosen = np.flatnonzero(np.abs(rates) > (1 - 1.5 * apart) * (1 - apart) * self.basis.radius)
-        self._twice = twice
+        self._twice, self._massive = twice, inverse_where_massive(M)
         self._known: dict[Any, Any] = {}
 
     @cached_property
@@ -125,7 +125,7 @@ class LeftOutEnergy:
              for s in self.places]
         shapes, at = self._shapes(self.chosen), list(channels)
         return self._slots(shapes[at].T, [h[:, at] for h in H], [h[np.ix_(at, at)] for h in H],
-                           inverse_where_massive(self._M)[np.ix_(at, at)])
+                           self._massive[np.ix_(at, at)])
 
     def _shapes(self, chosen):
         return self.basis.shapes[:, self.states.modes[chosen]]
@@ -148,7 +148,7 @@ class LeftOutEnergy:
             answers.append(g[:, None])
             shown.append(own[None, None])
         reads = self.basis.rows(output)[0][self.states.modes[self.chosen]][:, None]
-        return self._slots(reads, answers, shown, (row @ inverse_where_massive(self._M) @ row)[None, None])
+        return self._slots(reads, answers, shown, (row @ self._massive @ row)[None, None])
 
     def _put(self, place, s):
         """What a unit load at a place of a piece puts on coordinates, (n, places), and how far it goes itself while the
@@ -246,7 +246,7 @@ class LeftOutEnergy:
     def takes(self, channel: int, exponent: complex, power: int) -> bool:
         """Is the energy that a load sets free known, and finite?"""
         return channel < self.n and abs(exponent) <= FAST * self.basis.radius and (
-            power >= 0 or bool(inverse_where_massive(self._M)[channel, channel]))
+            power >= 0 or bool(self._massive[channel, channel]))
 
     def has_reach(self, output: LinearOutput, order: int) -> bool:
         """Is that finite?"""
@@ -254,8 +254,7 @@ class LeftOutEnergy:
 
     def _is_finite(self, output, rate):
         if rate:
-            massive = inverse_where_massive(self._M)
-            return rate == 1 and not output.places and all(massive[i, i] for i in output.q)
+            return rate == 1 and not output.places and all(self._massive[i, i] for i in output.q)
         return all(place.along < self.transfer.pieces[place.piece].piece.order // 2 for place in output.places)
 
     def _reach(self, output, rate):
