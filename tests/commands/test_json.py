@@ -114,7 +114,7 @@ def test_responses(ask):
         "until": 0.5, "initial": {"x": 0.0, "y": 0.02, "x'": 0.0, "y'": 0.1}, "balance": None}
     stretch, = data["response"]["signals"]
     assert list(stretch) == ["signal", "unit", "max", "max_error", "argmax", "min", "min_error", "argmin", "no_bound",
-                             "steady", "at", "fronts"]
+                             "steady", "at", "fronts", "estimated"]
     assert (stretch["signal"], stretch["unit"], stretch["fronts"]) == ("y - x", "m", [])
     assert stretch["min"] < 0 < stretch["max"] and 0 <= stretch["argmin"] <= 0.5
     wave, = stretch["steady"]

@@ -146,7 +146,8 @@ def _difference(ratio: float) -> str:
 
 def _estimated(problem: "Problem", tree: "QuantityRef") -> bool:
     """Is the error of what is asked, read off a motion in time, an estimate?"""
-    return any(problem.response_of(asked).estimated for asked in asked_in(tree) if asked.head in ALONG)
+    along = [(problem.response_of(asked), asked.args[0]) for asked in asked_in(tree) if asked.head in ALONG]
+    return any(response.estimated and response.kept_signal(signal).is_estimated for response, signal in along)
 
 
 def _uncertain(verdict: Verdict) -> Verdict:

@@ -38,8 +38,13 @@ RESPONSE = [
          "without both instead, exact but for rounding, as long as fronts stay few."),
         ("damped modes", "Where dampers, or drag that differs by mass from place to place, couple the modes of "
          "members, the same sum runs over damped modes, each with its own complex frequency, as many of them as the "
-         "argument principle counts in a circle; of those that are one or nearly so, as at critical damping, the mean "
-         "over a circle about them. A damper of √(Nμ) beside drag is refused, as no wave comes back from it."),
+         "argument principle counts in a circle; of those that are one or nearly so, as at critical damping, the "
+         "mean over a circle about them. What those left out add to displacements and slopes, and to rates of what "
+         "has mass, is bounded by the energy that each jump or bend of forces at places, each blow on a mass, or the "
+         "start leaves them, which never grows. Of moments, forces and other rates, and with drag, loads along "
+         "members, driven ends, blows on what has no mass, or a start in a field beside modes that are one, it is "
+         "estimated from how amplitudes fall; reports, `check` and `--json` say so. A damper of √(Nμ) beside drag is "
+         "refused, as no wave comes back from it."),
         ("full", "`motion: full`: the full equations, integrated, for wide swings, laws, dry friction, stops, slack. "
          "Events and the balance of the energies are printed; a motion whose energies do not balance to 1e-8, or to "
          "the accuracy that is asked, is refused. It is found twice, by rules of another order or by longer steps, and "

@@ -19,6 +19,7 @@ class BoundlessSignal(ModalSignal):
     values, values_before, error = DispersedSignal.values, DispersedSignal.values_before, DispersedSignal.error
     breaks, fronts, require_bounded = DispersedSignal.breaks, DispersedSignal.fronts, DispersedSignal.require_bounded
     error_of_time, error_of_zero = DispersedSignal.error_of_time, DispersedSignal.error_of_zero
+    is_estimated = Signal.is_estimated
     error_of_mean, error_of_extreme = Signal.error_of_mean, Signal.error_of_extreme
 
     def __init__(self, waves: "DispersedMotion", output: "LinearOutput", motion: "ModalMotion", asked: tuple):

@@ -22,7 +22,7 @@ EPSILON = 2.0**-52
 class CoupledModalResponse(ModalResponse):
     """Small oscillations about the equilibrium. NotByModes where more than dampers at coordinates couples the modes."""
 
-    WORDS = "small oscillations about the equilibrium, by coupled modes; what those left out add is estimated"
+    WORDS = "small oscillations about the equilibrium, by coupled modes"
     estimated = True
 
     @cached_property

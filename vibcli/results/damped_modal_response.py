@@ -23,7 +23,7 @@ FINEST, LEAST = 81_920, 12_288      # modes of few coordinates for values to man
 class DampedModalResponse(ModalResponse):
     """Small oscillations about the equilibrium. NotByModes where damped modes are not all that moves."""
 
-    WORDS = "small oscillations about the equilibrium, by damped modes; what those left out add is estimated"
+    WORDS = "small oscillations about the equilibrium, by damped modes"
     estimated = True
     _reached = 0
 
@@ -104,8 +104,18 @@ class DampedModalResponse(ModalResponse):
         if series.resting != basis.at_rest:
             raise PhysicsError("motions that nothing holds are not told from those that creep",
                                "hold them, or damp them more")
-        modes = ComplexModes(basis, self._felt(basis), (*self._start(basis), self._dragged(basis)))
+        modes = ComplexModes(basis, self._felt(basis), (*self._start(basis), self._dragged(basis)),
+                             None if self.let_go else self._left_out)
         return ModalMotion(modes, self._transfer, self._forces, self.problem.work)
+
+    def _left_out(self, modes):
+        """The LeftOutEnergy."""
+        from vibcli.analyses.continuous.left_out_energy import LeftOutEnergy
+        from vibcli.analyses.continuous.start_energy import start_energy
+
+        transfer, in_fields = self._transfer, any(part is not None for given in self.fields for part in given)
+        twice = start_energy(transfer, self.deviations, self.fields) if in_fields else None
+        return LeftOutEnergy(modes, transfer, self.deviations, twice)
 
     @cached_property
     def _known(self):

@@ -70,6 +70,10 @@ class RepeatingSignal(Signal):
     def error(self, t: float) -> float:
         return self.signal.error(float(self._late(t))) + self.left
 
+    @property
+    def is_estimated(self) -> bool:
+        return self.signal.is_estimated
+
     def error_of_extreme(self, start: float, end: float, top: tuple[float, float], sense: int) -> float:
         end = min(end, start + self.period)
         late = self._tops.get(top, (top[0] + self.start, top[1] + self.aside))

@@ -22,7 +22,7 @@ class Response:
     series."""
 
     WORDS: str
-    estimated = False       # are errors estimates of what modes left out add, and no bounds?
+    estimated = False       # may errors be estimates of what modes left out add, and no bounds?
     lasting: Callable[[], float]
     signal: Callable[[Any], "Signal"]
     known: float

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 class ShakenModalResponse(ModalResponse):
     """Small oscillations about the equilibrium; the displacements of supports are channels of their own, the last."""
 
-    WORDS = "small oscillations about the equilibrium, by modes; what those left out add is estimated"
+    WORDS = "small oscillations about the equilibrium, by modes"
     estimated = True
 
     @cached_property

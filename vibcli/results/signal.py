@@ -129,6 +129,11 @@ class Signal:
         """How far its value at an instant may be off; 0 where that is rounding."""
         return 0.0
 
+    @property
+    def is_estimated(self) -> bool:
+        """Is that an estimate of what modes left out add, and no bound?"""
+        return False
+
     def error_of_extreme(self, start: float, end: float, top: tuple[float, float], sense: int) -> float:
         """How far the largest (sense 1) or smallest (−1) value between two instants may be off, `top` being (t, value)
         of what is found."""

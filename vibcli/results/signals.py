@@ -158,6 +158,10 @@ class ComposedSignal(Signal):
         return np.broadcast_to(found, np.shape(times))
 
     @property
+    def is_estimated(self) -> bool:
+        return any(signal.is_estimated for signal in self.signals.values())
+
+    @property
     def names(self) -> set[str]:
         """The names of the symbols that it holds."""
         from vibcli.symbolic.expression_graph import reachable

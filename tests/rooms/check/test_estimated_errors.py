@@ -5,6 +5,7 @@ import json
 import pytest
 
 from vibcli.cli.program import run
+from vibcli.results.damped_modal_response import DampedModalResponse
 
 ARM = """
 parameters: {L: 1.2 m, EI: 2400 N*m^2, mu: 3 kg/m}
@@ -30,3 +31,23 @@ def test_only_errors_that_are_estimates_are_said_to_be(tmp_path, capsys, right, 
     assert largest["estimated"] == estimated and not omega["estimated"]
     assert run(["response", str(path), "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["response"]["estimated"] == estimated
+
+
+BOUNDED = """
+parameters: {L: 1.2 m, EI: 2400 N*m^2, mu: 3 kg/m}
+beams: {arm: {length: L, EI: EI, mass_per_length: mu, left: clamped, right: {c: 3 N*s/m}}}
+initial: {arm.u: 1 mm*(6*(x/L)^2 - 4*(x/L)^3 + (x/L)^4)/3}
+"""
+
+
+def test_of_damped_modes_errors_of_moments_are_estimates_and_those_of_displacements_are_bounds(
+        tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr(DampedModalResponse, "most", 128)
+    path = tmp_path / "arm.yaml"
+    path.write_text(BOUNDED, encoding="utf-8")
+    asked = ["response", str(path), "--of", "arm.u(L)", "--of", "arm.moment(0 m)", "--until", "0.1 s"]
+    assert run(asked) == 0
+    assert "what those left out add is estimated in arm.moment(0 m)" in " ".join(capsys.readouterr().out.split())
+    assert run([*asked, "--json"]) == 0
+    told = json.loads(capsys.readouterr().out)["response"]
+    assert told["estimated"] and [one["estimated"] for one in told["signals"]] == [False, True]

@@ -109,6 +109,6 @@ points: {mid: {body: wing, at: L/2}}
 dampers: {d: {c: 3 N*s/m, between: [mid, b]}}
 forces: {f: {at: mid, force: 3 N*sin(5 rad/s*t)}}
 """)
-    assert scene.response.words.endswith("is estimated")
+    assert scene.response.estimated
     found = scene.response.signal(with_places(parse("wing.u(L/2) + s.phi(L)*1 m"), scene.spec.members))
     assert found.error(0.1) <= 1e-6 * abs(found.values([0.1])[0])

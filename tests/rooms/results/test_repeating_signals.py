@@ -119,7 +119,7 @@ def test_a_damper_within_what_nothing_holds():
 
     top, when, at = (model[asked] for asked in (
         "max(steady(line.phi(0 m)))", "argmax(steady(line.phi(0 m)))", "steady(line.phi(0 m))(0.3 s)"))
-    assert abs(at.value - phi(0.3)) <= at.error < 1e-4 and abs(top.value - phi(when.value)) <= top.error < 1e-4
+    assert abs(at.value - phi(0.3)) <= at.error < 1e-3 and abs(top.value - phi(when.value)) <= top.error < 1e-3
     assert top.value + top.error >= max(map(phi, np.linspace(0, np.pi / 2, 400)))
 
 

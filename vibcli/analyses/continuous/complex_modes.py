@@ -6,21 +6,24 @@ of distributed mass and drag too; conjugates add up to twice a real part. What n
 is damped, doubly and apart from all else where it is not.
 """
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.analyses.continuous.coincident_roots import nearest
 from vibcli.analyses.continuous.doubt import Doubt
+from vibcli.analyses.continuous.left_out_motions import LeftOutMotions
 from vibcli.analyses.continuous.modal_states import States
 from vibcli.analyses.continuous.mode_basis import ModeBasis, in_floats, on_part
 from vibcli.numerics.pieces.stiffness import stiffness_and_slope
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from vibcli.analyses.continuous.damped_series import DampedSeries
     from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix
+    from vibcli.analyses.continuous.left_out_energy import LeftOutEnergy
     from vibcli.analyses.excitation.linear_output import LinearOutput
     from vibcli.mechanics.factored_system import PlacedPiece
 
@@ -33,14 +36,15 @@ SAFE = 0.9
 
 class DampedBasis(ModeBasis):
     """Of what nothing holds and of a DampedSeries: rates λ (N,), errors: their relative bounds, free: how many of the
-    first are neither held nor damped, at_rest: how often λ = 0; shapes (n, N), parts[p] as of a ModeBasis."""
+    first are neither held nor damped, at_rest: how often λ = 0; shapes (n, N), parts[p] as of a ModeBasis; of_points:
+    no larger |λ| is that of a point about several."""
 
     def __init__(self, series: "DampedSeries", matrix: "DynamicMatrix", rigid: np.ndarray,
                  placed: "Sequence[PlacedPiece]"):
         self.placed, still, self._sizes = in_floats(placed), _sorted(matrix, rigid), {}
         self.free, resting = still
         self.at_rest = self.free + len(resting)
-        zeros, self.radius = np.zeros(len(resting)), series.radius
+        zeros, self.radius, self.of_points = np.zeros(len(resting)), series.radius, series.of_points
         self.rates, self.errors = np.append(zeros, series.rates), np.append(zeros, series.errors)
         self.shapes = np.zeros((matrix.n, len(self.rates)), complex)
         self.shapes[:, :len(resting)] = resting.T
@@ -72,9 +76,12 @@ def _sorted(matrix, rigid):
 
 
 class ComplexModes:
-    """Of a DampedBasis, as RealModes: inputs φᵀb (modes, channels); start: φᵀ M u₀, φᵀ M v₀ and φᵀ C u₀."""
+    """Of a DampedBasis, as RealModes: inputs φᵀb (modes, channels); start: φᵀ M u₀, φᵀ M v₀ and φᵀ C u₀; left(of
+    these): the LeftOutEnergy of those left out. gaps: how far each λ is from the next; shown_by_start: ⟨zₙ, z⟩ of the
+    start."""
 
-    def __init__(self, basis: DampedBasis, inputs: np.ndarray, start: tuple[np.ndarray, np.ndarray, np.ndarray]):
+    def __init__(self, basis: DampedBasis, inputs: np.ndarray, start: tuple[np.ndarray, np.ndarray, np.ndarray],
+                 left: "Callable[[ComplexModes], LeftOutEnergy] | None" = None):
         self.basis, self.count, free = basis, basis.shapes.shape[1], basis.free
         place, speed, drag = start
         rates = basis.rates[free:]
@@ -87,9 +94,12 @@ class ComplexModes:
         self.rigid_inputs = inputs[:free].real
         self.rigid_start = np.array([place[:free].real, speed[:free].real])
         self.left_out, self.fading = (basis.radius, np.inf), _fading(rates)
-        self.lost, self.disturbed = NOISE * most, None
+        self.lost = NOISE * most
         errors = basis.errors[free:]
-        self.doubt = Doubt(errors + EPSILON * (rates != 0), 8 * EPSILON + 4 * errors * abs(rates) / nearest(rates))
+        self.gaps = nearest(rates)
+        self.doubt = Doubt(errors + EPSILON * (rates != 0), 8 * EPSILON + 4 * errors * abs(rates) / self.gaps)
+        self.shown_by_start = rates * (speed[free:] - rates * place[free:] - drag[free:])
+        self.disturbed = left and partial(LeftOutMotions, left(self))
 
     def rows(self, output: "LinearOutput") -> tuple[np.ndarray, np.ndarray]:
         """What an output reads of each state, its rate and acceleration, (3, states), and of what nothing holds."""

@@ -31,7 +31,8 @@ GAPS = 6                # between roots that are tried in turn for the circle
 
 class DampedSeries(NamedTuple):
     """What moves with all λ ≠ 0 with Im λ ≥ 0 within |λ| < radius, by |λ|: λ or of those that coincide points about
-    them, their relative bounds and shapes; of_parts: these λ of each part; resting: how often 0 is one."""
+    them, their relative bounds and shapes; of_parts: these λ of each part; resting: how often 0 is one; of_points: no
+    larger |λ| is that of a point."""
 
     parts: "Sequence[DampedPart | StillPart]"
     radius: float
@@ -40,6 +41,7 @@ class DampedSeries(NamedTuple):
     errors: np.ndarray
     groups: list[ShapesOf]
     resting: int
+    of_points: float
 
 
 class Known(NamedTuple):
@@ -159,5 +161,6 @@ def _within(radius, known, parts):
         kept += [group.among(place[first:first + len(own)][group.numbers], count) for group in groups]
         first += len(own)
     of_parts = [values[abs(values) < radius] for values, _ in (one.all() for one in parts)]
+    points = [size for one in parts for several in one.several for size in abs(several.points) if size < radius]
     return DampedSeries(known.parts, radius, of_parts, rates[order][:count], errors[order][:count], kept,
-                        known.resting)
+                        known.resting, max(points, default=0.0))

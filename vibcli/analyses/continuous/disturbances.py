@@ -45,7 +45,9 @@ class Start(NamedTuple):
 
 class Disturbances:
     """Of UncountedModes, by segments of a load and by the start: `bound` of what an output shows of them; creeping: the
-    aₖ of 2ζω = Σ aₖ ω²ᵏ where 2ζ/ω grows without end."""
+    aₖ of 2ζω = Σ aₖ ω²ᵏ where 2ζ/ω grows without end. ALONE: does nothing else tell it where this does not?"""
+
+    ALONE = True
 
     def __init__(self, modes: "UncountedModes", start: Start, segments: "Sequence[Segment]", creeping: tuple = ()):
         self.modes, self.slow = modes, _creep(creeping, modes.highest, segments)

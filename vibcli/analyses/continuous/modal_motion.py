@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.continuous.damped_transfer import DampedTransfer
     from vibcli.analyses.continuous.disturbances import Disturbances
     from vibcli.analyses.continuous.exact_transfer import ExactTransfer
+    from vibcli.analyses.continuous.left_out_motions import LeftOutMotions
     from vibcli.analyses.continuous.real_modes import RealModes
     from vibcli.analyses.excitation.forcing import Forcing
     from vibcli.analyses.excitation.linear_output import LinearOutput
@@ -52,7 +53,7 @@ class ModalMotion:
         self._rows: dict[Any, Any] = {}
         self._known: dict[int, tuple[Stroke, list]] = {}        # {id: (stroke, its parts)}, the oldest first
         self._until, self._stretches, self._aged = -1.0, [], []
-        self._disturbances: Disturbances | None = None
+        self._disturbances: Disturbances | LeftOutMotions | None = None
 
     def under(self, forcing: "Forcing") -> "ModalMotion":
         """The same motion, whose outputs read further channels of the loads."""
@@ -173,6 +174,16 @@ class ModalMotion:
         rest = self._uncounted(read, stretch, t)
         return rest if modes is None else rest + float(self._amplitudes(read, stretch)[modes:].sum())
 
+    def _estimates(self, output, t, order):
+        """Is what is left out estimated?"""
+        known = self._disturbances
+        return known is None or not (known.ALONE or known.bounds(output, t, order))
+
+    def is_estimated(self, output: "LinearOutput") -> bool:
+        """Is that an estimate and no bound, at an instant at least?"""
+        known = self.modes.disturbed(self.forcing.pieces) if self.modes.disturbed else None
+        return known is None or not (known.ALONE or known.bounds(output, inf))
+
     def is_bounded(self, output: "LinearOutput", t: float, order: int = 0) -> bool:
         """Is that bound finite?"""
         self.stretches(float(t))
@@ -202,7 +213,7 @@ class ModalMotion:
 
     def _uncounted(self, read, stretch, t):
         """A bound of what is left out; where none is known how amplitudes fall."""
-        if self._disturbances is not None:
+        if not self._estimates(read.output, t, read.order):
             return self._disturbances.bound(read.output, t, read.order)
         rounded = float((read.off * np.abs(stretch.free))[self.states.modes >= self.count // 2].max(initial=0.0))
         rest = remainder(self._amplitudes(read, stretch), rounded)

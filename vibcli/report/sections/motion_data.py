@@ -34,13 +34,13 @@ def response_data(problem: "Problem", wanted: "Wanted") -> dict[str, Any]:
     found = [SIGNALS.row(one.text, one.unit, *(number for which in both for number in _of_extreme(which)),
                          None if alone else without_bound(one, end),
                          None if alone else _steady(motion, one.signal, wanted.phase), values,
-                         [] if alone else one.signal.leaps(end))
+                         [] if alone else one.signal.leaps(end), motion.estimated and one.signal.is_estimated)
              for (one, *both), values in zip(ends, instants, strict=True)]
     missing = unknown(problem, wanted)
     return data((*KNOWN, PERIODS, UNKNOWN, ESTIMATED), {
         "until": end, "initial": {} if alone else {**places, **{name + "'": v for name, v in speeds.items()}},
         "signals": found, "balance": motion.trajectory().balance.error if motion.KIND == "full" else None,
-        "unknown": missing and missing.message, "estimated": motion.estimated,
+        "unknown": missing and missing.message, "estimated": any(one["estimated"] for one in found),
         "periods": compared_periods(problem, motion)})
 
 
@@ -96,7 +96,8 @@ SIGNALS = Key("signals", "a list, one entry to each signal", each=(
     Key("fronts", "a list of the fronts of travelling waves at which the signal leaps; empty of other motions", each=(
         Key("t", "the instant, in s", lambda one: one[0]),
         Key("before", "the value before it", lambda one: one[1]),
-        Key("after", "the value after it", lambda one: one[2])))))
+        Key("after", "the value after it", lambda one: one[2]))),
+    Key("estimated", "true where its errors are estimates of what modes of members left out add, and no bounds")))
 KNOWN = (
     Key("until", "its end, in s, as far as it is known; null where a motion that is all prescribed is asked for at "
         "instants alone"),
@@ -104,7 +105,6 @@ KNOWN = (
     Key("balance", "what the energies of an integrated motion fail to balance by, relative to the largest; null of "
         "small oscillations, and of a motion that --digits follows by series"))
 UNKNOWN = Key("unknown", "null, or why the motion is known up to `until` alone, though more was asked for")
-ESTIMATED = Key("estimated", "true where errors of members by modes are estimates of what modes left out add, and no "
-                "bounds; those of travelling waves always are bounds")
+ESTIMATED = Key("estimated", "true where the errors of a signal at least are estimates")
 MOTION = Key("response", "of `vibcli response`, and where `find` asks: the motion in time; null where symbols have no "
              "value", of=(UNKNOWN, *KNOWN, PERIODS, ESTIMATED))

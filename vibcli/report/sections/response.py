@@ -40,7 +40,8 @@ def response(problem: "Problem", report: "Report") -> Iterator[Section]:
     if motion.KIND == "prescribed":
         yield from section(f"Motion in time ({motion.words})", paragraph("nothing moves freely"))
     else:
-        yield from _start(problem, motion, _drive(problem, motion) if motion.KIND in ("small", "steady") else ())
+        drive = _drive(problem, motion) if motion.KIND in ("small", "steady") else ()
+        yield from _start(problem, motion, _kind(motion, asked), drive)
     if motion.KIND == "full":
         from vibcli.report.sections.integration import integration
 
@@ -157,7 +158,14 @@ def precise_text(value: "mpmath.mpf", digits: int) -> str:
     return mpmath.nstr(value, digits, strip_zeros=False)
 
 
-def _start(problem, motion, drive):
+def _kind(motion, asked):
+    """What kind of motion it is, and in which signals what modes left out add is only estimated."""
+    estimated = [one.text for one in asked if motion.estimated and one.signal.is_estimated]
+    among = "" if len(estimated) == len(asked) else f" in {', '.join(estimated)}"
+    return f"{motion.words}; what those left out add is estimated{among}" if estimated else motion.words
+
+
+def _start(problem, motion, kind, drive):
     places, speeds = motion.start
     parts = []
     for name, value in places.items():
@@ -172,7 +180,7 @@ def _start(problem, motion, drive):
         parts += ["   (as drawn: no equilibrium is reached)"]
     force = problem.spec.let_go
     parts += [f", where {force} lets go"] if force else []
-    yield from section(f"Motion in time ({motion.words})", paragraph("from ", *(parts or ["rest"])), *drive)
+    yield from section(f"Motion in time ({kind})", paragraph("from ", *(parts or ["rest"])), *drive)
 
 
 def _drive(problem, motion):

@@ -1,0 +1,105 @@
+"""What damped modes left out add is bounded by their energy: against what motions begin with, against many more modes
+and travelling waves, and the energies of modes against their fields."""
+
+import numpy as np
+import pytest
+from support.modes_found_once import modes_found_once  # noqa: F401
+from support.scenes import problem
+
+from vibcli.analyses.continuous.damped_energies import energies
+from vibcli.analyses.excitation.linear_output import FieldPoint, LinearOutput
+from vibcli.language.signals_of_places import with_places
+from vibcli.results.damped_modal_response import DampedModalResponse
+from vibcli.results.wave_response import WaveResponse
+from vibcli.symbolic.parser import parse
+
+BEAM = """
+parameters: {L: 1 m, EI: 1 N*m^2, mu: 1 kg/m}
+beams: {arm: {length: L, EI: EI, mass_per_length: mu, ENDS, attached: [{at: L/2, c: DAMPER}MORE]}}
+points: {aside: {body: arm, at: 0.3*L}, mid: {body: arm, at: L/2}}
+""".replace("MORE", "%s")
+STEP = "forces: {push: {at: aside, force: 1 N*step(t)}}"
+PINNED = BEAM.replace("ENDS", "left: pinned, right: pinned") % "" + "%s"
+COMMON = PINNED.replace("DAMPER", "0.7 N*s/m")
+ASIDE, TURN, MID, BETWEEN = FieldPoint(1, 0.0), FieldPoint(1, 0.0, 1), FieldPoint(2, 0.0), FieldPoint(2, 0.2)
+SCENES = {
+    "step": (COMMON % STEP, {ASIDE: 0, MID: 0, TURN: 0}),
+    "half a sine": (COMMON % "forces: {push: {at: aside, force: 1 N*sin(pi*t/(0.3 s))*step(0.3 s - t)}}",
+                    {ASIDE: 0, TURN: 0}),
+    "at resonance, hardly damped at a node": (
+        PINNED.replace("DAMPER", "1e-8 N*s/m") % "forces: {push: {at: aside, force: 1 N*cos(4*pi^2*t/(1 s))}}",
+        {ASIDE: 0, MID: 0}),
+    "let go": (COMMON % "forces: {push: {at: aside, force: 1 N}}\ninitial: {released: push}",
+               {ASIDE: 0.3**2 * 0.7**2 / 3}),
+    "thrown in a field": (COMMON % "initial: {arm.u': 1 mm/s*x*(L - x)/L^2}", {ASIDE: 0, MID: 0}),
+    "bent in a field": (COMMON % "initial: {arm.u: 1 mm*(x/L)^2*(1 - x/L)^2}", {ASIDE: 1e-3 * 0.3**2 * 0.7**2}),
+    "nothing holds it": (BEAM.replace("ENDS", "left: free").replace("DAMPER", "0.7 N*s/m") % "" + STEP,
+                         {ASIDE: 0, MID: 0}),
+    "a blow on a mass": (
+        BEAM.replace("ENDS", "left: clamped").replace("DAMPER", "0.7 N*s/m") % ", {at: 0.3*L, mass: 0.5 kg}"
+        + "bodies: {hit: {mass: 0.5 kg, slide: y}}\nsprings: {tie: {k: 9 N/m, between: [hit, mid]}}\n"
+        + "forces: {push: {at: aside, force: 1 N*s*impulse(t)}}", {ASIDE: 0, BETWEEN: 0}),
+}
+TIMES = np.linspace(0.0, 0.6, 25)
+pytestmark = pytest.mark.usefixtures("modes_found_once")
+
+
+@pytest.mark.parametrize("kind", SCENES)
+def test_what_is_left_out_is_bounded_and_not_by_far_more_than_it_is(kind):
+    text, begins = SCENES[kind]
+    scene = problem(text)
+    response = DampedModalResponse(scene)
+    few, more = response.motion(16), response.motion(64)
+    for place, begin in begins.items():
+        output = LinearOutput(places={place: 1.0})
+        assert not few.is_estimated(output)
+        off = np.abs(few.values(output, TIMES) - more.values(output, TIMES))
+        off[0] = abs(few.values(output, [0.0])[0] - begin)
+        left = np.array([few.bound(output, t) for t in TIMES])
+        assert (off <= left + more.bound(output, TIMES[-1]) * (TIMES > 0) + 1e-15).all()
+        assert left.max() <= 100 * off.max()
+
+
+def test_a_damped_bar_is_as_far_from_its_waves_as_is_told():
+    scene = problem("""
+parameters: {L: 1 m, E: 1 Pa, A: 1 m^2, rho: 1 kg/m^3}
+bars: {rod: {length: L, E: E, A: A, rho: rho, left: clamped, right: {c: 0.5 N*s/m}}}
+points: {end: {body: rod, at: L}}
+forces: {push: {at: end, force: 1 N*step(t)}}
+""")
+    motion, output = DampedModalResponse(scene).motion(64), LinearOutput(places={FieldPoint(0, 0.2): 1.0})
+    waves = WaveResponse(scene).signal(with_places(parse("rod.u(0.2*L)"), scene.spec.members))
+    off = np.abs(motion.values(output, TIMES * 7) - waves.values(TIMES * 7))
+    assert off.max() <= motion.bound(output, 4.2) <= 10 * off.max()
+
+
+def test_moments_and_what_is_struck_where_nothing_has_mass_are_estimated():
+    scene = problem(SCENES["step"][0])
+    motion = DampedModalResponse(scene).motion(16)
+    for place, estimated in ((MID, False), (FieldPoint(2, 0.0, 2), True), (FieldPoint(2, 0.0, 0, 1), True)):
+        assert motion.is_estimated(LinearOutput(places={place: 1.0})) == estimated
+    struck = problem(COMMON % "forces: {push: {at: aside, force: 1 N*s*impulse(t)}}")
+    assert DampedModalResponse(struck).motion(16).is_estimated(LinearOutput(places={MID: 1.0}))
+
+
+@pytest.mark.parametrize("c", ["0.7 N*s/m", "1e-8 N*s/m"])
+def test_energies_of_modes_are_those_of_their_fields(c):
+    scene = problem(PINNED.replace("DAMPER", c) % STEP)
+    modes = DampedModalResponse(scene).motion(16).modes
+    left, N, rates = modes.disturbed(()).energy, 8, modes.states.rates[:8]
+    nodes, weights = np.polynomial.legendre.leggauss(48)
+    K, M = np.zeros((2, N, N), complex), np.zeros((2, N, N), complex)
+    for number, one in enumerate(modes.basis.placed):
+        x, w = one.piece.length * (1 + nodes) / 2, one.piece.length * weights / 2
+        bent, moved = (modes.basis.field(number, x, along)[:, :N] for along in (2, 0))
+        for side in range(2):
+            first = [part.conj() if side else part for part in (bent, moved)]
+            K[side] += np.einsum("x,xi,xj->ij", w, first[0], bent)
+            M[side] += np.einsum("x,xi,xj->ij", w, first[1], moved)
+    expected = (K[0] + np.outer(rates, rates) * M[0], K[1] + np.outer(rates.conj(), rates) * M[1])
+    swings, own, errors = left._modes(np.zeros((N, 0)), np.arange(N))
+    A = np.concatenate([np.eye(N), 1j * np.eye(N)], axis=1)
+    found, off = energies(swings, A, swings, A, own, errors)
+    wanted = (A.T @ expected[0] @ A + A.conj().T @ expected[1] @ A).real / 2
+    assert (np.abs(found - wanted) <= off + 1e-12 * np.abs(wanted).max()).all()
+    assert np.abs(off).max() <= 1e-6 * np.abs(wanted).max()
