@@ -5,6 +5,7 @@ A section is a generator of the same name in the file that sections.SECTIONS giv
 
 import re
 from collections.abc import Sequence
+from functools import cached_property
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
@@ -21,6 +22,9 @@ if TYPE_CHECKING:
 
 EVERYTHING = ("given", "chosen", "coordinates", "equilibrium", "virtual_work", "energies", "equations", "matrices",
               "accelerations", "frequency_equation", "frequencies", "damping", "modes", "free_motion", "kept_up")
+
+# sections of formulas, in which the numbers of the file keep their units
+MEASURED = {"virtual_work", "energies", "equations", "matrices", "frequencies", "damping", "modes"}
 
 NAMED = re.compile(r"(?<![\w.\[])((?<!')[^\W\d]\w*'*|(?<=')[^\W\d]\w*)(?![\w\[(]|\.\w)")  # in quotes it has no primes
 
@@ -42,11 +46,21 @@ class Report:
         if name == "chosen" and self.problem.choice is None:
             return
         write = getattr(import_module(f"vibcli.report.sections.{SECTIONS[name][0]}"), name)
+        problem = self._measured if name in MEASURED else self.problem
         try:
-            for found in write(self.problem, self):
+            for found in write(problem, self):
                 self.sections.append(explained(found))
         except PhysicsError as error:
             self.refusal = self.refusal or error
+
+    @cached_property
+    def _measured(self) -> "Problem":
+        """The problem in whose formulas the numbers of the file keep their units."""
+        if not self.problem.scene.table.hidden:
+            return self.problem
+        from vibcli.report.measured import with_units
+
+        return with_units(self.problem)
 
     def tells(self, title: str) -> bool:
         """Is there a section of this title?"""

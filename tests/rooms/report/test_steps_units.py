@@ -14,8 +14,9 @@ from vibcli.notation.scene_language import language
 from vibcli.notation.typst import typst
 from vibcli.report.formats.formula import formula
 from vibcli.report.formats.text import section_lines
+from vibcli.report.measured import with_units
 from vibcli.report.sections.steps import section_of
-from vibcli.report.steps.worked import with_units, worked
+from vibcli.report.steps.worked import worked
 
 LEVER = """
 parameters: {k: 1.2 kN/m, a: 0.5 m, M: 3 kg}

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.nonsmooth import require_smooth
+from vibcli.report.measured import with_units
 from vibcli.report.steps.asked import tell_asked
 from vibcli.report.steps.by_amplitude import tell_by_amplitude
 from vibcli.report.steps.chosen import tell_chosen, tell_chosen_motion, with_letters
@@ -46,15 +47,6 @@ def worked(problem: "Problem") -> list[WorkedLine]:
         tell_chosen_motion(problem, sheet)
     tell_asked(problem, sheet)
     return sheet.steps
-
-
-def with_units(problem: "Problem") -> "Problem":
-    """The same with letters for the units of numbers that stand in its expressions, which are printed beside these."""
-    if not problem.scene.table.hidden or problem.scene.table.dimension is None or problem.scene.pieces:
-        return problem
-    from vibcli.language.units_as_letters import with_unit_letters
-
-    return problem.with_spec(with_unit_letters(problem.spec)).with_choice(problem.choice, problem)
 
 
 def _sheet_of(problem):

@@ -1,0 +1,38 @@
+"""Formulas of a report keep the units of the numbers that its file holds; its data are in SI units alone."""
+
+import pytest
+from support.scenes import problem
+
+from vibcli.report.document import Report
+from vibcli.report.formats.text import section_lines
+
+SCENE = """
+parameters: {m: 2 kg, L: 1 m, k: 500 N/m, c: 4 N*s/m}
+points: {P: {body: rod, at: [0.2 m + L, 0]}}
+bodies:
+  rod: {shape: rod, mass: m, from: [0, 0], to: [L + 0.3 m, 0], pin: {at: [0, 0], by: phi}}
+  block: {mass: 3 kg, slide: x}
+springs: {s: {k: k, between: [P, [0.2 m + L, -0.4 m]]}, b: {k: 800 N/m, between: [ground, block]}}
+dampers: {d: {c: c, between: [[L/2, -0.3 m], P]}}
+"""
+
+
+@pytest.fixture(scope="module")
+def found():
+    report = Report(problem(SCENE))
+    for name in ("given", "energies", "equations", "matrices", "frequencies"):
+        report.add(name)
+    return {section.title: "\n".join(section_lines([section])).replace("\u00a0", " ") for section in report.sections}
+
+
+@pytest.mark.parametrize(("title", "formula"), [
+    ("Kinetic energy", "T = m·(L + 0.3 m)²·φ̇²/6 + (1.5 kg)·ẋ²"),
+    ("Potential energy", "V = (400 N/m)·x² + k·(ℓ₁ − 0.4 m)²/2"),
+    ("Equations of motion", "x:  (3 kg)·ẍ + (800 N/m)·x = 0"),
+    ("Equations of motion", "φ:  m·(L + 0.3 m)²·φ̈/3 + "), ("Given", "m = 2 kg   L = 1 m   k = 500 N/m   c = 4 N·s/m")])
+def test_formulas_keep_units(found, title, formula):
+    assert formula in found[title]
+
+
+def test_letters_of_units_are_told_nowhere(found):
+    assert not any("1 kg = " in text or "1 m = " in text for text in found.values())
