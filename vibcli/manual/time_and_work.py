@@ -24,8 +24,8 @@ TIME = [
         ("records", "`m*ag(t - t0)`, a measured function: `vibcli explain record`"),
     ],
     "A driven displacement that stays bounded (waves, pulses, records, what decays) counts as a small motion of the "
-    "springs, dampers and steady loads that it moves; `v*t` and `Omega*t` do not. Masses follow it as it stands, however "
-    "small it is. One that jumps has impulses in its speed, and no acceleration there.",
+    "springs, dampers and steady loads that it moves; `v*t` and `Omega*t` do not. Masses follow it as it stands, "
+    "however small it is. One that jumps has impulses in its speed, and no acceleration there.",
     "Where all is prescribed, a linkage turned by its crank say, nothing is solved but its loops: `x(2 s)`, `x'(2 s)`, "
     "`T(2 s)`, reactions, and `crank.drive(2 s)`, the moment that it takes.",
     "The equations of motion hold it, those of small oscillations on their right-hand side. Equilibrium, frequencies, "

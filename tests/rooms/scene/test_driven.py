@@ -159,7 +159,7 @@ MOVED = {"support": "points: {P: {at: [0, -e], moves: [e*A*sin(W*t), 0]}}", "piv
 
 
 def test_a_rocked_pivot_is_in_first_order_one_that_moves_sideways():
-    """Masses follow a driven displacement as it stands, so that the rocked one is refused: the manual names the other."""
+    """Masses follow a driven displacement as it stands, so that the rocked one is refused."""
     with pytest.raises(PhysicsError, match="depends on the time"):
         value(problem(CRADLE.format(**ROCKED, kind="small")), "omega[1]")
     rocked, moved = problem(CRADLE.format(**ROCKED, kind="full")), problem(CRADLE.format(**MOVED, kind="small"))
