@@ -1,11 +1,12 @@
 """Answers as students write them: numbers with a unit or without, decimal points or commas."""
 
 import re
+import unicodedata
 from math import isfinite
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.given_values import unit_of_text
-from vibcli.symbolic.parser import parse
+from vibcli.symbolic.parser import parse, plain_name
 from vibcli.symbolic.syntax import ExpressionError, Number
 
 LONGEST = 200
@@ -14,6 +15,8 @@ NUMBER = re.compile(r"\s*(?P<sign>[-+−]?)\s*(?P<whole>\d+(?:[ _]\d{3})*)?(?:(?
                     r"|\s*[×x*·⋅]\s*10(?P<raised>⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3}))?\s*(?P<unit>.*)$", re.DOTALL)
 SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−·", "0123456789--*")
 GROUPED = re.compile(r"[.,'’]\d")
+NAMED = re.compile(r"\s*([^\W\d][^=≈]*?)\s*[=≈](.*)", re.DOTALL)
+OF_ONE = re.compile(r"([^\W\d][\w.']*)[\[(][^\[\]()]*[\])]")       # omega_d[1], amplitude(x)
 RAISED = re.compile(r"([⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)")
 
 
@@ -48,6 +51,19 @@ def read_answer(text: str, unit: str) -> GivenAnswer:
         return GivenAnswer(None, "this number is too large")
     half = 0.5 * 10.0 ** (int(power) - len(match["part"] or ""))
     return _in_unit(number, half, _plain(match["unit"]), unit)
+
+
+def without_name(text: str, quantity: str) -> str:
+    """What stands behind the name in ζ = 0.2 or omega_1 = 3 rad/s, where it is that of what is asked, its index or
+    argument told or not; any other text as it is."""
+    found, of_one = NAMED.fullmatch(text[:LONGEST + 1]), OF_ONE.fullmatch(quantity)
+    names = {_bare(quantity), _bare(of_one[1] if of_one else quantity)}
+    return found[2] if found and _bare(found[1]) in names else text
+
+
+def _bare(name):
+    """omegad1 of ω_d,₁ and of omega_d[1]."""
+    return re.sub(r"[^\w']|_", "", plain_name(unicodedata.normalize("NFKC", name)))
 
 
 def _plain(text):

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.spelling import nearest
 from vibcli.homework import MISSING, RIGHT, UNREADABLE, WRONG
-from vibcli.homework.given_answers import GivenAnswer, read_answer
+from vibcli.homework.given_answers import GivenAnswer, read_answer, without_name
 from vibcli.homework.reasons import of_number
 from vibcli.notation.as_printed import as_printed
 from vibcli.notation.numbers import figure
@@ -87,7 +87,8 @@ class Marker:
         variant = self.sheet(student)[problem]
         for key in self._keys[problem, variant]:
             text = answers.get(key["quantity"], "").strip()
-            yield AnswerMark(student, problem, key["quantity"], text, *self._marked(problem, variant, key, text))
+            read = self._marked(problem, variant, key, without_name(text, key["quantity"]).strip())
+            yield AnswerMark(student, problem, key["quantity"], text, *read)
 
     def _marked(self, problem, variant, key, text):
         """What an AnswerMark has behind the answer, the last three of a number alone."""

@@ -33,7 +33,7 @@ class Reader:
     may stand, those of quantities that are checked later, and in `along` (coordinate, unknown factor or None) of those
     measured as a coordinate is. `sound` tells
     whether the scene was read whole, apart from what is asked of it; `files`: what was read beside it; `records` and
-    `members`: the names of its records and of its continuous members."""
+    `members`: the names of its records and of its continuous members; `lost`: those in sections of no known name."""
 
     def __init__(self, files: Any = None, records: Any = (), members: Any = ()) -> None:
         self.files, self.records, self.members = {} if files is None else files, records, members
@@ -42,6 +42,7 @@ class Reader:
         self.later: set[Scalar] = set()
         self.along = {}
         self.sound = True
+        self.lost: set[str] = set()
 
     def report(self, where: Where, message: str, hint: str | None = None) -> None:
         self.diagnostics.append(Diagnostic(where, message, hint))

@@ -74,7 +74,8 @@ HOMEWORK = [
 GRADE = [
     "`vibcli grade manifest.json` marks answers: `--student s1 --answer 'omega[1]=21.9 rad/s'` those of one, "
     "`--csv answers.csv -o marks.csv` those of all (columns `id`, `problem`, one for each quantity). Without a unit "
-    "the one that was asked is meant; decimal commas are read; a mistake that is known is named, and of another wrong "
+    "the one that was asked is meant; decimal commas are read, and the name of what is asked before it, as in "
+    "`ζ = 0.2`; a mistake that is known is named, and of another wrong "
     "answer is said how it differs from the key: by its sign or a factor, by which term of an equation, else roughly. "
     "How far it is off, and how far it may be, tells the key: that stands in the text and in `--json` (`off`, `band`), "
     "not in the table, which may be given back. Expressions and "

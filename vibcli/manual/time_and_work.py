@@ -23,8 +23,9 @@ TIME = [
          "`abs(sin(Omega*t))` and `max(0, sin(Omega*t))` are rectified waves"),
         ("records", "`m*ag(t - t0)`, a measured function: `vibcli explain record`"),
     ],
-    "A driven displacement that stays bounded (waves, pulses, records, what decays) counts as a small motion; `v*t` "
-    "and `Omega*t` do not. One that jumps has impulses in its speed, and no acceleration there.",
+    "A driven displacement that stays bounded (waves, pulses, records, what decays) counts as a small motion of the "
+    "springs, dampers and steady loads that it moves; `v*t` and `Omega*t` do not. Masses follow it as it stands, "
+    "however small it is. One that jumps has impulses in its speed, and no acceleration there.",
     "Where all is prescribed, a linkage turned by its crank say, nothing is solved but its loops: `x(2 s)`, `x'(2 s)`, "
     "`T(2 s)`, reactions, and `crank.drive(2 s)`, the moment that it takes.",
     "The equations of motion hold it, those of small oscillations on their right-hand side. Equilibrium, frequencies, "
@@ -37,7 +38,9 @@ TIME = [
     "F(t)·∂²s/∂q²·q or u(t)·∂K/∂u·q, where it is not zero; `motion: full` keeps it.",
     "Where inertia, damping or stiffness themselves change in time (a pendulum whose pivot is "
     "shaken upwards) there are no natural frequencies: `vibcli frequencies` says so; `vibcli equations` works, and so "
-    "do motions in time with `motion: full`.",
+    "do motions in time with `motion: full`. So it is where inertia does it in the second order alone, as of pendulums "
+    "that hang at a distance e below the axis of a cradle rocked by A·sin(Ωt), whose pivot also rises, by e·A²/2 at "
+    "most: the first order of that motion is a pivot that `moves: [e*A*sin(Omega*t), 0]`.",
 ]
 
 PATIENCE = [

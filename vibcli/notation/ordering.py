@@ -97,3 +97,10 @@ def _all_negative(node: "Node") -> bool:
     """Is it a sum of negative terms alone?"""
     return node.op == "sum" and node.coefficient <= 0 and all(
         c * (part.coefficient if part.op == "product" else 1) < 0 for part, c in node.args)
+
+
+def is_difference(total: "Node") -> bool:
+    """Is a sum that of two letters, which has one sign by the values of its table: (R − r)² beside R − r?"""
+    if len(total.args) != 2 or total.coefficient or total.mask or total.table.sample is None:
+        return False
+    return all(node.op == "symbol" for node, _ in total.args) and {c for _, c in total.args} == {1, -1}

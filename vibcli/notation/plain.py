@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.names import BESSEL, GREEK, SUBSCRIPT, factors_of, split_marks, split_name
 from vibcli.notation.numbers import NEGATIVE, added_as_decimal, common_denominator, decimal, shown_as_decimal
-from vibcli.notation.ordering import factor_rank, is_rooted, positive_first, term_rank, upright
+from vibcli.notation.ordering import factor_rank, is_difference, is_rooted, positive_first, term_rank, upright
 from vibcli.notation.radicals import enclosed, is_constant, place, split
 from vibcli.symbolic.discontinuous_functions import PULSES
 from vibcli.symbolic.node import is_measure, is_number
@@ -193,8 +193,8 @@ class Notation:
         if exponent == 1:
             return self.write(base, 0 if alone else 1)
         if base.op == "sum" and exponent.denominator == 1 and exponent.numerator % 2 == 0:
-            leading = min(base.args, key=term_rank)
-            base = -base if leading[1] < 0 and not base.table.squares_at_sample else base
+            leading, told = min(base.args, key=term_rank), base.table.squares_at_sample or is_difference(base)
+            base = -base if leading[1] < 0 and not told else base
         text, bracketed = self.write(base, 2), base.op == "symbol" and (
             factors_of(base.name) or "dt\u00a0" in plain.symbol(base.name))
         return self.power(self.brackets(text) if bracketed else text, self.number(exponent))

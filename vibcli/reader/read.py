@@ -202,6 +202,7 @@ def _sections(root: Mapping, reader: Reader) -> dict[str, Any]:
         before = len(reader.diagnostics)
         if key not in SECTIONS:
             reader.report(key_node.where, f"unknown key {quoted(key)}", _instead(key, root))
+            reader.lost.update(_names(value))
         elif _is_empty(value) and not isinstance(SECTIONS[key][0], Text):
             reader.report(key_node.where, f"the section '{key}' is empty", "fill it in or leave it out")
         else:

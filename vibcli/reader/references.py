@@ -30,7 +30,7 @@ def check_references(spec: "Spec", reader: "Reader") -> None:
     _of_one_name(spec, reader, spaces)
     _of_one_force(spec, reader)
     for name, namespaces, wants in reader.references:
-        if any(name.text in spaces[space] for space in namespaces) or (
+        if name.text in reader.lost or any(name.text in spaces[space] for space in namespaces) or (
                 namespaces == ("coordinates",) and not reader.sound):
             continue
         valid = [word for space in namespaces for word in spaces[space]]

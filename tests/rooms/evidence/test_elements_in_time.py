@@ -8,6 +8,7 @@ import mpmath
 import pytest
 from support.scenes import problem
 
+from vibcli.base.errors import PhysicsError
 from vibcli.evidence import meshed_members
 from vibcli.evidence.meshed_members import members_in_time
 from vibcli.evidence.methods import elements_in_time
@@ -50,6 +51,22 @@ def coarse(monkeypatch):
                                 (elements_in_time, "FEW", (1, 4)), (elements_in_time, "SAMPLES", 401),
                                 (member_poles, "BLOCK", 4), (meshed_members, "DIGITS", 30)):
         monkeypatch.setattr(module, name, value)
+
+
+def test_one_element_between_two_supports_has_no_answer_and_says_so(coarse, monkeypatch):
+    monkeypatch.setattr(elements_in_time, "DIVISIONS", (1,))
+    monkeypatch.setattr(elements_in_time, "STEPPED", (1,))
+    monkeypatch.setattr(elements_in_time, "FINEST", 1)
+    asked = members_in_time(problem("""
+        strings: {s: {length: 1 m, preload: 80 N, mass_per_length: 5 g/m, left: clamped, right: clamped}}
+        initial: {s.u: "(1 mm)*sin(pi*x/(1 m))"}
+        find: [{response: {of: [s.u(0.5 m)], until: 7 ms}}]
+        """), "s.u(0.5 m)", 0.007, "value")
+    runs = list(elements_in_time.attempts(Subject("member motion", "", "", None, None, None, asked, None)))
+    assert len(runs) == 5
+    for one in runs:
+        with pytest.raises(PhysicsError, match="no displacement is free"):
+            one.run(Deadline(math.inf))
 
 
 def errors(text, name, until, feature, exact):

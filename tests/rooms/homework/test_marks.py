@@ -5,7 +5,7 @@ from math import pi
 
 import pytest
 
-from vibcli.homework.given_answers import read_answer
+from vibcli.homework.given_answers import read_answer, without_name
 from vibcli.homework.leaks import leak, text_of_page
 from vibcli.homework.marks import Marker
 from vibcli.homework.reasons import of_number
@@ -36,6 +36,16 @@ def test_thousands(text):
     assert read_answer(text, "rad/s") == (None, "write the number without signs between its thousands", "", 0.0)
 
 
+@pytest.mark.parametrize("text, quantity, behind", [
+    ("ζ=0.199", "zeta[1]", "0.199"), ("zeta_1 = 0.2", "zeta[1]", " 0.2"), ("ζ₁ ≈ 0.2", "zeta[1]", " 0.2"),
+    ("omega = 3.2 rad/s", "omega[1]", " 3.2 rad/s"), ("ω_d,1 = 3 Hz", "omega_d[1]", " 3 Hz"),
+    ("ω2 = 3", "omega[1]", "ω2 = 3"), ("f = 3 Hz", "omega[1]", "f = 3 Hz"), ("x' = 2", "x(2 s)", "x' = 2"),
+    ("amplitude(x) = 2 mm", "amplitude(x)", " 2 mm"), ("ω = 2", "omega[1]/omega[2]", "ω = 2"),
+    ("m·x'' + k·x = 0", "equation[x]", "m·x'' + k·x = 0"), ("3 rad/s", "omega[1]", "3 rad/s")])
+def test_the_name_of_what_is_asked_may_stand_before_its_value(text, quantity, behind):
+    assert without_name(text, quantity) == behind
+
+
 MANIFEST = {
     "problems": [{"name": "crank", "mistakes": {"Hz": "this is in Hz", "weight": "the weight"}, "variants": [
         {"variant": 7, "keys": [
@@ -55,6 +65,13 @@ def marks(**answers):
     found = Marker(MANIFEST).marks("s1", "crank", {"omega_d[1]": answers.get("omega", ""), "zeta[1]":
                                                    answers.get("zeta", "")})
     return [(one.verdict, one.points, one.mistake, one.said) for one in found]
+
+
+def test_an_answer_with_its_name_is_marked_as_one_without():
+    assert marks(omega="ω_d = 21.9 rad/s", zeta="ζ=0.1254") == marks(omega="21.9 rad/s", zeta="0.1254")
+    assert marks(zeta="omega = 0.1254")[1][0] == "unreadable"
+    first, second = Marker(MANIFEST).marks("s1", "crank", {"zeta[1]": "ζ = 0.1254"})
+    assert (first.answer, second.answer) == ("", "ζ = 0.1254")
 
 
 def test_marks():

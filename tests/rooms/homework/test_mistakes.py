@@ -90,6 +90,14 @@ springs:
 """
 
 
+SLOPE = """
+gravity: 10 m/s^2
+parameters: {k: 1 kN/m, a: 30 deg}
+bodies: {block: {mass: 2 kg, at: [0, 0], slide: {along: [-cos(a), -sin(a)], by: x}}}
+springs: {s: {k: k, stretch: x}}
+"""
+
+
 def wrong(scene, text):
     """{name of a mistake: what it gives} for a quantity of a scene."""
     source = text_source(scene)
@@ -214,6 +222,7 @@ def test_the_catalogue_is_its_folder():
     (PAIR, "omega[1]: 10.00 rad/s", "s, t: these springs have the same stretch"),
     (MOUNTS, "omega[2]: 17.32 rad/s", "a of s: the sign of this angle differs"),
     (DRUM, "omega[1]: 22.36 rad/s", "drum: the moment of inertia of the wheel is forgotten"),
+    (SLOPE, "equilibrium[x]: -1 cm", "the sign differs"),
 ])
 def test_check_names_mistakes_of_the_model(scene, line, said):
     source = text_source(scene + f"answers: {{'{line.partition(':')[0]}':{line.partition(':')[2]}}}\n")

@@ -8,6 +8,8 @@ import pytest
 from support.scenes import kept_problem_of, problem, value
 
 from vibcli.notation.plain import plain
+from vibcli.report.document import Report
+from vibcli.report.formats import text
 from vibcli.report.formats.formula import formula
 from vibcli.report.steps.worked import worked
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -140,3 +142,37 @@ def test_a_tension_that_balances_open_loops_is_told_with_its_number(spring, unit
     """)
     line, = (one for one in worked(found) if "tension of s as drawn" in formula(one.parts, plain))
     assert line.unit == unit and abs(line.value) == pytest.approx(wanted, rel=1e-12)
+
+
+SPRUNG_BLOCK = """
+    parameters: {m: 8 kg, R: 20 cm, c: 12 cm, b: 40 cm, k: 6 kN/m, g: 9.81 m/s^2}
+    gravity: g
+    points: {P: {body: drum, at: [0, -c]}}
+    bodies:
+      drum: {shape: disc, mass: m, radius: R, at: [0, 0], pin: phi}
+      load: {mass: m, at: [R, -2*R], slide: {along: [0, 1], by: y}}
+      block: {mass: m, at: [-b, -c], slide: x}
+    springs: {s: {LAW, between: [[-2*b, -c], block], preload: static}}
+    constraints: {hoist: {rope: [{right_of: drum}, load]}, rod: {link: [block, P]}}
+    find: [energies, equations]
+    """
+
+
+def test_the_symbol_of_a_static_preload_is_told_wherever_it_is_printed():
+    found = problem(SPRUNG_BLOCK.replace("LAW", "k: k"))
+    report = Report(found)
+    for name in ("energies", "equations"):
+        report.add(name)
+    printed = text.render([report.document()], None)
+    told = "with s.preload = −m·R·g/c, the force of s at rest as drawn"
+    assert [part.count(told) for part in printed.split("Equations of motion")] == [1, 1]
+    assert "s.preload" not in printed.partition("Kinetic energy")[2].partition("Potential")[0]
+
+
+def test_a_law_whose_stretch_holds_a_static_preload_is_told_after_it():
+    lines = worked(problem(SPRUNG_BLOCK.replace("LAW", "law: k*d")))
+    settled = [line.settles for line in lines]
+    line = lines[settled.index("s.preload")]
+    assert line.value == pytest.approx(-8 * 0.2 * 9.81 / 0.12) and line.unit == "N"
+    assert settled.index("s.preload") < min(i for i, one in enumerate(lines) if "s.preload" in formula(
+        one.parts, plain) and one is not line)

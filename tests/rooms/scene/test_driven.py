@@ -143,6 +143,31 @@ def test_a_pendulum_on_a_link_that_is_shaken_upwards_has_no_frequencies(shaken, 
         assert value(scene, "omega[1]") == pytest.approx(10**0.5, rel=1e-12)
 
 
+CRADLE = """
+    gravity: 10 m/s^2
+    parameters: {{A: 0.001 rad, W: 5 rad/s, L: 0.5 m, e: 0.1 m}}
+    motion: {kind}
+    initial: {{q: 0 rad, q': 0 rad/s}}
+    {support}
+    bodies:
+      {cradle}
+      bob: {{mass: 2 kg, at: [0, -e - L], pin: {{at: {pivot}, by: q}}}}
+    """
+ROCKED = {"support": "", "pivot": "[0, -e], carrier: cradle",
+          "cradle": "cradle: {mass: 1 kg, inertia: 1 kg*m^2, at: [0, 0], pin: {at: [0, 0], by: A*sin(W*t)}}"}
+MOVED = {"support": "points: {P: {at: [0, -e], moves: [e*A*sin(W*t), 0]}}", "pivot": "P", "cradle": ""}
+
+
+def test_a_rocked_pivot_is_in_first_order_one_that_moves_sideways():
+    """Masses follow a driven displacement as it stands, so that the rocked one is refused."""
+    with pytest.raises(PhysicsError, match="depends on the time"):
+        value(problem(CRADLE.format(**ROCKED, kind="small")), "omega[1]")
+    rocked, moved = problem(CRADLE.format(**ROCKED, kind="full")), problem(CRADLE.format(**MOVED, kind="small"))
+    assert value(moved, "omega[1]") == pytest.approx(20**0.5, rel=1e-12)
+    expected = values(rocked, "bob.angle")
+    assert values(moved, "bob.angle") == pytest.approx(expected, abs=1e-4 * abs(expected).max())
+
+
 ENERGIES = {
     "a cart, a spring and a damper": """
         initial: {x: 0.02 m}

@@ -36,6 +36,16 @@ def test_what_is_zero_without_its_root_is_not_zero(names):
     assert not is_zero((a * a - b * b) / (a + b) - a + b + (a + b) ** HALF - 1)
 
 
+@pytest.mark.parametrize(("values", "written"), [
+    ({"R": 0.6, "r": 0.1}, "(R − r) + (R − r)²"), ({"R": 0.1, "r": 0.6}, "(r − R) + (r − R)²")])
+def test_a_square_is_of_the_difference_that_stands_beside_it(values, written):
+    table = Table()
+    m, R, r = (table.parameter(name) for name in ("m", "R", "r"))
+    table.resample({"m": 1.0, **values})
+    difference, square = (plain(m * part) for part in (R - r, (R - r) ** 2))
+    assert f"{difference.removeprefix('−').removeprefix('m·')} + {square.removeprefix('m·')}" == written
+
+
 def test_a_square_has_its_number_before_it():
     """3 m (R − r)²/4, not 3 m ((R − r)/2)²; (R/3 + r)² stays, whose terms share no denominator."""
     table = Table()

@@ -11,7 +11,7 @@ import numpy as np
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.meshed_members import MembersInTime, MeshInMotion, in_motion
-from vibcli.evidence.methods.finite_elements import DIVISIONS, MOST
+from vibcli.evidence.methods.finite_elements import DIVISIONS, MOST, require_free
 from vibcli.evidence.plain_equations import SAMPLES, extreme
 from vibcli.evidence.subject import Deadline, MethodAnswer, MethodRun, Subject
 
@@ -81,6 +81,7 @@ def _convolved(own, rate, power, s):
 
 def _by_modes(asked: MembersInTime, mesh: MeshInMotion, count: int | None, _: Deadline) -> MethodAnswer:
     """By so many of the lowest modes, of which what couples them in C is left out, or by all."""
+    require_free(mesh)
     times = np.array([asked.until]) if asked.feature == "value" else np.linspace(0.0, asked.until, SAMPLES)
     symmetric = (abs(mesh.K - mesh.K.T) <= 1e-12 * abs(mesh.K).max()).all()
     plain = symmetric and (asked.damping is not None or count is not None or not mesh.C.any())
@@ -127,6 +128,7 @@ def _of_states(mesh):
 
 
 def _by_steps(asked: MembersInTime, mesh: MeshInMotion, steps: int, deadline: Deadline) -> MethodAnswer:
+    require_free(mesh)
     times = np.linspace(0.0, asked.until, steps + 1)
     M, C, K, h = mesh.M, mesh.C, mesh.K, times[1]
     if asked.damping is not None:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vibcli.analyses.continuous.finite_elements import finite_elements
+from vibcli.base.errors import PhysicsError
 from vibcli.evidence.meshed_members import MeshAtFrequency, at_frequency
 from vibcli.evidence.methods.assembled_modes import rates_of
 from vibcli.evidence.reference.member_damped_modes import by_elements
@@ -51,7 +52,14 @@ def _responses(subject: Subject) -> Iterator[MethodRun]:
         yield MethodRun("finite elements", f"{divisions} a piece", run)
 
 
+def require_free(mesh: Any) -> None:
+    """PhysicsError of a mesh whose supports hold all of it, as one element between two of them."""
+    if not len(mesh.M):
+        raise PhysicsError("no displacement is free: its supports hold all of so few elements")
+
+
 def _response(mesh: MeshAtFrequency, Omega: float, read: Any, _: Deadline) -> MethodAnswer:
+    require_free(mesh)
     s = 1j * Omega
     D = mesh.K + s * (mesh.C + s * mesh.M)
     return MethodAnswer([read(mesh.signal(s, np.linalg.solve(D, mesh.pushed(s))))])
@@ -60,6 +68,7 @@ def _response(mesh: MeshAtFrequency, Omega: float, read: Any, _: Deadline) -> Me
 def _rated(mesh: MeshAtFrequency, damping: "GivenDamping", Omega: float, read: Any, _: Deadline) -> MethodAnswer:
     import scipy.linalg
 
+    require_free(mesh)
     s = 1j * Omega
     squares, shapes = scipy.linalg.eigh(mesh.K, mesh.M)
     c = damping.of(np.sqrt(np.maximum(squares, 0.0)), np.arange(len(squares)))

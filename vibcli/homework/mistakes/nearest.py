@@ -21,9 +21,9 @@ CLOSE, NEAR = 1e-3, 1e-4        # relative: what a mistake leads to; what is the
 
 def nearest_mistake(problem: "Problem", asked: "Expression", expected: float, found: float,
                     root: "Mapping | None" = None, case: str | None = None) -> str | None:
-    """The sentence of the mistake that leads nearest to what is expected, one of the model first, None where none does;
-    root: the document of the scene, without which mistakes of its model are not looked for; case: which of its cases
-    this is. Neither value is zero."""
+    """The sentence of the mistake that leads nearest to what is expected, one of the model first but where it turns
+    the sign alone, which has a sentence of its own; None where none does. root: the document of the scene, without
+    which mistakes of its model are not looked for; case: which of its cases this is. Neither value is zero."""
     near = []
     document = root and document_of_case(root, case)
     for mistake in of_catalogue(problem, document, [asked]):
@@ -31,7 +31,8 @@ def nearest_mistake(problem: "Problem", asked: "Expression", expected: float, fo
         GARBAGE.clear()
         off = abs(wrong / expected - 1) if wrong is not None and isfinite(wrong) else CLOSE
         if off < CLOSE and abs(wrong / found - 1) > NEAR:
-            near.append((mistake.kind != MODEL, off, mistake.told))
+            of_model, negated = mistake.kind == MODEL, abs(wrong / found + 1) < CLOSE
+            near.append((not of_model or negated, of_model, off, mistake.told))
     return min(near)[-1] if near else None
 
 

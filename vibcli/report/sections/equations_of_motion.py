@@ -41,7 +41,8 @@ def energies(problem: "Problem", report: "Report") -> Iterator[Section]:
         further = member_energies(problem, key) if problem.scene.pieces else []
         if not shown.is_zero:
             yield from section(title, blocks.equations([line(f"{symbol} = ", brief(shown), *further, hang=2)]),
-                               *with_lengths([*lengths, *stands]), *with_numbers(problem, [shown]))
+                               *with_lengths([*lengths, *stands]), *with_numbers(problem, [shown]),
+                               *with_preloads(problem, [shown]))
         elif further:
             yield from section(title, blocks.equations([line(f"{symbol} = ", further[0].lstrip(" +"), *further[1:],
                                                              hang=2)]))
@@ -62,6 +63,15 @@ def with_numbers(problem: "Problem", nodes: "Sequence[Node]") -> list[Paragraph]
     values = zip(known, evaluate(known, Floats, problem.numeric.floats), strict=True)
     told = sorted(f"{node.name} = {with_minus(value)}" for node, value in values)
     return [paragraph(f"with, in SI units, as tensions vary along beams, {', '.join(told)}", hang=4, aside=True)]
+
+
+def with_preloads(problem: "Problem", nodes: "Sequence[Any]") -> Iterator[Paragraph]:
+    """Paragraphs that tell what the symbols of static preloads stand for, which open loops leave in the equations."""
+    for symbol, record in problem.system.scene_with_multipliers.static_preloads:
+        if symbol.name in {node.name for node in reachable(nodes) if node.op == "symbol"}:
+            yield paragraph("with ", maths(symbol, " = ", brief(problem.system.preloads[record.name])), ", the "
+                            f"{'moment' if 'torsion' in record else 'force'} of {record.name} at rest as drawn", hang=4,
+                            aside=True)
 
 
 WITHOUT = "without what `damping` adds: it acts in small oscillations alone"
@@ -151,7 +161,7 @@ def _full(problem, report):
     told = []
     for symbol, name in found.multipliers.items():
         told += [", "] * bool(told) + [maths(symbol), f": the multiplier of '{name}'"]
-    yield from section(title, blocks.equations(lines), *with_lengths(lengths),
+    yield from section(title, blocks.equations(lines), *with_lengths(lengths), *with_preloads(problem, told_nodes),
                        paragraph(*told, hang=4, aside=True) if told else None,
                        paragraph(WITHOUT) if problem.spec.get("damping") is not None else None)
 

@@ -85,6 +85,9 @@ class FullEnergies:
             yield self._spring(term)
         for law in self.scene.laws:
             if not law.damper:
+                for symbol, record in self.scene.static_preloads:
+                    if record.name == law.owner:
+                        self._as_drawn(record, symbol.name, symbol)
                 yield self._of_law(law, "Delta", "V", textbook(law.s), "stretch of")
         yield from self._weights()
 
@@ -106,13 +109,18 @@ class FullEnergies:
         record = (self.motion.problem.spec.get("springs") or {}).get(term.owner, {})
         if N.is_zero or record.get("preload") != "static":
             return N
-        balanced = self._balanced(term.owner, N)
-        name, value = self._letter("N", term.owner), self.motion.value(balanced)
-        unit = "N·m" if "torsion" in record else "N"
-        self.sheet.write(Words(f"tension of {term.owner} as drawn, where the forces balance:  "), Name(name), " = ",
-                         *((N, " = ") if balanced is not N else ()), self.short(balanced)[0],
-                         *(() if value is None else number(value, unit)), settles=name, node=N, value=value, unit=unit)
+        name = self._letter("N", term.owner)
+        self._as_drawn(record, name, N)
         return self.motion.letter(name)
+
+    def _as_drawn(self, record, name, N):
+        """The line of the tension N of a spring that holds the scene as drawn."""
+        balanced = self._balanced(record.name, N)
+        value, unit = self.motion.value(balanced), "N·m" if "torsion" in record else "N"
+        self.sheet.write(Words(f"tension of {record.name} as drawn, where the forces balance:  "), Name(name), " = ",
+                         *((N, " = ") if balanced is not N and name != N.name else ()), self.short(balanced)[0],
+                         *(() if value is None or balanced.is_zero else number(value, unit)), settles=name, node=N,
+                         value=value, unit=unit)
 
     def _balanced(self, name, N):
         """What a static preload is where loops are open and it has a symbol alone; else N, what it is already."""
