@@ -21,6 +21,7 @@ import numpy as np
 from vibcli.analyses.continuous.damped_energies import ROUNDED, DampedSwings, energies
 from vibcli.analyses.continuous.divided_pieces import divided_at
 from vibcli.analyses.continuous.modal_reads import key_of
+from vibcli.analyses.continuous.spread_overlaps import UnitLoadsOfChannels
 from vibcli.analyses.continuous.uncounted_modes import inverse_where_massive
 from vibcli.analyses.excitation.linear_output import LinearOutput
 from vibcli.base.named_tuple import NamedTuple
@@ -96,6 +97,7 @@ class LeftOutEnergy:
         least = (1 - 1.5 * apart) * (1 - apart) * self.basis.radius
         self.chosen = np.flatnonzero(np.abs(rates) > least)
         self.valid &= self.basis.of_points <= (least if twice is None else 0.0)
+        self.loads = UnitLoadsOfChannels(transfer)
         self._twice, self._massive = twice, inverse_where_massive(M)
         self._known: dict[Any, Any] = {}
 
@@ -122,12 +124,15 @@ class LeftOutEnergy:
         return bool((rates.real > (self.basis.errors[self.states.modes] + EPSILON) * np.abs(rates)).any())
 
     def of_channels(self, channels: "Sequence[int]") -> Slots:
-        """Unit loads on coordinates."""
-        H = [np.array([self.transfer.at(LinearOutput(q={i: 1.0}), s)[:self.n] for i in range(self.n)])
-             for s in self.places]
-        shapes, at = self._shapes(self.chosen), list(channels)
-        return self._slots(shapes[at].T, [h[:, at] for h in H], [h[np.ix_(at, at)] for h in H],
-                           self._massive[np.ix_(at, at)])
+        """Unit loads on coordinates and along members."""
+        at, answers, shown = list(channels), [], []
+        for s in self.places:
+            H = np.array([self.transfer.at(LinearOutput(q={i: 1.0}), s)[at] for i in range(self.n)])
+            answers.append(H)
+            shown.append(np.einsum("ais,ibs->abs", self.loads.put(at, s), H) + self.loads.between(at, s))
+        share = np.where(self.states.rates.imag > 0, 2.0, 1.0)[self.chosen, None]
+        return self._slots(self.states.inputs[self.chosen[:, None], at] / share, answers, shown,
+                           self.loads.massive(at, self._massive))
 
     def _shapes(self, chosen):
         return self.basis.shapes[:, self.states.modes[chosen]]
@@ -247,8 +252,8 @@ class LeftOutEnergy:
 
     def takes(self, channel: int, exponent: complex, power: int) -> bool:
         """Is the energy that a load sets free known, and finite?"""
-        return channel < self.n and abs(exponent) <= FAST * self.basis.radius and (
-            power >= 0 or bool(self._massive[channel, channel]))
+        return abs(exponent) <= FAST * self.basis.radius and self.loads.takes(channel) and (
+            power >= 0 or bool(self.loads.massive([channel], self._massive)[0, 0]))
 
     def has_reach(self, output: LinearOutput, order: int) -> bool:
         """Is that finite?"""

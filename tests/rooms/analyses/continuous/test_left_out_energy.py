@@ -29,6 +29,12 @@ SCENES = {
     "at resonance, hardly damped at a node": (
         PINNED.replace("DAMPER", "1e-8 N*s/m") % "forces: {push: {at: aside, force: 1 N*cos(4*pi^2*t/(1 s))}}",
         {ASIDE: 0, MID: 0}),
+    "loads along it": (COMMON % """
+forces: {push: {body: arm, per_length: 1 N/m*x/L*step(t)}, pull: {at: aside, force: 1 N*step(t - 0.1 s)},
+         shove: {body: arm, per_length: 1 N/m*sin(pi*x/L)*cos(20*t/(1 s))}}""",
+                       {ASIDE: 0, MID: 0, TURN: 0}),
+    "a blow along a part": (COMMON % "forces: {push: {body: arm, per_length: 1 N*s/m*impulse(t), to: 0.3*L}}",
+                            {ASIDE: 0, MID: 0}),
     "let go": (COMMON % "forces: {push: {at: aside, force: 1 N}}\ninitial: {released: push}",
                {ASIDE: 0.3**2 * 0.7**2 / 3}),
     "thrown in a field": (COMMON % "initial: {arm.u': 1 mm/s*x*(L - x)/L^2}", {ASIDE: 0, MID: 0}),
