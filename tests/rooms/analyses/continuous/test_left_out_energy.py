@@ -34,6 +34,8 @@ forces: {push: {body: arm, per_length: 1 N/m*x/L*step(t), to: 0.3*L}, pull: {at:
          shove: {body: arm, per_length: 1 N/m*sin(pi*x/L)*cos(20*t/(1 s)), to: 0.3*L}}""", {ASIDE: 0, MID: 0, TURN: 0}),
     "a blow along a part": (COMMON % "forces: {push: {body: arm, per_length: 1 N*s/m*impulse(t), to: 0.3*L}}",
                             {ASIDE: 0, MID: 0}),
+    "dragged": (COMMON.replace("mass", "drag: 3 N*s/m^2, mass", 1) %
+                "forces: {push: {at: aside, force: 1 N*step(t) + 1 N*cos(20*t/(1 s))}}", {ASIDE: 0, MID: 0}),
     "let go": (COMMON % "forces: {push: {at: aside, force: 1 N}}\ninitial: {released: push}",
                {ASIDE: 0.3**2 * 0.7**2 / 3}),
     "thrown in a field": (COMMON % "initial: {arm.u': 1 mm/s*x*(L - x)/L^2}", {ASIDE: 0, MID: 0}),
@@ -86,9 +88,9 @@ def test_moments_and_what_is_struck_where_nothing_has_mass_are_estimated():
     assert DampedModalResponse(struck).motion(FEW).is_estimated(LinearOutput(places={MID: 1.0}))
 
 
-@pytest.mark.parametrize("c", ["0.7 N*s/m", "1e-8 N*s/m"])
-def test_energies_of_modes_are_those_of_their_fields(c):
-    scene = problem(PINNED.replace("DAMPER", c) % STEP)
+@pytest.mark.parametrize(("c", "drag"), [("0.7 N*s/m", 0), ("1e-8 N*s/m", 0), ("0.7 N*s/m", 3), ("1e-8 N*s/m", 3)])
+def test_energies_of_modes_are_those_of_their_fields(c, drag):
+    scene = problem(PINNED.replace("DAMPER", c).replace("mass", f"drag: {drag} N*s/m^2, mass", 1) % STEP)
     modes = DampedModalResponse(scene).motion(FEW).modes
     left, N, rates = modes.disturbed(()).energy, FEW, modes.states.rates[:FEW]
     nodes, weights = np.polynomial.legendre.leggauss(48)
@@ -103,7 +105,7 @@ def test_energies_of_modes_are_those_of_their_fields(c):
     expected = (K[0] + np.outer(rates, rates) * M[0], K[1] + np.outer(rates.conj(), rates) * M[1])
     swings, own, errors = left._modes(np.zeros((N, 0)), np.arange(N))
     A = np.concatenate([np.eye(N), 1j * np.eye(N)], axis=1)
-    found, off = energies(swings, A, swings, A, own, errors)
+    found, off = energies(swings, A, swings, A, own, errors, left.drag)
     wanted = (A.T @ expected[0] @ A + A.conj().T @ expected[1] @ A).real / 2
     assert (np.abs(found - wanted) <= off + 1e-12 * np.abs(wanted).max()).all()
     assert np.abs(off).max() <= 1e-6 * np.abs(wanted).max()
