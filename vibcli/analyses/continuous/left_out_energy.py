@@ -1,8 +1,9 @@
 """How far modes that are not counted go where dampers couple them, a true upper bound.
 
 With M, C, K symmetric and none of them negative, C of dampers and of one drag of all that has mass, what the first N
-modes and what loads do exactly leave of a motion, z = (r, ṙ), vibrates freely: ⟨z, z⟩, ⟨z₁, z₂⟩ = x₁ᵀ K x₂ + v₁ᵀ M v₂, twice its energy, never grows. It is orthogonal to
-the modes that are counted in [z₁, z₂] = x₁ᵀ K x₂ − v₁ᵀ M v₂. With Π, which takes these off, and a = (K⁻¹ δ, 0)
+modes and what loads do exactly leave of a motion, z = (r, ṙ), vibrates freely: ⟨z, z⟩, ⟨z₁, z₂⟩ = x₁ᵀ K x₂ +
+v₁ᵀ M v₂, twice its energy, never grows. It is orthogonal to the modes that are counted in [z₁, z₂] = x₁ᵀ K x₂ −
+v₁ᵀ M v₂. With Π, which takes these off, and a = (K⁻¹ δ, 0)
 
     r(x, t) = [a, z] = [Π a, z],      |r(x, t)| ≤ ‖Π a‖ Σ ‖Π zₖ‖
 
