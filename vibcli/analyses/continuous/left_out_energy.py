@@ -42,7 +42,7 @@ PLACES = 40.0       # places on a circle, over that share: what is left out is t
 FAST = 0.5          # of that radius: exponents of loads well within
 INDEFINITE = 1e-12  # of dampers of one size: what is none
 MIXED = 100.0       # times (damping / distance of neighbours)²: how far shapes of modes are from real ones
-MOST = 4_096        # modes that a start in fields is divided in; those beyond add their own
+MOST = 4_096        # modes that a start in fields is divided in, as all of them stand beside one another
 INSIDE = 1e-12      # of a length
 
 
@@ -107,7 +107,8 @@ class LeftOutEnergy:
         self.places = [(1 - share * apart) * self.basis.radius * turn for share in (1.0, 1.5)]
         least = (1 - 1.5 * apart) * (1 - apart) * self.basis.radius
         self.chosen = np.flatnonzero(np.abs(rates) > least)
-        self.valid &= self.basis.of_points <= (least if twice is None else 0.0)
+        self.valid &= self.basis.of_points <= (least if twice is None else 0.0) and (
+            twice is None or len(rates) <= MOST)
         self.loads = UnitLoadsOfChannels(transfer)
         self._twice, self._massive = twice, inverse_where_massive(M)
         self._known: dict[Any, Any] = {}
@@ -117,8 +118,7 @@ class LeftOutEnergy:
         """‖Π z‖ of a start in fields."""
         if self._twice is None:
             return 0.0
-        moving, modes = np.flatnonzero(self.states.rates), self.modes
-        chosen, others = moving[:MOST], moving[MOST:]
+        chosen, modes = np.flatnonzero(self.states.rates), self.modes
         begin, shown = self.states.begin[chosen], modes.shown_by_start[chosen]
         swings, own, errors = self._modes(np.zeros((len(chosen), 0)), chosen)
         found, off = energies(swings, begin[:, None], swings, begin[:, None], own, errors, self.drag)
@@ -126,8 +126,7 @@ class LeftOutEnergy:
         found = found[0, 0] + self._twice - 2 * float(felt.real.sum()) - still
         off = off[0, 0] + ROUNDED * (self._twice + 2 * float(np.abs(felt).sum()) + still)
         slips = np.sqrt(own) @ (modes.doubt.size[chosen] * np.abs(begin) + modes.lost[chosen])
-        beyond = np.abs(self.states.begin[others]) @ np.sqrt(self._modes(np.zeros((len(others), 0)), others)[1])
-        return float(np.sqrt(max(found, 0.0) + off) + slips + beyond)
+        return float(np.sqrt(max(found, 0.0) + off) + slips)
 
     def _grows(self):
         """Does a mode, as where K is not positive? Not one that nothing damps, which rounding makes seem to."""

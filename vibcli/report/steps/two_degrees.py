@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.notation.plain import plain
 from vibcli.report.blocks import Either, Factor, Name, Words
 from vibcli.report.steps.characteristic import tell_polynomial, tell_roots
-from vibcli.report.steps.from_modes import tell_in_letters
+from vibcli.report.steps.from_modes_in_letters import tell_in_letters
 from vibcli.report.steps.held import SmallEquations
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number, told
