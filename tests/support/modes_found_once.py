@@ -15,8 +15,9 @@ def modes_found_once():
         patch.setattr(NaturalModes, "numbered", _once(NaturalModes.numbered, lambda modes: (
             [getattr(modes.elements, part) for part in modes.elements.__slots__], modes.digits,
             modes.ground.growing, modes.ground.resting)))
-        patch.setattr(DampedPart, "series", _once(DampedPart.series, lambda part: (
-            part.matrix.polynomial.tolist(), part.matrix.pieces, part.matrix.kept, part.coordinates, part.n)))
+        for find in ("roots", "zeros_within", "series"):
+            patch.setattr(DampedPart, find, _once(getattr(DampedPart, find), lambda part: (
+                part.matrix.polynomial.tolist(), part.matrix.pieces, part.matrix.kept, part.coordinates, part.n)))
         yield
 
 

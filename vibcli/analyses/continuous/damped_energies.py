@@ -1,8 +1,9 @@
 """The energies of vibrations that dampers damp, of modes and of what loads do at complex frequencies.
 
-Of D(r) w = g and D(s) u = f, M, C and K being symmetric,
+Of D(r) w = g and D(s) u = f, M, C + a M and K being symmetric, a: a drag of all that has mass,
 
-    wᵀ K u + r s wᵀ M u = (r wᵀ f + s uᵀ g − 2 r s wᵀ C u)/(r + s)
+    wᵀ K u − r s wᵀ M u = (r wᵀ f − s uᵀ g)/(r − s) = b,      of a mode and itself −r
+    wᵀ K u + r s wᵀ M u = (r wᵀ f + s uᵀ g − 2 r s wᵀ C u + a b)/(r + s + a)
 
 so that what is read where loads act and the strokes of dampers tell all: no field is integrated.
 """
@@ -37,7 +38,7 @@ class DampedSwings(NamedTuple):
 
 
 def energies(first: DampedSwings, A: np.ndarray, second: DampedSwings, B: np.ndarray, own: np.ndarray,
-             own_errors: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+             own_errors: np.ndarray, drag: float = 0.0) -> tuple[np.ndarray, np.ndarray]:
     """⟨Re Σ Aᵢ wᵢ, Re Σ Bⱼ uⱼ⟩ of columns of A and B, and how far rounding may put it off; the first of both are
     the same modes, own: ⟨w̄ᵢ, wᵢ⟩ of each, own_errors: relative bounds of them."""
     (U, _, U_size, _), (_, V, _, V_size) = first.factors(), second.factors()
@@ -48,12 +49,17 @@ def energies(first: DampedSwings, A: np.ndarray, second: DampedSwings, B: np.nda
         r, among = first.rates[rows, None], np.arange(start, min(start + BLOCK, len(U)))
         sizes, roots = U_size[rows] @ V_size.T, np.abs(r) * first.errors[rows, None] + pace
         for left, weight, paces in ((U[rows], A[rows], r), (U[rows].conj(), A[rows].conj(), r.conj())):
-            total = paces + second.rates
+            total, modes = paces + second.rates + drag, among[among < count]
             apart = np.abs(total)
             with np.errstate(divide="ignore", invalid="ignore"):
                 terms, errors = left @ V.T / total, sizes / apart * (ROUNDED + roots / apart)
+                if drag:
+                    more, off_more = _dragged(first, left, V, paces - second.rates, roots)
+                    if paces is r:
+                        more[modes - start, modes] = -first.rates[modes]
+                    terms, errors = terms + drag * more / total, errors + drag / apart * (
+                        off_more + np.abs(more) * (ROUNDED + roots / apart))
             if paces is not r:
-                modes = among[among < count]
                 terms[modes - start, modes], errors[modes - start, modes] = own[modes], (own * own_errors)[modes]
                 both = np.sqrt(own[modes, None] * own)
                 blurred = ~(errors[:len(modes), :count] <= both)
@@ -62,3 +68,11 @@ def energies(first: DampedSwings, A: np.ndarray, second: DampedSwings, B: np.nda
             found += 0.5 * (weight.T @ terms @ B).real
             off += 0.5 * np.abs(weight).T @ errors @ np.abs(B)
     return found, off
+
+
+def _dragged(first, U, V, gap, roots):
+    """b and how far rounding may put it off, 0 of modes."""
+    m, far = first.loads.shape[1], np.abs(gap)
+    sizes = np.abs(U[:, :2 * m]) @ np.abs(V[:, :2 * m]).T
+    found = U[:, :m] @ V[:, :m].T - U[:, m:2 * m] @ V[:, m:2 * m].T
+    return (np.where(sizes, part, 0.0) for part in (found / gap, sizes / far * (ROUNDED + roots / far)))

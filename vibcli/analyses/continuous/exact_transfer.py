@@ -100,11 +100,7 @@ class ExactTransfer:
                 for i, v in row.items():
                     forces[:, i, channel] -= v * column[:, a]
         for channel, spread in enumerate(self.spread, self.n + len(self.driven)):
-            for one in self.pieces:
-                put = spread.end_loads(one, s)
-                for a, row in enumerate(one.rows if put is not None else ()):
-                    for i, v in row.items():
-                        forces[:, i, channel] += v * put[:, a]
+            forces[:, :, channel] = spread.put(self.pieces, s, self.n)
         if not self.n:
             return np.zeros((0, self.channels, len(s)), complex), {}
         D, loads = np.moveaxis(self._near.at(s).D, -1, 0), self._near.to_scene.T @ forces

@@ -1,8 +1,9 @@
 """How far modes that are not counted go where dampers couple them, a true upper bound.
 
-With M, C, K symmetric and none of them negative, what the first N modes and what loads do exactly leave of a motion,
-z = (r, ṙ), vibrates freely: ⟨z, z⟩, ⟨z₁, z₂⟩ = x₁ᵀ K x₂ + v₁ᵀ M v₂, twice its energy, never grows. It is orthogonal to
-the modes that are counted in [z₁, z₂] = x₁ᵀ K x₂ − v₁ᵀ M v₂. With Π, which takes these off, and a = (K⁻¹ δ, 0)
+With M, C, K symmetric and none of them negative, C of dampers and of one drag of all that has mass, what the first N
+modes and what loads do exactly leave of a motion, z = (r, ṙ), vibrates freely: ⟨z, z⟩, ⟨z₁, z₂⟩ = x₁ᵀ K x₂ +
+v₁ᵀ M v₂, twice its energy, never grows. It is orthogonal to the modes that are counted in [z₁, z₂] = x₁ᵀ K x₂ −
+v₁ᵀ M v₂. With Π, which takes these off, and a = (K⁻¹ δ, 0)
 
     r(x, t) = [a, z] = [Π a, z],      |r(x, t)| ≤ ‖Π a‖ Σ ‖Π zₖ‖
 
@@ -21,6 +22,7 @@ import numpy as np
 from vibcli.analyses.continuous.damped_energies import ROUNDED, DampedSwings, energies
 from vibcli.analyses.continuous.divided_pieces import divided_at
 from vibcli.analyses.continuous.modal_reads import key_of
+from vibcli.analyses.continuous.spread_overlaps import UnitLoadsOfChannels
 from vibcli.analyses.continuous.uncounted_modes import inverse_where_massive
 from vibcli.analyses.excitation.linear_output import LinearOutput
 from vibcli.base.named_tuple import NamedTuple
@@ -74,6 +76,14 @@ class Column(NamedTuple):
         return (upper - lower.conj()) / 2j if self.imaginary else (upper + lower.conj()) / 2
 
 
+def _even_drag(pieces):
+    """(c/μ of pieces, is it that of all, and all that damps them?)."""
+    drags = [one.piece.drag / one.piece.inertia if one.piece.inertia else one.piece.drag and inf for one in pieces]
+    least, most = min(drags, default=0.0), max(drags, default=0.0)
+    even = most < inf and most - least <= 4 * EPSILON * most and not any(one.retardation for one in pieces)
+    return float(most if even else 0.0), even
+
+
 class LeftOutEnergy:
     """Of ComplexModes; begun: q and v at t = 0; of a start in fields besides `twice` its energy, None of others."""
 
@@ -83,12 +93,14 @@ class LeftOutEnergy:
         self.n, (_, C, M), rates = transfer.n, transfer.matrix.polynomial, modes.states.rates
         self.held, self.struck = (transfer.at_rest(begun[0]), M @ begun[1]) if twice is None else np.zeros(
             (2, self.n))
+        self.drag, even = _even_drag(transfer.pieces)
+        C = C - self.drag * M
         size = np.sqrt(np.maximum(np.diagonal(C), 0.0))
         values, vectors = np.linalg.eigh(C / np.outer(*[np.where(size, size, 1.0)] * 2))
         self._strokes = (size[:, None] * vectors * np.sqrt(np.maximum(values, 0.0)))[:, values > INDEFINITE]
         self.valid = bool((C == C.T).all() and (values >= -INDEFINITE).all() and not C[size == 0].any()
                           and not self._grows() and (twice or 0.0) < inf
-                          and not any(one.piece.drag or one.retardation for one in transfer.pieces))
+                          and even and not (self.drag and ((rates.imag == 0) & (rates != 0)).any()))
         apart = min(APART, (BALANCE / max(1, len(rates))) ** 0.5)
         half = int(PLACES / apart / 2) + 1
         turn = np.exp(1j * np.pi * (np.arange(half) + 0.5) / half)
@@ -97,6 +109,7 @@ class LeftOutEnergy:
         self.chosen = np.flatnonzero(np.abs(rates) > least)
         self.valid &= self.basis.of_points <= (least if twice is None else 0.0) and (
             twice is None or len(rates) <= MOST)
+        self.loads = UnitLoadsOfChannels(transfer)
         self._twice, self._massive = twice, inverse_where_massive(M)
         self._known: dict[Any, Any] = {}
 
@@ -108,7 +121,7 @@ class LeftOutEnergy:
         chosen, modes = np.flatnonzero(self.states.rates), self.modes
         begin, shown = self.states.begin[chosen], modes.shown_by_start[chosen]
         swings, own, errors = self._modes(np.zeros((len(chosen), 0)), chosen)
-        found, off = energies(swings, begin[:, None], swings, begin[:, None], own, errors)
+        found, off = energies(swings, begin[:, None], swings, begin[:, None], own, errors, self.drag)
         felt, still = begin * shown, float((modes.rigid_start[1] ** 2).sum())
         found = found[0, 0] + self._twice - 2 * float(felt.real.sum()) - still
         off = off[0, 0] + ROUNDED * (self._twice + 2 * float(np.abs(felt).sum()) + still)
@@ -121,12 +134,15 @@ class LeftOutEnergy:
         return bool((rates.real > (self.basis.errors[self.states.modes] + EPSILON) * np.abs(rates)).any())
 
     def of_channels(self, channels: "Sequence[int]") -> Slots:
-        """Unit loads on coordinates."""
-        H = [np.array([self.transfer.at(LinearOutput(q={i: 1.0}), s)[:self.n] for i in range(self.n)])
-             for s in self.places]
-        shapes, at = self._shapes(self.chosen), list(channels)
-        return self._slots(shapes[at].T, [h[:, at] for h in H], [h[np.ix_(at, at)] for h in H],
-                           self._massive[np.ix_(at, at)])
+        """Unit loads on coordinates and along members."""
+        at, answers, shown = list(channels), [], []
+        for s in self.places:
+            H = np.array([self.transfer.at(LinearOutput(q={i: 1.0}), s)[at] for i in range(self.n)])
+            answers.append(H)
+            shown.append(np.einsum("ais,ibs->abs", self.loads.put(at, s), H) + self.loads.between(at, s))
+        share = np.where(self.states.rates.imag > 0, 2.0, 1.0)[self.chosen, None]
+        return self._slots(self.states.inputs[self.chosen[:, None], at] / share, answers, shown,
+                           self.loads.massive(at, self._massive))
 
     def _shapes(self, chosen):
         return self.basis.shapes[:, self.states.modes[chosen]]
@@ -189,7 +205,7 @@ class LeftOutEnergy:
                            shown.reshape(count, number), unit)
             sides.append((DampedSwings(*map(np.concatenate, zip(modes, there, strict=True))), A))
         (first, A), (second, B) = sides
-        found, off = energies(first, A, second, B, own, errors)
+        found, off = energies(first, A, second, B, own, errors, self.drag)
         before, after = ((A.T @ (swings.rates[:, None] * swings.shown)).real @ blows
                          for swings, A in ((first, A), (second, B)))
         found += before + after.T + blows.T @ slots.massive @ blows
@@ -214,12 +230,13 @@ class LeftOutEnergy:
         strokes, errors = shapes.T @ self._strokes, self.basis.errors[self.states.modes[chosen]] + EPSILON
         sizes = np.abs(strokes) + lost / ROUNDED
         swings = DampedSwings(rates, errors, strokes, sizes, reads, np.zeros(reads.shape))
-        damped, pace, fade = (np.abs(strokes) ** 2).sum(axis=1), np.abs(rates), np.maximum(-rates.real, 0.0)
+        damped, pace, fade = (np.abs(strokes) ** 2).sum(axis=1), np.abs(rates), np.maximum(
+            -rates.real - self.drag / 2, 0.0)
         with np.errstate(divide="ignore", invalid="ignore"):
             by_loss = pace**2 * damped / fade
             off_by_loss = errors * pace / fade + ROUNDED * (sizes**2).sum(axis=1) / damped
             off_by_mass = MIXED * (fade / self.modes.gaps[chosen]) ** 2 + ROUNDED
-        by_mass = pace * np.abs(1 - (strokes**2).sum(axis=1))
+        by_mass = 2 * pace**2 * np.abs((1 - (strokes**2).sum(axis=1)) / (2 * rates + self.drag))
         surer = ~(off_by_loss <= off_by_mass)
         return swings, np.where(surer, by_mass, by_loss), np.where(surer, off_by_mass, off_by_loss)
 
@@ -246,8 +263,8 @@ class LeftOutEnergy:
 
     def takes(self, channel: int, exponent: complex, power: int) -> bool:
         """Is the energy that a load sets free known, and finite?"""
-        return channel < self.n and abs(exponent) <= FAST * self.basis.radius and (
-            power >= 0 or bool(self._massive[channel, channel]))
+        return abs(exponent) <= FAST * self.basis.radius and self.loads.takes(channel) and (
+            power >= 0 or bool(self.loads.massive([channel], self._massive)[0, 0]))
 
     def has_reach(self, output: LinearOutput, order: int) -> bool:
         """Is that finite?"""

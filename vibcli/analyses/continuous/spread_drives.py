@@ -14,7 +14,7 @@ from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.smooth_panels import NotSmooth
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
 
     from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.factored_system import PlacedPiece
@@ -50,6 +50,15 @@ class SpreadDrive(NamedTuple):
             return end_loads(piece, kappa, form)
         return end_loads_slope(piece, kappa, form) * reaction_rate(piece, s, placed.retardation)[..., None]
 
+    def put(self, pieces: "Sequence[PlacedPiece]", s: np.ndarray, n: int) -> np.ndarray:
+        """What it puts on n coordinates by the ends of pieces, (number of s, n)."""
+        found = np.zeros((len(s), n), complex)
+        for one in pieces:
+            ends = self.end_loads(one, s)
+            for a, row in enumerate(one.rows if ends is not None else ()):
+                for i, v in row.items():
+                    found[:, i] += v * ends[:, a]
+        return found
 
     def size(self, placed: "PlacedPiece") -> list[float]:
         """What ∫ |f| H dx may be on the ends of a piece: sums that cancel round by as much."""

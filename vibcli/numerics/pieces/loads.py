@@ -148,7 +148,17 @@ def _by_ends(piece, kappa, one, numbers):
 
 def bracket(piece: "Piece", kappa: np.ndarray, phi: np.ndarray, one: LoadStretch, x: Any) -> np.ndarray:
     """Green's bracket at x of fields φ (…, order) with κ (…) and the w of a stretch."""
-    w = np.zeros((4, *kappa.shape), kappa.dtype)
+    w = particular(piece, kappa, one, x)
+    found = -piece.tension * (phi[..., 0] * w[1] - phi[..., 1] * w[0])
+    if piece.order == 4:
+        found = found + piece.bending * (phi[..., 0] * w[3] - phi[..., 1] * w[2] + phi[..., 2] * w[1]
+                                         - phi[..., 3] * w[0])
+    return found
+
+
+def particular(piece: "Piece", kappa: np.ndarray, one: LoadStretch, x: Any) -> np.ndarray:
+    """w, w′, w″, w‴ of a stretch at places, (4, …)."""
+    w = np.zeros((4, *np.broadcast_shapes(kappa.shape, np.shape(x))), kappa.dtype)
     for rate, powers in _by_rates(one).items():
         half = _particular(piece, kappa, rate, powers / 2, x - one.origin)
         if kappa.dtype.kind != "c":
@@ -157,11 +167,7 @@ def bracket(piece: "Piece", kappa: np.ndarray, phi: np.ndarray, one: LoadStretch
             w = w + half + _particular(piece, kappa, rate.conjugate(), powers.conj() / 2, x - one.origin)
         else:
             w = w + 2 * half
-    found = -piece.tension * (phi[..., 0] * w[1] - phi[..., 1] * w[0])
-    if piece.order == 4:
-        found = found + piece.bending * (phi[..., 0] * w[3] - phi[..., 1] * w[2] + phi[..., 2] * w[1]
-                                         - phi[..., 3] * w[0])
-    return found
+    return w
 
 
 def _by_rates(one):

@@ -29,17 +29,23 @@ SCENES = {
     "at resonance, hardly damped at a node": (
         PINNED.replace("DAMPER", "1e-8 N*s/m") % "forces: {push: {at: aside, force: 1 N*cos(4*pi^2*t/(1 s))}}",
         {ASIDE: 0, MID: 0}),
+    "loads along it": (COMMON % """
+forces: {push: {body: arm, per_length: 1 N/m*x/L*step(t), to: 0.3*L}, pull: {at: aside, force: 1 N*step(t - 0.1 s)},
+         shove: {body: arm, per_length: 1 N/m*sin(pi*x/L)*cos(20*t/(1 s)), to: 0.3*L}}""", {ASIDE: 0, MID: 0, TURN: 0}),
+    "a blow along a part": (COMMON % "forces: {push: {body: arm, per_length: 1 N*s/m*impulse(t), to: 0.3*L}}",
+                            {ASIDE: 0, MID: 0}),
+    "dragged": (COMMON.replace("mass", "drag: 3 N*s/m^2, mass", 1) %
+                "forces: {push: {at: aside, force: 1 N*step(t) + 1 N*cos(20*t/(1 s))}}", {ASIDE: 0, MID: 0}),
     "let go": (COMMON % "forces: {push: {at: aside, force: 1 N}}\ninitial: {released: push}",
                {ASIDE: 0.3**2 * 0.7**2 / 3}),
     "thrown in a field": (COMMON % "initial: {arm.u': 1 mm/s*x*(L - x)/L^2}", {ASIDE: 0, MID: 0}),
     "bent in a field": (COMMON % "initial: {arm.u: 1 mm*(x/L)^2*(1 - x/L)^2}", {ASIDE: 1e-3 * 0.3**2 * 0.7**2}),
-    "nothing holds it": (BEAM.replace("ENDS", "left: free").replace("DAMPER", "0.7 N*s/m") % "" + STEP,
-                         {ASIDE: 0, MID: 0}),
-    "a blow on a mass": (
-        BEAM.replace("ENDS", "left: clamped").replace("DAMPER", "0.7 N*s/m") % ", {at: 0.3*L, mass: 0.5 kg}"
+    "a blow and a step on a mass that nothing holds": (
+        BEAM.replace("ENDS", "left: free").replace("DAMPER", "0.7 N*s/m") % ", {at: 0.3*L, mass: 0.5 kg}"
         + "bodies: {hit: {mass: 0.5 kg, slide: y}}\nsprings: {tie: {k: 9 N/m, between: [hit, mid]}}\n"
-        + "forces: {push: {at: aside, force: 1 N*s*impulse(t)}}", {ASIDE: 0, BETWEEN: 0}),
+        + "forces: {push: {at: aside, force: 1 N*s*impulse(t) + 9 N*step(t)}}", {ASIDE: 0, BETWEEN: 0}),
 }
+FEW, MORE = 8, 24
 TIMES = np.linspace(0.0, 0.6, 25)
 pytestmark = pytest.mark.usefixtures("modes_found_once")
 
@@ -49,7 +55,7 @@ def test_what_is_left_out_is_bounded_and_not_by_far_more_than_it_is(kind):
     text, begins = SCENES[kind]
     scene = problem(text)
     response = DampedModalResponse(scene)
-    few, more = response.motion(16), response.motion(64)
+    few, more = response.motion(FEW), response.motion(MORE)
     for place, begin in begins.items():
         output = LinearOutput(places={place: 1.0})
         assert not few.is_estimated(output)
@@ -75,18 +81,18 @@ forces: {push: {at: end, force: 1 N*step(t)}}
 
 def test_moments_and_what_is_struck_where_nothing_has_mass_are_estimated():
     scene = problem(SCENES["step"][0])
-    motion = DampedModalResponse(scene).motion(16)
+    motion = DampedModalResponse(scene).motion(FEW)
     for place, estimated in ((MID, False), (FieldPoint(2, 0.0, 2), True), (FieldPoint(2, 0.0, 0, 1), True)):
         assert motion.is_estimated(LinearOutput(places={place: 1.0})) == estimated
     struck = problem(COMMON % "forces: {push: {at: aside, force: 1 N*s*impulse(t)}}")
-    assert DampedModalResponse(struck).motion(16).is_estimated(LinearOutput(places={MID: 1.0}))
+    assert DampedModalResponse(struck).motion(FEW).is_estimated(LinearOutput(places={MID: 1.0}))
 
 
-@pytest.mark.parametrize("c", ["0.7 N*s/m", "1e-8 N*s/m"])
-def test_energies_of_modes_are_those_of_their_fields(c):
-    scene = problem(PINNED.replace("DAMPER", c) % STEP)
-    modes = DampedModalResponse(scene).motion(16).modes
-    left, N, rates = modes.disturbed(()).energy, 8, modes.states.rates[:8]
+@pytest.mark.parametrize(("c", "drag"), [("0.7 N*s/m", 0), ("1e-8 N*s/m", 0), ("0.7 N*s/m", 3), ("1e-8 N*s/m", 3)])
+def test_energies_of_modes_are_those_of_their_fields(c, drag):
+    scene = problem(PINNED.replace("DAMPER", c).replace("mass", f"drag: {drag} N*s/m^2, mass", 1) % STEP)
+    modes = DampedModalResponse(scene).motion(FEW).modes
+    left, N, rates = modes.disturbed(()).energy, FEW, modes.states.rates[:FEW]
     nodes, weights = np.polynomial.legendre.leggauss(48)
     K, M = np.zeros((2, N, N), complex), np.zeros((2, N, N), complex)
     for number, one in enumerate(modes.basis.placed):
@@ -99,7 +105,7 @@ def test_energies_of_modes_are_those_of_their_fields(c):
     expected = (K[0] + np.outer(rates, rates) * M[0], K[1] + np.outer(rates.conj(), rates) * M[1])
     swings, own, errors = left._modes(np.zeros((N, 0)), np.arange(N))
     A = np.concatenate([np.eye(N), 1j * np.eye(N)], axis=1)
-    found, off = energies(swings, A, swings, A, own, errors)
+    found, off = energies(swings, A, swings, A, own, errors, left.drag)
     wanted = (A.T @ expected[0] @ A + A.conj().T @ expected[1] @ A).real / 2
     assert (np.abs(found - wanted) <= off + 1e-12 * np.abs(wanted).max()).all()
     assert np.abs(off).max() <= 1e-6 * np.abs(wanted).max()
