@@ -50,14 +50,14 @@ def read_answer(text: str, unit: str) -> GivenAnswer:
     return _in_unit(number, half, _plain(match["unit"]), unit)
 
 
-def _plain(text):
+def _plain(text: str) -> str:
     """The text of a unit as the language writes it: m/s² as m/s^2."""
     text = RAISED.sub(lambda found: "^" + found[0].translate(SUPERSCRIPTS), text.strip())
     text = text.replace("·", "*").replace("°", "deg").strip()
     return f"{text[2:]}^-1" if text.startswith("1/") else text
 
 
-def _in_unit(number, half, given, unit):
+def _in_unit(number: float, half: float, given: str, unit: str) -> GivenAnswer:
     if not given or given == unit:
         return GivenAnswer(number, "", given, half)
     try:
