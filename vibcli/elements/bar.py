@@ -1,12 +1,13 @@
 """Bars, along their axis: (EA u′)′ = ρA ü."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.elements.member import built
 from vibcli.elements.member_fields import BAR, member_element
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Record
+    from vibcli.scene.builder import Builder
 
 ELEMENT = member_element(
     BAR,
@@ -14,6 +15,6 @@ ELEMENT = member_element(
     "bars")
 
 
-def build(record: "Record", scene: Any) -> None:
+def build(record: "Record", scene: "Builder") -> None:
     """Add a bar to the scene."""
     built(record.name, scene)

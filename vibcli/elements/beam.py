@@ -1,13 +1,14 @@
 """Beams, across their axis: (EI u″)″ − (N u′)′ + ρA ü = 0, after Euler and Bernoulli; along it (EA w′)′ = ρA ẅ, if at
 all."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.elements.member import built
 from vibcli.elements.member_fields import BEAM, member_element
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Record
+    from vibcli.scene.builder import Builder
 
 ELEMENT = member_element(
     BEAM,
@@ -18,6 +19,6 @@ ELEMENT = member_element(
     "beams")
 
 
-def build(record: "Record", scene: Any) -> None:
+def build(record: "Record", scene: "Builder") -> None:
     """Add a beam to the scene."""
     built(record.name, scene)

@@ -5,7 +5,7 @@ A placed body contributes ½ m (ẋ_C² + ẏ_C²) + ½ J_C θ̇² and its weigh
 parallel axis theorem; a part with `cut: true` counts negative.
 """
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.elements import ELEMENTS, body_checks
 from vibcli.elements.rigid_body import MOTIONS, Body
@@ -17,6 +17,11 @@ from vibcli.language.named_place import DRAWN
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Record
+    from vibcli.scene.builder import Builder
+    from vibcli.symbolic.node import Node
+
+    Place = tuple[Node, Node]
+    Piece = tuple[Node | None, Place, Node | None, Place, Node | None]
 
 _LENGTH, _ANGLE = Quantity("m"), Quantity("rad")
 _SHAPE = {
@@ -68,7 +73,7 @@ ELEMENT = Element(
 )
 
 
-def build(record: "Record", scene: Any) -> Body:
+def build(record: "Record", scene: "Builder") -> Body:
     """The body of a record, its frame included; its energies are added to the scene."""
     body = Body(record.name, record)
     placed = any(key in record for key in ("at", "from", "parts"))
@@ -90,7 +95,7 @@ def build(record: "Record", scene: Any) -> Body:
     return body
 
 
-def _with_inertia(body, scene, placed):
+def _with_inertia(body: Body, scene: "Builder", placed: bool) -> Body:
     """The body with its mass, J_C, mass centre and circles."""
     record = body.record
     if "parts" in record:
@@ -100,8 +105,9 @@ def _with_inertia(body, scene, placed):
             scene.report(record.place("parts"), f"the parts of '{body.name}' do not leave a positive mass and inertia",
                          "a hole lies within the shape that it is cut from")
         if not {"inertia", "gyration"} & set(record):
-            which = "cut" if any(part.get("cut") for part in record["parts"]) else "pieces"
-            body = body._replace(**{which: [piece[:3] for piece in pieces]})
+            parts = [piece[:3] for piece in pieces]
+            holed = any(part.get("cut") for part in record["parts"])
+            body = body._replace(cut=parts) if holed else body._replace(pieces=parts)
         rims, radius = _rims_of_parts(record, pieces, scene)
     else:
         mass, centre, inertia, drawn, radius = _piece(record, scene, False, placed)
@@ -113,7 +119,7 @@ def _with_inertia(body, scene, placed):
     return body._replace(mass=mass, inertia=inertia, centre=centre, rims=rims, rolling_radius=radius)
 
 
-def _rims_of_parts(record, pieces, scene):
+def _rims_of_parts(record: "Record", pieces: "list[Piece]", scene: "Builder") -> "tuple[list[Place], Node | None]":
     """(centres as drawn, radius) of the circles of a body of parts, its holes where nothing else is round; `at` of the
     body names the centre outright. The radius is None where the circles are of several sizes."""
     rims = [(piece[3], piece[4], part.get("cut", False)) for part, piece in zip(record["parts"], pieces, strict=True)
@@ -128,7 +134,7 @@ def _rims_of_parts(record, pieces, scene):
     return centres, radii[0][0] if len(radii) == 1 else None
 
 
-def _different(places, scene):
+def _different(places: "list[Place]", scene: "Builder") -> "list[Place]":
     found = []
     for place in places:
         if not any(_same(place, other, scene) for other in found):
@@ -136,13 +142,13 @@ def _different(places, scene):
     return found
 
 
-def _same(one, two, scene):
+def _same(one: "Place", two: "Place", scene: "Builder") -> bool:
     near, far = (sum(abs(scene.number(part)) for part in parts)
                  for parts in ([a - b for a, b in zip(one, two, strict=True)], [*one, *two]))
     return near <= CLOSE * far
 
 
-def _piece(record, scene, cut, placed=True):
+def _piece(record: "Record", scene: "Builder", cut: bool, placed: bool = True) -> "Piece":
     """(mass, mass centre, J_C, drawn place, rolling radius) of one shape."""
     table, shape = scene.table, record.get("shape", "particle")
     if shape == "rod":
@@ -172,15 +178,16 @@ def _piece(record, scene, cut, placed=True):
     return mass, centre, mass * uniform.gyration2, drawn, uniform.radius
 
 
-def _welded(pieces):
+def _welded(pieces: "list[Piece]") -> "tuple[Node, Place, Node]":
     """Mass, mass centre and J_C of several pieces."""
-    mass = sum(m for m, *_ in pieces)
-    x, y = (sum(m * centre[i] for m, centre, *_ in pieces) / mass for i in (0, 1))
-    inertia = sum(own + m * ((px - x) ** 2 + (py - y) ** 2) for m, (px, py), own, _, _ in pieces)
+    zero = pieces[0][0].table.zero
+    mass = sum((m for m, *_ in pieces), zero)
+    x, y = (sum((m * centre[i] for m, centre, *_ in pieces), zero) / mass for i in (0, 1))
+    inertia = sum((own + m * ((px - x) ** 2 + (py - y) ** 2) for m, (px, py), own, _, _ in pieces), zero)
     return mass, (x, y), inertia
 
 
-def _add_energies(body, motion, scene):
+def _add_energies(body: Body, motion: str | None, scene: "Builder") -> None:
     """½ m (ẋ_C² + ẏ_C²) + ½ J_C θ̇² and the weight; of a lumped body ½ m u̇² or ½ J φ̇²."""
     if body.frame is None:
         weight = body.mass if motion == "slide" else body.inertia

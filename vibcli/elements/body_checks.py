@@ -51,7 +51,7 @@ def body(record: Record, reader: Reader) -> None:
                                                                        " and no motion"), NO_PLACE)
 
 
-def _lumped(record, reader):
+def _lumped(record: Record, reader: Reader) -> None:
     """A body without a place slides or turns on the one axis."""
     if "turn" in record:
         has_inertia = "inertia" in record or "gyration" in record or NEEDS[record.get("shape", "particle")]
@@ -68,7 +68,7 @@ def _lumped(record, reader):
                           "give `mass: m`, or let it turn with `turn: phi`")
 
 
-def _looks(record, reader):
+def _looks(record: Record, reader: Reader) -> None:
     """What a body is drawn as: a slab or cam has a place; a tube of liquid has none."""
     word, placed = record["looks"], "at" in record
     if word == "cam" and not (placed and {"slide", "pin"} & set(record)):

@@ -1,6 +1,6 @@
 """A body clamped rigidly to the ground or to another body: it has no motion of its own, but the clamp has forces."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import BODY, PLACE
@@ -8,6 +8,7 @@ from vibcli.language.kinds import BODY, PLACE
 if TYPE_CHECKING:
     from vibcli.elements.rigid_body import Body
     from vibcli.language.reader import Record
+    from vibcli.scene.builder import Builder
 
 ELEMENT = Element(
     "clamp",
@@ -22,7 +23,7 @@ ELEMENT = Element(
 )
 
 
-def build(clamp: "Record", body: "Body", scene: Any) -> "Body":
+def build(clamp: "Record", body: "Body", scene: "Builder") -> "Body":
     """A clamped body with its frame: that of its carrier, with the clamp as reference point."""
     drawn, place, carrier = scene.pivot(clamp, body)
     return body._replace(frame=scene.new_frame(drawn, place, carrier.angle))

@@ -20,8 +20,10 @@ from vibcli.symbolic.series_of_laws import PartLaw, SeriesOfLaws
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from fractions import Fraction
 
     from vibcli.language.reader import Record
+    from vibcli.scene.builder import Builder
     from vibcli.symbolic.node import Node
 
 
@@ -29,9 +31,9 @@ class Component(NamedTuple):
     """The force and the energy of a part as functions of its deflection; `inner`: [(deflection as a function of that,
     Component)] of its own parts; `shared`: do these share the force, being in series?"""
 
-    force: Any
-    energy: Any
-    inner: tuple = ()
+    force: "Node"
+    energy: "Node"
+    inner: "tuple[tuple[Node, Component], ...]" = ()
     shared: bool = False
 
 
@@ -40,10 +42,10 @@ class Group(NamedTuple):
     [(number of the part, share)]."""
 
     law: PartLaw
-    shares: list
+    shares: "list[tuple[int, Node]]"
 
 
-def composed(record: "Record", scene: Any, x: "Node", name: str) -> Component | None:
+def composed(record: "Record", scene: "Builder", x: "Node", name: str) -> Component | None:
     """What a record with `series` or `parallel` is, or one of its parts; None where it was reported as wrong."""
     for key in KEYS:
         if key in record:
@@ -70,7 +72,7 @@ def stiffness(part: Component, x: "Node") -> "Node | None":
     return power[0] if power is not None and power[1] == 1 else None
 
 
-def _in_parallel(parts, x):
+def _in_parallel(parts: "Sequence[Component]", x: "Node") -> Component:
     """One Component of several side by side; of powers with one exponent it is one again."""
     force, energy = (x.table.total(column) for column in zip(*(part[:2] for part in parts), strict=True))
     powers = [power_of(part.force, x) for part in parts]
@@ -80,7 +82,8 @@ def _in_parallel(parts, x):
     return Component(force, energy, tuple((x, part) for part in parts))
 
 
-def _in_series(parts, records, scene, x, name):
+def _in_series(parts: "Sequence[Component]", records: "Sequence[Record]", scene: "Builder", x: "Node",
+               name: str) -> Component | None:
     """One Component of several in series."""
     positive: list[Any] | None = []
     for part, record in zip(parts, records, strict=True):
@@ -102,7 +105,8 @@ def _in_series(parts, records, scene, x, name):
     return Component(*law, tuple((inner[i], part) for i, part in enumerate(parts)), True)
 
 
-def _solved(groups, x, name, positive, unit):
+def _solved(groups: list[Group], x: "Node", name: str, positive: "list[Node] | None",
+            unit: str) -> "tuple[PartLaw, list[Node]]":
     """(PartLaw, deflections of the groups) by inner equilibrium."""
     nodes = [node for group in groups for node in group.law] + (positive or [])
     definitions = x.table.definitions
@@ -122,7 +126,7 @@ def _groups(parts: "Sequence[Component]", x: "Node") -> list[Group]:
             for numbers in alike.values()]
 
 
-def _power(parts, powers, numbers):
+def _power(parts: "Sequence[Component]", powers: "Sequence[tuple[Node, Fraction] | None]", numbers: list[int]) -> Group:
     """Of c |d|ⁿ sign d with one n."""
     first, n = parts[numbers[0]], powers[numbers[0]][1]
     factors = [powers[i][0] for i in numbers]
@@ -132,7 +136,7 @@ def _power(parts, powers, numbers):
     return Group(law, [(i, table.power(whole / c, 1 / n)) for i, c in zip(numbers, factors, strict=True)])
 
 
-def _equal(parts, numbers, x):
+def _equal(parts: "Sequence[Component]", numbers: list[int], x: "Node") -> Group:
     """N times F at x/N."""
     table, count = x.table, len(numbers)
     force, energy = substitute(parts[numbers[0]][:2], {x: x / count}) if count > 1 else parts[numbers[0]][:2]
@@ -150,7 +154,8 @@ def inner_deflections(component: Component, x: "Node", path: str = "") -> "list[
     return found
 
 
-def deflection_under(record: "Record", scene: Any, component: Component, x: "Node", tension: "Node") -> "Node | None":
+def deflection_under(record: "Record", scene: "Builder", component: Component, x: "Node",
+                     tension: "Node") -> "Node | None":
     """The deflection at which a spring has a tension, of parts in series the sum of theirs; None where it is not found,
     which is reported."""
     from vibcli.elements.preloaded_law import undeformed

@@ -5,7 +5,7 @@
     belt   r₁(φ₁ − φ_c) = ± r₂(φ₂ − φ_c)            rope   its length is constant (elements/rope.py)
 """
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.elements import rope
 from vibcli.elements.ends import angle_of
@@ -15,7 +15,9 @@ from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.normal_form import is_zero, textbook
 
 if TYPE_CHECKING:
-    from vibcli.language.reader import Record
+    from vibcli.language.reader import Reader, Record, Reference
+    from vibcli.scene.builder import Builder
+    from vibcli.symbolic.node import Node
 
 _TWO_BODIES = Many(BODY, 2, 2, "two bodies [one, two]")
 _TWO_PLACES = Many(PLACE, 2, 2, "two points [A, B]")
@@ -24,7 +26,7 @@ _GOES_WITH = {"surface": ("point",), "radii": ("gear", "belt"), "carrier": ("gea
               "crossed": ("belt",)}
 
 
-def _settle(record, reader):
+def _settle(record: "Record", reader: "Reader") -> None:
     for key, kinds in _GOES_WITH.items():
         if key in record.places and not any(kind in record.places for kind in kinds):
             reader.report(record.place(key), f"'{key}' goes with " + " or ".join(f"'{kind}'" for kind in kinds),
@@ -65,14 +67,14 @@ ELEMENT = Element(
 )
 
 
-def build(record: "Record", scene: Any) -> None:
+def build(record: "Record", scene: "Builder") -> None:
     """Add the conditions of a constraint to the scene."""
     kind = next(kind for kind in KINDS if kind in record)
     {"equation": _equation, "rope": rope.build, "gear": _gear, "belt": _gear, "join": _join, "link": _link,
      "point": _point}[kind](record, scene)
 
 
-def _equation(record, scene):
+def _equation(record: "Record", scene: "Builder") -> None:
     node = scene.lower(record["equation"])
     if any(node.mask & x.mask for x in (*scene.v, *scene.a)):
         scene.report(record["equation"].where, "a constraint ties positions, not velocities",
@@ -88,7 +90,7 @@ def _equation(record, scene):
     scene.add_constraint(record, _driven(record, scene, node), "equation")
 
 
-def _driven(record, scene, node):
+def _driven(record: "Record", scene: "Builder", node: "Node") -> "Node":
     """The condition with its terms of the time alone, and their value at t = 0, as one displacement that is driven: of
     y = Y (1 − cos Ωt) all of the right side, so that none of it is there at rest."""
     others = ~scene.time.mask
@@ -100,7 +102,7 @@ def _driven(record, scene, node):
     return tied - drawn + scene.driven_by(in_time + drawn, record.name)
 
 
-def _join(record, scene):
+def _join(record: "Record", scene: "Builder") -> None:
     (ax, ay), (bx, by) = (scene.place_of(end) for end in record["join"])
     x, y = scene.number(bx - ax), scene.number(by - ay)
     _together(record, scene, (x * x + y * y) ** 0.5, "the points that '{}' joins are {:.6g} m apart as drawn",
@@ -113,13 +115,13 @@ def _join(record, scene):
         scene.add_constraint(record, node, "join", part)
 
 
-def _together(record, scene, gap, words, hint):
+def _together(record: "Record", scene: "Builder", gap: float, words: str, hint: str) -> None:
     """Report a gap as drawn."""
     if gap and not gap <= 1e-9 * (scene.extent(scene.sample) or 1.0):
         scene.report(record.where, words.format(record.name, gap), hint)
 
 
-def _link(record, scene):
+def _link(record: "Record", scene: "Builder") -> None:
     before = len(scene.diagnostics)
     (ax, ay), (bx, by) = (scene.place_of(end) for end in record["link"])
     dx, dy = bx - ax, by - ay
@@ -137,7 +139,7 @@ def _link(record, scene):
     scene.add_constraint(record, (dx * dx + dy * dy - length * length) / (2 * length), "link")
 
 
-def _point(record, scene):
+def _point(record: "Record", scene: "Builder") -> None:
     surface = scene.surfaces[record["surface"].text]
     carrier = scene.carrier(surface, "body")
     x, y = carrier.seen(*scene.place_of(record["point"]))
@@ -160,7 +162,7 @@ def _point(record, scene):
     scene.add_constraint(record, node, "point")
 
 
-def _gear(record, scene):
+def _gear(record: "Record", scene: "Builder") -> None:
     """Equal velocities at the pitch point, or of the belt."""
     belt = "belt" in record
     names = record["belt" if belt else "gear"]
@@ -185,7 +187,7 @@ def _gear(record, scene):
     scene.add_constraint(record, node, "belt" if belt else "gear")
 
 
-def _carried(record, scene, names):
+def _carried(record: "Record", scene: "Builder", names: "list[Reference]") -> None:
     """The axles rest in the carrier of a gear or belt."""
     carrier = scene.carrier(record)
     for name in names:
@@ -197,7 +199,7 @@ def _carried(record, scene, names):
                              if "carrier" in record else ""), "name the body that carries both axles: `carrier: arm`")
 
 
-def _parted(record, scene, names, radii):
+def _parted(record: "Record", scene: "Builder", names: "list[Reference]", radii: "list[Node]") -> "Node":
     """(δc₁ − δc₂)·t of the axles, t along the teeth, where supports give way; zero of gears without a place."""
     bodies = [scene.bodies[name.text] for name in names]
     if any(body.frame is None for body in bodies):
@@ -213,7 +215,7 @@ def _parted(record, scene, names, radii):
     return (cx - dx) * tx + (cy - dy) * ty
 
 
-def _radii(record, scene, names):
+def _radii(record: "Record", scene: "Builder", names: "list[Reference]") -> "list[Node] | None":
     if "radii" in record:
         return [scene.positive(radius, "a pitch radius") for radius in record["radii"]]
     radii = [scene.bodies[name.text].rolling_radius for name in names]
@@ -224,7 +226,7 @@ def _radii(record, scene, names):
     return radii
 
 
-def _touching(record, scene, names, radii):
+def _touching(record: "Record", scene: "Builder", names: "list[Reference]", radii: "list[Node]") -> None:
     """Gears with a place touch as drawn."""
     bodies = [scene.bodies[name.text] for name in names]
     if any(body.frame is None for body in bodies):

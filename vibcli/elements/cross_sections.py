@@ -5,7 +5,7 @@
     rectangle [b, h]  A = b h             I = b h³/12, h in the plane of bending; I_o is not its torsion constant
 """
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.fields import Element, Field
@@ -13,6 +13,8 @@ from vibcli.language.kinds import Many, Quantity
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Record
+    from vibcli.scene.builder import Builder
+    from vibcli.symbolic.node import Node
 
 SECTION = Element(
     "section",
@@ -34,14 +36,14 @@ class CrossSection(NamedTuple):
     """Area A, second moments I and I_o (None of a rectangle), distance of the outer fibre from the axis, depth in the
     plane of bending."""
 
-    A: Any
-    I: Any      # noqa: E741
-    Io: Any
-    fibre: Any
-    depth: Any
+    A: "Node"
+    I: "Node"      # noqa: E741
+    Io: "Node | None"
+    fibre: "Node"
+    depth: "Node"
 
 
-def cross_section(record: "Record", scene: Any) -> CrossSection:
+def cross_section(record: "Record", scene: "Builder") -> CrossSection:
     """That of a record; sizes that are not positive are reported."""
     if "rectangle" in record:
         b, h = (scene.positive(size, what) for size, what in zip(record["rectangle"], ("the width", "the height"),

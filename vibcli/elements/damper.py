@@ -1,6 +1,6 @@
 """Dampers between two ends: Φ = ½ c ḋ², the integral of a law, or R |ḋ| of dry friction, d being their distance."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.elements import ends
 from vibcli.elements.torsion import Torsion, settle_torsion
@@ -10,12 +10,14 @@ from vibcli.language.named_elements import Lazy, LazyKind
 from vibcli.symbolic.rationals import HALF
 
 if TYPE_CHECKING:
-    from vibcli.language.reader import Record
+    from vibcli.language.reader import Reader, Record
+    from vibcli.scene.builder import Builder
+    from vibcli.symbolic.node import Node
 
 PARTS = "series", "parallel"
 
 
-def _settle(record, reader):
+def _settle(record: "Record", reader: "Reader") -> None:
     if any(key in record for key in PARTS):
         from vibcli.elements.series import settle_parts
 
@@ -57,7 +59,7 @@ ELEMENT = Element(
 )
 
 
-def build(record: "Record", scene: Any) -> None:
+def build(record: "Record", scene: "Builder") -> None:
     """Add the dissipation function of a damper to the scene."""
     torsion = record.get("torsion")
     if any(key in record for key in PARTS):
@@ -88,7 +90,7 @@ def build(record: "Record", scene: Any) -> None:
     scene.add_law(stretch, v, energy, damper=True, bound=bound)
 
 
-def _build_parts(record, scene):
+def _build_parts(record: "Record", scene: "Builder") -> None:
     """Parts in series or in parallel, whose rates add up."""
     from vibcli.elements.composition import composed, stiffness
 
@@ -103,7 +105,7 @@ def _build_parts(record, scene):
         scene.add_law(stretch, v, part.energy, damper=True)
 
 
-def _bound(record, scene, friction):
+def _bound(record: "Record", scene: "Builder", friction: "Node") -> "Node":
     """The largest friction at rest over that in motion."""
     if "breakaway" not in record:
         return scene.table.one

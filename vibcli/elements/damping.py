@@ -8,6 +8,7 @@ from vibcli.language.kinds import Kind, Many, Quantity
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Record
+    from vibcli.scene.builder import Builder
 
 RATIO = Quantity("1")
 
@@ -87,7 +88,7 @@ ELEMENT = Element(
 )
 
 
-def build(record: "Record", scene: Any) -> None:
+def build(record: "Record", scene: "Builder") -> None:
     """Checks the ratios and factors, and that the motion is small."""
     if scene.spec.in_full:
         scene.report(record.where, "damping by modes belongs to small oscillations",

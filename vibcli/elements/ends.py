@@ -1,16 +1,19 @@
 """What springs and dampers join: places, bodies and the ground, and how far their ends are apart."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from typing import Literal
+
     from vibcli.elements.member import Member, Station
-    from vibcli.language.reader import Record
+    from vibcli.language.reader import Expression, Record, Reference
+    from vibcli.scene.builder import Builder
     from vibcli.symbolic.node import Node
 
 TURNING = "torsion acts between two bodies, or a body and `ground`"
 
 
-def station_of(point: str, scene: Any) -> "tuple[Member, Station] | None":
+def station_of(point: str, scene: "Builder") -> "tuple[Member, Station] | None":
     """The Member and Station of a point on a member; None of any other name."""
     record = (scene.spec.get("member_points") or {}).get(point)
     if record is None:
@@ -19,7 +22,7 @@ def station_of(point: str, scene: Any) -> "tuple[Member, Station] | None":
     return member, member.at(scene, scene.lower(record["at"]))
 
 
-def axis_of(name: str, scene: Any) -> "tuple[str, Node] | None":
+def axis_of(name: str, scene: "Builder") -> "tuple[str, Node] | None":
     """(slide or turn, motion) of a body without a place or of a point on a member; None of what has a place."""
     if name in scene.bodies:
         return scene.bodies[name].lumped
@@ -29,7 +32,7 @@ def axis_of(name: str, scene: Any) -> "tuple[str, Node] | None":
     return "turn" if found[0].kind.torsional else "slide", found[1].u
 
 
-def stretch(record: "Record", scene: Any, torsion: Any) -> "Node | None":
+def stretch(record: "Record", scene: "Builder", torsion: bool) -> "Node | None":
     """The stretch of a spring or damper since the drawn position; None where it was reported as wrong."""
     if "stretch" in record:
         return moving(record, scene, scene.lower(record["stretch"]))
@@ -44,7 +47,7 @@ def stretch(record: "Record", scene: Any, torsion: Any) -> "Node | None":
     return None if found is None else moving(record, scene, found - scene.at_drawn(found)[0])
 
 
-def length(record: "Record", scene: Any, dx: Any, dy: Any) -> "Node | None":
+def length(record: "Record", scene: "Builder", dx: "Node", dy: "Node") -> "Node | None":
     """The distance of two ends; None where they coincide as drawn, which is reported."""
     found = scene.distance(dx, dy)
     if scene.number(found) > 0:
@@ -54,7 +57,7 @@ def length(record: "Record", scene: Any, dx: Any, dy: Any) -> "Node | None":
     return None
 
 
-def moving(record: "Record", scene: Any, found: Any) -> "Node | None":
+def moving(record: "Record", scene: "Builder", found: "Node | None") -> "Node | None":
     """The stretch; None where it never changes, which is reported."""
     if found is not None and not found.mask:
         hint = "check its ends, or take it out"
@@ -65,7 +68,7 @@ def moving(record: "Record", scene: Any, found: Any) -> "Node | None":
     return found
 
 
-def span(record: "Record", scene: Any) -> "tuple[Node | None, Node | None]":
+def span(record: "Record", scene: "Builder") -> "tuple[Node | None, Node | None]":
     """(dx, dy) from the first end to the second; (None, None) where an end has no place."""
     places = [_place_of(end, record, scene) for end in record["between"]]
     if None in places:
@@ -74,7 +77,7 @@ def span(record: "Record", scene: Any) -> "tuple[Node | None, Node | None]":
     return bx - ax, by - ay
 
 
-def _place_of(end, record, scene):
+def _place_of(end: "list[Expression] | Reference", record: "Record", scene: "Builder") -> "tuple[Node, Node] | None":
     if isinstance(end, list):
         return scene.pair(end)
     if end.text == "ground":
@@ -87,7 +90,7 @@ def _place_of(end, record, scene):
     return scene.place(end)[1]
 
 
-def _lumped(end, scene):
+def _lumped(end: "list[Expression] | Reference", scene: "Builder") -> "tuple[str, Node] | Literal[0] | None":
     """(kind, motion) of a lumped body, 0 for the ground, None for what has a place."""
     if isinstance(end, list):
         return None
@@ -96,7 +99,8 @@ def _lumped(end, scene):
     return axis_of(end.text, scene)
 
 
-def _lumped_stretch(record, scene, lumped):
+def _lumped_stretch(record: "Record", scene: "Builder",
+                    lumped: "list[tuple[str, Node] | Literal[0] | None]") -> "Node | None":
     motions = []
     for end, part in zip(record["between"], lumped, strict=True):
         if part is None:
@@ -112,7 +116,7 @@ def _lumped_stretch(record, scene, lumped):
     return motions[1] - motions[0]
 
 
-def _angle(end, scene):
+def _angle(end: "list[Expression] | Reference", scene: "Builder") -> "Node | None":
     """The rotation of an end; None where it has none."""
     if isinstance(end, list):
         scene.report(end[0].where, "a place does not turn", TURNING)
@@ -128,7 +132,8 @@ def _angle(end, scene):
     return angle_of(end, scene, "write `k` or `c` instead of `torsion`")
 
 
-def slope_of(end: Any, member: "Member", station: "Station", scene: Any, hint: str = TURNING) -> "Node | None":
+def slope_of(end: "Reference", member: "Member", station: "Station", scene: "Builder",
+             hint: str = TURNING) -> "Node | None":
     """The turn of a shaft or beam at a point; None of a bar or string, which is reported."""
     if member.kind.torsional:
         return station.u
@@ -137,7 +142,8 @@ def slope_of(end: Any, member: "Member", station: "Station", scene: Any, hint: s
     return station.slope
 
 
-def angle_of(end: Any, scene: Any, hint: Any = "give it a `turn`, or a place and a `pin`") -> "Node | None":
+def angle_of(end: "Reference", scene: "Builder",
+             hint: str = "give it a `turn`, or a place and a `pin`") -> "Node | None":
     """The rotation of a body; None where it has none, which is reported."""
     body = scene.bodies[end.text]
     if body.frame is not None:

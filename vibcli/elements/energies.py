@@ -1,12 +1,13 @@
 """Energies written out: what no element says."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Quantity
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Record
+    from vibcli.scene.builder import Builder
 
 ELEMENT = Element(
     "set of energies",
@@ -21,7 +22,7 @@ ELEMENT = Element(
 )
 
 
-def build(record: "Record", scene: Any) -> None:
+def build(record: "Record", scene: "Builder") -> None:
     for key in ("T", "V", "Phi"):
         if key in record:
             scene.add_energy(key, scene.lower(record[key]))

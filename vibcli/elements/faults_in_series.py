@@ -1,12 +1,13 @@
 """What keeps a law from standing in series: its force is to be continuous, and undeformed it is to rest."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.expression_graph import called_functions, reachable
 
 if TYPE_CHECKING:
+    from vibcli.scene.builder import Builder
     from vibcli.symbolic.node import Node
 
 JUMPS = "sign", "step"
@@ -19,7 +20,7 @@ class Fault(NamedTuple):
     hint: str
 
 
-def not_in_series(force: "Node", x: "Node", scene: Any) -> Fault | None:
+def not_in_series(force: "Node", x: "Node", scene: "Builder") -> Fault | None:
     """What is wrong with a law as a part in series."""
     sides = [part for part in reachable([force]) if part.op == "call" and part.name in JUMPS and part.mask & x.mask]
     one_side = {part: part.table.one for part in sides}

@@ -13,7 +13,9 @@ from vibcli.language.kinds import BODY, Load, NameOf, OneOf, Quantity, vector
 from vibcli.language.named_elements import load
 
 if TYPE_CHECKING:
-    from vibcli.language.reader import Record
+    from vibcli.language.reader import Reader, Record
+    from vibcli.scene.builder import Builder
+    from vibcli.symbolic.node import Node
 
 _AT = OneOf("the name of a point or body (name a place under `points`)",
             scalar=NameOf("the name of a point or body", "points", "bodies"))
@@ -24,7 +26,7 @@ _AT = OneOf("the name of a point or body (name a place under `points`)",
 class _BodyOrMember(NameOf):
     """A body; in a scene with members one of them, along which a load is spread."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__(BODY.wants, "bodies")
         self.other = NameOf("the name of a body or member", "bodies", "members")
 
@@ -32,7 +34,7 @@ class _BodyOrMember(NameOf):
         return self.other.read(node, reader) if reader.members else super().read(node, reader)
 
 
-def _settle(record, reader):
+def _settle(record: "Record", reader: "Reader") -> None:
     if "per_length" in record:
         reader.name_within(record["per_length"], "x", "m")
     for key in ("from", "to"):
@@ -84,7 +86,7 @@ ELEMENT = Element(
 )
 
 
-def build(record: "Record", scene: Any) -> None:
+def build(record: "Record", scene: "Builder") -> None:
     """Add the virtual work of a load to the scene."""
     if "value" in record:
         scene.add_force(*scene.load(record["value"]), scene.symbol(record["coordinate"].text))
@@ -105,21 +107,23 @@ def build(record: "Record", scene: Any) -> None:
         _force(record, scene)
 
 
-def _turning(record, scene):
+def _turning(record: "Record", scene: "Builder") -> "Node | None":
     """The rotation that a moment acts on, of a body or of a point on a shaft or beam."""
     if "body" in record:
         if record["body"].text in scene.members:
-            return scene.report(record.place("body"), f"'{record['body'].text}' is a member: a moment acts at a place",
-                                "name a point of it: `at: P`, P: {body: …, at: …} under `points`")
+            scene.report(record.place("body"), f"'{record['body'].text}' is a member: a moment acts at a place",
+                         "name a point of it: `at: P`, P: {body: …, at: …} under `points`")
+            return None
         return angle_of(record["body"], scene, "write `at:` and `force:`")
     found = station_of(record["at"].text, scene)
     if found is None:
-        return scene.report(record.place("at"), "a moment acts on a body, or at a point of a shaft or beam",
-                            "write `body:` in place of `at:`")
+        scene.report(record.place("at"), "a moment acts on a body, or at a point of a shaft or beam",
+                     "write `body:` in place of `at:`")
+        return None
     return slope_of(record["at"], *found, scene, "moments act on bodies, and at points of shafts and beams")
 
 
-def _force(record, scene):
+def _force(record: "Record", scene: "Builder") -> None:
     given, axis = record["force"], _axis(record, scene)
     if (axis is not None) == isinstance(given, list):
         where = given[0].where if isinstance(given, list) else given.where
@@ -132,14 +136,14 @@ def _force(record, scene):
                          "leave `carrier` out")
         scene.add_force(*scene.load(given), axis)
     else:
-        parts = zip(*map(scene.load, given), strict=True)        # (x, y) of the steady part, of that in time
+        parts = list(zip(*map(scene.load, given), strict=True))        # (x, y) of the steady part, of that in time
         if "carrier" in record:
             frame = scene.frame(record["carrier"])
             parts = [frame.turned(*part) for part in parts]
         _at_point(record, scene, *zip(*parts, strict=True))
 
 
-def _axis(record, scene):
+def _axis(record: "Record", scene: "Builder") -> "Node | None":
     """The displacement of a lumped body that a force acts on; None of what has a place."""
     name = record["at"].text
     axis = axis_of(name, scene)
@@ -149,7 +153,7 @@ def _axis(record, scene):
     return axis and axis[1]
 
 
-def _at_point(record, scene, fx, fy):
+def _at_point(record: "Record", scene: "Builder", fx: "tuple[Node, Node]", fy: "tuple[Node, Node]") -> None:
     """A force of two components, each (steady part, part in time)."""
     x, y = scene.place(record["at"])[1]
     if not (x.mask or y.mask or _on_clamped(record["at"].text, scene)):
@@ -158,7 +162,7 @@ def _at_point(record, scene, fx, fy):
     scene.add_force(*fy, y)
 
 
-def _on_clamped(name, scene):
+def _on_clamped(name: str, scene: "Builder") -> bool:
     """Does a clamp carry a point or body, directly or through others, so that a load on it has reactions?"""
     point = (scene.spec.get("points") or {}).get(name)
     if point is not None:
@@ -169,7 +173,7 @@ def _on_clamped(name, scene):
     return "clamp" in record or any(_on_clamped(carrier, scene) for carrier in carriers(record, scene.spec))
 
 
-def _does_no_work(record, scene):
+def _does_no_work(record: "Record", scene: "Builder") -> None:
     """Say which point does not move: of a body it is the mass centre, about which the body may turn."""
     name = record["at"].text
     body, point, hint = scene.bodies.get(name), f"'{name}'", "let it move, or take the force out"
@@ -181,7 +185,7 @@ def _does_no_work(record, scene):
     scene.report(record.place("at"), f"{point} never moves: this force does no work", hint)
 
 
-def _unbalance(record, scene):
+def _unbalance(record: "Record", scene: "Builder") -> None:
     """m₀ e Ω² (cos Ωt, sin Ωt); along the one axis of a lumped body m₀ e Ω² sin Ωt."""
     speed, axis = scene.lower(record["speed"]), _axis(record, scene)
     size, phase = scene.lower(record["unbalance"]) * speed * speed, speed * scene.time

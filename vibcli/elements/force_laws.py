@@ -1,17 +1,18 @@
 """What the `law` of a spring or damper, or of a part of one, makes its force and energy."""
 
 from math import isfinite
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.language.reader import Expression
 from vibcli.symbolic.derivatives import substitute
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Record
+    from vibcli.scene.builder import Builder
     from vibcli.symbolic.node import Node
 
 
-def force_and_energy(record: "Record", scene: Any, local: str, x: "Node",
+def force_and_energy(record: "Record", scene: "Builder", local: str, x: "Node",
                      name: str) -> "tuple[Node, Node] | None":
     """(F(x), ∫₀ˣ F dx), x being called `local` in the law of `name`; None where the energy is not found, which is
     reported."""
@@ -30,7 +31,7 @@ def force_and_energy(record: "Record", scene: Any, local: str, x: "Node",
     return table.called(0, x), table.called(-1, x)
 
 
-def _energy(force, scene, x, name):
+def _energy(force: "Node", scene: "Builder", x: "Node", name: str) -> "Node | None":
     """∫₀ˣ F dx by rules, else by quadrature where F is finite at 0; None of others."""
     from vibcli.symbolic.antiderivatives import from_zero
 

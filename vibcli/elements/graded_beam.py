@@ -5,15 +5,21 @@ Cut into parts so short that their power series serve, joined at the cuts. Stiff
 k x − n and the forces −N₀, N_l, for u = 1 the load k, so that small tensions are told beside large stiffnesses.
 """
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.elements.graded_part import GradedPart, graded_part
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
+    from typing import TypeVar
 
+    from vibcli.scene.builder import Builder
+    from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
+
+    Joined = tuple[list[list[Node]], list[Node], list[Node]]
+    T = TypeVar("T")
 
 MEASURE = 5.0           # ν + γ + 2√χ of a part at most
 PRESSED = 9.0           # the same where it is pressed all along: what waves loses no digits
@@ -23,13 +29,13 @@ class GradedBeam(NamedTuple):
     """A piece: its parts, from left to right, and d and the loads 1 and x on the ends of what stands left of each cut;
     x counts from the middle of the piece."""
 
-    scene: Any
+    scene: "Builder | Scene"
     length: "Node"
     tension: "Node"
     gradient: "Node"
     foundation: "Node"
     parts: list[GradedPart]
-    joined: list
+    joined: "list[Joined]"
 
     def springs(self, owner: str, ends: "list[Node]") -> "list[tuple[Node, Node]]":
         """[(stiffness, stretch)]: Σ ½ k s² is what it stores, by elimination from the largest on."""
@@ -88,7 +94,7 @@ class GradedBeam(NamedTuple):
                 basis, row, strict=True)])) for j, row in enumerate(free[k])])
         return found
 
-    def _cuts(self, ends, load):
+    def _cuts(self, ends: "list[Node]", load: "Node") -> "list[list[Node]]":
         """(u, θ) at all cuts, ends included."""
         found = [ends[2:]]
         for number in range(len(self.parts) - 1, 0, -1):
@@ -97,7 +103,7 @@ class GradedBeam(NamedTuple):
             found.insert(0, _between(left, (part.stiffness, part.even), outer, load))
         return [ends[:2], *found]
 
-    def _by_shape(self):
+    def _by_shape(self) -> "list[list[Node]]":
         """The stiffness by v, w, (u_l − u₀)/l and, on a foundation, (u₀ + u_l)/2."""
         d, even, slanted = self.joined[-1]
         n, k, zero = self.gradient, self.foundation, self.scene.table.zero
@@ -114,22 +120,23 @@ class GradedBeam(NamedTuple):
         return [[*row, entry] for row, entry in zip(found, shifted, strict=False)] + [shifted]
 
 
-def graded_mean(scene: Any, owner: str, numbers: "Sequence[Node]", ends: "list[Node]") -> "Node":
+def graded_mean(scene: "Builder | Scene", owner: str, numbers: "Sequence[Node]", ends: "list[Node]") -> "Node":
     """∫ u dx/l of a piece given by its length, B, N, N′ and k."""
     return plainly(scene, lambda: graded_beam(scene, *numbers).mean(owner, ends))
 
 
-def graded_shapes(scene: Any, owner: str, numbers: "Sequence[Node]", places: "Sequence[Node]") -> "list[list[Node]]":
+def graded_shapes(scene: "Builder | Scene", owner: str, numbers: "Sequence[Node]",
+                  places: "Sequence[Node]") -> "list[list[Node]]":
     """u at places that end values of 1 each leave, [[u₀, θ₀, u_l, θ_l] of each place]."""
     return plainly(scene, lambda: graded_beam(scene, *numbers).shapes(places, owner))
 
 
-def graded_stiffness(scene: Any, numbers: "Sequence[Node]") -> "list[list[Node]]":
+def graded_stiffness(scene: "Builder | Scene", numbers: "Sequence[Node]") -> "list[list[Node]]":
     """By the end values (u₀, θ₀, u_l, θ_l)."""
     return plainly(scene, lambda: graded_beam(scene, *numbers).joined[-1][0])
 
 
-def plainly(scene: Any, find: "Callable[[], Any]") -> Any:
+def plainly(scene: "Builder | Scene", find: "Callable[[], T]") -> "T":
     """Without asking for signs: nothing in the long numbers of a piece has to cancel."""
     sample = scene.table.sample
     scene.table.resample(None)
@@ -138,7 +145,7 @@ def plainly(scene: Any, find: "Callable[[], Any]") -> Any:
     return found
 
 
-def graded_beam(scene: Any, length: "Node", bending: "Node", tension: "Node", gradient: "Node",
+def graded_beam(scene: "Builder | Scene", length: "Node", bending: "Node", tension: "Node", gradient: "Node",
                 foundation: "Node") -> GradedBeam:
     """The piece with the tension N at its left end, N′ = n."""
     count = _count(*map(scene.number, (length, bending, tension, gradient, foundation)))
@@ -152,7 +159,7 @@ def graded_beam(scene: Any, length: "Node", bending: "Node", tension: "Node", gr
     return GradedBeam(scene, length, tension, gradient, foundation, parts, joined)
 
 
-def _count(length, bending, tension, gradient, foundation):
+def _count(length: float, bending: float, tension: float, gradient: float, foundation: float) -> int:
     """Into how many parts it is cut."""
     first, last, leaning = tension, tension + gradient * length, abs(gradient) * length
     need = max(abs(first), abs(last)) + leaning / 2 + 2 * abs(foundation * bending) ** 0.5
@@ -160,12 +167,12 @@ def _count(length, bending, tension, gradient, foundation):
     return max(1, int(length / 2 * (need / bending / most) ** 0.5) + 1)
 
 
-def _of_part(part, middle):
+def _of_part(part: GradedPart, middle: "Node") -> "Joined":
     """(d, loads 1 and x) of a part whose middle is there."""
     return part.stiffness, part.even, [a + middle * b for a, b in zip(part.slanted, part.even, strict=True)]
 
 
-def _join(scene, left, right):
+def _join(scene: "Builder | Scene", left: "Joined", right: "Joined") -> "Joined":
     """Two of them as one, what is between them moving freely."""
     flexible = _flexibility(left, right)
     zero = scene.table.zero
@@ -179,17 +186,18 @@ def _join(scene, left, right):
         middle = [one[2] + other[0], one[3] + other[1]]
         loads.append([end - share[0] * middle[0] - share[1] * middle[1]
                       for end, share in zip([*one[:2], *other[2:]], shares, strict=True)])
-    return d, *loads
+    return d, loads[0], loads[1]
 
 
-def _flexibility(left, right):
+def _flexibility(left: "Joined", right: "Joined | tuple[list[list[Node]], list[Node]]") -> "list[list[Node]]":
     """What moves between two of them, by forces there."""
     a, b, c = (left[0][i][j] + right[0][i - 2][j - 2] for i, j in ((2, 2), (2, 3), (3, 3)))
     determinant = a * c - b * b
     return [[c / determinant, -b / determinant], [-b / determinant, a / determinant]]
 
 
-def _between(left, right, ends, load):
+def _between(left: "Joined", right: "tuple[list[list[Node]], list[Node]]", ends: "list[Node]",
+             load: "Node") -> "list[Node]":
     """(u, θ) between two of them as their outer ends move."""
     forces = []
     for i in (0, 1):

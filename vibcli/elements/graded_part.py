@@ -10,11 +10,14 @@ of half the length, so that −π ≤ η ≤ π: no factor is then rational, and
 
 from fractions import Fraction
 from math import pi
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
+    from vibcli.scene.builder import Builder
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
 
 TINY = 2.0**-180        # of its first: the last terms of the series
@@ -27,10 +30,10 @@ class GradedPart(NamedTuple):
     x put on the ends, in place of them.
     """
 
-    scene: Any
-    series: list
-    by_ends: list
-    own: list
+    scene: "Builder | Scene"
+    series: "list[list[Node]]"
+    by_ends: "list[list[Node]]"
+    own: "list[Node]"
     unit: "Node"
     bending: "Node"
     stiffness: "list[list[Node]]"
@@ -62,20 +65,20 @@ class GradedPart(NamedTuple):
         """The series of c₀ … c₃ at η."""
         return [self._at(series, 0, eta) for series in self.series[:4]]
 
-    def _at(self, series, order, eta):
+    def _at(self, series: "list[Node]", order: int, eta: "Node") -> "Node":
         found = self.scene.table.zero
         for k in range(len(series) - 1, order - 1, -1):
             found = found * eta + _falling(k, order) * series[k]
         return found
 
 
-def _apart(values):
+def _apart(values: "list[Node]") -> "list[Node]":
     """By (u₀, a θ₀, u_l, a θ_l) what acts by r."""
     a, b, c, d = values
     return [(a - b) / 2, (d - c) / 2, (a + b) / 2, (d + c) / 2]
 
 
-def _falling(k, order):
+def _falling(k: int, order: int) -> int:
     """k (k − 1) … of `order` factors."""
     found = 1
     for i in range(order):
@@ -83,20 +86,20 @@ def _falling(k, order):
     return found
 
 
-def _ends_of(table, series):
+def _ends_of(table: "Table", series: "list[Node]") -> "list[list[Node]]":
     """The even and odd parts at η = π of u, u′, u″, u‴ by η, [[even, odd], …]."""
     at_end = [c * table.pi**k for k, c in enumerate(series)]
     return [[table.sum(*((at_end[k], _falling(k, order)) for k in range(order, len(series))
                          if (k - order) % 2 == odd)) / table.pi**order for odd in (0, 1)] for order in range(4)]
 
 
-def _motion(parts):
+def _motion(parts: "list[list[Node]]") -> "list[Node]":
     """The r of a series."""
     u, slope, *_ = parts
     return [u[0], u[1], slope[1], slope[0]]
 
 
-def graded_part(scene: Any, half: "Node", bending: "Node", tension: "Node", gradient: "Node",
+def graded_part(scene: "Builder | Scene", half: "Node", bending: "Node", tension: "Node", gradient: "Node",
                 foundation: "Node") -> GradedPart:
     """The GradedPart of half the length, with N at its middle."""
     table, unit = scene.table, half / scene.table.pi
@@ -117,25 +120,25 @@ def graded_part(scene: Any, half: "Node", bending: "Node", tension: "Node", grad
     return GradedPart(scene, series[:5], inverse, motions[4], unit, bending, d, even, slanted)
 
 
-def _forces(table, measures, parts):
+def _forces(table: "Table", measures: "tuple[Node, Node, Node]", parts: "list[list[Node]]") -> "list[Node]":
     """Those conjugate to r of a series, times a³/B."""
     (nu, gamma, _), (_, first, second, third) = measures, parts
     return [2 * (nu * first[1] + gamma * table.pi * first[0] - third[1]),
             2 * (nu * first[0] + gamma * table.pi * first[1] - third[0]), 2 * second[0], 2 * second[1]]
 
 
-def _held(table, d, motion, force, i):
+def _held(table: "Table", d: "list[list[Node]]", motion: "list[Node]", force: "list[Node]", i: int) -> "Node":
     """What a load puts on ends, in place of it: that on ends which are held, the other way round."""
     return table.total([-force[i], *(entry * r for entry, r in zip(d[i], motion, strict=True))])
 
 
-def _by_end_values(d, scale, sizes):
+def _by_end_values(d: "list[list[Node]]", scale: "Node", sizes: "list[Node]") -> "list[list[Node]]":
     """A matrix by r as one by the end values; of its two halves, equal but for rounding, that above the diagonal."""
     columns = [_apart(list(column)) for column in zip(*map(_apart, d), strict=True)]
     return [[columns[max(i, j)][min(i, j)] * scale * sizes[i] * sizes[j] for j in range(4)] for i in range(4)]
 
 
-def _terms(nu, gamma, chi):
+def _terms(nu: float, gamma: float, chi: float) -> int:
     """How many terms of the series count."""
     sizes = [1.0, 1.0, 1.0, 1.0]
     while max(sizes[-4:]) > TINY:
@@ -145,7 +148,7 @@ def _terms(nu, gamma, chi):
     return len(sizes)
 
 
-def _series(table, measures, count, j):
+def _series(table: "Table", measures: "tuple[Node, Node, Node]", count: int, j: int) -> "list[Node]":
     """That of c_j, or under the load η^(j − 4)."""
     nu, gamma, chi = measures
     c = [table.one if i == j else table.zero for i in range(4)]
@@ -157,7 +160,7 @@ def _series(table, measures, count, j):
     return c
 
 
-def _inverse(table, rows):
+def _inverse(table: "Table", rows: "list[list[Node]]") -> "list[list[Node]]":
     """By elimination in the order of c₀ … c₃: no pivot vanishes but where the part buckles between ends held."""
     n = len(rows)
     work = [[*row, *(table.one if i == j else table.zero for j in range(n))] for i, row in enumerate(rows)]

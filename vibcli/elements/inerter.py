@@ -1,6 +1,6 @@
 """Inerters between two ends (Smith 2002): T = ½ b ṡ², s being the stretch; the force is b s̈."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.elements import ends
 from vibcli.elements.torsion import settle_torsion
@@ -8,10 +8,11 @@ from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import ENDS, Quantity
 
 if TYPE_CHECKING:
-    from vibcli.language.reader import Record
+    from vibcli.language.reader import Reader, Record
+    from vibcli.scene.builder import Builder
 
 
-def _settle(record, reader):
+def _settle(record: "Record", reader: "Reader") -> None:
     settle_torsion(record, reader, (), "s", rate=True)
 
 
@@ -37,7 +38,7 @@ ELEMENT = Element(
 )
 
 
-def build(record: "Record", scene: Any) -> None:
+def build(record: "Record", scene: "Builder") -> None:
     """Add the kinetic energy of an inerter to the scene."""
     torsion = "torsion" in record
     b = scene.positive(record["torsion" if torsion else "b"], f"the inertance of '{record.name}'")

@@ -6,7 +6,8 @@
 Within a piece the deflection is found where it is cut: both parts take what is spread on them.
 """
 
-from typing import TYPE_CHECKING, Any
+from functools import partial
+from typing import TYPE_CHECKING
 
 from vibcli.elements.graded_beam import graded_shapes, graded_stiffness, plainly
 from vibcli.elements.member_springs import springs_across, springs_along
@@ -16,40 +17,45 @@ from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.quadrature import rule_for, weighed
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from vibcli.elements.rest_shapes import RestPiece
+    from vibcli.scene.builder import Builder
+    from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.quadrature import WeightedPlace
 
 
-def end_forces(scene: Any, piece: "RestPiece", parts: "Sequence[Node]", x: "Node") -> "list[list[Node]]":
+def end_forces(scene: "Builder | Scene", piece: "RestPiece", parts: "Sequence[Node]", x: "Node") -> "list[list[Node]]":
     """[Fᵢ of each end value] of each of `parts`, q(x) counted from the left end of a piece. NotSmooth of functions that
     no rule integrates."""
-    found: list = [by_parts(scene, piece, q, x) if piece.plain else None for q in parts]
+    found: list[list[Node] | None] = [by_parts(scene, piece, q, x) if piece.plain else None for q in parts]
     left = [q for q, known in zip(parts, found, strict=True) if known is None]
     if left:
         rule = rule_for(left, x, (scene.table.zero, piece.length), scene.sample, piece.longest(scene))
         by_rule = _under_graded if piece.graded else _under
         for i, q in enumerate(parts):
             if found[i] is None:
-                found[i] = by_rule(scene, piece, rule, lambda shape, q=q: weighed(q, x, rule, shape))
+                found[i] = by_rule(scene, piece, rule, partial(weighed, q, x, rule))
     return found
 
 
-def _under(scene, piece, rule, integrated):
+def _under(scene: "Builder | Scene", piece: "RestPiece", rule: "Sequence[WeightedPlace]",
+           integrated: "Callable[[Sequence[Node]], Node]") -> "list[Node]":
     basis = zip(*(basis_at(scene, piece, one.place) for one in rule), strict=True)
     sums = [integrated(values) for values in basis]
     return [scene.table.total([c * one for c, one in zip(row, sums, strict=True)])
             for row in zip(*shares(scene, piece), strict=True)]
 
 
-def _under_graded(scene, piece, rule, integrated):
+def _under_graded(scene: "Builder | Scene", piece: "RestPiece", rule: "Sequence[WeightedPlace]",
+                  integrated: "Callable[[Sequence[Node]], Node]") -> "list[Node]":
     return plainly(scene, lambda: [
         scene.table.defined(f"held.F{i}", integrated(shape)) for i, shape in enumerate(zip(*graded_shapes(
             scene, "held", piece.numbers, [one.place for one in rule]), strict=True))])
 
 
-def by_parts(scene: Any, piece: "RestPiece", q: "Node", x: "Node") -> "list[Node] | None":
+def by_parts(scene: "Builder | Scene", piece: "RestPiece", q: "Node", x: "Node") -> "list[Node] | None":
     """∫₀ˡ q N dx, N being a polynomial: Σ (−1)ᵏ N⁽ᵏ⁾ q₍₋ₖ₋₁₎ between the ends; None where no rule gives it."""
     found, integrals, zero = [], [q], scene.table.zero
     for shape in zip(*shares(scene, piece), strict=True):
@@ -67,7 +73,8 @@ def by_parts(scene: Any, piece: "RestPiece", q: "Node", x: "Node") -> "list[Node
     return found
 
 
-def held_deflection(scene: Any, piece: "RestPiece", q: "Node", x: "Node", at: "Node", order: int) -> "Node":
+def held_deflection(scene: "Builder | Scene", piece: "RestPiece", q: "Node", x: "Node", at: "Node",
+                    order: int) -> "Node":
     """u at a place of a piece whose ends are held, or a derivative of it."""
     place, length, half = scene.number(at), scene.number(piece.length), 2 if piece.bends else 1
     zero = scene.table.zero
@@ -89,7 +96,7 @@ def held_deflection(scene: Any, piece: "RestPiece", q: "Node", x: "Node", at: "N
     return _of_state(piece, at, moved, pulled, order)
 
 
-def _of_state(piece, at, moved, pulled, order):
+def _of_state(piece: "RestPiece", at: "Node", moved: "list[Node]", pulled: "list[Node]", order: int) -> "Node":
     """From (u) and (N u′), of beams (u, u′) and (N u′ − B u‴, B u″)."""
     if order < len(moved):
         return moved[order]
@@ -99,7 +106,7 @@ def _of_state(piece, at, moved, pulled, order):
     return pulled[1] / piece.bending if order == 2 else (tension * moved[1] - pulled[0]) / piece.bending
 
 
-def _stiffness(scene, piece, first):
+def _stiffness(scene: "Builder | Scene", piece: "RestPiece", first: int) -> "list[list[Node]]":
     """That of one end, its end values from the `first` on."""
     count = 4 if piece.bends else 2
     if piece.graded:
@@ -115,7 +122,7 @@ def _stiffness(scene, piece, first):
             for i in range(len(own))]
 
 
-def _solved(matrix, forces):
+def _solved(matrix: "list[list[Node]]", forces: "list[Node]") -> "list[Node]":
     if len(forces) == 1:
         return [forces[0] / matrix[0][0]]
     (a, b), (c, d) = matrix

@@ -1,12 +1,13 @@
 """Matrices given outright: M q̈ + C q̇ + K q = 0, the rows in the order of the coordinates."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Many, Quantity
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Record
+    from vibcli.scene.builder import Builder
 
 _MATRIX = Many(Many(Quantity(), 1, 2000, "a row of entries"), 1, 2000, "a list of rows [[…], […]]")
 ELEMENT = Element(
@@ -22,7 +23,7 @@ ELEMENT = Element(
 )
 
 
-def build(record: "Record", scene: Any) -> None:
+def build(record: "Record", scene: "Builder") -> None:
     """Add the entries of the matrices to the scene, after checking shape and symmetry."""
     names = list(scene.spec.coordinates)
     n = len(names)          # a scene that is opened has further ones, after these
@@ -45,14 +46,14 @@ def build(record: "Record", scene: Any) -> None:
         scene.add_matrix(key, nodes)
 
 
-def _hint(key, q, other):
+def _hint(key: str, q: str, other: str) -> str:
     """What to write where a matrix is not symmetric."""
     same = "write the same in both places"
     return same if key == "M" else (f"{same}; what is skew in K has no energy: write it as a load, forces: "
                                     f"{{f: {{coordinate: {q}, value: …*{other}}}}}")
 
 
-def _is_negative(rows):
+def _is_negative(rows: list[list[float]]) -> bool:
     """Does a symmetric matrix have a negative eigenvalue beyond rounding? By elimination with the largest pivots."""
     size = max(abs(row[i]) for i, row in enumerate(rows))
     left = list(range(len(rows)))

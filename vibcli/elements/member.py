@@ -8,7 +8,7 @@ counts as a member besides, `wing.along`.
 """
 
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.elements.member_attachments import attach
@@ -17,18 +17,22 @@ from vibcli.elements.member_fields import LENGTHWISE, MemberKind, members_of
 from vibcli.elements.member_holds import beyond_reach, held_at
 from vibcli.elements.member_line import DrawnLine, line_of
 from vibcli.elements.member_line import Station as Station
-from vibcli.elements.member_pieces import add_pieces, pieces_of, preload_of
+from vibcli.elements.member_pieces import add_pieces, pieces_of
 from vibcli.elements.member_places import ROUNDING, places_of
 from vibcli.elements.member_segments import segments_of
 from vibcli.language.named_elements import load
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping, Sequence
+    from collections.abc import Iterator, Mapping
 
+    from vibcli.elements.member_places import PlaceAlong
     from vibcli.elements.member_segments import MemberSegment
     from vibcli.elements.place_signals import PlaceSignal
     from vibcli.language.reader import Record
     from vibcli.language.signal_names import SignalName
+    from vibcli.scene.builder import Builder
+    from vibcli.scene.expressions import Expressions
+    from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
 
@@ -47,7 +51,7 @@ class Member(NamedTuple):
     stretches: "tuple[Node | None, ...]" = ()
     settled: bool = True
     tie: "Node | None" = None
-    tensions: "Sequence[tuple[Node, Node, Node]]" = ()
+    tensions: "list[tuple[Node, Node, Node]]" = []
 
     @property
     def length(self) -> "Node":
@@ -96,54 +100,58 @@ class Member(NamedTuple):
         """What a station does in the sense of u: u or φ, of beams its slope too."""
         return [station.along] if self.lengthwise else station.motions
 
-    def along(self, scene: Any) -> "Member":
+    def along(self, scene: "Builder") -> "Member":
         """A beam as it stretches: as a bar, of the name `wing.along`."""
         return Member(f"{self.name}.along", LENGTHWISE, self.record,
                       [segment.lengthwise(scene) for segment in self.segments], self.stations, self.line)
 
-    def tension(self, number: int, segment: "MemberSegment", scene: Any) -> "tuple[Node, Node]":
+    def tension(self, number: int, segment: "MemberSegment", scene: "Builder | Scene") -> "tuple[Node, Node]":
         """(N at the left end of a piece, N′): EA and GI_o of bars and shafts, of strings and beams the tension."""
         zero = scene.table.zero
         if segment.stiffness is not None and not self.kind.bends:
             return segment.stiffness, zero
         if self.tensions:
             return self.tensions[number][:2]
-        return scene.lower(self.record["preload"]) if "preload" in self.record else zero, zero
+        return self._preload(scene), zero
 
-    def stretch_forces(self, scene: Any) -> "list[tuple[Node, Node]]":
+    def _preload(self, scene: "Builder | Scene") -> "Node":
+        """The tension as drawn, zero where none is given."""
+        return scene.lower(self.record["preload"]) if "preload" in self.record else scene.table.zero
+
+    def stretch_forces(self, scene: "Builder | Scene") -> "list[tuple[Node, Node]]":
         """(tension by which a piece of a beam stretches, tension in its stiffness), means of each."""
         found = []
         for number, (segment, left, right) in enumerate(pieces_of(self, scene)):
             length = right.place - left.place
             tension, gradient = self.tension(number, segment, scene)
             stretch = segment.axial * (right.along - left.along) / length
-            found.append((stretch + preload_of(self, scene), tension + gradient * length / 2))
+            found.append((stretch + self._preload(scene), tension + gradient * length / 2))
         return found
 
-    def signal(self, scene: Any, signal: "SignalName", place: "Node", before: bool = False) -> "PlaceSignal | None":
+    def signal(self, scene: "Scene", signal: "SignalName", place: "Node", before: bool = False) -> "PlaceSignal | None":
         """The PlaceSignal of a name: a motion, force or stress at a place, on its right or `before` it; None beyond the
         ends."""
         from vibcli.elements.place_signals import place_signal
 
         return place_signal(scene, self._moving(scene, signal.part), signal, place, before)
 
-    def signals_along(self, scene: Any, part: str, at: "Node") -> "list[PlaceSignal]":
+    def signals_along(self, scene: "Scene", part: str, at: "Node") -> "list[PlaceSignal]":
         """The PlaceSignals of a part on each of its pieces from left to right, all as far from its left end."""
         from vibcli.elements.place_signals import signals_along
 
         return signals_along(scene, self._moving(scene, part), part, at)
 
-    def loaded_along(self, scene: Any) -> bool:
+    def loaded_along(self, scene: "Scene") -> bool:
         """Does a weight or load act on it at rest between its stations?"""
         part = "along" if self.kind is LENGTHWISE else self.kind.motion
         pieces = self.signals_along(scene, part, scene.table.zero)
         return any(piece.uneven(scene) or not piece.weight(scene).is_zero for piece in pieces)
 
-    def _moving(self, scene, part):
+    def _moving(self, scene: "Scene", part: str) -> "Member":
         """The member whose motions tell a part of its signals: of beams as they stretch another."""
         return scene.members[f"{self.name}.along"] if self.stretching and part in ("along", "force") else self
 
-    def arms(self, scene: Any) -> "Iterator[tuple[str, str, float]]":
+    def arms(self, scene: "Builder | Scene") -> "Iterator[tuple[str, str, float]]":
         """(side, body, how far off it is drawn) of ends that are held to bodies without size drawn elsewhere."""
         for side, place in (("left", scene.table.zero), ("right", self.length)) if self.line is not None else ():
             end = self.record.get(side, "free")
@@ -152,19 +160,23 @@ class Member(NamedTuple):
             if off > ROUNDING * scene.number(self.length):
                 yield side, name, off
 
-    def at(self, scene: Any, place: "Node") -> Station:
+    def nearest(self, scene: "Builder | Scene | Expressions", place: "Node") -> Station:
+        """The Station that is nearest to a place."""
+        x = scene.number(place)
+        return min(self.stations, key=lambda station: abs(scene.number(station.place) - x))
+
+    def at(self, scene: "Builder | Expressions", place: "Node") -> Station:
         """The Station at a place, which stands for those that differ from it by rounding alone."""
         if not self.stations:
             scene.reports.finish()      # what is wrong with it has been reported
-        x = scene.number(place)
-        found = min(self.stations, key=lambda station: abs(scene.number(station.place) - x))
-        if abs(scene.number(found.place) - x) > ROUNDING * scene.number(self.length):
+        found = self.nearest(scene, place)
+        if abs(scene.number(found.place) - scene.number(place)) > ROUNDING * scene.number(self.length):
             scene.reports.report(self.record.where, f"nothing holds to the slack end of '{self.name}'", "a mass there "
                                  "makes it taut")
         return found
 
 
-def built(name: str, scene: Any) -> Member | None:
+def built(name: str, scene: "Builder") -> Member | None:
     """The Member of that name, its terms added to the scene once; None where members are held to one another in a
     circle, which is reported."""
     kind, record = members_of(scene.spec)[name]
@@ -176,7 +188,7 @@ def built(name: str, scene: Any) -> Member | None:
     return scene.members[name]
 
 
-def _built(name, kind, record, scene):
+def _built(name: str, kind: MemberKind, record: "Record", scene: "Builder") -> Member:
     before = len(scene.diagnostics)
     if scene.spec.in_full:
         scene.report(record.where, f"'{name}' is linear about its drawn line: its motions are small ones",
@@ -210,7 +222,7 @@ def _built(name, kind, record, scene):
     return member
 
 
-def _station(name, kind, place, held, scene):
+def _station(name: str, kind: MemberKind, place: "PlaceAlong", held: "Mapping[str, Node]", scene: "Builder") -> Station:
     """The Station of a place: what is not held is a coordinate."""
     signals = {"u": kind.motion, "slope": "slope"} if kind.bends else {"u": kind.motion}
     found = {motion: held[motion] if motion in held else scene.coordinates.further(f"{name}.{signal}({place.text})")

@@ -1,15 +1,17 @@
 """What is attached to members, in terms of the energies: masses, springs and dampers to the ground, oscillators."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.language.member_signals import oscillator_names
 
 if TYPE_CHECKING:
     from vibcli.elements.member import Member, Station
     from vibcli.language.reader import Record
+    from vibcli.scene.builder import Builder
+    from vibcli.symbolic.node import Node
 
 
-def attach(record: "Record", member: "Member", station: "Station", scene: Any) -> None:
+def attach(record: "Record", member: "Member", station: "Station", scene: "Builder") -> None:
     """Add the masses, springs and dampers that are attached at a station; `record`: of an attachment or an end.
 
     In the plane a mass weighs and counts both ways; springs and dampers act across, of a bar along.
@@ -39,7 +41,7 @@ def attach(record: "Record", member: "Member", station: "Station", scene: Any) -
         _oscillator(record["oscillator"], member, station, acting, scene)
 
 
-def _oscillator(record, member, station, carrier, scene):
+def _oscillator(record: "Record", member: "Member", station: "Station", carrier: "Node", scene: "Builder") -> None:
     """A mass on a spring and a damper, its motion a coordinate."""
     motion = scene.coordinates.further(next(name for name in oscillator_names(member.name, station.text)
                                             if name not in scene.coordinates.names))

@@ -9,8 +9,8 @@ from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.smooth_panels import NotSmooth
 
 if TYPE_CHECKING:
-
     from vibcli.elements.place_signals import PlaceSignal
+    from vibcli.elements.rest_shapes import RestPiece
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
@@ -33,7 +33,7 @@ def static_signal(scene: "Scene", signal: "PlaceSignal") -> "Node":
     return signal.factor * (found + held + _at(scene, load, xi, signal.order, signal.at)) + own
 
 
-def _slack(scene, signal, piece):
+def _slack(scene: "Scene", signal: "PlaceSignal", piece: "RestPiece") -> "Node":
     """Of a string that bears no tension at one end, (N u′)′ = −q with N = 0 there: u′ = −q/N′ all along."""
     slope = -signal.weight(scene) / piece.gradient
     left, right = signal.ends
@@ -41,7 +41,7 @@ def _slack(scene, signal, piece):
     return (u, slope)[signal.order] if signal.order < 2 else scene.table.zero
 
 
-def _graded(scene, signal, piece):
+def _graded(scene: "Scene", signal: "PlaceSignal", piece: "RestPiece") -> "Node":
     """Of a beam under a tension that varies along it."""
     from vibcli.elements.graded_beam import graded_beam, plainly
 
@@ -51,7 +51,7 @@ def _graded(scene, signal, piece):
                                                                   strict=True)])
 
 
-def _held(scene, signal, piece):
+def _held(scene: "Scene", signal: "PlaceSignal", piece: "RestPiece") -> "Node":
     """What uneven loads leave between held ends."""
     xi, found = scene.table.variable("the place on a piece"), scene.table.zero
     for load in signal.uneven(scene):
@@ -63,14 +63,14 @@ def _held(scene, signal, piece):
     return found
 
 
-def _at(scene, load, xi, order, place):
+def _at(scene: "Scene", load: "Node", xi: "Node", order: int, place: "Node") -> "Node":
     """A derivative of a function of ξ at a place."""
     for _ in range(order):
         load = gradient(load).get(xi, scene.table.zero)
     return substitute([load], {xi: place})[0]
 
 
-def _particular(scene, signal, piece, xi):
+def _particular(scene: "Scene", signal: "PlaceSignal", piece: "RestPiece", xi: "Node") -> "tuple[Node, Node]":
     """One u(ξ) that the loads leave: w/k, −w ξ²/(2N), w ξ⁴/(24B) of the even ones, −∫∫ q/N or ∫∫∫∫ q/B where there is
     neither foundation nor tension of a beam; and the part of the signal that others leave between held ends."""
     even, found, held = signal.weight(scene), scene.table.zero, scene.table.zero
@@ -95,7 +95,7 @@ def _particular(scene, signal, piece, xi):
     return found, held
 
 
-def _given_along(scene, signal):
+def _given_along(scene: "Scene", signal: "PlaceSignal") -> "Node":
     """What the force or stress of a bar in the plane holds besides: its tension as drawn, and what it lengthens as it
     turns; of a beam that stretches its tension as drawn."""
     if not signal.member.lengthwise or signal.order != 1:

@@ -1,10 +1,13 @@
 """What stands at the ends of members and what is attached to them: supports, springs, masses, oscillators."""
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.language.document.document import Mapping
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Choice, NameOf, OneOf, Quantity
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Reader, Record
 
 FREE, CLAMPED, PINNED, GUIDED = "free", "clamped", "pinned", "guided"
 HOLDS = (CLAMPED, PINNED, GUIDED)
@@ -19,7 +22,7 @@ _SLIDING = {"mass": Field(Quantity("kg"), "its mass"),
             "c": Field(Quantity("N*s/m"), "the coefficient of the damper beside it")}
 
 
-def _settle_end(record, reader):
+def _settle_end(record: "Record", reader: "Reader") -> None:
     if "at" in record and not any(key in record for key in HOLDS):
         reader.report(record.place("at"), "'at' is a place on another member, and this end is held to none",
                       "write `{clamped: girder, at: L1}`")
@@ -59,7 +62,7 @@ class _Attachment(Element):
         return record
 
 
-def _settle_oscillator(record, reader):
+def _settle_oscillator(record: "Record", reader: "Reader") -> None:
     moving, tied = ("inertia", ("torsion", "c")) if "torsion" in record.element.fields else ("mass", ("k", "c"))
     if moving not in record:
         reader.report(record.where, f"an oscillator needs '{moving}'", "what has none is a spring or damper")

@@ -1,6 +1,6 @@
 """Stations of members, and the line in the plane along which they are drawn."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
 
@@ -8,6 +8,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from vibcli.language.reader import Record
+    from vibcli.scene.builder import Builder
     from vibcli.symbolic.node import Node
 
 
@@ -33,8 +34,8 @@ class Station(NamedTuple):
 
     def over(self, new: "Mapping[Node, Node]") -> "Station":
         """Itself with its motions replaced, {node: node}."""
-        found: dict = {key: new[node] for key in ("u", "slope", "along") if (node := getattr(self, key)) is not None}
-        return self._replace(**found)
+        u, slope, along = (None if node is None else new[node] for node in (self.u, self.slope, self.along))
+        return self._replace(u=u, slope=slope, along=along)
 
 
 class DrawnLine(NamedTuple):
@@ -58,7 +59,7 @@ class DrawnLine(NamedTuple):
         return x * self.ex + y * self.ey, y * self.ex - x * self.ey
 
 
-def line_of(record: "Record", scene: Any) -> DrawnLine | None:
+def line_of(record: "Record", scene: "Builder") -> DrawnLine | None:
     """The DrawnLine of a member drawn `from` a place `to` another; None of one without a place."""
     if "from" not in record:
         return None

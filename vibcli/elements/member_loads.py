@@ -6,7 +6,7 @@ Pieces without inertia and drag deflect at all times as at rest, under what vari
 SpreadForce.
 """
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.elements.graded_beam import graded_mean
@@ -20,8 +20,13 @@ from vibcli.symbolic.separated_products import products_of
 from vibcli.symbolic.smooth_panels import NotSmooth
 
 if TYPE_CHECKING:
+    from vibcli.base.errors import Where
     from vibcli.elements.member import Member
+    from vibcli.elements.member_line import Station
+    from vibcli.elements.member_segments import MemberSegment
     from vibcli.language.reader import Record
+    from vibcli.scene.builder import Builder
+    from vibcli.symbolic.node import Node
 
 
 class SpreadLoad(NamedTuple):
@@ -30,12 +35,12 @@ class SpreadLoad(NamedTuple):
 
     owner: str
     member: str
-    start: Any
-    end: Any
-    q: Any
-    in_time: Any
-    x: Any
-    where: Any
+    start: "Node"
+    end: "Node"
+    q: "Node"
+    in_time: "Node"
+    x: "Node"
+    where: "Where"
 
     @property
     def even(self) -> bool:
@@ -43,7 +48,7 @@ class SpreadLoad(NamedTuple):
         return not (self.q.mask | self.in_time.mask) & self.x.mask
 
 
-def add_spread_load(record: "Record", member: "Member", scene: Any) -> None:
+def add_spread_load(record: "Record", member: "Member", scene: "Builder") -> None:
     """Add the load of a record, per length of a member."""
     table = scene.table
     x = table.variable("the place")
@@ -78,7 +83,7 @@ def add_spread_load(record: "Record", member: "Member", scene: Any) -> None:
         _vibrating(record, load, scene)
 
 
-def _hanging(member, low, high, scene):
+def _hanging(member: "Member", low: float, high: float, scene: "Builder") -> "list[tuple[Node, Node, Station]]":
     """[(start, end, the Station that it hangs on)] of what a load acts on between a station and an end without
     tension; where a load begins or ends is a station."""
     first, last, slack = member.stations[0], member.stations[-1], ROUNDING * scene.number(member.length)
@@ -87,7 +92,7 @@ def _hanging(member, low, high, scene):
             if min(high, scene.number(end)) - max(low, scene.number(start)) > slack]
 
 
-def _vibrating(record, load, scene):
+def _vibrating(record: "Record", load: SpreadLoad, scene: "Builder") -> None:
     """Add the SpreadForces of what varies in time; of a steady load one that rests, beside which an input stands."""
     found = [(load.q, scene.table.zero)]
     if not load.in_time.is_zero:
@@ -100,7 +105,8 @@ def _vibrating(record, load, scene):
         scene.add_spread_force(load.member, load.start, load.end, along, moving, load.x)
 
 
-def _on_piece(record, load, member, i, placed, is_light, scene):
+def _on_piece(record: "Record", load: SpreadLoad, member: "Member", i: int,
+              placed: "tuple[MemberSegment, Station, Station]", is_light: bool, scene: "Builder") -> None:
     segment, left, right = placed
     load = load if is_light else load._replace(in_time=scene.table.zero)
     if load.q.is_zero and load.in_time.is_zero:
@@ -123,7 +129,7 @@ def _on_piece(record, load, member, i, placed, is_light, scene):
         scene.report(record["per_length"].where, f"'{record.name}' {error.message}", error.hint)
 
 
-def _mean(scene, owner, piece, ends):
+def _mean(scene: "Builder", owner: str, piece: RestPiece, ends: "list[Node]") -> "Node":
     """∫ u dx/l without loads of its own, by which loads spread evenly act."""
     length, bends, *stiff = piece
     if piece.graded:
@@ -134,7 +140,7 @@ def _mean(scene, owner, piece, ends):
     return mean_along(scene, length, tension, foundation, ends, gradient)
 
 
-def _put(scene, piece, part, start, load, xi):
+def _put(scene: "Builder", piece: RestPiece, part: "Node", start: "Node", load: SpreadLoad, xi: "Node") -> "list[Node]":
     """What a part of a load puts on the ends of a piece from `start` on."""
     if part.is_zero:
         return [part] * (4 if piece.bends else 2)
@@ -151,6 +157,6 @@ def _put(scene, piece, part, start, load, xi):
             for i in range(len(rows[0]))]
 
 
-def _on_slack_end(record, scene):
+def _on_slack_end(record: "Record", scene: "Builder") -> None:
     scene.report(record["per_length"].where, "a steady load that is uneven next to an end of a string that bears no "
                  "tension is not found", "let it act evenly, or let forces act at points of the string")

@@ -10,9 +10,12 @@ from vibcli.language.member_signals import oscillator_parts
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
+    from vibcli.base.errors import Where
     from vibcli.elements.member_segments import MemberSegment
     from vibcli.language.reader import Record
     from vibcli.language.spec import Spec
+    from vibcli.scene.builder import Builder
+    from vibcli.symbolic.node import Node
 
 ROUNDING = 1e-9         # of the length of a member: places nearer than that are one
 ALIKE = 1e-12           # of the length: what no rounding of places leaves between them
@@ -22,11 +25,11 @@ class PlaceAlong(NamedTuple):
     """A place on a member, as it is written; the ends that stand there, as [fields of `left` or `right`], and records
     of what is attached."""
 
-    node: Any
+    node: "Node"
     text: str
-    where: Any
-    ends: list
-    attached: list
+    where: "Where"
+    ends: "list[Record | str]"
+    attached: "list[Record]"
 
 
 def left_text(spec: "Spec") -> str:
@@ -37,15 +40,16 @@ def left_text(spec: "Spec") -> str:
 def right_text(record: "Record") -> str:
     """The right end of a member as a place: its length as written, or the sum of its segments."""
     if "length" in record:
-        return record["length"].text
+        text: str = record["length"].text
+        return text
     if "segments" not in record:
         return _drawn_length(record)
     return " + ".join(segment["length"].text for segment in record["segments"])
 
 
-def _drawn_length(record):
+def _drawn_length(record: "Record") -> str:
     """How far the ends of a member lie apart as drawn: one coordinate, or by Pythagoras."""
-    ends = [[part.text.strip() for part in record[key]] for key in ("from", "to")]
+    ends: list[list[str]] = [[part.text.strip() for part in record[key]] for key in ("from", "to")]
     if any(len(end) != 2 for end in ends):      # a name that is no point: refused where places are found
         return "0"
     apart = [i for i in (0, 1) if ends[0][i] != ends[1][i]]
@@ -76,7 +80,7 @@ def asked_places(name: str, spec: "Spec") -> "Iterator[Any]":
                 yield end["at"]
 
 
-def places_of(name: str, record: "Record", segments: "Sequence[MemberSegment]", scene: Any) -> list[PlaceAlong]:
+def places_of(name: str, record: "Record", segments: "Sequence[MemberSegment]", scene: "Builder") -> list[PlaceAlong]:
     """All Places of a member from left to right; those that are one by rounding are one, the ends first."""
     start, end = segments[0].start, segments[-1].end
     found = [PlaceAlong(start, left_text(scene.spec), record.where, [record.get("left", "free")], []),
@@ -101,7 +105,7 @@ def places_of(name: str, record: "Record", segments: "Sequence[MemberSegment]", 
     return sorted(found, key=lambda place: scene.number(place.node))
 
 
-def _add(found, place, x, length, scene):
+def _add(found: list[PlaceAlong], place: PlaceAlong, x: float, length: float, scene: "Builder") -> None:
     same = next((other for other in found if abs(scene.number(other.node) - x) <= ROUNDING * length), None)
     if same is None:
         found.append(place)

@@ -6,7 +6,7 @@ Strings and beams without EA keep their length as a link does: all of them moves
 held to what parts along the line, that is a condition. A beam with EA stretches: along it is a bar.
 """
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.elements.member_line import Station
 from vibcli.elements.member_pieces import add_across, add_along, add_graded, add_piece, pieces_of, preload_of
@@ -20,13 +20,15 @@ if TYPE_CHECKING:
     from vibcli.elements.member import Member
     from vibcli.elements.member_places import PlaceAlong
     from vibcli.elements.member_segments import MemberSegment
+    from vibcli.scene.builder import Builder
+    from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
 SLACK = 2.0**-40        # of the largest tension of a string: an end with less has none
 
 
 def placed(member: "Member", places: "Sequence[PlaceAlong]", held: "Sequence[Mapping[str, Node]]",
-           scene: Any) -> "Member":
+           scene: "Builder") -> "Member":
     """The Member with its Stations."""
     if member.kind.name == "bar":
         return member._replace(stations=_straight(member, places, held, scene))
@@ -43,7 +45,8 @@ def placed(member: "Member", places: "Sequence[PlaceAlong]", held: "Sequence[Map
                            stretches=stretches)
 
 
-def _straight(member, places, held, scene):
+def _straight(member: "Member", places: "Sequence[PlaceAlong]", held: "Sequence[Mapping[str, Node]]",
+              scene: "Builder") -> list[Station]:
     """The Stations of a bar: between its ends u is linear in x."""
     first, last = (held[i]["u"] if "u" in held[i] else
                    scene.coordinates.further(f"{member.name}.across({places[i].text})") for i in (0, -1))
@@ -57,7 +60,8 @@ def _straight(member, places, held, scene):
     return found
 
 
-def _station(member, place, motions, along, slack, scene):
+def _station(member: "Member", place: "PlaceAlong", motions: "Mapping[str, Node]", along: "Node", slack: bool,
+             scene: "Builder") -> Station:
     """A Station of a beam or string: what is not held is a coordinate; at a `slack` end there is none to hold it by."""
     if slack:
         return Station(place.node, place.text, None, along=along)
@@ -67,7 +71,8 @@ def _station(member, place, motions, along, slack, scene):
     return Station(place.node, place.text, along=along, **found)
 
 
-def _along(member, places, held, scene):
+def _along(member: "Member", places: "Sequence[PlaceAlong]", held: "Sequence[Mapping[str, Node]]",
+           scene: "Builder") -> "tuple[list[Node], tuple[Node | None, ...]]":
     """(motion along of each station, coordinates by which it may be cut open) of beams and strings."""
     left, right = (held[i].get("along") for i in (0, -1))
     if member.stretching and not scene.variant.stretched:
@@ -87,13 +92,14 @@ def _along(member, places, held, scene):
     return [base] * len(places), ()
 
 
-def add_placed_pieces(member: "Member", scene: Any) -> None:
+def add_placed_pieces(member: "Member", scene: "Builder") -> None:
     """Add the pieces of a member in the plane."""
     for i, (segment, left, right) in enumerate(pieces_of(member, scene)):
         _add_placed(member, segment, left, right, i, scene)
 
 
-def _add_placed(member, segment, left, right, i, scene):
+def _add_placed(member: "Member", segment: "MemberSegment", left: Station, right: Station, i: int,
+                scene: "Builder") -> None:
     """The i-th piece of a member in the plane: its springs, its inertia both ways, its weight."""
     length = right.place - left.place
     mass = segment.inertia * length
@@ -110,7 +116,8 @@ def _add_placed(member, segment, left, right, i, scene):
         scene.add_weight(mass, x + dx, y + dy)
 
 
-def _add_along(member, segment, left, right, mass, scene):
+def _add_along(member: "Member", segment: "MemberSegment", left: Station, right: Station, mass: "Node",
+               scene: "Builder") -> "Node":
     """What a piece of a beam or string does along the line; the motion by which its weight acts."""
     if member.stretching and not scene.variant.stretched:
         add_along(member, segment, left, right, scene)
@@ -119,12 +126,14 @@ def _add_along(member, segment, left, right, mass, scene):
     return right.along
 
 
-def _cut(_member, _segment, left, right, _i, _scene):
+def _cut(_member: "Member", _segment: "MemberSegment", left: Station, right: Station, _i: int,
+         _scene: "Builder") -> "Node":
     """What bends plays no part in the tension."""
     return (left.u + right.u) * HALF
 
 
-def _add_taut(member, segment, left, right, i, scene):
+def _add_taut(member: "Member", segment: "MemberSegment", left: Station, right: Station, i: int,
+              scene: "Builder") -> "Node":
     """A piece of a beam or string under the tension that statics finds; its mean displacement across."""
     length = right.place - left.place
     tension = scene.tension(member.name, i) or preload_of(member, scene)
@@ -153,20 +162,20 @@ def _add_taut(member, segment, left, right, i, scene):
     return scene.table.zero
 
 
-def _is_taut(left, right, tension, change, scene):
+def _is_taut(left: Station, right: Station, tension: "Node", change: "Node", scene: "Builder") -> bool:
     """Is a piece of a string pulled all along, but for a slack end?"""
     least, most = sorted(scene.number(node) for node in (tension, tension + change))
     return least > 0 or (most > 0 and None in (left.u, right.u))
 
 
-def _is_sought(member, scene):
+def _is_sought(member: "Member", scene: "Builder") -> bool:
     """Is the tension of a string that of an equilibrium yet to be found, so that any will do?"""
     given = scene.variant.tensions
     return (member.kind.name == "string" and given is not None and member.name not in given
             and not scene.parameters.free and scene.tie(member.name) is not None)
 
 
-def tension_gradient(member: "Member", segment: "MemberSegment", scene: Any) -> "Node":
+def tension_gradient(member: "Member", segment: "MemberSegment", scene: "Builder | Scene") -> "Node":
     """N′ = −μ g·e, the weight along the line."""
     zero = scene.table.zero
     if scene.contents.gravity is None or segment.inertia.is_zero:
@@ -177,7 +186,7 @@ def tension_gradient(member: "Member", segment: "MemberSegment", scene: Any) -> 
     return zero if abs(scene.number(along)) <= 1e-12 * size else -segment.inertia * along
 
 
-def _slack(member, places, scene):
+def _slack(member: "Member", places: "Sequence[PlaceAlong]", scene: "Builder") -> list[int]:
     """The ends, 0 or -1, of a string that bear no tension: free ones, where its weight hangs or has not begun."""
     if member.kind.name != "string" or member.name not in scene.tensions or _is_sought(member, scene):
         return []
@@ -187,7 +196,8 @@ def _slack(member, places, scene):
     return [i for i, size in zip((0, -1), sizes, strict=True) if size <= SLACK * max(sizes)]
 
 
-def _add_bar(member, segment, left, right, mass, scene):
+def _add_bar(member: "Member", segment: "MemberSegment", left: Station, right: Station, mass: "Node",
+             scene: "Builder") -> None:
     """A piece of a bar with its share of what the bar lengthens as it turns; across it counts as a rigid rod."""
     first, last = member.stations[0], member.stations[-1]
     apart = member.length + (last.along - first.along)

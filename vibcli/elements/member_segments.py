@@ -9,6 +9,7 @@ from vibcli.elements.member_fields import MemberKind
 if TYPE_CHECKING:
     from vibcli.elements.member_line import DrawnLine
     from vibcli.language.reader import Record
+    from vibcli.scene.builder import Builder
     from vibcli.symbolic.node import Node
 
 
@@ -34,13 +35,13 @@ class MemberSegment(NamedTuple):
         return [node for node in (self.start, self.end, self.stiffness, self.inertia, self.foundation, self.drag,
                                   self.axial) if node is not None]
 
-    def lengthwise(self, scene: Any) -> "MemberSegment":
+    def lengthwise(self, scene: "Builder") -> "MemberSegment":
         """That of a beam as it stretches: along it neither what it rests on nor its drag acts."""
         zero = scene.table.zero
         return self._replace(stiffness=self.axial, foundation=zero, drag=zero, modulus=None, section=None, axial=None)
 
 
-def segments_of(record: "Record", kind: MemberKind, line: "DrawnLine | None", scene: Any) -> list[MemberSegment]:
+def segments_of(record: "Record", kind: MemberKind, line: "DrawnLine | None", scene: "Builder") -> list[MemberSegment]:
     """The Segments of a member; what does not add up, has no stiffness or no section is reported."""
     found, start = [], scene.table.zero
     given = _Given(record, kind, scene)
@@ -64,7 +65,7 @@ def segments_of(record: "Record", kind: MemberKind, line: "DrawnLine | None", sc
     return found
 
 
-def _called(part, record):
+def _called(part: "Record", record: "Record") -> str:
     return f"'{record.name}'" if part is record else f"a segment of '{record.name}'"
 
 
@@ -73,7 +74,8 @@ class _Given:
 
     __slots__ = ("kind", "levels", "member", "nodes", "scene")
 
-    def __init__(self, member: Any, kind: MemberKind, scene: Any, levels: Any = (), nodes: Any = None):
+    def __init__(self, member: "Record", kind: MemberKind, scene: "Builder", levels: "tuple[Record, ...]" = (),
+                 nodes: dict[Any, Any] | None = None) -> None:
         self.member, self.kind, self.scene, self.levels = member, kind, scene, levels or (member,)
         self.nodes = {} if nodes is None else nodes     # each field is lowered, and reported as wrong, once
 
@@ -140,17 +142,17 @@ class _Given:
         level = next((level for level in self.levels if "section" in level), None)
         return None if level is None else self._section(level)
 
-    def _nearest(self, key, zero=False):
+    def _nearest(self, key: str, zero: bool = False) -> "Node | None":
         level = next((level for level in self.levels if key in level), None)
         return None if level is None else self._positive(level, key, zero)
 
-    def _geometry(self, key):
+    def _geometry(self, key: str) -> "Node | None":
         """A, I or I_o, as it is given or from a section."""
         for level in self.levels:
             if key in level:
                 return self._positive(level, key)
             if "section" in level:
-                found = getattr(self._section(level), key)
+                found: Node | None = getattr(self._section(level), key)
                 if found is None:
                     self._missing("the torsion constant of a rectangle is not its polar second moment I_o",
                                   "give `GIo:` with its torsion constant, and `inertia_per_length:`, in place of the "
@@ -159,18 +161,20 @@ class _Given:
                 return found
         return None
 
-    def _section(self, level):
+    def _section(self, level: "Record") -> CrossSection:
         if (level, "section") not in self.nodes:
             self.nodes[level, "section"] = cross_section(level["section"], self.scene)
-        return self.nodes[level, "section"]
+        found: CrossSection = self.nodes[level, "section"]
+        return found
 
-    def _positive(self, level, key, zero=False):
+    def _positive(self, level: "Record", key: str, zero: bool = False) -> "Node":
         if (level, key) not in self.nodes:
             what = f"'{key}' of '{self.member.name}'"
             self.nodes[level, key] = self.scene.positive(level[key], what, zero=zero)
-        return self.nodes[level, key]
+        found: Node = self.nodes[level, key]
+        return found
 
-    def _missing(self, message, hint, key=None):
+    def _missing(self, message: str, hint: str, key: str | None = None) -> None:
         if message not in self.nodes:
             self.nodes[message] = True
             where = next((level.place(key) for level in self.levels if key in level.places), self.levels[0].where)

@@ -9,17 +9,20 @@ and without tension 12EI/l³ on u_l − u₀ − l(θ₀ + θ_l)/2 (Przemienieck
 and the odd deflections about the middle are two springs each.
 """
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from vibcli.scene.builder import Builder
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
 
 SMALL, TINY, DEPTH = 0.25, 1e-6, 24     # below TINY the functions themselves are right to fewer digits than are shown
 
 
-def springs_along(scene: Any, length: "Node", tension: "Node", foundation: "Node",
+def springs_along(scene: "Builder | Scene", length: "Node", tension: "Node", foundation: "Node",
                   ends: "Sequence[Node]", gradient: "Node") -> "list[tuple[Node, Node]]":
     """[(stiffness, stretch)] of a piece of order 2; none where the tension N + n x vanishes at an end."""
     first, last = ends
@@ -36,7 +39,7 @@ def springs_along(scene: Any, length: "Node", tension: "Node", foundation: "Node
     return [(between, last - first), (to_ground, first), (to_ground, last)]
 
 
-def springs_across(scene: Any, length: "Node", bending: "Node", tension: "Node", foundation: "Node",
+def springs_across(scene: "Builder | Scene", length: "Node", bending: "Node", tension: "Node", foundation: "Node",
                    ends: "Sequence[Node]") -> "list[tuple[Node, Node]]":
     """[(stiffness, stretch)] of a piece of a beam."""
     first, turned, last, turned_last = ends
@@ -51,7 +54,7 @@ def springs_across(scene: Any, length: "Node", bending: "Node", tension: "Node",
             (bending / length * odd, (turned + turned_last) / 2 - (last - first) / length)]
 
 
-def mean_along(scene: Any, length: "Node", tension: "Node", foundation: "Node", ends: "Sequence[Node]",
+def mean_along(scene: "Builder | Scene", length: "Node", tension: "Node", foundation: "Node", ends: "Sequence[Node]",
                gradient: "Node | None" = None) -> "Node":
     """Mean displacement of a piece of order 2 without loads of its own, by which loads spread evenly act."""
     first, last = ends
@@ -68,18 +71,18 @@ def mean_along(scene: Any, length: "Node", tension: "Node", foundation: "Node", 
     return mean * scene.table.call("tanh", half) / half
 
 
-def share_along(scene: Any, x: "Node", tension: "Node", gradient: "Node") -> "Node | None":
+def share_along(scene: "Builder | Scene", x: "Node", tension: "Node", gradient: "Node") -> "Node | None":
     """½ log(1 + n x/N) = artanh r; None where there is no tension at 0 or at x."""
     r = _share(x, tension, gradient)
     return r / _graded(scene, r)[0] if scene.number(r * r) < 1 - 2.0**-39 else None
 
 
-def _share(length, tension, gradient):
+def _share(length: "Node", tension: "Node", gradient: "Node") -> "Node":
     """r = n l/(2N + n l), how far the tension varies about its mean."""
     return gradient * length / (2 * tension + gradient * length)
 
 
-def _graded(scene, r):
+def _graded(scene: "Builder | Scene", r: "Node") -> "tuple[Node, Node]":
     """(r/artanh r, (1 − r/artanh r)/r) of u′ ~ 1/(N + n x), near r = 0 by the continued fraction
     r/artanh r = 1 − r²/(3 − 4r²/(5 − …))."""
     table = scene.table
@@ -90,7 +93,7 @@ def _graded(scene, r):
     return found, (1 - found) / r
 
 
-def mean_across(scene: Any, length: "Node", bending: "Node", tension: "Node", foundation: "Node",
+def mean_across(scene: "Builder | Scene", length: "Node", bending: "Node", tension: "Node", foundation: "Node",
                 ends: "Sequence[Node]") -> "Node":
     """The same of a piece of a beam; on a foundation its force, k times this, is that on the ends."""
     first, turned, last, turned_last = ends
@@ -103,7 +106,7 @@ def mean_across(scene: Any, length: "Node", bending: "Node", tension: "Node", fo
     return mean - length / odd * (turned_last - turned)
 
 
-def _stability_functions(scene, z):
+def _stability_functions(scene: "Builder | Scene", z: "Node") -> "tuple[Node, Node]":
     """g(z) = λ coth λ and 4z/(g − 1), z = λ²; of numbers near z = 0, where their difference loses digits, by Lambert's
     continued fraction g = 1 + z/(3 + z/(5 + …)), which is then right to more digits than anybody asks for."""
     table, value = scene.table, scene.number(z)
@@ -117,7 +120,7 @@ def _stability_functions(scene, z):
     return even, 4 * z / (even - 1)
 
 
-def _fraction(table, z, factors):
+def _fraction(table: "Table", z: "Node", factors: list[int]) -> "tuple[Node, ...]":
     """(P, Q), polynomials in z, with P/Q = 3 + f₁ z/(5 + f₂ z/(7 + …)): one division, which forms in letters bear."""
     above, below = [2 * DEPTH + 1], [1]
     for k in range(DEPTH - 1, 0, -1):
@@ -127,7 +130,8 @@ def _fraction(table, z, factors):
     return tuple(table.sum(*((z**i, c) for i, c in enumerate(found))) for found in (above, below))
 
 
-def _on_foundation(scene, length, bending, tension, foundation, ends):
+def _on_foundation(scene: "Builder | Scene", length: "Node", bending: "Node", tension: "Node", foundation: "Node",
+                   ends: "Sequence[Node]") -> "list[tuple[Node, Node]]":
     """Even and odd deflections about the middle: the forces at the right end by its displacement and slope, symmetric
     [[a, b], [b, c]], are the springs a on v + (b/a) θ and c − b²/a on θ, for each half of the piece."""
     first, turned, last, turned_last = ends
@@ -139,7 +143,7 @@ def _on_foundation(scene, length, bending, tension, foundation, ends):
     return found
 
 
-def _end_stiffness(pair, bending, tension):
+def _end_stiffness(pair: "Sequence[tuple[Node, ...]]", bending: "Node", tension: "Node") -> "tuple[Node, Node, Node]":
     """(a, b, c) of two solutions, each as (u, u′, u″, u‴) at the right end: Q = N u′ − B u‴, M = B u″."""
     (u, u1, u2, u3), (w, w1, w2, w3) = pair
     determinant = u * w1 - w * u1
@@ -148,7 +152,7 @@ def _end_stiffness(pair, bending, tension):
             bending * (w2 * u - u2 * w) / determinant)
 
 
-def even_solutions(scene: Any, x: "Node", bending: "Node", tension: "Node",
+def even_solutions(scene: "Builder | Scene", x: "Node", bending: "Node", tension: "Node",
                    foundation: "Node") -> "list[tuple[Node, ...]]":
     """Two even solutions of B u⁗ − N u″ + k u = 0, k or N not zero, as (u, u′, u″, u‴) at x."""
     if foundation.is_zero:
@@ -156,7 +160,7 @@ def even_solutions(scene: Any, x: "Node", bending: "Node", tension: "Node",
     return _solutions(scene, x, bending, tension, foundation, ("cosh", "sinh"), ("cos", "sin"))
 
 
-def odd_solutions(scene: Any, x: "Node", bending: "Node", tension: "Node",
+def odd_solutions(scene: "Builder | Scene", x: "Node", bending: "Node", tension: "Node",
                   foundation: "Node") -> "list[tuple[Node, ...]]":
     """Two odd ones."""
     if foundation.is_zero:
@@ -165,11 +169,12 @@ def odd_solutions(scene: Any, x: "Node", bending: "Node", tension: "Node",
     return _solutions(scene, x, bending, tension, foundation, ("sinh", "cosh"), ("sin", "cos"))
 
 
-def _powers(scene, *known):
+def _powers(scene: "Builder | Scene", *known: "Node") -> "tuple[Node, ...]":
     return (*known, *[scene.table.zero] * (4 - len(known)))
 
 
-def _solutions(scene, x, bending, tension, foundation, hyperbolic, circular):
+def _solutions(scene: "Builder | Scene", x: "Node", bending: "Node", tension: "Node", foundation: "Node",
+               hyperbolic: "tuple[str, str]", circular: "tuple[str, str]") -> "list[tuple[Node, ...]]":
     """Two solutions of B u⁗ − N u″ + k u = 0 of one parity, as (u, u′, u″, u‴) at x."""
     table = scene.table
     discriminant = tension * tension - 4 * bending * foundation
@@ -182,7 +187,8 @@ def _solutions(scene, x, bending, tension, foundation, hyperbolic, circular):
     return _two(table, x, real, imaginary, hyperbolic, circular)
 
 
-def _one(scene, x, square, hyperbolic, circular):
+def _one(scene: "Builder | Scene", x: "Node", square: "Node", hyperbolic: "tuple[str, str]",
+         circular: "tuple[str, str]") -> "tuple[Node, ...]":
     """cosh rx or sinh rx, of negative r² cos or sin, with its derivatives."""
     table, positive = scene.table, scene.number(square) > 0
     r = table.sqrt(square if positive else -square)
@@ -191,7 +197,8 @@ def _one(scene, x, square, hyperbolic, circular):
     return same, slope, square * same, square * slope
 
 
-def _two(table, x, a, b, hyperbolic, circular):
+def _two(table: "Table", x: "Node", a: "Node", b: "Node", hyperbolic: "tuple[str, str]",
+         circular: "tuple[str, str]") -> "list[tuple[Node, ...]]":
     """cosh ax cos bx and sinh ax sin bx, or sinh ax cos bx and cosh ax sin bx, with their derivatives: of f = h c they
     are the real and the imaginary part of powers of a + ib times those of cosh (a + ib)x, or sinh."""
     same, other = (table.call(name, a * x) for name in hyperbolic)

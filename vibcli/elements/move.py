@@ -9,6 +9,7 @@ from vibcli.language.kinds import BODY, Kind, MotionField
 if TYPE_CHECKING:
     from vibcli.elements.rigid_body import Body
     from vibcli.language.reader import Record
+    from vibcli.scene.builder import Builder
 
 _LENGTH, _ANGLE = MotionField("m"), MotionField("rad")
 
@@ -42,7 +43,7 @@ ELEMENT = Element(
 )
 
 
-def build(move: "Record", body: "Body", scene: Any) -> "Body":
+def build(move: "Record", body: "Body", scene: "Builder") -> "Body":
     """The body with its frame, moved by (Δx, Δy, Δφ) in its carrier."""
     dx, dy, turn = map(scene.change, move["by"], (".x", ".y", ".moment"))
     carrier = scene.carrier(move)

@@ -1,6 +1,6 @@
 """Rotation about a pin, which may be carried by another body."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import BODY, PLACE, Flag, MotionField
@@ -8,6 +8,7 @@ from vibcli.language.kinds import BODY, PLACE, Flag, MotionField
 if TYPE_CHECKING:
     from vibcli.elements.rigid_body import Body
     from vibcli.language.reader import Record
+    from vibcli.scene.builder import Builder
 
 ELEMENT = Element(
     "pin",
@@ -25,7 +26,7 @@ ELEMENT = Element(
 )
 
 
-def build(pin: "Record", body: "Body", scene: Any) -> "Body":
+def build(pin: "Record", body: "Body", scene: "Builder") -> "Body":
     """A pinned body with its frame: the pin moves with its carrier, the body turns about it by φ."""
     pivot, place, carrier = scene.pivot(pin, body)
     angle = scene.change(pin["by"])

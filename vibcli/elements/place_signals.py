@@ -7,14 +7,17 @@ At a station the piece on its right counts, at the right end and where it is ask
 inertia deflects as at rest.
 """
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.elements.member_line import Station
 from vibcli.language.member_signals import OF_COORDINATES
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from vibcli.elements.member import Member
+    from vibcli.elements.member_loads import SpreadLoad
     from vibcli.elements.member_segments import MemberSegment
     from vibcli.elements.rest_shapes import RestPiece
     from vibcli.language.signal_names import SignalName
@@ -29,12 +32,12 @@ class PlaceSignal(NamedTuple):
     `station`: the one that stands there, if any."""
 
     member: "Member"
-    left: Any
-    right: Any
+    left: Station
+    right: Station
     number: int
     segment: "MemberSegment"
     at: "Node"
-    station: Any
+    station: Station | None
     order: int
     factor: "Node"
 
@@ -73,16 +76,16 @@ class PlaceSignal(NamedTuple):
             return spread
         return spread + self.segment.inertia * line.seen(*scene.gravity)[0 if self.member.lengthwise else 1]
 
-    def uneven(self, scene: "Scene") -> list:
+    def uneven(self, scene: "Scene") -> "list[SpreadLoad]":
         """The SpreadLoads along its piece that are not the same all along."""
         return [load for load in self._spread(scene) if not load.even]
 
-    def _spread(self, scene):
+    def _spread(self, scene: "Scene") -> "list[SpreadLoad]":
         middle = scene.number(self.left.place + self.right.place) / 2
         return [load for load in scene.spread_loads if load.member == self.member.name
                 and scene.number(load.start) < middle < scene.number(load.end)]
 
-    def in_time(self, scene: "Scene") -> list:
+    def in_time(self, scene: "Scene") -> "list[SpreadLoad]":
         """The SpreadLoads along its piece that vary in time."""
         return [load for load in self._spread(scene) if not load.in_time.is_zero]
 
@@ -116,7 +119,8 @@ def place_signal(scene: "Scene", member: "Member", signal: "SignalName", place: 
     return _on_piece(scene, member, stations, number, signal.part, at)._replace(station=there)
 
 
-def _of_coordinates(scene, member, signal, between, at, there):
+def _of_coordinates(scene: "Scene", member: "Member", signal: "SignalName", between: "Sequence[Station]", at: "Node",
+                    there: Station | None) -> PlaceSignal | None:
     """The motion across of a bar, which stays straight, or that of what hangs there; None where nothing does."""
     left, right = between
     if signal.kind == "across":
@@ -136,13 +140,14 @@ def signals_along(scene: "Scene", member: "Member", part: str, at: "Node") -> "l
     return [_on_piece(scene, member, stations, number, part, at) for number in range(len(stations) - 1)]
 
 
-def _on_piece(scene, member, stations, number, part, at):
+def _on_piece(scene: "Scene", member: "Member", stations: "Sequence[Station]", number: int, part: str,
+              at: "Node") -> PlaceSignal:
     left, right = stations[number:number + 2]
     segment = _segment(scene, member, left, right)
     return PlaceSignal(member, left, right, number, segment, at, None, *_part(scene, member, segment, part))
 
 
-def _with_slack_ends(scene, member):
+def _with_slack_ends(scene: "Scene", member: "Member") -> list[Station]:
     """The stations, and the ends of a string that bear no tension, whose motion is none of a station."""
     ends = [Station(place, text, None) for place, text in ((scene.table.zero, "left"), (member.length, "right"))]
     length, known = scene.number(member.length), [scene.number(station.place) for station in member.stations]
@@ -151,12 +156,12 @@ def _with_slack_ends(scene, member):
     return [*left, *member.stations, *right]
 
 
-def _segment(scene, member, left, right):
+def _segment(scene: "Scene", member: "Member", left: Station, right: Station) -> "MemberSegment":
     middle = (scene.number(left.place) + scene.number(right.place)) / 2
     return next(segment for segment in member.segments if middle < scene.number(segment.end))
 
 
-def _part(scene, member, segment, part):
+def _part(scene: "Scene", member: "Member", segment: "MemberSegment", part: str) -> "tuple[int, Node]":
     """(order of the derivative, factor)."""
     kind, stiffness = member.kind, segment.stiffness
     if part in ("u", "phi", "along"):
@@ -176,7 +181,9 @@ def _part(scene, member, segment, part):
     return order, segment.modulus if segment.modulus is not None else stiffness / _area(scene, segment, member)
 
 
-def _area(scene, segment, member):
+def _area(scene: "Scene", segment: "MemberSegment", member: "Member") -> "Node":
     if segment.section is not None:
         return segment.section.A
-    return scene.lower(next(part["A"] for part in (*member.record.get("segments", ()), member.record) if "A" in part))
+    parts = (*member.record.get("segments", ()), member.record)
+    area: Node = scene.lower(next(part["A"] for part in parts if "A" in part))
+    return area

@@ -11,6 +11,7 @@ from vibcli.symbolic.parser import plain_name
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Record
+    from vibcli.scene.builder import Builder
     from vibcli.symbolic.node import Node
 
 MEMBER_POINT = Element("point", "A named place on a member, counted from its left end.", {
@@ -45,10 +46,11 @@ ELEMENT = _Point(
 )
 
 
-def driven(point: "Record", drawn: "Sequence[Node]", scene: Any) -> "tuple[Node, Node]":
+def driven(point: "Record", drawn: "Sequence[Node]", scene: "Builder") -> "tuple[Node, Node]":
     """Where a point is that is driven, `drawn` being its place as drawn."""
     if not any(scene.lower(part).mask for part in point["moves"]):
         scene.report(point.place("moves"), f"'{point.name}' never moves: its displacement is constant",
                      "let `at` say where it is")
-    return tuple(place + scene.driven_by(scene.lower(part), f"{point.name}.{axis}", f"{point.name}.drive.{axis}")
+    x, y = (place + scene.driven_by(scene.lower(part), f"{point.name}.{axis}", f"{point.name}.drive.{axis}")
                  for axis, place, part in zip("xy", drawn, point["moves"], strict=True))
+    return x, y

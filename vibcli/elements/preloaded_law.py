@@ -9,16 +9,17 @@
 
 from fractions import Fraction
 from math import inf, isfinite
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.symbolic.power_law import cubic_root, odd_powers
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Record
+    from vibcli.scene.builder import Builder
     from vibcli.symbolic.node import Node
 
 
-def undeformed(record: "Record", scene: Any, law: "Node", d: "Node", tension: "Node") -> "Node | None":
+def undeformed(record: "Record", scene: "Builder", law: "Node", d: "Node", tension: "Node") -> "Node | None":
     """The deflection d₀ with F(d₀) = N; None where it is not found, which is reported."""
     if tension.is_zero:
         return tension
@@ -35,7 +36,7 @@ def undeformed(record: "Record", scene: Any, law: "Node", d: "Node", tension: "N
     return _root(record, scene, law, d, tension)
 
 
-def _root(record, scene, law, d, tension):
+def _root(record: "Record", scene: "Builder", law: "Node", d: "Node", tension: "Node") -> "Node | None":
     """The deflection as a function of the tension and of the parameters, found by a root where it is asked for."""
     from vibcli.symbolic.roots_of_laws import RootOfLaw
 
@@ -57,11 +58,11 @@ def _root(record, scene, law, d, tension):
     return function.called(tension) if isfinite(branch.d) and not branch.jumps else None
 
 
-def _call(name, u):
+def _call(name: str, u: "Node") -> "Node":
     return u.table.call(name, u)
 
 
-def _is_reached(record, scene, load, bend, degree):
+def _is_reached(record: "Record", scene: "Builder", load: "Node", bend: "Node", degree: Fraction | int) -> bool:
     """Has a law that weakens this tension on its branch through d = 0? If not, it is reported."""
     b = -scene.number(bend)
     if record["preload"] == "static":
@@ -77,12 +78,12 @@ def _is_reached(record, scene, load, bend, degree):
     return False
 
 
-def _weakens(record, scene):
+def _weakens(record: "Record", scene: "Builder") -> None:
     scene.report(record.place("preload"), f"the law of '{record.name}' weakens as it is deflected: it may have no such "
                  "tension", "give its tension as drawn")
 
 
-def _too_much(record, scene, share, where, does="rises to"):
+def _too_much(record: "Record", scene: "Builder", share: float, where: float, does: str = "rises to") -> None:
     """`share`: of the tension, that the law rises to at the deflection `where`, inf in the limit."""
     unit = "" if "stretch" in record else " rad" if "torsion" in record else " m"
     place = f", at d = {where:.4g}{unit}" if isfinite(where) else ""
@@ -90,11 +91,11 @@ def _too_much(record, scene, share, where, does="rises to"):
                  f"it{place}", "give a smaller preload")
 
 
-def _quadratic(load, bend):
+def _quadratic(load: "Node", bend: "Node") -> "Node":
     return 2 * load / (1 + (1 + 4 * bend * _call("abs", load)) ** Fraction(1, 2))
 
 
-def _cubic(scene, load, bend):
+def _cubic(scene: "Builder", load: "Node", bend: "Node") -> "Node":
     table = load.table
     if scene.number(bend) > 0:
         return cubic_root(load, bend)

@@ -7,7 +7,7 @@
 
 from fractions import Fraction
 from math import factorial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.elements.member_springs import SMALL, even_solutions, odd_solutions, share_along
@@ -17,6 +17,8 @@ TERMS = 20      # of power series
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from vibcli.scene.builder import Builder
+    from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
 
@@ -25,7 +27,7 @@ class RestPiece(NamedTuple):
 
     length: "Node"
     bends: bool
-    bending: Any
+    bending: "Node | None"
     tension: "Node"
     gradient: "Node"
     foundation: "Node"
@@ -45,20 +47,20 @@ class RestPiece(NamedTuple):
         """Its length, B, N, N′ and k."""
         return [self.length, self.bending, self.tension, self.gradient, self.foundation]
 
-    def longest(self, scene: Any) -> float:
+    def longest(self, scene: "Builder | Scene") -> float:
         """The length over which its deflections grow by e⁸ at the most."""
         tension, foundation = (abs(scene.number(node)) for node in (self.tension, self.foundation))
         if self.graded:
             tension = max(tension, abs(scene.number(self.tension + self.gradient * self.length)))
         if self.bends:
             bending = abs(scene.number(self.bending))
-            rate = ((tension + 2 * (foundation * bending) ** 0.5) / bending) ** 0.5
+            rate: float = ((tension + 2 * (foundation * bending) ** 0.5) / bending) ** 0.5
         else:
             rate = (foundation / tension) ** 0.5 if tension else 0.0
         return min(scene.number(self.length), 8 / rate) if rate else scene.number(self.length)
 
 
-def deflection(scene: Any, piece: RestPiece, at: "Node", order: int, ends: "Sequence[Node]") -> "Node":
+def deflection(scene: "Builder | Scene", piece: RestPiece, at: "Node", order: int, ends: "Sequence[Node]") -> "Node":
     """u at a place, or a derivative, that the ends leave: {u₀, u_l}, of beams {u₀, θ₀, u_l, θ_l}."""
     if piece.plain:
         shapes = (_cubic if piece.bends else _linear)(scene, piece.length)
@@ -69,7 +71,7 @@ def deflection(scene: Any, piece: RestPiece, at: "Node", order: int, ends: "Sequ
                               for value, column in zip(known, shares(scene, piece), strict=True)])
 
 
-def basis_at(scene: Any, piece: RestPiece, at: "Node", order: int = 0) -> "list[Node]":
+def basis_at(scene: "Builder | Scene", piece: RestPiece, at: "Node", order: int = 0) -> "list[Node]":
     """Deflections of which all others are sums, or their derivatives, at a place."""
     call, one = scene.table.call, scene.table.one
     if piece.plain:
@@ -88,7 +90,7 @@ def basis_at(scene: Any, piece: RestPiece, at: "Node", order: int = 0) -> "list[
     return [one, share_along(scene, at, piece.tension, piece.gradient)]
 
 
-def shares(scene: Any, piece: RestPiece) -> "list[list[Node]]":
+def shares(scene: "Builder | Scene", piece: RestPiece) -> "list[list[Node]]":
     """How much of each of them end values of 1 leave, a row for each: {u₀, u_l}, of beams {u₀, θ₀, u_l, θ_l}."""
     zero, one, half = scene.table.zero, scene.table.one, piece.length / 2
     if piece.plain:
@@ -106,27 +108,27 @@ def shares(scene: Any, piece: RestPiece) -> "list[list[Node]]":
     return [[one, zero], [-1 / whole, 1 / whole]]
 
 
-def _parted(first, second):
+def _parted(first: "tuple[Node, ...]", second: "tuple[Node, ...]") -> "list[tuple[Node, Node]]":
     """[(by half the value, by half the slope)] of two solutions of one parity at the right end."""
     (u, u1, *_), (w, w1, *_) = first, second
     below = 2 * (u * w1 - w * u1)
     return [(w1 / below, -w / below), (-u1 / below, u / below)]
 
 
-def _linear(scene, length):
+def _linear(scene: "Builder | Scene", length: "Node") -> "list[list[Node]]":
     """Powers of x in the shapes of u₀ and u_l."""
     zero, one = scene.table.zero, scene.table.one
     return [[one, -1 / length], [zero, 1 / length]]
 
 
-def _cubic(scene, length):
+def _cubic(scene: "Builder | Scene", length: "Node") -> "list[list[Node]]":
     """Those of u₀, θ₀, u_l, θ_l."""
     zero, one = scene.table.zero, scene.table.one
     return [[one, zero, -3 / length**2, 2 / length**3], [zero, one, -2 / length, 1 / length**2],
             [zero, zero, 3 / length**2, -2 / length**3], [zero, zero, -1 / length, 1 / length**2]]
 
 
-def _derivative(scene, coefficients, order, x):
+def _derivative(scene: "Builder | Scene", coefficients: "Sequence[Node | int]", order: int, x: "Node") -> "Node":
     """Of Σ cₖ xᵏ."""
     total, power = scene.table.zero, scene.table.one
     for k in range(order, len(coefficients)):
@@ -137,7 +139,7 @@ def _derivative(scene, coefficients, order, x):
     return total
 
 
-def _solutions(scene, piece, x, parity):
+def _solutions(scene: "Builder | Scene", piece: RestPiece, x: "Node", parity: int) -> "list[tuple[Node, ...]]":
     """Two even or two odd ones, as (u, u′, u″, u‴) at x; under little tension 1 or x and a power series."""
     ratio = piece.tension / piece.bending
     if not piece.foundation.is_zero or abs(scene.number(ratio * piece.length**2)) > 4 * SMALL:
@@ -149,7 +151,7 @@ def _solutions(scene, piece, x, parity):
                          if k < 3 + parity else ratio * x * _series(scene, ratio * x * x, 1) for k in range(4))]
 
 
-def _series(scene, y, n):
+def _series(scene: "Builder | Scene", y: "Node", n: int) -> "Node":
     """Σ yᵏ/(2k + n)!."""
     terms, size = [], factorial(n)
     for k in range(TERMS):

@@ -7,6 +7,8 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.elements import ELEMENTS
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from vibcli.language.reader import Record, Reference
     from vibcli.language.spec import Spec
     from vibcli.scene.places import Frame
@@ -32,7 +34,7 @@ class Body(NamedTuple):
     centre: "tuple[Node, Node] | None" = None
     pieces: "list[tuple[Node, tuple[Node, Node], Node]] | None" = None
     cut: "list[tuple[Node, tuple[Node, Node], Node]] | None" = None
-    rims: "tuple[tuple[Node, Node], ...]" = ()
+    rims: "Sequence[tuple[Node, Node]]" = ()
     rolling_radius: "Node | None" = None
     frame: "Frame | None" = None
     lumped: "tuple[str, Node] | None" = None

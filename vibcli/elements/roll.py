@@ -8,7 +8,7 @@ as drawn is at O + R n − R ψ t. Between two surfaces the body rolls on the fi
 The angles θ and ψ are relative to the surface's carrier; `turn` is θ in the fixed frame.
 """
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.elements.contact import CircleContact, LineContact
 from vibcli.elements.rigid_body import Body, touched
@@ -19,13 +19,16 @@ from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.normal_form import is_zero, textbook
 
 if TYPE_CHECKING:
-    from vibcli.language.reader import Record
+    from vibcli.language.reader import Reader, Record
+    from vibcli.scene.builder import Builder
+    from vibcli.scene.places import Frame
+    from vibcli.symbolic.node import Node
 
 FAR = ("travel", "turn", "swing")
 _SURFACE = NameOf("the name of a surface", "surfaces")
 
 
-def _settle(record, reader):
+def _settle(record: "Record", reader: "Reader") -> None:
     names = [reference.text for reference in record.get("between", ())]
     if names and names[0] == names[1]:
         reader.report(record.place("between"), f"'between' names '{names[0]}' twice", "name two different surfaces, or "
@@ -57,7 +60,7 @@ ELEMENT = Element(
 )
 
 
-def build(roll: "Record", body: Body, scene: Any) -> Body:
+def build(roll: "Record", body: Body, scene: "Builder") -> Body:
     """A rolling body with its frame about the centre of the rolling circle, and the normal of the surface."""
     if "flat" in roll:
         surface = scene.surfaces[roll["surface"].text]
@@ -72,18 +75,18 @@ def build(roll: "Record", body: Body, scene: Any) -> Body:
     return body._replace(normal=contacts[0].normal(rolled), reach=contacts[0].reach if "between" in roll else None)
 
 
-def tie(roll: "Record", body: Body, scene: Any) -> None:
+def tie(roll: "Record", body: Body, scene: "Builder") -> None:
     """Add the conditions of the second contact to the scene: no slip where the body has a coordinate of its own, and no
     gap where both could part."""
     contacts = _contacts(roll, body, scene)
-    gap, slip = _parted(*contacts, body.frame, scene)
+    gap, slip = _parted(contacts[0], contacts[1], body.frame, scene)
     tied = [("normal", gap), ("friction", slip)] if any(key in roll for key in FAR) else [("normal", gap)]
     for part, node in tied:
         if node.mask and not is_zero(node):
             scene.add_constraint(body.record, node, "contact", f".{part}.{roll['between'][1].text}")
 
 
-def _contacts(roll, body, scene):
+def _contacts(roll: "Record", body: Body, scene: "Builder") -> "list[LineContact | CircleContact] | None":
     """The contacts of a round body with its surfaces; None where they were reported as wrong."""
     before = len(scene.diagnostics)
     radius = scene.positive(roll["radius"], "the radius it rolls on") if "radius" in roll else body.rolling_radius
@@ -99,12 +102,13 @@ def _contacts(roll, body, scene):
             scene.report(reference.where, "bodies roll on lines and circles, not on other curves",
                          "`slide: {surface: …, by: …}` moves a particle along a curve")
         else:
-            on = _on_line if "line" in surface else _on_circle
-            found.append(on(roll, body, drawn, scene, surface, radius, carrier))
+            found.append(_on_line(roll, body, drawn, scene, surface, radius, carrier) if "line" in surface else
+                         _on_circle(roll, body, drawn, scene, surface, radius, carrier))
     return found if len(scene.diagnostics) == before else None
 
 
-def _on_line(roll, body, drawn, scene, surface, radius, carrier):
+def _on_line(roll: "Record", body: Body, drawn: "tuple[Node, Node]", scene: "Builder", surface: "Record",
+             radius: "Node", carrier: "Frame") -> LineContact:
     (ax, ay), (bx, by) = (scene.pair(place) for place in surface["line"])
     ex, ey = scene.unit(bx - ax, by - ay, surface.where)
     height = (drawn[1] - ay) * ex - (drawn[0] - ax) * ey
@@ -116,7 +120,8 @@ def _on_line(roll, body, drawn, scene, surface, radius, carrier):
     return LineContact(carrier, drawn, radius, (ex, ey), scene.sign(height))
 
 
-def _on_circle(roll, body, drawn, scene, surface, radius, carrier):
+def _on_circle(roll: "Record", body: Body, drawn: "tuple[Node, Node]", scene: "Builder", surface: "Record",
+               radius: "Node", carrier: "Frame") -> CircleContact:
     centre = cx, cy = scene.pair(surface["circle"])
     track = scene.positive(surface["radius"], "the radius of the circle")
     inside = surface.get("side") == "inside"
@@ -132,7 +137,8 @@ def _on_circle(roll, body, drawn, scene, surface, radius, carrier):
                          distance)
 
 
-def _motion(roll, body, scene, contacts):
+def _motion(roll: "Record", body: Body, scene: "Builder",
+            contacts: list[LineContact | CircleContact]) -> "tuple[Node, Node]":
     """(how far the body has rolled on its first surface, its turn)."""
     first = contacts[0]
     if "turn" in roll:
@@ -147,7 +153,8 @@ def _motion(roll, body, scene, contacts):
     return first.rolled(turn), turn
 
 
-def _carried_turn(roll, body, scene, first, second):
+def _carried_turn(roll: "Record", body: Body, scene: "Builder", first: LineContact | CircleContact,
+                  second: LineContact | CircleContact) -> "Node":
     """The turn of a body that slips on neither surface, from the motions of both carriers."""
     unknown = scene.table.variable(f"the turn of {body.name}")
     _, slip = _parted(first, second, first.frame(first.rolled(unknown), unknown), scene, held=True)
@@ -162,7 +169,8 @@ def _carried_turn(roll, body, scene, first, second):
     return turn
 
 
-def _parted(first, second, frame, scene, held=False):
+def _parted(first: LineContact | CircleContact, second: LineContact | CircleContact, frame: "Frame", scene: "Builder",
+            held: bool = False) -> "tuple[Node, Node]":
     """(gap, slip) of the second contact of a body with this frame, to first order in supports that give way; those
     `held` do not."""
     now, here, there = (_held(one, scene) for one in (frame, first.carrier, second.carrier))
@@ -177,20 +185,21 @@ def _parted(first, second, frame, scene, held=False):
     return gap + _first_order(dx * nx + dy * ny, scene), slip + _first_order(dx * ny - dy * nx, scene)
 
 
-def _first_order(node, scene):
+def _first_order(node: "Node", scene: "Builder") -> "Node":
     """What a node that vanishes unless supports give way is to first order in how far they do."""
     slopes = gradient(node)
     held = substitute(list(slopes.values()), dict.fromkeys(scene.supports, scene.table.zero))
     return sum((slope * q for q, slope in zip(slopes, held, strict=True) if q in scene.supports), scene.table.zero)
 
 
-def _held(frame, scene):
+def _held(frame: "Frame", scene: "Builder") -> "Frame":
     """A frame where no support gives way."""
     nodes = frame.nodes
     return frame.over(dict(zip(nodes, substitute(nodes, dict.fromkeys(scene.supports, scene.table.zero)), strict=True)))
 
 
-def _swing(first, second, turn, scene):
+def _swing(first: LineContact | CircleContact, second: LineContact | CircleContact, turn: "Node",
+           scene: "Builder") -> "Node | None":
     """By how much the line of centres turns in the carrier of the second of two circles about one centre; None of
     others."""
     if not (isinstance(first, CircleContact) and isinstance(second, CircleContact)) or not all(
@@ -199,7 +208,8 @@ def _swing(first, second, turn, scene):
     return first.carrier.angle + first.rolled(turn) - second.carrier.angle
 
 
-def _flat(roll, body, drawn, scene, surface, carrier):
+def _flat(roll: "Record", body: Body, drawn: "tuple[Node, Node]", scene: "Builder", surface: "Record",
+          carrier: "Frame") -> Body:
     """On the outside of a circle with a flat side."""
     if "circle" not in surface or surface.get("side") == "inside":
         scene.report(roll["surface"].where, "a flat side rolls on the outside of circles only",

@@ -13,7 +13,7 @@ all sides as an eyelet does.
 
 from itertools import pairwise
 from math import atan2, hypot, pi, sqrt, tau
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.fields import Element, Field
@@ -22,7 +22,8 @@ from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.normal_form import root_of_square, textbook
 
 if TYPE_CHECKING:
-    from vibcli.language.reader import Record
+    from vibcli.language.reader import Expression, Record, Reference
+    from vibcli.scene.builder import Builder
     from vibcli.symbolic.node import Node
 
 SIDES = {"over": (0, 1), "under": (0, -1), "left_of": (-1, 0), "right_of": (1, 0)}
@@ -46,10 +47,10 @@ class Stop(NamedTuple):
     """A place that a rope passes or ends at: the centre of its circle now, its radius, on which side the rope passes,
     how far its rim turns, its sense σ."""
 
-    centre: tuple
-    radius: Any
-    side: tuple
-    turn: Any
+    centre: "tuple[Node, Node]"
+    radius: "Node"
+    side: tuple[int, int] | None
+    turn: "Node | None"
     sense: int = 0
 
     @property
@@ -64,7 +65,7 @@ class Stop(NamedTuple):
         return self.radius * self.sense
 
 
-def build(record: "Record", scene: Any) -> None:
+def build(record: "Record", scene: "Builder") -> None:
     """One condition for each stretch of rope between bodies on which it does not slip."""
     stops = [_stop(item, scene) for item in record["rope"]]
     if None in stops:
@@ -83,7 +84,7 @@ def build(record: "Record", scene: Any) -> None:
         scene.add_constraint(record, node, "rope", f".{number}" if len(groups) > 1 else "")
 
 
-def _sides_are_named(record, scene):
+def _sides_are_named(record: "Record", scene: "Builder") -> bool:
     """Is a side named of each round body that the rope passes?"""
     for item in record["rope"][1:-1]:
         body = scene.bodies.get(getattr(item, "text", None))
@@ -94,7 +95,7 @@ def _sides_are_named(record, scene):
     return True
 
 
-def _touches(record, scene, stops):
+def _touches(record: "Record", scene: "Builder", stops: list[Stop]) -> bool:
     """Does the taut rope lie against every pulley on the side that is named, as drawn?"""
     directions = []
     for one, two in pairwise(stops):
@@ -115,9 +116,9 @@ def _touches(record, scene, stops):
     return True
 
 
-def _stop(item, scene):
+def _stop(item: "Record | list[Expression] | Reference", scene: "Builder") -> Stop | None:
     """A Stop; None where it was reported as wrong."""
-    if not hasattr(item, "values"):
+    if not isinstance(item, dict):
         return Stop(scene.place_of(item), scene.table.zero, None, None)
     side = next(side for side in SIDES if side in item)
     body = scene.bodies.get(getattr(item[side], "text", None))
@@ -133,7 +134,7 @@ def _stop(item, scene):
     return Stop(centre, radius, SIDES[side], body.frame.angle if scene.turns(body) else None)
 
 
-def _sense(record, scene, stops, i, peg=False):
+def _sense(record: "Record", scene: "Builder", stops: list[Stop], i: int, peg: bool = False) -> int:
     """+1 where the rope goes round counter-clockwise, from its first end to its last; 0 of a peg without radius."""
     if not (peg or scene.number(stops[i].radius)):
         return 0
@@ -150,7 +151,7 @@ def _sense(record, scene, stops, i, peg=False):
     return 1 if across > 0 else -1
 
 
-def _piece(record, scene, one, two):
+def _piece(record: "Record", scene: "Builder", one: Stop, two: Stop) -> "Node":
     """δℓ + ρ δβ − σ₁r₁θ₁ + σ₂r₂θ₂ of a free piece."""
     wx, wy = (b - a for a, b in zip(one.centre, two.centre, strict=True))
     offset = one.reach - two.reach
@@ -180,7 +181,7 @@ def _piece(record, scene, one, two):
     return change
 
 
-def _direction(scene, ex, ey):
+def _direction(scene: "Builder", ex: "Node", ey: "Node") -> "tuple[Node, Node]":
     """A unit vector, exactly along an axis where it is so but for rounding."""
     table, (x, y) = scene.table, (scene.number(ex), scene.number(ey))
     if abs(x) <= 1e-12:
@@ -190,7 +191,7 @@ def _direction(scene, ex, ey):
     return ex, ey
 
 
-def _root(scene, square):
+def _root(scene: "Builder", square: "Node") -> "Node":
     """√square, without a root where it is a perfect square."""
     root = root_of_square(square)
     return square.table.sqrt(square) if root is None else scene.absolute(root)

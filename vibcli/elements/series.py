@@ -42,15 +42,15 @@ def part_element(whole: str, part: Lazy, key: str, about: str, unit: str, turnin
         needs=((key, "torsion", "law", *KEYS),), settle=_settle(rate), instead=_instead(whole))
 
 
-def _instead(whole):
+def _instead(whole: str) -> dict[str, str]:
     of_all = f"it belongs to the whole {whole}, beside its parts"
     return {"c" if whole == "spring" else "k": "a spring and a damper in series move a body without mass between them: "
             "write that body", "friction": "dry friction jumps: put a body between it and the rest",
             **dict.fromkeys(("preload", "free_length", "acts", "gap", "between", "stretch"), of_all)}
 
 
-def _settle(rate: bool) -> Callable:
-    def settle(record, reader):
+def _settle(rate: bool) -> "Callable[[Record, Reader], None]":
+    def settle(record: "Record", reader: "Reader") -> None:
         settle_parts(record, reader)
         settle_torsion(record, reader, ("law",), "v" if rate else "d", rate=rate)
     return settle

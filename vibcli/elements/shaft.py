@@ -1,12 +1,13 @@
 """Shafts, which turn about their axis: (GI_o φ′)′ = ρI_o φ̈."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.elements.member import built
 from vibcli.elements.member_fields import SHAFT, member_element
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Record
+    from vibcli.scene.builder import Builder
 
 ELEMENT = member_element(
     SHAFT,
@@ -15,6 +16,6 @@ ELEMENT = member_element(
     "shafts")
 
 
-def build(record: "Record", scene: Any) -> None:
+def build(record: "Record", scene: "Builder") -> None:
     """Add a shaft to the scene."""
     built(record.name, scene)

@@ -10,9 +10,13 @@ With R the radius, α the half angle, O the centre of a sector's or arch's circl
 """
 
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.expression import Table
+    from vibcli.symbolic.node import Node
 
 NEEDS = {"particle": (), "disc": ("radius",), "ring": ("radius",), "rod": ("from", "to"),
          "rectangle": ("width", "height"), "ellipse": ("a", "b"), "sector": ("radius", "half_angle"),
@@ -23,23 +27,23 @@ class Uniform(NamedTuple):
     """What a shape gives: the square of its radius of gyration about C, the offset OC along its axis, its measure
     (area or length; None for a particle), and the radius it rolls on (None where it is not round)."""
 
-    gyration2: Any
-    measure: Any
-    radius: Any = None
-    offset: Any = None
+    gyration2: "Node"
+    measure: "Node | None"
+    radius: "Node | None" = None
+    offset: "Node | None" = None
 
 
-def _sector(table, radius, half):
+def _sector(table: "Table", radius: "Node", half: "Node") -> Uniform:
     offset = 2 * radius * table.call("sin", half) / (3 * half)
     return Uniform(radius * radius / 2 - offset * offset, half * radius * radius, radius, offset)
 
 
-def _arch(table, radius, half):
+def _arch(table: "Table", radius: "Node", half: "Node") -> Uniform:
     offset = radius * table.call("sin", half) / half
     return Uniform(radius * radius - offset * offset, 2 * half * radius, radius, offset)
 
 
-LAWS: dict[str, Callable] = {
+LAWS: dict[str, Callable[..., Uniform]] = {
     "particle": lambda table: Uniform(table.zero, None),
     "disc": lambda table, radius: Uniform(radius * radius / 2, table.pi * radius * radius, radius),
     "ring": lambda table, radius: Uniform(radius * radius, 2 * table.pi * radius, radius),

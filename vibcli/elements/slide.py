@@ -1,6 +1,6 @@
 """Translation along a direction or a smooth curve, the orientation kept in the carrier."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import BODY, MotionField, NameOf, vector
@@ -9,6 +9,7 @@ from vibcli.symbolic.derivatives import gradient
 if TYPE_CHECKING:
     from vibcli.elements.rigid_body import Body
     from vibcli.language.reader import Record
+    from vibcli.scene.builder import Builder
     from vibcli.symbolic.node import Node
 
 ELEMENT = Element(
@@ -32,7 +33,7 @@ ELEMENT = Element(
 )
 
 
-def build(slide: "Record", body: "Body", scene: Any) -> "Body":
+def build(slide: "Record", body: "Body", scene: "Builder") -> "Body":
     """A sliding body with its frame: x = x₀ + u·e, turned and displaced with the carrier."""
     x0, y0 = body.centre
     if "surface" in slide:
@@ -46,7 +47,7 @@ def build(slide: "Record", body: "Body", scene: Any) -> "Body":
     return body._replace(normal=carrier.turned(-ey, ex), frame=scene.new_frame((x0, y0), (x, y), carrier.angle))
 
 
-def _on_surface(slide, body, scene):
+def _on_surface(slide: "Record", body: "Body", scene: "Builder") -> "Body":
     """A particle on a surface with its frame and the normal of the surface."""
     surface, (x0, y0) = scene.surfaces[slide["surface"].text], body.centre
     carrier, u = scene.carrier(surface, "body"), scene.change(slide["by"])
@@ -71,7 +72,7 @@ def _on_surface(slide, body, scene):
     return body._replace(normal=normal, frame=scene.new_frame((x0, y0), carrier.point(x, y), carrier.angle))
 
 
-def _upward_normal(y, u):
+def _upward_normal(y: "Node", u: "Node") -> "tuple[Node, Node]":
     """(−y′, 1)/√(1 + y′²) of a curve, y being a function of the displacement u."""
     slope = y.table.zero
     for x, partial in gradient(y).items():
@@ -81,5 +82,5 @@ def _upward_normal(y, u):
     return -slope / length, 1 / length
 
 
-def lump(slide: "Record", scene: Any) -> "tuple[str, Node]":
+def lump(slide: "Record", scene: "Builder") -> "tuple[str, Node]":
     return "slide", scene.along_axis(slide, "slide") + scene.change(slide["by"])

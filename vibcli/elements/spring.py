@@ -16,7 +16,12 @@ from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.rationals import HALF
 
 if TYPE_CHECKING:
-    from vibcli.language.reader import Record
+    from vibcli.elements.composition import Component
+    from vibcli.language.reader import Reader, Record
+    from vibcli.scene.builder import Builder
+    from vibcli.symbolic.node import Node
+
+    Found = tuple[Node | None, tuple[Node, Node] | None, Component | None]
 
 PARTS = "series", "parallel"
 
@@ -35,7 +40,7 @@ class _Preload(Kind):
         return {"anyOf": [{"const": "static"}, {"type": ["string", "number"]}]}
 
 
-def _settle(record, reader):
+def _settle(record: "Record", reader: "Reader") -> None:
     if any(key in record for key in PARTS):
         from vibcli.elements.series import settle_parts
 
@@ -84,7 +89,7 @@ ELEMENT = Element(
 )
 
 
-def build(record: "Record", scene: Any) -> None:
+def build(record: "Record", scene: "Builder") -> None:
     """Add the potential energy of a spring to the scene."""
     torsion, d = "torsion" in record, scene.table.variable("the deflection")
     found = _stiffness_or_law(record, scene, d)
@@ -115,7 +120,7 @@ def build(record: "Record", scene: Any) -> None:
     _add(record, scene, found, preload, stretch)
 
 
-def _stiffness_or_law(record, scene, d):
+def _stiffness_or_law(record: "Record", scene: "Builder", d: "Node") -> "Found | None":
     """(k or None, (force, energy) as functions of d or None, its parts if it has any); None where it was reported as
     wrong."""
     if "law" in record:
@@ -131,7 +136,7 @@ def _stiffness_or_law(record, scene, d):
     return None if parts is None else (stiffness(parts, d), parts[:2], parts)
 
 
-def _add(record, scene, found, preload, stretch):
+def _add(record: "Record", scene: "Builder", found: "Found", preload: "Node", stretch: "Node") -> None:
     k, law, parts = found
     d, one_sided = scene.table.variable("the deflection"), "acts" in record or "gap" in record
     if one_sided and k is not None:
@@ -153,7 +158,7 @@ def _add(record, scene, found, preload, stretch):
     scene.add_law(stretch, d, scene.table.total([substitute([energy], {d: u})[0] for u in taken]))
 
 
-def _undeformed(record, scene, found, d, preload):
+def _undeformed(record: "Record", scene: "Builder", found: "Found", d: "Node", preload: "Node") -> "Node | None":
     """The deflection as drawn of a law, or of parts that share a tension; None where it was reported."""
     if preload.is_zero:
         return preload
@@ -167,7 +172,7 @@ def _undeformed(record, scene, found, d, preload):
     return undeformed(record, scene, force, d, preload)
 
 
-def _add_parts(scene, parts, d, deflection):
+def _add_parts(scene: "Builder", parts: "Component", d: "Node", deflection: "Node") -> None:
     """The stretches of the parts, which may be asked for."""
     from vibcli.elements.composition import inner_deflections
 
@@ -175,7 +180,7 @@ def _add_parts(scene, parts, d, deflection):
         scene.add_inner_stretch(path, substitute([node], {d: deflection})[0])
 
 
-def _begins_softly(record, scene, law, d):
+def _begins_softly(record: "Record", scene: "Builder", law: "Node", d: "Node") -> bool:
     """Does a one-sided law start from zero force, with a preload of the sense in which it acts? If not, it is
     reported."""
     if scene.number(*substitute([law], {d: scene.table.zero})):
@@ -191,7 +196,7 @@ def _begins_softly(record, scene, law, d):
     return True
 
 
-def _beyond_the_gap(record, scene, d):
+def _beyond_the_gap(record: "Record", scene: "Builder", d: "Node") -> "list[Node]":
     """[max(d − g, 0)] where it pulls, [min(d + g, 0)] where it pushes, both where it does either."""
     gap = scene.positive(record["gap"], "the gap", zero=True) if "gap" in record else scene.table.zero
     found = []
@@ -202,7 +207,7 @@ def _beyond_the_gap(record, scene, d):
     return found
 
 
-def _preload(record, scene):
+def _preload(record: "Record", scene: "Builder") -> "Node":
     if "preload" not in record:
         return scene.table.zero
     if record["preload"] == "static":

@@ -1,12 +1,13 @@
 """Strings, across their axis: (T u′)′ = μ ü, T being the tension."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.elements.member import built
 from vibcli.elements.member_fields import STRING, member_element
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Record
+    from vibcli.scene.builder import Builder
 
 ELEMENT = member_element(
     STRING,
@@ -15,6 +16,6 @@ ELEMENT = member_element(
     "strings")
 
 
-def build(record: "Record", scene: Any) -> None:
+def build(record: "Record", scene: "Builder") -> None:
     """Add a string to the scene."""
     built(record.name, scene)

@@ -1,11 +1,16 @@
 """Surfaces that bodies roll or slide on: lines, circles and curves, fixed or carried by a body."""
 
+from typing import TYPE_CHECKING
+
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import BODY, Choice, Many, NewName, Quantity
 from vibcli.language.named_place import DRAWN
 
+if TYPE_CHECKING:
+    from vibcli.language.reader import Reader, Record
 
-def _settle(record, reader):
+
+def _settle(record: "Record", reader: "Reader") -> None:
     if "circle" in record and "radius" not in record:
         reader.report(record.where, "a circle needs 'radius'", "radius: the radius of the circle")
     if "curve" in record and "in" not in record:

@@ -10,7 +10,7 @@ from vibcli.language.reader import Expression, Reader, Record
 class Torsion(Kind):
     """A torsional coefficient, or the word true where something else says how large the moment is."""
 
-    def __init__(self, unit: str):
+    def __init__(self, unit: str) -> None:
         self.kind = Quantity(unit)
 
     @property

@@ -6,6 +6,7 @@ from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import BODY, MotionField
 
 if TYPE_CHECKING:
+    from vibcli.scene.builder import Builder
     from vibcli.symbolic.node import Node
 
 ELEMENT = Element(
@@ -20,5 +21,5 @@ ELEMENT = Element(
 )
 
 
-def lump(turn: Any, scene: Any) -> "tuple[str, Node]":
+def lump(turn: Any, scene: "Builder") -> "tuple[str, Node]":
     return "turn", scene.along_axis(turn, "turn") + scene.change(turn["by"])

@@ -46,9 +46,9 @@ def pooled(salt: bytes, problem: str, count: int, wanted: int, attempt: int = 1,
     return sorted(islice(filter(suits, _permutation(salt, problem, POOL, attempt, count)), wanted))
 
 
-def _permutation(salt, problem, student, attempt, count) -> Iterator[int]:
+def _permutation(salt: bytes, problem: str, student: str, attempt: int, count: int) -> Iterator[int]:
     """The numbers below `count` in the order in which hashes name them."""
-    seen: set = set()
+    seen: set[int] = set()
     seed = b"\0".join(part.encode() if isinstance(part, str) else part
                       for part in (salt, problem, student, str(attempt)))
     number = 0

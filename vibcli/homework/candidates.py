@@ -41,7 +41,7 @@ def sampled(rules: "VariantRules") -> list[Place] | None:
     return [_place(number, lengths) for number in sorted(found)]
 
 
-def _place(number, lengths):
+def _place(number: int, lengths: list[int]) -> Place:
     """The place with this number, the last axis going first."""
     place = []
     for length in reversed(lengths):

@@ -31,7 +31,7 @@ class Coincidences:
         return any(_meet(theirs, keys) or _meet(told, their_keys)
                    for theirs, their_keys in (self._variant(*one) for one in taken))
 
-    def _variant(self, handout, number):
+    def _variant(self, handout: "Handout", number: int) -> tuple[Told, tuple[float, ...]]:
         """(the numbers that a sheet tells of a variant, its keys)."""
         if (handout.name, number) not in self._known:
             spec, variant = handout.base.spec, handout.variants[number]

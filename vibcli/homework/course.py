@@ -16,6 +16,8 @@ from vibcli.language.reader import Reader
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from vibcli.language.reader import Record
+
 SUFFIXES = (".yaml", ".yml")
 PROBLEM = Element(
     "problem", "A problem of a set, or some of a folder.",
@@ -88,7 +90,7 @@ def course_of(path: str) -> Course:
     return Course(*(record.get(key, "").strip() for key in ("title", "course", "due")), parts)
 
 
-def _part(path, record):
+def _part(path: str, record: "Record") -> CoursePart:
     """The CoursePart that an entry of a set names."""
     name, folder = record["file"].strip(), os.path.dirname(path)
     full = os.path.normpath(os.path.join(folder, name))
@@ -114,7 +116,7 @@ def _part(path, record):
     return CoursePart((CourseProblem(label, full, case, points, record.place("case") if case else None),), 1)
 
 
-def _folder(path, pick, name, points):
+def _folder(path: str, pick: int | None, name: str, points: int | None) -> CoursePart:
     """The CoursePart of a folder: its scene files, sorted."""
     files = sorted(one for one in os.listdir(path) if one.endswith(SUFFIXES) and one != SET)
     if not files:
@@ -123,10 +125,10 @@ def _folder(path, pick, name, points):
     return CoursePart(problems, len(problems) if pick is None else pick)
 
 
-def _require_names(parts: "Sequence[CoursePart]", record):
+def _require_names(parts: "Sequence[CoursePart]", record: "Record") -> None:
     """No two problems of one name, by which manifests and marks tell them apart; nor of two that many file systems take
     for one."""
-    seen: dict = {}
+    seen: dict[str, CourseProblem] = {}
     for part, one in zip(parts, record["problems"], strict=True):
         for problem in part.problems:
             known = seen.setdefault(problem.name.casefold(), problem)
@@ -136,9 +138,9 @@ def _require_names(parts: "Sequence[CoursePart]", record):
                 raise SpecError([Diagnostic(one.place("file"), said, "give one of the files another name")])
 
 
-def _stem(path):
+def _stem(path: str) -> str:
     return os.path.splitext(os.path.basename(path))[0]
 
 
-def _safe(text):
+def _safe(text: str) -> str:
     return "".join(c if c.isalnum() else "-" for c in text.strip())

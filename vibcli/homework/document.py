@@ -45,7 +45,7 @@ class SceneDocument:
         self.spec()
         return {name: self._beside(name) for _, name in sorted(self._columns)}
 
-    def _beside(self, name):
+    def _beside(self, name: str) -> bytes:
         data, problem = data_beside(self.file, name)
         if data is None:
             raise SpecError([Diagnostic(Where(self.file, 1, 1, 0), *problem)])
@@ -54,7 +54,8 @@ class SceneDocument:
     @cached_property
     def rules(self) -> "VariantRules":
         """What it says of variants."""
-        return self.spec().get("variants")
+        found: VariantRules = self.spec().get("variants")
+        return found
 
     def spec(self) -> "Spec":
         """The Spec of it."""
@@ -79,7 +80,7 @@ class SceneDocument:
         spec = read_alone(self._bare, self.file, self._with(values), self._columns)
         return settled(Problem(spec.with_sections(variants=self.rules)))
 
-    def _with(self, values):
+    def _with(self, values: "Given[str, GivenValue]") -> dict[str, tuple[Any, Any]]:
         return {**self.settings, **settings_of(values)}
 
 

@@ -19,10 +19,10 @@ def of_terms(found: Mapping[str, float] | None, key: Mapping[str, float], band: 
     return f"{UNKNOWN}: its coefficients are not to each other as those of the key"
 
 
-def _without(terms, text):
+def _without(terms: Mapping[str, float], text: str) -> dict[str, float]:
     return {one: number for one, number in terms.items() if one != text}
 
 
-def _term(text, count):
+def _term(text: str, count: int) -> str:
     """A term in words, of two either."""
     return "one of its terms" if count < 3 else "what stands alone" if text == OF_NUMBERS else f"the term with {text}"

@@ -71,7 +71,8 @@ def of_instructor(course: "Course", handouts: "Sequence[Handout]", assigned: Ass
     yield f"{INSTRUCTOR}/manifest.json", _json(manifest(course, handouts, assigned, attempt, exports))
 
 
-def _beside(handouts, assigned, salt, on):
+def _beside(handouts: "Sequence[Handout]", assigned: Assigned, salt: str,
+            on: "Pages | Paper") -> Iterator[tuple[str, bytes]]:
     """The files that go out with the sheets of problems that take numbers from them, under their own names."""
     taken: dict[str, bytes | None] = {f"{student.id}{on.suffix}": None for student, _ in assigned}
     for handout in handouts:
@@ -97,7 +98,7 @@ def require_no_leak(what: str, text: str, sheets: Sequence[Any], salt: str) -> N
                    "or vary the parameters otherwise")
 
 
-def _table(assigned):
+def _table(assigned: Assigned) -> bytes:
     """keys.csv."""
     text = io.StringIO()
     rows = csv.writer(text, lineterminator="\n")
@@ -149,11 +150,11 @@ def refuse_folder(path: Path, force: bool) -> None:
         raise _unwritable(path, error) from None
 
 
-def _unwritable(path, error):
+def _unwritable(path: Path, error: Exception) -> PhysicsError:
     return PhysicsError(f"{path} cannot be written: {getattr(error, 'strerror', None) or error}", "name another folder")
 
 
-def _refuse_place(path, force):
+def _refuse_place(path: Path, force: bool) -> None:
     if path.is_symlink():
         raise PhysicsError(f"{path} is a link, and nothing is written through links", "name the folder it leads to")
     if path.exists() and not path.is_dir():
@@ -169,12 +170,12 @@ def _refuse_place(path, force):
         raise PhysicsError(f"the folder {path.parent} may not be written to", "name another one")
 
 
-def _is_ours(path):
+def _is_ours(path: Path) -> bool:
     """Does a folder hold what was written for homework alone? Nothing else is ever taken away."""
     return {one.name for one in path.iterdir()} <= {STUDENT, INSTRUCTOR}
 
 
-def _runs_in(folder):
+def _runs_in(folder: Path) -> bool:
     try:
         return folder.resolve() == Path.cwd()
     except OSError as error:        # the folder in which the command runs is gone

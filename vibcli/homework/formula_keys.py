@@ -122,7 +122,7 @@ class FormulaKey(AnswerKey):
         except (SpecError, PhysicsError):
             return None
 
-    def _misread(self, mistake, scene, found):
+    def _misread(self, mistake: "KnownMistake", scene: "Problem", found: str) -> str | None:
         """That of reading: a factor and a power of the right expression; None where it is neither."""
         if kind_of(scene.spec, self.asked.tree) in OF_STATE:
             return None
@@ -168,7 +168,7 @@ class FormulaKey(AnswerKey):
         return agreements(problem, [(self.asked, answer_of(text, problem.spec, self.asked)) for text in texts],
                           instances)
 
-    def _differs(self, found):
+    def _differs(self, found: str) -> RuntimeError:
         return RuntimeError(f"two ways to {self.text} differ: numbers in place of the letters do not give {found}")
 
 
@@ -179,7 +179,7 @@ def agreements(problem: "Problem", pairs: "Iterable[tuple[Expression, Expression
     return [one.agrees is True for one in verdicts_of(problem, answers, instances=instances)]
 
 
-def _factor(number):
+def _factor(number: float) -> str | None:
     """A factor as text, a fraction beside a power of π; None of another."""
     for power, text in zip((0, 1, -1), POWERS_OF_PI, strict=True):
         found = Fraction(number / pi**power).limit_denominator(1000)

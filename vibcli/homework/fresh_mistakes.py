@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from vibcli.homework.keys import AnswerKey
     from vibcli.homework.mistakes.known import KnownMistake
     from vibcli.homework.variants import ProblemVariant
+    from vibcli.reader.variants import VariantRules
     from vibcli.results.problem import Problem
 
 
@@ -35,7 +36,7 @@ def require_same_mistakes(document: "SceneDocument", fresh: "Problem", keys: "Se
                                    f"{wrong.value!r} and {value!r}, at {at}")
 
 
-def _in_turn(rules, variant, turn):
+def _in_turn(rules: "VariantRules", variant: "ProblemVariant", turn: int | None) -> set[str]:
     """The mistakes of a variant, without those that change the scene but the one whose turn it is."""
     told = list(dict.fromkeys(wrong.mistake for one in variant.keys for wrong in one.wrong))
     solved = [name for name in told if name in rules.mistakes or MISTAKES[

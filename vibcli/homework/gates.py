@@ -95,7 +95,7 @@ def told_apart(key: "AnswerKey", hangs_on: KeyBand, value: float,
                    f"{in_figures(value, found.figures)} {key.unit}".rstrip() + f" of {key.text}")
 
 
-def _meet(hangs_on, value, found, wrong):
+def _meet(hangs_on: KeyBand, value: float, found: Band, wrong: float) -> bool:
     """Does the band of a mistake, rounded likewise, meet that of the key?"""
     apart = abs(wrong - value) - found.width
     return apart <= hangs_on.most(found.figures) * abs(wrong) and apart <= hangs_on.width(wrong, found.figures)

@@ -61,19 +61,19 @@ def without_name(text: str, quantity: str) -> str:
     return found[2] if found and _bare(found[1]) in names else text
 
 
-def _bare(name):
+def _bare(name: str) -> str:
     """omegad1 of ω_d,₁ and of omega_d[1]."""
     return re.sub(r"[^\w']|_", "", plain_name(unicodedata.normalize("NFKC", name)))
 
 
-def _plain(text):
+def _plain(text: str) -> str:
     """The text of a unit as the language writes it: m/s² as m/s^2."""
     text = RAISED.sub(lambda found: "^" + found[0].translate(SUPERSCRIPTS), text.strip())
     text = text.replace("·", "*").replace("°", "deg").strip()
     return f"{text[2:]}^-1" if text.startswith("1/") else text
 
 
-def _in_unit(number, half, given, unit):
+def _in_unit(number: float, half: float, given: str, unit: str) -> GivenAnswer:
     if not given or given == unit:
         return GivenAnswer(number, "", given, half)
     try:

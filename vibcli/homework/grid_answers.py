@@ -24,7 +24,7 @@ class GridAnswers:
     def __init__(self, scene_at: "Callable[[Place], Problem | SpecError | PhysicsError]",
                  at_once: AnswersAtOnce | None = None):
         self._scene_at, self._at_once = scene_at, at_once
-        self._last: tuple[Any, Any] = None, None
+        self._last: tuple[Place | None, Problem | SpecError | PhysicsError | None] = None, None
         self._oscillates = None if at_once is None else at_once.oscillates()
 
     @classmethod
@@ -58,7 +58,7 @@ class GridAnswers:
         return tuple([self._mistaken(place, key, mistake, found) if concerned else None
                       for key, found, concerned in zip(keys, right, concerns, strict=True)])
 
-    def _mistaken(self, place, key, mistake, right):
+    def _mistaken(self, place: "Place", key: AnswerKey, mistake: "KnownMistake", right: Any) -> Any:
         if type(key) is AnswerKey:
             return key.mistaken_by(mistake, partial(self.value_of, place), right)
         try:

@@ -22,6 +22,7 @@ from vibcli.symbolic.parser import parse
 
 if TYPE_CHECKING:
     from vibcli.homework.manifest import Assigned
+    from vibcli.language.given_values import GivenValue
 
 
 def handed_out(manifest: Mapping[str, Any], patience: int = 1) -> "tuple[Course, list[Handout], Assigned, int]":
@@ -48,12 +49,12 @@ def handout_of(one: "Mapping[str, Any]", patience: int = 1) -> Handout:
                         [tuple(ends) for ends in one["ranges"]], patience)
 
 
-def _variant(found):
+def _variant(found: Mapping[str, Any]) -> ProblemVariant:
     values = {name: _value(name, text) for name, text in found["values"].items()}
     return ProblemVariant((), values, tuple(map(_key, found["keys"])))
 
 
-def _key(key):
+def _key(key: Mapping[str, Any]) -> FormulaValue | EquationValue | KeyValue:
     kind = next(kind for kind in KEYS if kind in key)
     wrong = tuple(Wrong(one["name"], one[kind]) for one in key["mistakes"])
     if kind == "formula":
@@ -63,6 +64,6 @@ def _key(key):
                                                                                      wrong)
 
 
-def _value(name, text):
+def _value(name: str, text: str) -> "GivenValue":
     number, unit = number_and_unit(Expression(Scalar(text, None), parse(text)))
     return giver(unit, name)(number)

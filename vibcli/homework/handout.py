@@ -69,11 +69,13 @@ class Handout:
 
     @property
     def rules(self) -> "VariantRules":
-        return self.base.spec.get("variants")
+        found: VariantRules = self.base.spec.get("variants")
+        return found
 
     @property
     def title(self) -> str:
-        return self.base.spec.get("title") or self.name
+        found: str = self.base.spec.get("title") or self.name
+        return found
 
     @cached_property
     def points(self) -> list[float]:
@@ -138,7 +140,7 @@ class Handout:
                 "keys": keys}
 
 
-def _drawn_once(block):
+def _drawn_once(block: object) -> object:
     """A picture whose bytes are made once, however many sheets show it."""
     return block._replace(draw=cache(block.draw), caption="not to scale") if isinstance(block, Picture) else block
 

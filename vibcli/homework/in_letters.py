@@ -31,7 +31,7 @@ def node_in_letters(problem: "Problem", asked: Expression) -> "Node":
     return put_in(problem, found)
 
 
-def _derived(problem, asked):
+def _derived(problem: "Problem", asked: Expression) -> "Node | PhysicsError":
     """The node of what is asked, with letters for all parameters, or why there is none."""
     try:
         of_state = kind_of(problem.spec, asked.tree) in OF_STATE

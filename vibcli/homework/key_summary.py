@@ -46,7 +46,7 @@ def joined(parts: Iterable[Sequence[KeySummary]]) -> list[KeySummary]:
     return [reduce(KeySummary.with_later, of_key) for of_key in zip(*parts, strict=True)]
 
 
-def _summary(keys):
+def _summary(keys: Sequence[Any]) -> KeySummary:
     first, texts, nearest = keys[0], frozenset(one.written for one in keys), _nearest(keys)
     if first.value is None:
         return KeySummary(first, first, first, texts, (0, 0), 0.0, nearest)
@@ -56,12 +56,13 @@ def _summary(keys):
                       nearest)
 
 
-def _value(key):
-    return key.value
+def _value(key: Any) -> float:
+    value: float = key.value
+    return value
 
 
-def _nearest(keys):
-    found: dict = {}
+def _nearest(keys: Sequence[Any]) -> dict[str, tuple[float, Any, Any]]:
+    found: dict[str, tuple[float, Any, Any]] = {}
     for one in keys:
         value = one.value
         for name, wrong in one.wrong:

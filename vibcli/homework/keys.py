@@ -131,7 +131,7 @@ class AnswerKey(NamedTuple):
         """Does each of what mistakes give equal the key? instances: the Instances of a scene in letters."""
         return [is_same(found[0], one) for one in wrong]
 
-    def is_mistaken_so(self, problem: "Problem", one: Any, wrong: Any, again: Any) -> bool:
+    def is_mistaken_so(self, problem: "Problem", one: KeyValue, wrong: float, again: float) -> bool:
         """Is what a mistake gives, as a key has it, what it gives again, within a tenth of its band?"""
         share = abs(again / one.value) if one.value else 1.0
         return abs(wrong - again) <= BOUND * one.band.width * share + SAME * abs(one.value or again)
@@ -162,7 +162,7 @@ def si_unit(spec: "Spec", asked: "Expression") -> str:
     return "" if found == "1" else found
 
 
-def _factor(spec, asked, unit: Unit | None):
+def _factor(spec: "Spec", asked: "Expression", unit: Unit | None) -> float:
     """What one of a unit is in that in which a quantity is found: a cycle is one where cycles are counted, else 2π."""
     if unit is None:
         return 1.0

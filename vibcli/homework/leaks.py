@@ -23,7 +23,7 @@ _SINGLE = re.compile(r"[-−]?[\w.]+")        # a letter or a number alone is no
 class _Read(parser.HTMLParser):
     """The text of a page, and of the attributes that are read; not coordinates of paths."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__(convert_charrefs=True)
         self.found, self._style = [], 0
 
@@ -65,7 +65,7 @@ def text_of_columns(text: str) -> str:
     return "\n".join(line for line in text.splitlines() if not all(map(_is_number, _CELLS.split(line.strip()))))
 
 
-def _is_number(cell):
+def _is_number(cell: str) -> bool:
     try:
         float(cell.strip('"') or 0)
     except ValueError:
@@ -92,21 +92,21 @@ def leak(text: str, keys: Iterable[float], hidden: Iterable[str], formulas: Iter
     return None
 
 
-def _running(text):
+def _running(text: str) -> str:
     """A text with its lines in a row."""
     return " ".join(text.split())
 
 
-def _typed(text):
+def _typed(text: str) -> str:
     """A text with its signs as they are typed."""
     return unicodedata.normalize("NFKC", text).translate(TYPED).replace("\u221a", "sqrt")
 
 
-def _names(text):
+def _names(text: str) -> list[str]:
     return re.findall(r"[^\W\d]\w*", text)
 
 
-def _stands(formula, text):
+def _stands(formula: str, text: str) -> bool:
     """Does a formula stand in a text, whatever blanks are in it, as no part of a longer word or number?"""
     signs = r"\s*".join(map(re.escape, re.sub(r"\s", "", _typed(formula))))
     return re.search(rf"(?<![\w.]){signs}(?![\w.]*\w)", text) is not None
@@ -120,7 +120,7 @@ def numbers_in(text: str) -> Iterator[tuple[float, float, str]]:
             yield *found, match.group().strip()
 
 
-def _read(text):
+def _read(text: str) -> tuple[float, float] | None:
     """(value, half a unit of its last figure) of a number with three or more figures; None of another."""
     plain = re.sub(r"\s", "", text.replace("−", "-").replace(",", ".").lower())
     plain = re.sub(r"[×·⋅*]10\^?", "e", plain)

@@ -55,12 +55,12 @@ class LineValues:
         return node is not None and len(self.letters[i]) == 1 and any(
             one.op == "symbol" and one.name == _letter(self.lines[self.letters[i][0]]) for one in (node, -node))
 
-    def parameters(self, given: "Mapping[str, np.ndarray]") -> dict[str, Any]:
+    def parameters(self, given: "Mapping[str, np.ndarray | float]") -> dict[str, Any]:
         """{parameter: number, or array where it hangs on what is given}, letters of units, and of what vanishes."""
         known = {name: float(value) for name, value in self.problem.numeric.given.items()}
         return {**self._still, **self.problem.scene.parameters.values(Arrays, {**known, **given})}
 
-    def values(self, given: "Mapping[str, np.ndarray]", near: "Sequence[np.ndarray] | None" = None
+    def values(self, given: "Mapping[str, np.ndarray | float]", near: "Sequence[np.ndarray] | None" = None
                ) -> "list[np.ndarray]":
         """Of each line, NaN where a search does not find it; near: where searches begin, the file's unless given."""
         if near is None and any(self._groups):
@@ -75,7 +75,8 @@ class LineValues:
         """The place of a line among those that are found together with it."""
         return self._groups[i].index(i) if self._groups[i] else 0
 
-    def _values(self, given, near):
+    def _values(self, given: "Mapping[str, np.ndarray | float]",
+                near: "Sequence[np.ndarray] | None") -> "list[np.ndarray]":
         numbers, found = self.parameters(given), []
         count = max((np.size(value) for value in given.values()), default=1)
         for i in range(len(self.lines)):
@@ -94,7 +95,7 @@ class LineValues:
                 return evaluate([self.lines[i].node], Arrays, known)
             return list(self._search(self._groups[i], known, [near[j] for j in self._groups[i]]))
 
-    def _search(self, group, known, near):
+    def _search(self, group: list[int], known: Mapping[str, Any], near: "Sequence[np.ndarray]") -> np.ndarray:
         """Newton's method for what vanishes together."""
         x = np.array(np.broadcast_arrays(*near, *(value for value in known.values() if np.ndim(value)))[:len(near)])
         for _ in range(NEWTON):
@@ -105,18 +106,18 @@ class LineValues:
                 break
         return np.where(np.abs(step) <= CLOSE * self._sizes(group, x), x, np.nan)
 
-    def _sizes(self, group, x):
+    def _sizes(self, group: list[int], x: np.ndarray) -> np.ndarray:
         """Of the unknowns, which may pass zero."""
         return np.array([np.maximum(np.abs(one), SMALL * abs(self.lines[j].value))
                          for j, one in zip(group, x, strict=True)])
 
-    def _left(self, group, known, x):
+    def _left(self, group: list[int], known: Mapping[str, Any], x: np.ndarray) -> np.ndarray:
         """What is left of each equation."""
         values = {**known, **{_letter(self.lines[j]): one for j, one in zip(group, x, strict=True)}}
         return np.array([np.broadcast_to(one, x.shape[1:]) for one in evaluate(
             [self.lines[j].vanishes for j in group], Arrays, values)])
 
-    def _slopes(self, group, known, x):
+    def _slopes(self, group: list[int], known: Mapping[str, Any], x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """(what is left of each equation, its slopes by the unknowns as unknowns × equations); both sides of each
         unknown are evaluated with the place itself."""
         aside = np.zeros((len(group), *x.shape))
@@ -147,7 +148,7 @@ class LineValues:
                     found.append(np.log(np.abs(up / down)) / (2 * STEP) + np.zeros_like(values[i]))
         return found
 
-    def _read(self, told):
+    def _read(self, told: "list[WorkedLine]") -> None:
         """Take the lines that are known, with what they follow from."""
         numbered: dict[int, list[int]] = {}
         reach: dict[int, dict[int, None]] = {}
@@ -170,7 +171,7 @@ class LineValues:
                 if _letter(line) not in taken:
                     by_letter[_letter(line)] = i
 
-    def _take(self, group, before, by_letter):
+    def _take(self, group: "list[WorkedLine]", before: dict[int, None], by_letter: dict[str, int]) -> bool:
         """Are the values of a line, or of those that are found together, known? Then they are taken."""
         if not all(line.value for line in group):
             return False
@@ -189,7 +190,7 @@ class LineValues:
         try:
             found = self.at(first, {**own, **self._still}, values, values)
         except KeyError:
-            found = [np.nan]
+            found = [np.array([np.nan])]
         if all(np.abs(one - line.value) <= CLOSE * abs(line.value) for one, line in zip(found, group, strict=False)):
             return True
         for part in (self.lines, self.letters, self.uses, self._groups):
@@ -197,7 +198,7 @@ class LineValues:
         return False
 
 
-def _told(problem):
+def _told(problem: "Problem") -> "list[WorkedLine]":
     from vibcli.report.steps.worked import worked
 
     try:
@@ -206,13 +207,13 @@ def _told(problem):
         return []
 
 
-def _letter(line):
+def _letter(line: "WorkedLine") -> str:
     return line.letter or line.settles
 
 
-def _together(told):
+def _together(told: "list[WorkedLine]") -> "list[list[WorkedLine]]":
     """Lists of the lines, alone or found together by a search."""
-    found: list = []
+    found: list[list[WorkedLine]] = []
     for line in told:
         joins = line.vanishes is not None and found and found[-1][-1].vanishes is not None
         if joins and found[-1][-1].number == line.number:
@@ -222,7 +223,7 @@ def _together(told):
     return found
 
 
-def _solved(slopes, left):
+def _solved(slopes: np.ndarray, left: np.ndarray) -> np.ndarray:
     """x of Σ slopes xₖ = left, at all values at once."""
     A, b = np.moveaxis(slopes, (0, 1), (-1, -2)), np.moveaxis(left, 0, -1)[..., None]
     usable = np.isfinite(A).all((-1, -2)) & np.isfinite(b).all((-1, -2))

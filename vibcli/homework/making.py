@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from vibcli.homework.course import Course
     from vibcli.homework.handout import Handout
     from vibcli.homework.manifest import Assigned
+    from vibcli.homework.paper import Pages, Paper
 
 SIZE = 25       # students of a task, at most: each task reads its problems anew and draws their figures
 
@@ -67,7 +68,8 @@ def made(work: Callable[..., Iterator[Any]], course: "Course", handouts: "Sequen
         tell(number / len(students))
 
 
-def _by_workers(executor, work, task, kind, more):
+def _by_workers(executor: Executor, work: Callable[..., Iterator[Any]], task: MakingTask, kind: "type[Pages | Paper]",
+                more: tuple[Any, ...]) -> Iterator[Any]:
     size = even_size(len(task.students), SIZE)
     pending = deque(executor.submit(_made, work, task.part(start, size), kind, more)
                     for start in range(0, len(task.students), size))
@@ -75,5 +77,6 @@ def _by_workers(executor, work, task, kind, more):
         yield from pending.popleft().result()
 
 
-def _made(work, task, kind, more):
+def _made(work: Callable[..., Iterator[Any]], task: MakingTask, kind: "type[Pages | Paper]",
+          more: tuple[Any, ...]) -> list[Any]:
     return list(work(task, kind(), *more))

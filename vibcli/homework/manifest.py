@@ -76,7 +76,7 @@ def seal(found: Mapping[str, Any]) -> str:
 
 def read_manifest(path: str) -> dict[str, Any]:
     """A manifest that was written; SpecError where it is none."""
-    def refused(message, hint=None):
+    def refused(message: str, hint: str | None = None) -> SpecError:
         return SpecError([Diagnostic(Where(path, 1, 1, 0), message, hint)])
 
     try:
@@ -99,7 +99,7 @@ def read_manifest(path: str) -> dict[str, Any]:
     return found
 
 
-def _unlike(value, shape, path):
+def _unlike(value: object, shape: object, path: str) -> str | None:
     """Where a value has not the shape of a manifest, in words; None where it has."""
     if shape is KEYS and isinstance(value, dict):
         shape = KEYS[next((kind for kind in KEYS if kind in value), "value")]

@@ -67,7 +67,7 @@ def typed(text: str) -> str:
     return plain_name(found.translate(DIGITS))
 
 
-def _unknown(problem, asked, given):
+def _unknown(problem: "Problem", asked: Expression, given: Expression) -> str | None:
     """What stands in an answer and is none of the letters that it may hold; None where nothing does."""
     spec, of_state = problem.spec, kind_of(problem.spec, asked.tree) in OF_STATE
     moving = (*spec.coordinates, "t") if of_state else ()
@@ -86,7 +86,7 @@ def _unknown(problem, asked, given):
     return None
 
 
-def _compared(problem, asked, key, given) -> tuple[bool, str]:
+def _compared(problem: "Problem", asked: Expression, key: Mapping[str, Any], given: Expression) -> tuple[bool, str]:
     """(is it right? the first mistake that leads to it, '' of none)."""
     if "terms" in key:
         found = [_has_terms(problem, asked, given, one["terms"], key["band"]) for one in (key, *key["mistakes"])]
@@ -100,13 +100,14 @@ def _compared(problem, asked, key, given) -> tuple[bool, str]:
     return found[0], next(named, "")
 
 
-def _has_terms(problem, asked, given, terms, band):
+def _has_terms(problem: "Problem", asked: Expression, given: Expression, terms: Mapping[str, float],
+               band: float) -> bool:
     """Has an equation these terms, up to a factor and each in its band?"""
     found = fitted(problem, asked, given, terms)
     return found is not None and alike(terms, found, band)
 
 
-def _in_letters(problem, asked, given, texts: Sequence[str]) -> list[bool]:
+def _in_letters(problem: "Problem", asked: Expression, given: Expression, texts: Sequence[str]) -> list[bool]:
     """Does an energy or equation in letters equal each of some, at random values and states; equations up to a
     factor?"""
     others = [answer_of(text, problem.spec, asked) for text in texts]
@@ -122,7 +123,7 @@ def _in_letters(problem, asked, given, texts: Sequence[str]) -> list[bool]:
     return found
 
 
-def _misfit(problem, asked, given):
+def _misfit(problem: "Problem", asked: Expression, given: Expression) -> str:
     """Why an answer cannot be what is asked: its dimension, or a number without unit; '' of nothing."""
     if kind_of(problem.spec, asked.tree) in OF_STATE:
         return ""
@@ -131,7 +132,7 @@ def _misfit(problem, asked, given):
     return reader.diagnostics[0].message if reader.diagnostics else ""
 
 
-def _reason(problem, asked, key, given):
+def _reason(problem: "Problem", asked: Expression, key: Mapping[str, Any], given: Expression) -> str:
     """Why an answer is wrong to which no known mistake leads."""
     if "terms" in key:
         return of_terms(fitted(problem, asked, given, key["terms"]), key["terms"], key["band"])

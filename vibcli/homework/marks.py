@@ -12,7 +12,10 @@ from vibcli.notation.as_printed import as_printed
 from vibcli.notation.numbers import figure
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Collection, Iterator
+
+    from vibcli.homework.handout import Handout
+    from vibcli.results.problem import Problem
 
 CYCLES, RADIANS = "Hz", "rad"       # are read as numbers of the unit that is asked: one for the other is a mistake
 DIGITS = 3, 6, 10, 17   # as many as tell what is off from what is allowed
@@ -54,7 +57,7 @@ class Marker:
         self._problems = {one["name"]: one for one in manifest["problems"]}
         self._keys = {(one["name"], variant["variant"]): variant["keys"] for one in manifest["problems"]
                       for variant in one["variants"]}
-        self._handouts: dict[str, Any] = {}
+        self._handouts: dict[str, Handout] = {}
         self._sheets = {student["id"]: {one["problem"]: one["variant"] for one in student["sheets"]}
                         for student in manifest["students"]}
 
@@ -77,7 +80,7 @@ class Marker:
     def quantity(self, problem: str, text: str) -> str:
         """The text of a quantity that a problem asks, blanks apart; ValueError where it asks none such."""
         asked = [key["quantity"] for key in self._keys[next(pair for pair in self._keys if pair[0] == problem)]]
-        plain = {"".join(one.split()): one for one in asked}
+        plain: dict[str, str] = {"".join(one.split()): one for one in asked}
         if "".join(text.split()) not in plain:
             raise _unknown(f"'{problem}' does not ask for '{text.strip()}'", text.strip(), asked)
         return plain["".join(text.split())]
@@ -90,7 +93,7 @@ class Marker:
             read = self._marked(problem, variant, key, without_name(text, key["quantity"]).strip())
             yield AnswerMark(student, problem, key["quantity"], text, *read)
 
-    def _marked(self, problem, variant, key, text):
+    def _marked(self, problem: str, variant: int, key: Mapping[str, Any], text: str) -> tuple[Any, ...]:
         """What an AnswerMark has behind the answer, the last three of a number alone."""
         most = key["points"]
         if not text:
@@ -102,7 +105,7 @@ class Marker:
         verdict, mistake, said = marked(self._scene(problem, variant), key, text)
         return most * (verdict == RIGHT), most, verdict, mistake, said or self._sentence(problem, mistake)
 
-    def _number_marked(self, problem, key, text):
+    def _number_marked(self, problem: str, key: Mapping[str, Any], text: str) -> tuple[Any, ...]:
         given, most = read_answer(text, key["unit"]), key["points"]
         if given.value is None:
             return 0.0, most, UNREADABLE, "", given.reason
@@ -110,10 +113,11 @@ class Marker:
         far = given.value - key["value"], key["band"], key["unit"]
         return most * (verdict == RIGHT), most, verdict, mistake, said or self._sentence(problem, mistake), *far
 
-    def _sentence(self, problem, mistake):
-        return self._problems[problem]["mistakes"].get(mistake, "")
+    def _sentence(self, problem: str, mistake: str) -> str:
+        found: str = self._problems[problem]["mistakes"].get(mistake, "")
+        return found
 
-    def _scene(self, name, variant):
+    def _scene(self, name: str, variant: int) -> "Problem":
         """The scene of a variant, read anew from what is printed, once."""
         from vibcli.homework.handed_out import handout_of
 
@@ -141,12 +145,12 @@ def judged(given: GivenAnswer, text: str, key: Mapping[str, Any]) -> tuple[str, 
     return WRONG, "", of_number(value, right, band)
 
 
-def _counts(unit):
+def _counts(unit: str) -> set[str]:
     """What a unit of frequency counts: nothing where it does not say so, as 1/s."""
     return {what for what in (CYCLES, RADIANS) if what in unit}
 
 
-def _unknown(message, word, words):
+def _unknown(message: str, word: str, words: "Collection[str]") -> ValueError:
     """A ValueError with the word that was meant, where one is near."""
     hint = nearest(word, words)
     return ValueError(f"{message}; {hint}" if hint else message)
@@ -165,7 +169,7 @@ def reach(key: float, band: float) -> float:
 def mistake_near(value: float, half: float, key: Mapping[str, Any]) -> str | None:
     """The name of the mistake to which an answer comes nearest, by the band of the key or half of its own last figure;
     None where it comes to none."""
-    near = []
+    near: list[tuple[float, int, str]] = []
     for number, one in enumerate(key["mistakes"]):
         width = key["band"] * abs(one["value"] / key["value"]) if key["value"] else key["band"]
         if is_within(value, one["value"], max(width, half)):

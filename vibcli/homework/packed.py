@@ -28,7 +28,7 @@ class PackedVariants(Sequence[ProblemVariant]):
         return iter(self._unpacked)
 
     @cached_property
-    def _unpacked(self):
+    def _unpacked(self) -> list[ProblemVariant]:
         return [ProblemVariant(place, self._values_at(number, place), tuple(map(unpacked, keys)))
                 for number, part in enumerate(self._parts) for place, keys in part]
 

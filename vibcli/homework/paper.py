@@ -45,7 +45,8 @@ class Paper:
             return name
 
         files[MAIN] = typst.render(documents, place, apart=False).encode()
-        return self._compiler.compile({MAIN: files.pop(MAIN), **files}, format="pdf", timestamp=0)
+        found: bytes = self._compiler.compile({MAIN: files.pop(MAIN), **files}, format="pdf", timestamp=0)
+        return found
 
 
 def paper() -> Pages | Paper:

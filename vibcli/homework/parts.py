@@ -18,7 +18,13 @@ from vibcli.homework.solved import Rejected, own_scene
 from vibcli.homework.variants import SolvedVariants, solve_variants
 
 if TYPE_CHECKING:
+    from concurrent.futures import Future
+
+    from vibcli.base.work import Task
     from vibcli.homework.document import SceneDocument
+    from vibcli.homework.keys import AnswerKey
+    from vibcli.homework.mistakes.known import KnownMistake
+    from vibcli.language.given_values import GivenValue
     from vibcli.reader.variants import VariantRules
     from vibcli.results.problem import Problem
     from vibcli.results.variants import Place
@@ -47,7 +53,7 @@ class BegunVariants(NamedTuple):
     document: "SceneDocument"
     tasks: "list[PartTask]"
     executor: Executor | None
-    pending: list[Any]
+    pending: "list[Future[SolvedPart]]"
 
     def solved(self) -> SolvedVariants:
         """The SolvedVariants, when all parts are done."""
@@ -66,7 +72,8 @@ class BegunVariants(NamedTuple):
                 found[i] = one
         return _together(self.problem, rules, keys, mistakes, found, same)
 
-    def _results(self, tasks, pending, task) -> Iterator[SolvedPart]:
+    def _results(self, tasks: "list[PartTask]", pending: "list[Future[SolvedPart]]",
+                 task: "Task") -> Iterator[SolvedPart]:
         each = map(_solve_part, tasks) if self.executor is None else (one.result() for one in pending)
         for number, one in enumerate(each, 1):
             task.step(number / len(tasks))
@@ -108,7 +115,7 @@ def solve_in_parts(problem: "Problem", document: "SceneDocument", executor: Exec
     return begin_variants(problem, document, executor, size).solved()
 
 
-def _submitted(tasks, executor):
+def _submitted(tasks: list[PartTask], executor: Executor | None) -> "list[Future[SolvedPart]]":
     return [] if executor is None else [executor.submit(_solve_part, one) for one in tasks]
 
 
@@ -131,21 +138,22 @@ def _solve_part(task: PartTask) -> SolvedPart:
                       found.closed, summaries(found.accepted))
 
 
-def _places(rules, start, size):
+def _places(rules: "VariantRules", start: int, size: int) -> "list[Place]":
     """So many from a number on, in the order of the grid."""
     wanted: Sequence[Any] | None = sampled(rules)
     lengths = [range(len(next(iter(axis.values())))) for axis in rules.axes]
     return list(islice(product(*lengths) if wanted is None else wanted, start, start + size))
 
 
-def _together(problem, rules, keys, mistakes, found, same) -> SolvedVariants:
-    def values(number, place):
+def _together(problem: "Problem", rules: "VariantRules", keys: "list[AnswerKey]", mistakes: "list[KnownMistake]",
+              found: list[SolvedPart], same: frozenset[tuple[str, str]]) -> SolvedVariants:
+    def values(number: int, place: "Place") -> "dict[str, GivenValue]":
         return found[number].values.get(place) or {name: given[i] for axis, i in zip(rules.axes, place, strict=True)
                                                    for name, given in axis.items()}
 
     accepted = PackedVariants([part.accepted for part in found], values)
-    rejected = [Rejected(place, values(number, place), *why) for number, part in enumerate(found)
-                for place, *why in part.rejected]
+    rejected = [Rejected(place, values(number, place), gate, reason, missed) for number, part in enumerate(found)
+                for place, gate, reason, missed in part.rejected]
     in_order = [(mistake.name, key.text) for mistake in mistakes for key in keys if (mistake.name, key.text) in same]
     closed: dict[str, int] = {}
     for part in found:

@@ -33,7 +33,7 @@ def printed_values(found: "Problem", rules: "VariantRules") -> dict[str, GivenVa
             for name in found.spec.choices if name not in asked and found.choice is not None}
 
 
-def _rounded(found, name, how):
+def _rounded(found: "Problem", name: str, how: str) -> GivenValue:
     """A chosen value to so many figures, or the nearest of a series by ratio."""
     unit = unit_text(found.spec.parameters[name]) or units.text(
         found.spec.dimensions.resolve(found.spec.dimensions.of(name)))

@@ -54,7 +54,7 @@ def held_at(rules: "VariantRules", values: "dict[str, GivenValue]") -> "VariantR
                                  for name, given in axis.items()} for axis in rules.axes])
 
 
-def _number(mistake, name):
+def _number(mistake: KnownMistake, name: str) -> "GivenValue":
     value = mistake.problem.spec.parameters[name]["value"]
     found = number_and_unit(value)
     if found is None:
@@ -64,7 +64,8 @@ def _number(mistake, name):
     return giver(unit, name)(number)
 
 
-def _of_file(problem, rules, document, keys, names) -> Iterator[KnownMistake]:
+def _of_file(problem: "Problem", rules: "VariantRules", document: "SceneDocument", keys: "Sequence[AnswerKey]",
+             names: Collection[str] | None) -> Iterator[KnownMistake]:
     for name, part in rules.mistakes.items():
         if isinstance(part, Scalar) or (names is not None and name not in names):
             continue

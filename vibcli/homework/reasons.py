@@ -32,7 +32,7 @@ def of_number(value: float, key: float, band: float) -> str:
     return f"{UNKNOWN}: {_apart(value, key, band)}"
 
 
-def _apart(value, key, band):
+def _apart(value: float, key: float, band: float) -> str:
     """How an answer that is no simple multiple of its key differs from it."""
     if value * key < 0:
         return "sign and size differ from those of the key"

@@ -43,7 +43,7 @@ def regime(problem: "Problem", rests: bool) -> Regime:
     return Regime(natural, kinds, count)
 
 
-def _counted(kinds):
+def _counted(kinds: tuple[str, ...]) -> str:
     if not kinds:
         return "none"
     return ", ".join(f"{kinds.count(kind)} × {kind}" for kind in dict.fromkeys(kinds))

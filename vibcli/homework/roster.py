@@ -49,7 +49,7 @@ def roster(path: str) -> list[Student]:
     return found
 
 
-def _is_name(text):
+def _is_name(text: str) -> bool:
     return len(text) <= LONGEST and text.isprintable()
 
 

@@ -96,7 +96,7 @@ class Rounding:
                         _weights(slopes[i], [slopes[j] for j in known.uses[i]]) if known.uses[i] else []
                         for i in range(len(known.lines))]
 
-    def _slopes(self, given, values):
+    def _slopes(self, given: "Mapping[str, np.ndarray]", values: "Sequence[np.ndarray]") -> "list[np.ndarray]":
         """∂ln|v|/∂ln p of each line as an array variants × parameters."""
         found, floats = [], self.known.problem.numeric.floats
         for name in self.known.free:
@@ -140,7 +140,7 @@ def _weights(slope: np.ndarray, used: "list[np.ndarray]") -> "list[np.ndarray]":
     return [np.full(slope.shape[0], _power(slope, one)) for one in used]
 
 
-def _independent(used):
+def _independent(used: "list[np.ndarray]") -> list[int]:
     """The numbers of the lines, the first first, whose slopes do not make up one another."""
     found: list[int] = []
     for j, one in enumerate(used):
@@ -150,7 +150,7 @@ def _independent(used):
     return found
 
 
-def _power(slope, one):
+def _power(slope: np.ndarray, one: np.ndarray) -> float:
     """The power of a line for which most given values drop out of what is left; 1 where none does."""
     powers = [sign * power for power in POWERS for sign in (1, -1)]
     here = np.abs(one) > ALIKE
@@ -163,10 +163,11 @@ def _half_a_unit(value: np.ndarray, figures: int) -> np.ndarray:
     size = np.abs(value)
     with np.errstate(all="ignore"):
         found = 0.5 * 10.0**(np.floor(np.log10(size)) - figures + 1) / size
-    return np.nan_to_num(found, nan=0.0, posinf=0.0)
+    known: np.ndarray = np.nan_to_num(found, nan=0.0, posinf=0.0)
+    return known
 
 
-def _of_few_values(value, half, off):
+def _of_few_values(value: np.ndarray, half: np.ndarray, off: np.ndarray) -> np.ndarray:
     """By how much a line with few values in all variants is off: with one value as much as that; with few in many
     variants as an even error with their mean square. Half a unit of others."""
     if len(value) == 1:
@@ -175,10 +176,13 @@ def _of_few_values(value, half, off):
     count = count if count > FEW else _distinct(value)
     if count == 1:
         return off
-    return half * np.sqrt(3 * np.mean((off / half)**2)) if 1 < count <= FEW <= len(value) / FEW else half
+    if not 1 < count <= FEW <= len(value) / FEW:
+        return half
+    size: float = np.sqrt(3 * np.mean((off / half)**2))
+    return half * size
 
 
-def _distinct(value):
+def _distinct(value: np.ndarray) -> int:
     """How many values there are but for rounding; 0 where one is unknown or all are zero."""
     largest = np.max(np.abs(value))
     return len(np.unique(np.round(value / (EXACT * largest)))) if largest > 0 else 0

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from vibcli.homework.course import Course
     from vibcli.homework.handout import Handout
     from vibcli.homework.roster import Student
+    from vibcli.homework.variants import ProblemVariant
     from vibcli.results.problem import Problem
 
 LETTERS = [f"({letter})" for letter in ascii_lowercase]
@@ -41,7 +42,7 @@ def student_sheet(course: "Course", student: "Student", problems: "Sequence[tupl
     return [head, *(_question(number, *one) for number, one in enumerate(problems, 1))]
 
 
-def _question(number, handout, variant):
+def _question(number: int, handout: "Handout", variant: int) -> Document:
     problem = handout.problem(variant)
     asked = question_in_words(Report(problem).document().question)
     return Document(f"{number}. {handout.title}", None, asked, (
@@ -60,7 +61,7 @@ def _values(problem: "Problem", handout: "Handout") -> tuple[Section, ...]:
     return section("Given", known, measured(problem), said)
 
 
-def _asked(handout, variant):
+def _asked(handout: "Handout", variant: "ProblemVariant") -> tuple[Section, ...]:
     rows = []
     for letter, key, points, one in zip(LETTERS, handout.keys, handout.points, variant.keys, strict=False):
         about, _ = quantity_in_words(handout.base.spec, key.asked.tree, key.text)
@@ -84,7 +85,7 @@ def key_sheet(handout: "Handout", number: int) -> Document:
         *handout.solution(number), *section("Mistakes", _mistakes(handout, variant, problem))))
 
 
-def _mistakes(handout, variant, problem):
+def _mistakes(handout: "Handout", variant: "ProblemVariant", problem: "Problem") -> TableBlock | None:
     """What each mistake gives in the keys by their letters, None where there is none."""
     given: dict[str, dict[str, Any]] = {}
     for letter, key, one in zip(LETTERS, handout.keys, variant.keys, strict=False):

@@ -101,7 +101,9 @@ def own_scene(problem: "Problem", rules: "VariantRules") -> "tuple[Problem, Regi
     return found, regime(found, counts_rests(problem))
 
 
-def _candidate(problem, rules, keys, kind, answers, place, values, slips):
+def _candidate(problem: "Problem", rules: "VariantRules", keys: "Sequence[AnswerKey]", kind: Regime | None,
+               answers: GridAnswers, place: "Place", values: dict[str, GivenValue],
+               slips: "Sequence[tuple[KnownMistake, list[bool]]]") -> Candidate | tuple[str, str, float]:
     """The Candidate; (gate, reason, by how much) of what it fails before its keys are looked at."""
     value = partial(answers.value_of, place)
     try:
@@ -122,7 +124,7 @@ def _candidate(problem, rules, keys, kind, answers, place, values, slips):
         return SOLVED, error.message, 0.0
 
 
-def _printed(problem, found):
+def _printed(problem: "Problem", found: "Problem") -> dict[str, GivenValue]:
     """{chosen parameter: its value as printed}, of a scene that was solved again with these."""
     return {name: giver(unit, name)(number) for name in problem.spec.choices if name not in found.spec.choices
             for number, unit in [number_and_unit(found.spec.parameters[name]["value"])]}

@@ -63,7 +63,7 @@ def as_text(cell: str) -> str:
     return "'" + cell if cell and cell[0] in FORMULA and not _NUMBER.fullmatch(cell) else cell
 
 
-def _text(path, what):
+def _text(path: str, what: str) -> str:
     try:
         with open(path, "rb") as stream:
             data = stream.read(MAX_BYTES + 1)
@@ -78,7 +78,7 @@ def _text(path, what):
                      "save it as UTF-8") from None
 
 
-def _require_columns(path, heading):
+def _require_columns(path: str, heading: list[str]) -> None:
     if "id" not in heading:
         raise _wrong(path, 1, "the first line names the columns, and one of them is 'id'", "write for example: id,name")
     twice = next((name for i, name in enumerate(heading) if name and name in heading[:i]), None)
@@ -86,5 +86,5 @@ def _require_columns(path, heading):
         raise _wrong(path, 1, f"the column '{twice}' stands twice", "leave one of them out")
 
 
-def _wrong(path, line, message, hint=None, width=1):
+def _wrong(path: str, line: int, message: str, hint: str | None = None, width: int = 1) -> SpecError:
     return SpecError([Diagnostic(Where(path, line, 1, width), message, hint)])

@@ -21,6 +21,8 @@ from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import ONE
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
     from vibcli.language.reader import Expression
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
@@ -63,12 +65,12 @@ def terms(problem: "Problem", node: "Node") -> Terms:
     return {text: number for text, number in found.items() if number}
 
 
-def _rank(part):
+def _rank(part: "tuple[Node | None, Node]") -> "tuple[int | list[tuple[int, Fraction | int]], ...]":
     """Accelerations first, then what else moves, loads, numbers."""
     function = part[0]
     if function is None:
         return (2,)
-    return (function.mask == function.table.time.mask, *term_rank(part))
+    return (function.mask == function.table.time.mask, *term_rank((function, 1)))
 
 
 def _parts(node: "Node", factor: "Node") -> "Iterator[tuple[Node | None, Node]]":
@@ -95,7 +97,7 @@ def _parts(node: "Node", factor: "Node") -> "Iterator[tuple[Node | None, Node]]"
         yield node, factor
 
 
-def _text(problem, function):
+def _text(problem: "Problem", function: "Node") -> str:
     """A function in the language of scenes: numbers other than whole ones stand in what follows the time alone."""
     time = problem.scene.time.mask
     for part in reachable([function]):

@@ -39,21 +39,21 @@ def lettered(problem: "Problem") -> set[str]:
     from vibcli.notation.plain import plain
     from vibcli.report.sections.illustrations import lettering
 
-    words: set = set()
+    words: set[str] = set()
     for text in lettering(problem):
         text = unicodedata.normalize("NFKC", text)
         words.update(WORD.findall(text), [text])
     return {name for name in problem.spec.parameters if unicodedata.normalize("NFKC", plain.symbol(name)) in words}
 
 
-def _of_gravity(problem):
+def _of_gravity(problem: "Problem") -> set[str]:
     """The parameters that are the acceleration of gravity."""
     field = problem.spec.get("gravity")
     parts = field if isinstance(field, list) else [field] if field is not None else []
     return {name for part in parts for name, *_ in part.parts.names}
 
 
-def _matters(problem, keys, name):
+def _matters(problem: "Problem", keys: "Sequence[AnswerKey]", name: str) -> bool:
     """Does a key change with a parameter? It does where there is no such scene beside it."""
     record = problem.spec.parameters[name]
     written = number_and_unit(record["value"]) if "value" in record else None

@@ -29,7 +29,11 @@ from vibcli.reader.sections.variants import GATES
 from vibcli.results.variants import with_given
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from vibcli.homework.document import SceneDocument
+    from vibcli.homework.solved import Candidate
+    from vibcli.language.spec import Spec
     from vibcli.reader.variants import VariantRules
     from vibcli.results.problem import Problem
     from vibcli.results.variants import Place
@@ -90,7 +94,7 @@ class SolvedVariants(NamedTuple):
         return found + (f"; {nearer}" if gate == "require" and (nearer := _nearer(self.rules, those)) else "")
 
 
-def _nearer(rules, those):
+def _nearer(rules: "VariantRules", those: list[Rejected]) -> str | None:
     """Of which parameter smaller or larger values miss a comparison by less, in words; None where that is not seen."""
     best, words = 0.0, None
     for number, axis in enumerate(rules.axes):
@@ -125,11 +129,12 @@ def solve_variants(problem: "Problem", document: "SceneDocument",
     return SolvedVariants(problem, rules, keys, mistakes, accepted, rejected, in_order, reread, closed)
 
 
-def _bands(base, keys, solved) -> "dict[Place, list[KeyBand]]":
+def _bands(base: "Problem | None", keys: list[AnswerKey],
+           solved: "dict[Place, Candidate]") -> "dict[Place, list[KeyBand]]":
     """{place: the KeyBand of each key}."""
     if base is None or not solved:
         return {}
-    shares = [None] * len(keys)
+    shares: list[np.ndarray | None] = [None] * len(keys)
     if not base.numeric.has_free_symbols:
         from vibcli.homework.rounding import shares_of
 
@@ -138,7 +143,8 @@ def _bands(base, keys, solved) -> "dict[Place, list[KeyBand]]":
                     for key, share in zip(keys, shares, strict=True)] for i, place in enumerate(solved)}
 
 
-def _look(problem, rules, keys, base, bands, solved, rejected):
+def _look(problem: "Problem", rules: "VariantRules", keys: list[AnswerKey], base: "Problem | None",
+          bands: "dict[Place, list[KeyBand]]", solved: "dict[Place, Candidate]", rejected: list[Rejected]) -> None:
     """Take out of what is solved what cannot be read, or is told nowhere."""
     told = [] if base is None or "told" in rules.without else untold(base, keys)
     given = _given(problem.spec)
@@ -148,7 +154,7 @@ def _look(problem, rules, keys, base, bands, solved, rejected):
             rejected.append(Rejected(place, solved.pop(place).values, gate, reason))
 
 
-def _given(spec):
+def _given(spec: "Spec") -> dict[str, tuple[float, str | None]]:
     """{what it is: (number, unit)} of the parameters of a file, and of the numbers in the words of its question."""
     written = {name: number_and_unit(record["value"]) for name, record in spec.parameters.items() if "value" in record}
     numbers = {name: (float(found[0]), found[1]) for name, found in written.items() if found is not None}
@@ -156,7 +162,8 @@ def _given(spec):
                       for value, _, said in numbers_in(re.sub(QUOTE, " ", spec.get("question", "")))}
 
 
-def _of_keys(rules, keys, bands, one, told, given):
+def _of_keys(rules: "VariantRules", keys: list[AnswerKey], bands: list[KeyBand], one: "Candidate", told: list[str],
+             given: dict[str, tuple[float, str | None]]) -> tuple[str | None, str | None]:
     """(gate, reason) of what keys with values fail; (None, None) of nothing. told: parameters that are not told; given:
     {what it is: (number, unit)} of what all sheets tell."""
     numbers = {**given, **{name: (float(value.number), value.unit) for name, value in one.values.items()}}
@@ -165,7 +172,8 @@ def _of_keys(rules, keys, bands, one, told, given):
     return ("told", f"neither question nor figure tells {', '.join(told)}") if told else (None, None)
 
 
-def _model_mistakes(problem, rules, keys, mistakes, solved):
+def _model_mistakes(problem: "Problem", rules: "VariantRules", keys: list[AnswerKey], mistakes: list[KnownMistake],
+                    solved: "dict[Place, Candidate]") -> None:
     """Add to what is solved what mistakes give that change the scene."""
     for mistake in mistakes:
         if mistake.problem is not None:
@@ -175,14 +183,15 @@ def _model_mistakes(problem, rules, keys, mistakes, solved):
                 one.wrong[mistake.name] = answers.mistaken(place, keys, mistake, concerns, one.found)
 
 
-def _answers(problem, rules, mistake, solved):
+def _answers(problem: "Problem", rules: "VariantRules", mistake: KnownMistake,
+             solved: "dict[Place, Candidate]") -> GridAnswers:
     """The GridAnswers of the scenes that a mistake takes for the right ones, of all candidates that are solved."""
     own = own_values(mistake, rules)
     if not problem.spec.choices:
         return GridAnswers.of(candidates(mistake.problem, held_at(rules, own), lambda one: with_printed(one, rules),
                                          solved))
 
-    def scene_at(place):
+    def scene_at(place: "Place") -> "Problem | SpecError | PhysicsError":
         try:
             return with_printed(with_given(mistake.problem, {**solved[place].values, **own}), rules)
         except (SpecError, PhysicsError) as error:
@@ -191,7 +200,7 @@ def _answers(problem, rules, mistake, solved):
     return GridAnswers(scene_at)
 
 
-def _equal(keys, solved) -> "dict[Place, set[tuple[str, str]]]":
+def _equal(keys: list[AnswerKey], solved: "dict[Place, Candidate]") -> "dict[Place, set[tuple[str, str]]]":
     """{place: the (mistake, quantity) that lead to the key itself}."""
     found = {}
     for place, one in solved.items():
@@ -204,14 +213,16 @@ def _equal(keys, solved) -> "dict[Place, set[tuple[str, str]]]":
     return found
 
 
-def _unreadable(keys, bands, one, numbers):
+def _unreadable(keys: list[AnswerKey], bands: list[KeyBand], one: "Candidate",
+                numbers: dict[str, tuple[float, str | None]]) -> str | None:
     """Why keys that are numbers can not be asked for; None where they can."""
     known = [i for i, found in enumerate(one.found) if isinstance(found, tuple)]
-    of_numbers = [[all_of[i] for i in known] for all_of in (keys, bands, one.found)]
-    return unreadable(of_numbers[0], of_numbers[1], of_numbers[2], numbers)
+    return unreadable([keys[i] for i in known], [bands[i] for i in known], [one.found[i] for i in known], numbers)
 
 
-def _accept(keys, mistakes, bands, solved, equal, same, rejected, all_pass):
+def _accept(keys: list[AnswerKey], mistakes: list[KnownMistake], bands: "dict[Place, list[KeyBand]]",
+            solved: "dict[Place, Candidate]", equal: "dict[Place, set[tuple[str, str]]]", same: set[tuple[str, str]],
+            rejected: list[Rejected], all_pass: bool) -> list[ProblemVariant]:
     """The Variants that pass the gate of mistakes."""
     accepted, texts = [], [key.text for key in keys]
     told = [[mistake.name for mistake in mistakes if (mistake.name, text) not in same] for text in texts]
@@ -230,7 +241,7 @@ def _accept(keys, mistakes, bands, solved, equal, same, rejected, all_pass):
     return accepted
 
 
-def _reread(document, keys, accepted: Sequence[ProblemVariant]) -> int:
+def _reread(document: "SceneDocument", keys: Sequence[AnswerKey], accepted: Sequence[ProblemVariant]) -> int:
     """Hold some variants, keys and mistakes, against the scene read anew from the values that are printed;
     RuntimeError, a fault of ours, where one differs."""
     step = max(1, len(accepted) // REREAD)

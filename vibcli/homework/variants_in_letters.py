@@ -66,7 +66,7 @@ class _Expressions:
         found.lettered.update(self.problem.lettered)
         return found
 
-    def _hold(self, found):
+    def _hold(self, found: "Problem") -> bool:
         """Does a Problem give at numbers for its letters what the expressions give there, and no answer where that of
         the expressions gives none? Energies and equations hold as they are drawn."""
         known = list(self.problem.lettered.values())
@@ -81,7 +81,7 @@ class _Expressions:
                     return False
         return True
 
-    def _own(self, asked):
+    def _own(self, asked: "Sequence[Expression]") -> list[tuple[float, float] | None]:
         """What the Problem itself gives at numbers for its letters."""
         if len(self._at_drawn) != len(asked):
             self._at_drawn = _numbers(self.problem, asked)

@@ -12,6 +12,7 @@ from vibcli.symbolic.syntax import NameRef
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
+    from vibcli.language.reader import Record
     from vibcli.language.spec import Spec
 
 TOGETHER = "\N{NO-BREAK SPACE}"
@@ -43,7 +44,7 @@ def quantity_in_words(spec: "Spec", tree: Any, text: str) -> tuple[str, bool]:
     return about, put_in == len(tree.indices) + len(args) and not tree.component
 
 
-def _put_in(spec, kind, standing, given):
+def _put_in(spec: "Spec", kind: str, standing: str, given: str) -> str:
     if kind == "signal":
         return signal_in_words(spec, given)
     if kind == "amplitude":
@@ -71,7 +72,7 @@ def name_in_words(spec: "Spec", name: str) -> str:
     return name if record is None else f"{record.element.name} {next(_letters(record), name)}"
 
 
-def _letters(record) -> "Iterator[str]":
+def _letters(record: "Record") -> "Iterator[str]":
     """The letter that stands beside an element in the figure."""
     for key in NAMED_BY:
         if isinstance(getattr(record.get(key), "tree", None), NameRef):

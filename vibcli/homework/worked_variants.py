@@ -42,7 +42,7 @@ class WorkedVariants:
             self._told.append(others)
         return worked(problem)
 
-    def _along(self, one, values):
+    def _along(self, one: OtherValues, values: "Mapping[str, GivenValue]") -> "list[WorkedLine] | None":
         """The lines by the expressions of a variant that was told; None where they would be written otherwise."""
         problem = one.at(settings_of(values))
         if problem is None or not one.written_alike(problem):

@@ -73,7 +73,7 @@ class Sketch:
         for name, record in (self.spec.get("member_points") or {}).items():
             member = self.scene.members.get(record["body"].text)
             if member is not None and member.line is not None:
-                yield name, member, member.at(self.scene, self.scene.lower(record["at"]))
+                yield name, member, member.nearest(self.scene, self.scene.lower(record["at"]))
 
     def at(self, values: Mapping[str, float]) -> "Sketch":
         """The same in another position."""

@@ -44,14 +44,14 @@ def package(course: "Course", questions: Sequence[ExportedQuestion]) -> Iterator
         f"{name}/{name}.xml": _assessment(course, name, questions).encode(), **beside})
 
 
-def _files(group, one):
+def _files(group: str, one: ExportedQuestion) -> Iterator[tuple[str, bytes]]:
     if one.figure is not None:
         yield f"files/{group}/{FIGURE}", one.figure.draw("svg")
     for name, data in one.files.items():
         yield f"files/{group}/{name}", data
 
 
-def _assessment(course, name, questions):
+def _assessment(course: "Course", name: str, questions: Sequence[ExportedQuestion]) -> str:
     groups = []
     for group, members in groupby(questions, key=lambda one: one.group):
         members = list(members)
@@ -65,7 +65,7 @@ def _assessment(course, name, questions):
             + "\n</section>\n</assessment>\n</questestinterop>\n")
 
 
-def _group(ident, question, key, items):
+def _group(ident: str, question: ExportedQuestion, key: ExportedKey, items: list[str]) -> str:
     title = attribute(cleaned(f"{question.title} ({key.letter})"))
     return (f'<section ident="{ident}" title="{title}"><selection_ordering><selection><selection_number>1'
             f"</selection_number><selection_extension><points_per_item>{key.points:g}</points_per_item>"
@@ -93,7 +93,7 @@ def _item(one: ExportedQuestion, key: ExportedKey) -> str:
             f"{_processing(one, key)}\n</item>")
 
 
-def _html(text):
+def _html(text: str) -> str:
     return f'<mattext texttype="text/html">{attribute(text)}</mattext>'
 
 
@@ -113,7 +113,7 @@ def other_units(questions: Sequence[ExportedQuestion]) -> dict[str, dict[str, st
     return found
 
 
-def _processing(one, key):
+def _processing(one: ExportedQuestion, key: ExportedKey) -> str:
     outcomes = '<outcomes><decvar maxvalue="100" minvalue="0" varname="SCORE" vartype="Decimal"/></outcomes>'
     if one.by_hand:
         return (f'<resprocessing>{outcomes}<respcondition continue="No"><conditionvar><other/></conditionvar>'
@@ -129,7 +129,7 @@ def _processing(one, key):
             f'action="Set" varname="SCORE">100</setvar></respcondition>{shown}</resprocessing>{feedback}')
 
 
-def _wrong(one, key):
+def _wrong(one: ExportedQuestion, key: ExportedKey) -> str:
     """What known mistakes give, for all who answered wrongly."""
     unit = f" {as_printed(key.unit)}" if key.unit else ""
     figures = int(key.figures)
@@ -140,7 +140,7 @@ def _wrong(one, key):
     return f"<p>Known mistakes:</p><ul>{rows}</ul>" if rows else ""
 
 
-def _meta(course, name, questions):
+def _meta(course: "Course", name: str, questions: Sequence[ExportedQuestion]) -> bytes:
     groups = {one.group: one for one in questions}
     points = sum(one.points for one in groups.values())
     title = attribute(cleaned(course.title or "Homework"))
@@ -152,7 +152,7 @@ def _meta(course, name, questions):
             "<available>false</available>\n</quiz>\n").encode()
 
 
-def _manifest(name, beside):
+def _manifest(name: str, beside: list[str]) -> str:
     resources = [
         f'<resource identifier="{name}" type="imsqti_xmlv1p2"><file href="{name}/{name}.xml"/><dependency '
         f'identifierref="{name}-meta"/></resource>',

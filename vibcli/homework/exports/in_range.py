@@ -2,11 +2,16 @@
 
 import re
 from math import log10
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
 from vibcli.base.units import UNITS
 from vibcli.language.given_values import unit_of_text
 from vibcli.notation.numbers import figure
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from fractions import Fraction
 
 LEAST, MOST = 0.1, 1000.0
 DECIMALS = 4            # to which answers are rounded
@@ -31,7 +36,7 @@ def unit_in_range(value: float, figures: int, unit: str, what: str) -> tuple[str
                        "four decimals: ask for another quantity, or leave Canvas out")
 
 
-def _others(unit, alike):
+def _others(unit: str, alike: "Callable[[str], list[str]]") -> list[tuple[str, float]]:
     """(text, factor) of units in which another stands for one of those of a unit, % for a pure number."""
     if not unit:
         return [(PER_CENT, 100.0)]
@@ -45,12 +50,12 @@ def _others(unit, alike):
     return found
 
 
-def _angles(name):
+def _angles(name: str) -> list[str]:
     """The units of angles beside one of them."""
     return [other for other in ANGLES if other != name] if name in ANGLES else []
 
 
-def _by_tens(name):
+def _by_tens(name: str) -> list[str]:
     """The units that are a power of ten of one, and of its kind: km and mm for m."""
     own = UNITS.get(name)
     return [] if own is None else [
@@ -59,6 +64,6 @@ def _by_tens(name):
         and _is_power_of_ten(unit.value / own.value) and other not in OLD]
 
 
-def _is_power_of_ten(ratio):
+def _is_power_of_ten(ratio: "Fraction") -> bool:
     top, bottom = str(ratio.numerator), str(ratio.denominator)
     return set(top[1:] + bottom[1:]) <= {"0"} and top[0] == bottom[0] == "1"

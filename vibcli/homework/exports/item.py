@@ -1,7 +1,7 @@
 """The model of an exported question, from which every format is written: a variant, what is asked of it and told."""
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from hashlib import blake2b
 from math import lcm
@@ -20,7 +20,8 @@ from vibcli.report.blocks import Picture
 if TYPE_CHECKING:
     from vibcli.homework.course import Course
     from vibcli.homework.handout import Handout
-    from vibcli.report.blocks import Section
+    from vibcli.homework.keys import AnswerKey
+    from vibcli.report.blocks import Maths, Section
 
 NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_.-]{0,63}")
 BY_HAND = "by-hand"
@@ -39,7 +40,7 @@ class ExportedKey(NamedTuple):
     figures: str
     points: float
     form: str
-    answer: tuple | AsSet
+    answer: "tuple[str | Maths, ...] | AsSet"
     value: float | None
     told: tuple[ToldBand, ...]
 
@@ -56,7 +57,7 @@ class ExportedQuestion(NamedTuple):
     variant: int
     title: str
     by_hand: bool
-    question: tuple | AsSet
+    question: "tuple[str | Maths, ...] | AsSet"
     given: "tuple[Section, ...] | AsSet"
     figure: Picture | None
     described: str
@@ -71,7 +72,8 @@ class ExportedQuestion(NamedTuple):
 
     def as_set(self, settings: Sequence[SetInTeX | SetInMathML]) -> "ExportedQuestion":
         """All but the figure as HTML of some settings; the solution in TeX alone, as others do not show it."""
-        def each(write, blocks, those=settings):
+        def each(write: Callable[..., str], blocks: object,
+                 those: Sequence[SetInTeX | SetInMathML] = settings) -> AsSet:
             return AsSet({type(setting): write(blocks, setting) for setting in those})
 
         in_tex = [setting for setting in settings if isinstance(setting, SetInTeX)]
@@ -125,7 +127,7 @@ def questions_of(course: "Course", handout: "Handout", number: int) -> Iterator[
                                    handout.document.files, own, handout.sentences, solution)
 
 
-def _about(handout, key):
+def _about(handout: "Handout", key: "AnswerKey") -> str:
     """What is asked, in words, with what `grade` calls it where they do not tell all."""
     words, alone = quantity_in_words(handout.base.spec, key.asked.tree, key.text)
     return words if alone else f"{words}, {key.text}"
@@ -136,7 +138,7 @@ def picture_of(handout: "Handout") -> Picture | None:
     return next((block for section in handout.figure for block in section.blocks if isinstance(block, Picture)), None)
 
 
-def _described(picture):
+def _described(picture: Picture | None) -> str:
     return f"{picture.caption}: {picture.about}" if picture is not None else ""
 
 

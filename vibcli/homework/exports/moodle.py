@@ -6,7 +6,7 @@ is marked by hand is an essay, with the key for who marks.
 """
 
 from base64 import b64encode
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from html import escape
 from itertools import groupby
 from typing import TYPE_CHECKING
@@ -40,7 +40,7 @@ def package(course: "Course", questions: Sequence[ExportedQuestion]) -> Iterator
     yield FILE, "\n".join([*found, "</quiz>", ""]).encode()
 
 
-def _category(course, group, question):
+def _category(course: "Course", group: str, question: ExportedQuestion) -> str:
     """Its name holds that of the problem, so that no two are one; / within a name is written twice."""
     steps = [course.title or "Homework", f"{question.title} ({group})"]
     path = "/".join(["$course$", "top", *(" ".join(cleaned(step).split()).replace("/", "//") for step in steps)])
@@ -48,7 +48,7 @@ def _category(course, group, question):
             f'<info format="html"><text></text></info><idnumber>{group}</idnumber></question>')
 
 
-def _question(one, beside):
+def _question(one: ExportedQuestion, beside: str) -> str:
     kind, body = (("essay", _essay) if one.by_hand else ("cloze", _cloze) if len(one.keys) > 1 else
                   ("numerical", _numerical))
     text, rest = body(one)
@@ -59,28 +59,28 @@ def _question(one, beside):
                       f"<idnumber>{one.item}</idnumber>", rest, "</question>"])
 
 
-def _text(text):
+def _text(text: str) -> str:
     return f"<text>{attribute(cleaned(text))}</text>"
 
 
-def _html(text):
+def _html(text: str) -> str:
     return f"<text>{cdata(text)}</text>"
 
 
-def _head(one):
+def _head(one: ExportedQuestion) -> str:
     """The question with its figure and values."""
     links = "".join(f'<p><a href="{PLACE}{address(name)}">{TEX.words(name)}</a></p>' for name in one.files)
     return "\n".join([f"<p>{running(one.question, TEX)}</p>", figure_html(one, PLACE), html(one.given, TEX), links])
 
 
-def _files(one):
+def _files(one: ExportedQuestion) -> str:
     """What all questions of a problem show, each with a copy of its own."""
     files = dict(one.files) | ({"figure.svg": one.figure.draw("svg")} if one.figure is not None else {})
     return "".join(f'<file name="{attribute(name)}" path="/" encoding="base64">{b64encode(data).decode()}</file>'
                    for name, data in files.items())
 
 
-def _numerical(one):
+def _numerical(one: ExportedQuestion) -> tuple[str, str]:
     key, = one.keys
     answers = "\n".join(f'<answer fraction="{100 if not mistake else 0}" format="moodle_auto_format"><text>{middle!r}'
                         f'</text><tolerance>{width!r}</tolerance><feedback format="html">'
@@ -98,26 +98,26 @@ def _answers(key: ExportedKey) -> Iterator[tuple[float, float, str]]:
         yield middle, max(width - ADDED * max(width, abs(middle)), 0.0), band.mistake
 
 
-def _cloze(one):
+def _cloze(one: ExportedQuestion) -> tuple[str, str]:
     weights = whole_weights([key.points for key in one.keys])
     lines = [f"<p>{asked(key, TEX)}<br/>{_field(key, weight, one.said)}</p>"
              for key, weight in zip(one.keys, weights, strict=True)]
     return "\n".join([_head(one), *lines]), ""
 
 
-def _field(key, weight, said):
+def _field(key: ExportedKey, weight: int, said: Mapping[str, str]) -> str:
     """{2:NUMERICAL:=21.9:0.1~%0%22.6:0.11#what is said}"""
     answers = [("=" if not mistake else "%0%") + f"{middle!r}:{width!r}"
                + (f"#{_within(told(mistake, said))}" if mistake else "") for middle, width, mistake in _answers(key)]
     return f"{{{weight}:NUMERICAL:{'~'.join(answers)}}}"
 
 
-def _within(text):
+def _within(text: str) -> str:
     """Words within a field: HTML that Moodle decodes once more, with none of the signs that end an answer."""
     return escape(TEX.words(text)).replace("~", "&#126;")
 
 
-def _essay(one):
+def _essay(one: ExportedQuestion) -> tuple[str, str]:
     keys = "".join(key_html(key, TEX) for key in one.keys)
     text = "\n".join([_head(one), *(f"<p>{asked(key, TEX)}</p>" for key in one.keys)])
     return text, f'{ESSAY}<graderinfo format="html">{_html(keys)}</graderinfo>'

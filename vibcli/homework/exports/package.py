@@ -64,9 +64,9 @@ def _items(task: MakingTask, on: "Pages | Paper",
         yield list(key_files(task.sheets(first), on)), questions
 
 
-def _entry(name, paths, questions) -> dict[str, Any]:
+def _entry(name: str, paths: list[str], questions: list[ExportedQuestion]) -> dict[str, Any]:
     """What a manifest keeps of a package: its files, and units of keys that are not those asked on paper."""
-    entry = {"format": name, "files": [f"{name}/{path}" for path in paths]}
+    entry: dict[str, Any] = {"format": name, "files": [f"{name}/{path}" for path in paths]}
     if name == "canvas":
         from vibcli.homework.exports.canvas import other_units
 

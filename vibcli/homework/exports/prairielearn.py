@@ -58,7 +58,7 @@ def package(course: "Course", questions: Sequence[ExportedQuestion]) -> Iterator
             yield f"questions/{group}/{path}", data
 
 
-def _folder(course, group, members):
+def _folder(course: "Course", group: str, members: list[ExportedQuestion]) -> Iterator[tuple[str, bytes]]:
     first = members[0]
     yield "info.json", _info(course, group, first)
     yield "question.html", (_by_hand(first) if first.by_hand else _page(first)).encode()
@@ -69,14 +69,14 @@ def _folder(course, group, members):
         yield f"{SEEN}/{name}", data
 
 
-def _info(course, group, question):
+def _info(course: "Course", group: str, question: ExportedQuestion) -> bytes:
     found = {"uuid": str(uuid5(NAMESPACE_URL, f"vibcli:{group}")), "title": question.title,
              "topic": course.title or "Homework", "tags": ["vibcli"], "type": "v3",
              **({"gradingMethod": "Manual"} if question.by_hand else {})}
     return (json.dumps(found, ensure_ascii=False, indent=1) + "\n").encode()
 
 
-def _seen(question):
+def _seen(question: ExportedQuestion) -> dict[str, bytes]:
     figure = {FIGURE: question.figure.draw("svg")} if question.figure is not None else {}
     return dict(question.files) | figure
 
@@ -91,13 +91,13 @@ def _page(question: ExportedQuestion) -> str:
     return _framed(question, fields, "")
 
 
-def _by_hand(question):
+def _by_hand(question: ExportedQuestion) -> str:
     fields = [f'<div>{{{{{{params.asked.{key.letter}}}}}}}</div>\n<pl-rich-text-editor '
               f'file-name="{key.letter}.html"></pl-rich-text-editor>' for key in question.keys]
     return _framed(question, fields, "<pl-manual-grading-only>{{{params.key}}}</pl-manual-grading-only>\n")
 
 
-def _framed(question, fields, below):
+def _framed(question: ExportedQuestion, fields: list[str], below: str) -> str:
     shown = [f'<pl-figure file-name="{FIGURE}" alt="{_still(question.described)}"></pl-figure>'
              ] * (question.figure is not None)
     shown += [f'<pl-file-download file-name="{_still(name)}" directory="{SEEN}"></pl-file-download>'
@@ -107,7 +107,7 @@ def _framed(question, fields, below):
                       + "<pl-answer-panel>{{{params.solution}}}</pl-answer-panel>", ""])
 
 
-def _still(text):
+def _still(text: str) -> str:
     """A text of the page that no template fills."""
     return attribute(text).replace("{", SPECIAL["{"]).replace("}", SPECIAL["}"])
 

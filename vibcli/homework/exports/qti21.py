@@ -19,6 +19,7 @@ from vibcli.notation.as_printed import as_printed
 
 if TYPE_CHECKING:
     from vibcli.homework.course import Course
+    from vibcli.homework.exports.told import ToldBand
 
 FILE = "package.zip"
 HEAD = '<?xml version="1.0" encoding="UTF-8"?>\n'
@@ -41,7 +42,7 @@ def package(course: "Course", questions: Sequence[ExportedQuestion]) -> Iterator
                         f"{TEST}.xml": _test(course, questions).encode(), **found, **beside})
 
 
-def _files(one) -> Iterator[tuple[str, bytes]]:
+def _files(one: ExportedQuestion) -> Iterator[tuple[str, bytes]]:
     """(path, bytes) of the files that an item shows; those of one problem are the same."""
     if one.figure is not None:
         yield f"files/{one.group}/{FIGURE}", one.figure.draw("svg")
@@ -63,7 +64,7 @@ def _item(one: ExportedQuestion) -> str:
         *_feedback(one), "</assessmentItem>\n"])
 
 
-def _field(key):
+def _field(key: ExportedKey) -> str:
     if key.value is None:
         return f'<extendedTextInteraction responseIdentifier="RESPONSE_{key.letter}" expectedLines="5"/>'
     unit = f" {MATHML.words(as_printed(key.unit))}" if key.unit else ""
@@ -77,13 +78,13 @@ def _response(key: ExportedKey) -> str:
             "</responseDeclaration>")
 
 
-def _outcome(name, value: float = 0.0, kind="float"):
+def _outcome(name: str, value: float = 0.0, kind: str = "float") -> str:
     default = f"<defaultValue><value>{value:g}</value></defaultValue>" if kind == "float" else ""
     return (f'<outcomeDeclaration identifier="{name}" cardinality="single" baseType="{kind}">{default}'
             "</outcomeDeclaration>")
 
 
-def _outcomes(key):
+def _outcomes(key: ExportedKey) -> Iterator[str]:
     if key.value is not None:
         yield _outcome(f"SCORE_{key.letter}")
         yield _outcome(f"SAID_{key.letter}", kind="identifier")
@@ -104,20 +105,20 @@ def _processing(one: ExportedQuestion) -> Iterator[str]:
     yield f'<setOutcomeValue identifier="SCORE"><sum>{scores}</sum></setOutcomeValue>'
 
 
-def _within(key, band):
+def _within(key: ExportedKey, band: "ToldBand") -> str:
     sides = "".join(f'<{sign}><variable identifier="RESPONSE_{key.letter}"/><baseValue baseType="float">{end!r}'
                     f"</baseValue></{sign}>" for sign, end in (("gte", band.low), ("lte", band.high)))
     return f"<and>{sides}</and>"
 
 
-def _set(key, is_right, said):
+def _set(key: ExportedKey, is_right: bool, said: str) -> str:
     score = key.points if is_right else 0.0
     return (f'<setOutcomeValue identifier="SCORE_{key.letter}"><baseValue baseType="float">{score!r}</baseValue>'
             f'</setOutcomeValue><setOutcomeValue identifier="SAID_{key.letter}"><baseValue baseType="identifier">{said}'
             "</baseValue></setOutcomeValue>")
 
 
-def _feedback(one) -> Iterator[str]:
+def _feedback(one: ExportedQuestion) -> Iterator[str]:
     for key in one.keys:
         said = {band.mistake: f"M{i}" for i, band in enumerate(key.told)}
         for mistake, name in said.items():
@@ -142,14 +143,14 @@ def _test(course: "Course", questions: Sequence[ExportedQuestion]) -> str:
             + "\n</testPart>\n</assessmentTest>\n")
 
 
-def _section(group, members):
+def _section(group: str, members: list[ExportedQuestion]) -> str:
     items = "\n".join(f'<assessmentItemRef identifier="{one.item}" href="items/{one.item}.xml"/>' for one in members)
     title = attribute(cleaned(members[0].title))
     return (f'<assessmentSection identifier="{group}" title="{title}" visible="true"><selection select="1"/>\n{items}\n'
             "</assessmentSection>")
 
 
-def _manifest(course, questions):
+def _manifest(course: "Course", questions: Sequence[ExportedQuestion]) -> str:
     items = [_resource(one.item, "imsqti_item_xmlv2p1", f"items/{one.item}.xml", [path for path, _ in _files(one)])
              for one in questions]
     uses = "".join(f'<dependency identifierref="{one.item}"/>' for one in questions)
@@ -160,6 +161,6 @@ def _manifest(course, questions):
             "<resources>\n" + "\n".join([test, *items]) + "\n</resources>\n</manifest>\n")
 
 
-def _resource(name, kind, href, files):
+def _resource(name: str, kind: str, href: str, files: list[str]) -> str:
     shown = "".join(f'<file href="{attribute(path)}"/>' for path in files)
     return f'<resource identifier="{name}" type="{kind}" href="{href}"><file href="{href}"/>{shown}</resource>'

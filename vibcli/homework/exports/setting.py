@@ -1,7 +1,7 @@
 """Words, formulas and blocks of reports as HTML that course systems show: formulas in TeX, or in MathML."""
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import lru_cache
 from html import escape
 from types import MappingProxyType
@@ -26,12 +26,12 @@ _COMMAND = re.compile(r"\\[a-zA-Z]+|[{}_^\\ ]")
 
 
 @lru_cache(maxsize=10_000)
-def _symbol(name):
+def _symbol(name: str) -> str:
     return latex.symbol(name)
 
 
 @lru_cache(maxsize=10_000)
-def _notation(text):
+def _notation(text: str) -> str:
     return latex.notation(text)
 
 
@@ -48,16 +48,18 @@ class Remembering(Protected):
         kept, key = self._kept(node), (Remembering.write, node, tightness)
         if key not in kept:
             kept[key] = super().write(node, tightness)
-        return kept[key]
+        found: str = kept[key]
+        return found
 
     def terms(self, node: "Node") -> list[tuple[bool, str]]:
         """Its terms, once."""
         kept, key = self._kept(node), (Remembering.terms, node)
         if key not in kept:
             kept[key] = super().terms(node)
-        return kept[key]
+        found: list[tuple[bool, str]] = kept[key]
+        return found
 
-    def _kept(self, node):
+    def _kept(self, node: "Node") -> dict[Any, Any]:
         return self._own if self.values else node.table.kept
 
     def symbol(self, name: str) -> str:
@@ -115,7 +117,7 @@ class SetInMathML:
     def equations(self, block: Equations) -> str:
         return "\n".join(f"<div>{self._line(line)}</div>" for line in block.lines)
 
-    def _line(self, line):
+    def _line(self, line: "Line") -> str:
         label = f"{self.maths(line.label)}: " if line.label else ""
         first, *others = rows(line.parts, mathml, COLUMNS)
         return label + "<br/>".join(_math(row(one), line.parts if one is first else ()) for one in (first, *others))
@@ -124,7 +126,7 @@ class SetInMathML:
         return _math(row(mathml.numeral(text)), (text,))
 
 
-def _math(inner, parts):
+def _math(inner: str, parts: Sequence[Any]) -> str:
     said = formula(parts, plain).replace("\u00a0", " ").strip() if parts else ""
     return f'<math xmlns="http://www.w3.org/1998/Math/MathML" alttext="{words_of_html(said)}">{inner}</math>'
 
@@ -162,34 +164,35 @@ def html(sections: "Iterable[Section] | AsSet", setting: SetInTeX | SetInMathML)
     return "\n".join(found)
 
 
-def _paragraph(block, setting):
+def _paragraph(block: Paragraph, setting: SetInTeX | SetInMathML) -> str:
     return f"<p>{running(block.parts, setting).strip()}</p>"
 
 
-def _heading(block, setting):
+def _heading(block: Heading, setting: SetInTeX | SetInMathML) -> str:
     return f"<p><em>{setting.words(block.text.rstrip(':'))}</em></p>"
 
 
-def _equations(block, setting):
+def _equations(block: Equations, setting: SetInTeX | SetInMathML) -> str:
     return setting.equations(block)
 
 
-def _definitions(block, setting):
+def _definitions(block: Definitions, setting: SetInTeX | SetInMathML) -> str:
     items = [running(item.term, setting) + (f" ({setting.words(item.about)})" if item.about else "")
              for item in block.items]
     return "<ul>" + "".join(f"<li>{item}</li>" for item in items) + "</ul>"
 
 
-def _table(block, setting):
+def _table(block: TableBlock, setting: SetInTeX | SetInMathML) -> str:
     head, *body = ([_cell(cell, setting) for cell in cells] for cells in (block.head, *block.rows))
     return ("<table><thead><tr>" + "".join(f"<th>{cell}</th>" for cell in head) + "</tr></thead><tbody>"
             + "".join("<tr>" + "".join(f"<td>{cell}</td>" for cell in cells) + "</tr>" for cells in body)
             + "</tbody></table>")
 
 
-def _cell(cell, setting):
-    return setting.numeral(cell) if is_signed(cell) else running((cell,), setting)
+def _cell(cell: str | Maths, setting: SetInTeX | SetInMathML) -> str:
+    return setting.numeral(cell) if isinstance(cell, str) and is_signed(cell) else running((cell,), setting)
 
 
-_BLOCKS = {Paragraph: _paragraph, Heading: _heading, Equations: _equations, Definitions: _definitions,
-           TableBlock: _table}
+_BLOCKS: dict[type, Callable[[Any, SetInTeX | SetInMathML], str]] = {
+    Paragraph: _paragraph, Heading: _heading, Equations: _equations, Definitions: _definitions,
+    TableBlock: _table}

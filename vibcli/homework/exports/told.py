@@ -33,7 +33,7 @@ def bands_told(key: Mapping[str, Any]) -> list[ToldBand]:
     return [right, *points, *_joined(_of_mistakes(key, right))]
 
 
-def _of_mistakes(key, right) -> Iterator[ToldBand]:
+def _of_mistakes(key: Mapping[str, Any], right: ToldBand) -> Iterator[ToldBand]:
     """Pieces of the line, upwards, each with the mistake that `grade` names there; none within the key's band."""
     spans = [_span(one["value"], key) for one in key["mistakes"]]
     places = {end for span in spans for end in span}
@@ -47,12 +47,12 @@ def _of_mistakes(key, right) -> Iterator[ToldBand]:
             yield ToldBand(low, high, name)
 
 
-def _span(value, key):
+def _span(value: float, key: Mapping[str, Any]) -> tuple[float, float]:
     width = reach(value, key["band"] * (abs(value / key["value"]) if key["value"] else 1.0))
     return value - width, value + width
 
 
-def _joined(pieces):
+def _joined(pieces: Iterator[ToldBand]) -> list[ToldBand]:
     found: list[ToldBand] = []
     for one in pieces:
         if found and found[-1].mistake == one.mistake and found[-1].high == one.low:

@@ -14,7 +14,7 @@ def changed(root: Mapping, part: "Part") -> tuple[Mapping, Mapping]:
     return _without(root, part), document_of(_kept(part))[0]
 
 
-def _without(node, part):
+def _without(node: Mapping, part: "Part") -> Mapping:
     entries = {}
     for key, (name, value) in node.entries.items():
         change = part.get(key, part)
@@ -25,5 +25,5 @@ def _without(node, part):
     return Mapping(node.where, entries)
 
 
-def _kept(part):
+def _kept(part: "Part") -> "Part":
     return {key: _kept(value) if isinstance(value, dict) else value for key, value in part.items() if value is not None}

@@ -5,7 +5,7 @@ from math import pi
 from vibcli.homework.mistakes.mistake import CommonMistake
 
 
-def _wrong(value, head, unit):
+def _wrong(value: float, head: str, unit: str) -> float | None:
     return value * 180 / pi if unit == "rad" else None
 
 

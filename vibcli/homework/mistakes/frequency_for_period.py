@@ -3,7 +3,7 @@
 from vibcli.homework.mistakes.mistake import PERIODS, CommonMistake
 
 
-def _wrong(value, head, unit):
+def _wrong(value: float, head: str, unit: str) -> float | None:
     return 1 / value if head in PERIODS and value else None
 
 

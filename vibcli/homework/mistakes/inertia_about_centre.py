@@ -1,12 +1,20 @@
 """The moment of inertia about the mass centre for that about the pin: J_C for J_C + m d²."""
 
+from typing import TYPE_CHECKING
+
 from vibcli.homework.mistakes.bodies import massive, pinned_at_centre
 from vibcli.homework.mistakes.mistake import CommonMistake
 from vibcli.notation.scene_language import language
 from vibcli.symbolic.syntax import NameRef
 
+if TYPE_CHECKING:
+    from collections.abc import Iterator
 
-def _changed(problem):
+    from vibcli.homework.mistakes.mistake import Part
+    from vibcli.results.problem import Problem
+
+
+def _changed(problem: "Problem") -> "Iterator[tuple[str, Part]]":
     written = (problem.spec.get("energies") or {}).get("T")
     for name, body in massive(problem):
         pin = body.record.get("pin")

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Collection, Iterator, Sequence
 from importlib import import_module
 from itertools import islice
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, SpecError, Where
 from vibcli.base.named_tuple import NamedTuple
@@ -18,6 +18,8 @@ from vibcli.symbolic.parser import parse
 from vibcli.symbolic.syntax import QuantityRef
 
 if TYPE_CHECKING:
+    from vibcli.homework.mistakes.mistake import Part
+    from vibcli.language.spec import Spec
     from vibcli.results.problem import Problem
 
 MOST = 30_000       # scenes with a mistake of the model that are solved, times their coordinates squared
@@ -60,7 +62,7 @@ class KnownMistake(NamedTuple):
         return value(instead or asked)
 
 
-def _head(asked):
+def _head(asked: Expression) -> str:
     return asked.tree.head if isinstance(asked.tree, QuantityRef) else ""
 
 
@@ -71,7 +73,8 @@ def by_kind(kind: str) -> dict[str, CommonMistake]:
 
 
 def of_catalogue(problem: "Problem", root: "Mapping | None", asked: Sequence[Expression],
-                 settings: dict | None = None, names: Collection[str] | None = None) -> Iterator[KnownMistake]:
+                 settings: dict[str, tuple[Any, Any]] | None = None, names: Collection[str] | None = None
+                 ) -> Iterator[KnownMistake]:
     """The mistakes that concern a scene; root: its document, None where it is not at hand: then those of the model are
     left out; settings: {parameter: (tree, text)} that replace values of it; names: of those of the model that are
     wanted, where not all are: of all only the first, the fewer the more coordinates the scene has."""
@@ -93,11 +96,11 @@ def of_catalogue(problem: "Problem", root: "Mapping | None", asked: Sequence[Exp
             yield KnownMistake(_words(name, concerns), MODEL, one.sentence, scene, of=concerns)
 
 
-def _words(name, concerns=""):
+def _words(name: str, concerns: str = "") -> str:
     return name.replace("_", " ") + (f" ({concerns})" if concerns else "")
 
 
-def _formulas(spec, one, asked):
+def _formulas(spec: "Spec", one: CommonMistake, asked: Sequence[Expression]) -> dict[str, Expression]:
     """{what is asked: the wrong expression} of those that a formula concerns."""
     found = {}
     for expression in asked:
@@ -112,7 +115,7 @@ def _formulas(spec, one, asked):
     return found
 
 
-def _ways(problem, names):
+def _ways(problem: "Problem", names: Collection[str] | None) -> "Iterator[tuple[str, CommonMistake, str, Part]]":
     """(name, mistake, what it concerns, the part of the scene as it takes it) of each way to make one of the model."""
     for name, one in by_kind(MODEL).items():
         if names is not None and all(wanted.partition(" (")[0] != _words(name) for wanted in names):
@@ -126,7 +129,8 @@ def _ways(problem, names):
                 yield name, one, concerns, part
 
 
-def _scene(problem, root, settings, part):
+def _scene(problem: "Problem", root: Mapping, settings: dict[str, tuple[Any, Any]] | None,
+           part: "Part") -> "Problem | None":
     """The scene with a part as a mistake takes it, None where it is none."""
     try:
         spec = read_changed(*changed(root, part), problem.spec.file, "", settings, True, problem.spec)

@@ -46,7 +46,7 @@ def by_reading(factor: float, heads: tuple[str, ...]) -> "Callable[[float, str, 
 
 def by_formula(text: str, heads: tuple[str, ...]) -> "Callable[[QuantityRef], str | None]":
     """The formula that stands for these quantities: {} the quantity itself, {i} its index."""
-    def wrong(asked):
+    def wrong(asked: QuantityRef) -> str | None:
         if asked.head not in heads:
             return None
         return text.format(asked.text, i=",".join(asked.indices), args=asked.text.partition("(")[2].rstrip(")"))

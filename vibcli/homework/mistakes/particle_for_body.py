@@ -1,10 +1,18 @@
 """A body that turns without a moment of inertia of its own."""
 
+from typing import TYPE_CHECKING
+
 from vibcli.homework.mistakes.bodies import is_wheel, massive, without_inertia
 from vibcli.homework.mistakes.mistake import CommonMistake
 
+if TYPE_CHECKING:
+    from collections.abc import Iterator
 
-def _changed(problem):
+    from vibcli.homework.mistakes.mistake import Part
+    from vibcli.results.problem import Problem
+
+
+def _changed(problem: "Problem") -> "Iterator[tuple[str, Part]]":
     for name, body in massive(problem):
         if "roll" not in body.record and not is_wheel(body):
             yield name, without_inertia(name)

@@ -5,7 +5,7 @@ from math import tau
 from vibcli.homework.mistakes.mistake import FREQUENCIES, RATES, CommonMistake
 
 
-def _wrong(value, head, unit):
+def _wrong(value: float, head: str, unit: str) -> float | None:
     if head in RATES and value:
         return tau / value
     return 1 / value if head in FREQUENCIES and value else None

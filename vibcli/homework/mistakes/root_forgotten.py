@@ -3,7 +3,7 @@
 from vibcli.homework.mistakes.mistake import RATES, CommonMistake
 
 
-def _wrong(value, head, unit):
+def _wrong(value: float, head: str, unit: str) -> float | None:
     return value**2 if head in RATES else None
 
 

@@ -7,13 +7,17 @@ from vibcli.homework.mistakes.mistake import CommonMistake
 from vibcli.language.reader import Expression, Reference
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
+
+    from vibcli.homework.mistakes.mistake import Part
+    from vibcli.language.reader import Record
+    from vibcli.results.problem import Problem
 
 SECTIONS = "points", "surfaces", "bodies", "springs", "dampers", "forces"
 TURNS = "sin", "cos", "tan"
 
 
-def _changed(problem):
+def _changed(problem: "Problem") -> "Iterator[tuple[str, Part]]":
     for section in SECTIONS:
         for name, record in (problem.spec.get(section) or {}).items():
             for angle in _angles(problem, record):
@@ -21,14 +25,14 @@ def _changed(problem):
                 yield f"{angle} of {name}", {section: {name: keys}}
 
 
-def _angles(problem, record) -> list[str]:
+def _angles(problem: "Problem", record: "Record") -> list[str]:
     """The parameters that are the argument of a sine, cosine or tangent in a record."""
     found = {call.args[0].name: None for one in _expressions([record]) for call in one.parts.calls
              if call.name in TURNS and call.args[0].kind == "name"}
     return [name for name in found if name in problem.spec.parameters]
 
 
-def _expressions(values) -> "Iterator[Expression]":
+def _expressions(values: "Iterable[object]") -> "Iterator[Expression]":
     for value in values:
         if isinstance(value, dict):
             yield from _expressions(value.values())
@@ -38,7 +42,7 @@ def _expressions(values) -> "Iterator[Expression]":
             yield value
 
 
-def _names(values):
+def _names(values: "Iterable[object]") -> set[str]:
     return {name for one in _expressions(values) for name, *_ in one.parts.names}
 
 

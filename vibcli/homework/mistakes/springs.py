@@ -10,9 +10,10 @@ from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
-    from vibcli.language.reader import Record
+    from vibcli.language.reader import Expression, Record, Reference
     from vibcli.language.spec import Spec
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 
 def side_by_side(spec: "Spec") -> "Iterator[tuple[Record, Record]]":
@@ -23,12 +24,12 @@ def side_by_side(spec: "Spec") -> "Iterator[tuple[Record, Record]]":
             yield one, other
 
 
-def _ends(record):
+def _ends(record: "Record") -> list[str]:
     """The ends by what they are called, in either order."""
     return sorted(_end(end) for end in record["between"])
 
 
-def _end(end):
+def _end(end: "list[Expression] | Reference") -> str:
     return ", ".join(part.text for part in end) if isinstance(end, list) else end.text
 
 
@@ -50,9 +51,10 @@ def lever_ratio(problem: "Problem", name: str) -> str | None:
     return None if size == scene.table.one else language(size)
 
 
-def _is_negative(problem, node):
+def _is_negative(problem: "Problem", node: "Node") -> bool:
     """Is an expression of parameters negative at the values that these have, or at some of letters?"""
     parameters = problem.scene.parameters
     values = problem.numeric.floats if not problem.numeric.has_free_symbols else parameters.values(
         Floats, sample_values(parameters.free, 0))
-    return evaluate([node], Floats, values)[0] < 0
+    value: float = evaluate([node], Floats, values)[0]
+    return value < 0

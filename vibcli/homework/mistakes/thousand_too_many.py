@@ -3,7 +3,7 @@
 from vibcli.homework.mistakes.mistake import UNPREFIXED, CommonMistake
 
 
-def _wrong(value, head, unit):
+def _wrong(value: float, head: str, unit: str) -> float | None:
     return 1e3 * value if unit not in UNPREFIXED else None
 
 

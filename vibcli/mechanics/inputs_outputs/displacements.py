@@ -45,7 +45,7 @@ def _of_point(scene, name, part):
     """The displacement x or y of a point on a member in the plane."""
     record = scene.spec.get("member_points")[name]
     member = scene.members[record["body"].text]
-    station = member.at(scene, scene.lower(record["at"]))
+    station = member.nearest(scene, scene.lower(record["at"]))
     return member.line.displaced(station.along, station.u)["xy".index(part)]
 
 
