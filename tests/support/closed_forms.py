@@ -250,7 +250,7 @@ TEXTBOOK = {
         "mode 1:  a = 1,  b = i", "mode 2:  a = 1,  b = −i"]),
     "unround shaft": (SHAFT, {
         "omega[1]^2 + omega[2]^2": "(k1 + k2)/m + 2*Omega^2"}, [
-        "ω₁,₂² = (2·m·Ω² + k₁ + k₂ ∓ √(8·m·Ω²·(k₁ + k₂) + (k₁ − k₂)²))/(2·m)",
+        "ω₁,₂² = (2·m·Ω² + k₁ + k₂ ∓ √(8·m·Ω²·(k₁ + k₂) + (k₂ − k₁)²))/(2·m)",
         "modes 1, 2:  x = 1,  y = −i·(k₁ − m·(Ω² + ω²))/(2·m·Ω·ω)   with ω = ω₁, ω₂"]),
     "two hanging masses": (HANGING, {
         "equilibrium[y1]": "(m1 + m2)*g/k1", "equilibrium[y2]": "(m1 + m2)*g/k1 + m2*g/k2"}, [

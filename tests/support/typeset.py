@@ -26,7 +26,7 @@ _OURS = {r"\arcsin", r"\arccos", r"\arctan"} | {"\\" + name for name in FUNCTION
 def latex(text):
     """The tokens of LaTeX."""
     text = re.sub(r"\\mkern\dmu", r"\\,", text)
-    text = re.sub(r"(?<=\d) \\text\{ (?:[^{}]|\\ensuremath\{\{\}\^\{\d\}\})*\}", "", text)       # a unit
+    text = re.sub(r"(?<=\d) \\text\{ (?:[^{}]|\\ensuremath\{(?:[^{}]|\{[^{}]*\})*\})*\}", "", text)       # a unit
     text = re.sub(r"\\(?:begin|end)\{aligned\}|(?:\\\\|\\cr) & \\quad \{\}|& ", " ", text)       # rows are one
     return bracketed(_latex([part for part in _LATEX.findall(text) if not part.isspace()]))
 
@@ -128,9 +128,10 @@ def _element(part):
         return []
     if part.tag in ("mtable", "mtr", "mtd"):
         return _row(part)
-    if part.tag in ("mfrac", "msqrt"):
-        inside = [bracketed(_element(one)) for one in part]
-        return [("fraction", *inside)] if part.tag == "mfrac" else [("root", bracketed(_row(part)))]
+    if part.tag == "mfrac":
+        return [("fraction", *(bracketed(_element(one)) for one in part))]
+    if part.tag == "msqrt":
+        return [("root", bracketed(_row(part)))]
     if part.tag == "msup":
         return [*_element(part[0]), ("power", bracketed(_element(part[1])))]
     if part.tag == "msubsup":

@@ -40,7 +40,11 @@ class Commands(click.Group):
                 hint = f"write: vibcli solve {args[0]}"
             raise click.UsageError(f"there is no command '{args[0]}'; {hint}")
         name, command, rest = super().resolve_command(context, args)
-        return name, command, _by_long_names(command, rest) if command is not None else rest
+        if command is None:
+            return name, command, rest
+        rest = _by_long_names(command, rest)
+        _require_once(command, rest)
+        return name, command, rest
 
     def format_commands(self, context: click.Context, formatter: Any) -> None:
         with formatter.section("Commands"):
@@ -52,6 +56,22 @@ def _by_long_names(command: click.Command, args: "Sequence[str]") -> list[str]:
     what click finds at once, without a search for what is spelt nearly so."""
     long = {option.opts[0]: option.opts[-1] for option in command.params if len(option.opts) > 1}
     return [long.get(arg, arg) if i and not args[i - 1].startswith("-") else arg for i, arg in enumerate(args)]
+
+
+def _require_once(command: click.Command, args: "Sequence[str]") -> None:
+    """UsageError of an option with one value that is given twice, of which click would take the last."""
+    single = {name: option for option in command.params if isinstance(option, click.Option)
+              and not (option.multiple or option.is_flag or option.count) for name in option.opts}
+    met, rest = set(), iter(args)
+    for arg in rest:
+        name, sign, _ = arg.partition("=")
+        if arg == "--":
+            return
+        if name in single and not sign:
+            next(rest, None)
+        if name in single and single[name] in met:
+            raise click.UsageError(f"{' or '.join(single[name].opts)} is given twice, and holds one value")
+        met.add(single.get(name))
 
 
 @click.group(cls=Commands, context_settings={"help_option_names": ["-h", "--help"]},

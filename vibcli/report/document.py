@@ -52,6 +52,8 @@ class Report:
                 self.sections.append(explained(found))
         except PhysicsError as error:
             self.refusal = self.refusal or error
+        if problem is not self.problem:
+            self.problem.costs.update({**problem.costs, **self.problem.costs})
 
     @cached_property
     def _measured(self) -> "Problem":

@@ -25,6 +25,7 @@ from vibcli.report.sections.symbolic_modes import turned
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression import Table
 from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.node import UNITS
 from vibcli.symbolic.parser import parse
 
 WAYS = {**printed.NOTATIONS, "language": (language, formulas.plain)}
@@ -109,13 +110,13 @@ def test_what_was_typed_is_read_back(name):
 ROOT = Path(__file__).parents[3]
 FILES = sorted([*(ROOT / "problems").glob("*/*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml")])
 SHOWN = (*EVERYTHING, "response", "frequency_response", "shares", "sensitivities", "estimates")
-NAMED = ("car_bounce_and_pitch", "press_with_two_blows")
+NAMED = ("car_bounce_and_pitch", "press_with_two_blows", "dampers_in_series")
 SAMPLE = [path for i, path in enumerate(FILES) if i % 16 == 3 or path.stem in NAMED]
 
 
 def numbers(found):
     """{symbol: number}: the parameters of a scene as they are drawn, its motion small and at random."""
-    draw, values = random.Random(3), dict(found.scene.sample)
+    draw, values = random.Random(3), {**found.scene.sample, **dict.fromkeys(UNITS.values(), 1.0)}
     for scene in (found.system.scene_with_multipliers, found.scene):
         for node in (*scene.q, *scene.v, *scene.a):
             values.setdefault(node.name, draw.uniform(0.02, 0.08))

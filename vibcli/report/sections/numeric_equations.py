@@ -5,8 +5,10 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from vibcli.mechanics.factored_system import summed
+from vibcli.report.measured import without_units
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.node import ALL_PURE
 from vibcli.symbolic.normal_form import TooLong, expanded
 from vibcli.symbolic.rationals import ONE
 
@@ -57,6 +59,8 @@ def numeric_drive(problem: "Problem", equations: "EquationsOfMotion", i: int) ->
     node = equations.drive.get(i)
     if node is None:
         return []
+    if problem.scene.table.hidden is ALL_PURE:
+        node = without_units(node)
     row, sizes, table, time = {}, {}, problem.scene.table, problem.scene.time.mask
     for monomial, value in _multiplied_out(problem, node).items():
         moving = table.product(*(pair for pair in monomial if pair[0].mask & time))
