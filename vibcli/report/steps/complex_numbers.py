@@ -33,6 +33,12 @@ def complex_told(value: complex) -> str:
     return f"{told(real)} {'−' if imaginary < 0 else '+'} {told(abs(imaginary))}·i"
 
 
+def factor_told(value: complex) -> str:
+    """The same before a dot: in brackets where it is a sum or negative."""
+    text = complex_told(value)
+    return f"({text})" if " " in text or text.startswith("−") else text
+
+
 def cleared(value: complex) -> complex:
     """A complex number without what rounding leaves of a part beside the other."""
     size = SMALL * abs(value)

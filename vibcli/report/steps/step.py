@@ -113,6 +113,12 @@ def _printed(name):
     return GREEK.get(letter, letter) + primes, below.removeprefix("_")
 
 
+def indexed(name: str, index: int) -> str:
+    """A letter with an index, before its marks: Q1′ of Q′."""
+    bare = name.rstrip("′")
+    return f"{bare}{index}{name[len(bare):]}"
+
+
 def momentum(sheet: WorkedSolution, name: str, p: Any, change: Any, slope: Any) -> tuple:
     """Parts of ∂T/∂q̇ = p,  d/dt ∂T/∂q̇ = its rate,  ∂T/∂q = slope."""
     of_speed = slope_by(sheet, "T", name + "'")
