@@ -49,13 +49,13 @@ def tell_asked(problem: "Problem", sheet: WorkedSolution) -> None:
     if problem.numeric.has_free_symbols:
         _tell_in_letters(problem, sheet)
         return
-    settled, before = {line.settles for line in sheet.steps}, len(sheet.steps)
+    settled, before = {line.settles for line in sheet.steps}, sheet.last
     of_answers = [one for one in problem.spec.answers if _untold(problem.spec, one.asked)]
     extremes = {one.asked.text for one in of_answers if getattr(one.asked.tree, "head", "") in HEADS}
     for one in (*(rules.ask if rules is not None else ()), *of_answers):
         if one.asked.text not in settled and _is_number(problem.spec, one.asked.tree):
             settled.add(one.asked.text)
-            beside = len(sheet.steps) > before or sheet.steps[-1].settles in extremes
+            beside = sheet.last > before or sheet.steps[-1].settles in extremes
             _tell(problem, sheet, one.asked, joined=one in of_answers and beside)
 
 

@@ -100,7 +100,11 @@ class ComplexModesUnderPieces:
         line = self.sheet.write(root, f" = {complex_told(mode.root)}", Words(" 1/s:  "), *shape_told(
             self.names, mode), Words(",  "), Name(z.text + "'"), " − ", root, "·", z, " = ", *loads, *start,
             settles=f"equation of complex mode {k + 1}", uses=uses)
-        know_decay(self.sheet, mode.order, -mode.root.real, abs(mode.root.imag), line)
+        if mode.root.imag:
+            know_decay(self.sheet, mode.order, -mode.root.real, mode.root.imag, line)
+        elif mode.root:
+            alpha = self.sheet.letter(f"alpha{k + 1}")
+            self.sheet.write(settles=alpha, letter=alpha, value=-mode.root.real, unit="1/s", joined=True, uses=[line])
         return line
 
     def integrals(self, uses: "Sequence[int]") -> None:
@@ -154,12 +158,15 @@ class ComplexModesUnderPieces:
             return [Words(",  "), *substitute([constant], {root: own}), f" = {complex_told(complex(known))}", Words(
                 " s²" if kind == "ramp" else " s")]
         name = self.sheet.letter(f"{LETTERS[kind]}{k + 1}")
-        return [Words(",  but as "), own, " = 0", Words("  "), Name(name), "(τ) = ", self._units(mode).added_up(kind)]
+        return [Words(",  but as "), own, " = 0", Words("  "), Name(name), "(τ) = ", self._units(k).added_up(kind)]
 
-    def _units(self, mode):
-        """What units bring about in a mode, by the letters of its λ."""
-        delta, omega = (self.about.letter(self.sheet.letter(f"{letter}{mode.order}")) if part else self.table.zero
-                        for letter, part in (("delta", mode.root.real), ("omega_d", mode.root.imag)))
+    def _units(self, k):
+        """What units bring about in a mode, by the letters of its λ, −α of one that is real: two of these may have the
+        number of one mode."""
+        mode = self.modes[k]
+        names = (f"delta{mode.order}", f"omega_d{mode.order}") if mode.root.imag else (f"alpha{k + 1}", "")
+        delta, omega = (self.about.letter(self.sheet.letter(name)) if part else self.table.zero
+                        for name, part in zip(names, (mode.root.real or mode.root.imag, mode.root.imag), strict=True))
         return ComplexUnitResponses(delta, omega, self.tau, self.Omega)
 
     def _sum(self, k, uses):
@@ -192,7 +199,7 @@ class ComplexModesUnderPieces:
         whose factors have letters."""
         zero, told = self.table.zero, []
         for k, mode in enumerate(self.modes):
-            unit = self._units(mode)
+            unit = self._units(k)
             of_load = [(self._weights(i, k, j + 1, taken[k]), piece) for j, taken in self.taken.items()
                        for piece in self.loads[j]]
             start = [(self._weights(i, k, 0, mode.part), LoadPiece("impulse", self.table.one, zero))] * self.started

@@ -88,7 +88,8 @@ class PartOfMode(NamedTuple):
             return [*([] if first else [" + "]), f"2·Re({factor}", *of, ")"]
         value = complex(self.size).real
         sign = "−" if value < 0 else "+"
-        head = [sign.strip("+") if first else f" {sign} ", f"{told(abs(value))}·" * (abs(value) != 1)]
+        size = told(abs(value))
+        head = [sign.strip("+") if first else f" {sign} ", f"{size}·" * (size != "1")]
         return [*filter(None, head), *of]
 
 

@@ -97,6 +97,11 @@ class WorkedSolution:
         self._beside = self.steps[-1] if opens else None
         return number
 
+    def settles_too(self, line: WorkedLine, settles: str) -> None:
+        """Let a line that told the letter of a number settle another quantity that this is."""
+        found = line._replace(settles=settles, letter="", parts=(), vanishes=None, uses=(*line.uses, line.number))
+        self.steps.insert(self.steps.index(line) + 1, found)
+
     def join_next(self) -> None:
         """Let the next line be joined to the last one."""
         self._beside = self.steps[-1] if self.steps else None
