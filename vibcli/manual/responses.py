@@ -182,8 +182,8 @@ STEPS = [
          "first order from rest"),
         ("frequencies", "ω² and ω with numbers put in, δ, ζ, ω_d; of two coordinates det(K − ω²M) = 0, with iωG where "
          "frames turn, its coefficients and roots, ratios of amplitudes, modal masses and normal coordinates; whether "
-         "damping is proportional; roots with damping; where they are asked, bounds by assumed shapes, by Rayleigh and "
-         "by Dunkerley"),
+         "damping is proportional; roots with damping; where they are asked, shapes of damped modes, bounds by "
+         "assumed shapes, by Rayleigh and by Dunkerley"),
         ("motion", "of one coordinate the constants from `initial`, and what loads bring about: X and θ under one "
          "harmonic or several, from the complex equation; the first harmonics of a square or sawtooth wave; steps, "
          "ramps and impulses piece by piece; what follows a growing load. Of several the complex amplitudes "

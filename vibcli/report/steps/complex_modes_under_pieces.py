@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.report.blocks import Name, Words
-from vibcli.report.steps.complex_numbers import complex_told, factor_told
+from vibcli.report.steps.complex_numbers import complex_told, factor_told, shape_told
 from vibcli.report.steps.complex_unit_responses import ComplexUnitResponses, particular_and_constant
-from vibcli.report.steps.from_complex_modes import ComplexMode, complex_modes_of, shape_told
+from vibcli.report.steps.from_complex_modes import ComplexMode, complex_modes_of
 from vibcli.report.steps.held import SmallEquations
 from vibcli.report.steps.loads_on_modes import LoadsOnModes, is_of_engine
 from vibcli.report.steps.motion_by_pieces import MotionByModes, MotionByPieces, PartOfMode, ToldPiece
@@ -98,7 +98,7 @@ class ComplexModesUnderPieces:
             " + ", f"{factor_told(taken[k])}·", Name(self.sheet.letter(indexed(Q, j + 1))))][1:]
         start = [Words(",  "), z, f"(0) = {complex_told(mode.part)}", Words(f" {self.units[0]}")] * self.started
         line = self.sheet.write(root, f" = {complex_told(mode.root)}", Words(" 1/s:  "), *shape_told(
-            self.names, mode), Words(",  "), Name(z.text + "'"), " − ", root, "·", z, " = ", *loads, *start,
+            self.names, mode.shape), Words(",  "), Name(z.text + "'"), " − ", root, "·", z, " = ", *loads, *start,
             settles=f"equation of complex mode {k + 1}", uses=uses)
         if mode.root.imag:
             know_decay(self.sheet, mode.order, -mode.root.real, mode.root.imag, line)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.report.blocks import Name, Words
-from vibcli.report.steps.complex_numbers import complex_told
+from vibcli.report.steps.complex_numbers import complex_told, shape_told
 from vibcli.report.steps.from_modes import ALIKE, motion_of, waves
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number, told
@@ -107,17 +107,11 @@ def _part_of(about, sheet, mode, uses):
     if mode.root.imag:
         for letter, value, of in (("delta", -mode.root.real, "1/s"), ("omega_d", mode.root.imag, "rad/s")):
             parts += [Name(sheet.letter(f"{letter}{mode.order}")), *number(value, of), Words(",  ")]
-    line = sheet.write(*parts, *shape_told(names, mode), Words(",  its part is  "), complex_told(mode.part), Words(
-        f" {unit}"), settles=f"part {complex_told(mode.root)}", uses=uses)
+    told_of = [*shape_told(names, mode.shape), Words(",  its part is  "), complex_told(mode.part), Words(f" {unit}")]
+    line = sheet.write(*parts, *told_of, settles=f"part {complex_told(mode.root)}", uses=uses)
     if mode.root.imag:
         know_decay(sheet, mode.order, -mode.root.real, mode.root.imag, line)
     return line
-
-
-def shape_told(names: "Sequence[str]", mode: ComplexMode) -> list[Any]:
-    """Parts of x : y = 1 : (2 + 3·i)."""
-    return [*[part for name in names for part in (" : ", Name(name))][1:], " = " + " : ".join(
-        f"({told})" if " " in (told := complex_told(complex(x))) else told for x in mode.shape)]
 
 
 def _terms(about, sheet, mode, i, nothing):
