@@ -12,6 +12,7 @@ from vibcli.quantities.quantity import OF_STATE, is_choice, quantity_of
 from vibcli.report.blocks import Words
 from vibcli.report.steps.agreement import same, samples_of, tidy
 from vibcli.report.steps.asked_of_pieces import tell_of_pieces
+from vibcli.report.steps.averages import tell_average
 from vibcli.report.steps.directions import tell_direction
 from vibcli.report.steps.extremes import HEADS
 from vibcli.report.steps.free_vibration import tell_of_free
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
-BY_LETTERS = (tell_direction, tell_instant, tell_of_free, tell_of_overdamped, tell_of_kept_up,
+BY_LETTERS = (tell_direction, tell_instant, tell_of_free, tell_of_overdamped, tell_average, tell_of_kept_up,
               tell_of_pieces)       # that have lines of their own
 CLOSE = 1e-9        # relative: of an expression and the engine's number
 OF_SPRINGS = "stiffness", "damping", "law", "stiffness_correction"       # of springs, dashpots, and what these hold
@@ -68,8 +69,9 @@ def _tell_in_letters(problem, sheet):
         if asked.text in settled:
             continue
         try:
-            ways = IN_LETTERS if isinstance(asked.tree, QuantityRef) else ()
-            if not any(tell(problem, sheet, asked) for tell in (*ways, tell_of_kept_up, _told_as_expression)):
+            ways: tuple = IN_LETTERS if isinstance(asked.tree, QuantityRef) else ()
+            ways = *ways, tell_average, tell_of_kept_up, _told_as_expression
+            if not any(tell(problem, sheet, asked) for tell in ways):
                 left.append(asked)
         except (PhysicsError, SpecError):
             left.append(asked)
