@@ -22,6 +22,7 @@ from vibcli.report.steps.instants import tell_instant
 from vibcli.report.steps.kept_up import tell_of_kept_up
 from vibcli.report.steps.overdamped import tell_of_overdamped
 from vibcli.report.steps.place_of_rest import as_counted
+from vibcli.report.steps.receptances import tell_receptance
 from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.nested_form import letters
@@ -37,6 +38,7 @@ if TYPE_CHECKING:
 
 BY_LETTERS = (tell_direction, tell_instant, tell_of_free, tell_of_overdamped, tell_average, tell_of_kept_up,
               tell_of_pieces)       # that have lines of their own
+OF_EXPRESSIONS = tell_average, tell_receptance
 CLOSE = 1e-9        # relative: of an expression and the engine's number
 OF_SPRINGS = "stiffness", "damping", "law", "stiffness_correction"       # of springs, dashpots, and what these hold
 OF_LETTERS = "period", "decay", "zeta"      # told in letters, where no line settles them
@@ -133,7 +135,7 @@ def _is_number(spec, tree):
 
 
 def _tell(problem, sheet, asked, joined):
-    for tell in BY_LETTERS if isinstance(asked.tree, QuantityRef) else ():
+    for tell in BY_LETTERS if isinstance(asked.tree, QuantityRef) else OF_EXPRESSIONS:
         if joined and tell not in (tell_direction, tell_instant):
             sheet.join_next()
         with suppress(PhysicsError, SpecError):

@@ -65,7 +65,7 @@ def tell_average(problem: "Problem", sheet: WorkedSolution, asked: "Expression")
 
 def _average(problem, sheet, swing, tree, sizes) -> "Node":
     """The expression, also of several means; of their sizes by the root mean square of each, where it is zero."""
-    samples = [known for _, known in islice(instances(problem, sheet), INSTANCES)]
+    samples = [dict(known) for _, known in islice(instances(problem, sheet), INSTANCES)]
 
     def average(name, primes, part: Any):
         if isinstance(part, NameRef):

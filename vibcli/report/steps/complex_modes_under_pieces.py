@@ -48,7 +48,7 @@ def complex_modes_under(about: AboutRest, rows: "Sequence[int]", start: "Sequenc
 
     n, M = len(about.scene.q), about.problem.configuration.linear_system.matrices()[0]
     masses = np.array([[M.get((i, j), 0.0) for j in range(n)] for i in range(n)])
-    struck = {row: complex_modes_of(about.problem, [[0.0] * n, np.linalg.solve(masses, np.eye(n)[row])])
+    struck = {row: complex_modes_of(about.problem, [[0.0] * n, np.linalg.solve(masses, np.eye(n)[row]).tolist()])
               for row in rows}
     started = any(map(any, start))
     modes = complex_modes_of(about.problem, start) if started else next(iter(struck.values()))

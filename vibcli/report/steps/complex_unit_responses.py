@@ -11,33 +11,12 @@ the particular part and, as they cancel at τ = 0, its constant times e^{λτ}; 
 from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
+from vibcli.report.steps.complex_nodes import ComplexNode
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 WAVES = "sin", "cos"
-
-class ComplexNode(NamedTuple):
-    """An expression a + ib."""
-
-    real: "Node"
-    imaginary: "Node"
-
-    def times(self, other: "ComplexNode") -> "ComplexNode":
-        """Their product."""
-        return ComplexNode(self.real * other.real - self.imaginary * other.imaginary,
-                           self.real * other.imaginary + self.imaginary * other.real)
-
-    def plus(self, real: "Node") -> "ComplexNode":
-        """The sum with an expression that is real."""
-        return ComplexNode(self.real + real, self.imaginary)
-
-    def over(self, other: "ComplexNode") -> "ComplexNode":
-        """Their quotient."""
-        a, b = other.real, other.imaginary
-        size = a ** 2 + b ** 2
-        return self.times(ComplexNode(a / size, -b / size))
-
 
 class ComplexUnitResponses(NamedTuple):
     """The letters δ, ω, τ, and Ω, which is zero where no load swings; ω is of a mode that does not, both of λ = 0."""

@@ -9,8 +9,8 @@ from cmath import phase
 from typing import TYPE_CHECKING, Any
 
 from vibcli.report.blocks import Name, Words
+from vibcli.report.steps.complex_nodes import ComplexNode
 from vibcli.report.steps.complex_numbers import complex_told, shape_told
-from vibcli.report.steps.complex_unit_responses import ComplexNode
 from vibcli.report.steps.held import SmallEquations
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number, told

@@ -20,6 +20,7 @@ from vibcli.report.blocks import Words
 from vibcli.report.steps.agreement import samples_of
 from vibcli.report.steps.held_against import tell_found
 from vibcli.report.steps.instances import found_at, is_found
+from vibcli.report.steps.receptances import PARTS, response_at, tell_receptance
 from vibcli.report.steps.step import WorkedSolution
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -36,7 +37,6 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
-PARTS = "re", "im", "arg", "phase"
 SIDES = {"1": -1, "2": 1}       # of a peak where it has half its power
 
 
@@ -45,23 +45,15 @@ def tell_of_kept_up(problem: "Problem", sheet: WorkedSolution, asked: "Expressio
     tree = asked.tree
     if getattr(tree, "head", "") == "phase" and _is_letter(problem, sheet, asked):
         return True
-    at = _response_at(tree)
+    at = response_at(tree)
     if getattr(tree, "head", "") == "half_power":
         forms = _half_power(problem, sheet, tree)
+    elif at is not None and tell_receptance(problem, sheet, asked):
+        return True
     else:
         forms = ((node, [node]) for node in _forms(problem, sheet, tree)) if at is None else _at_a_frequency(
             problem, sheet, tree, at)
     return tell_found(problem, sheet, asked, forms, [sheet.last])
-
-
-def _response_at(tree):
-    """The response whose size, part or lag at a frequency is asked; None of another tree."""
-    head = getattr(tree, "head", getattr(tree, "name", ""))
-    if head == "transmissibility":
-        return tree
-    first = next(iter(getattr(tree, "args", ())), None)
-    at = isinstance(first, QuantityRef) and first.head == "frf" and first.args
-    return first if at and head in ("abs", *PARTS) else None
 
 
 def _at_a_frequency(problem, sheet, tree, response):

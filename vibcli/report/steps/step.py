@@ -17,6 +17,7 @@ from vibcli.symbolic.syntax import Call, Product, QuantityRef
 if TYPE_CHECKING:
     from vibcli.language.reader import Expression
     from vibcli.language.spec import Spec
+    from vibcli.report.steps.complex_nodes import LetteredStiffness
     from vibcli.report.steps.free_waves import ToldMotion
     from vibcli.report.steps.motion_by_pieces import MotionByModes, MotionByPieces
     from vibcli.results.problem import Problem
@@ -57,6 +58,7 @@ class WorkedSolution:
         self.drawn: dict[Problem, tuple] = {}       # scenes in numbers that were drawn of one in letters
         self.waves: dict[str, ToldMotion] = {}      # of coordinates that move freely by the letters of lines
         self.in_numbers: dict[str, float] = {}      # of letters in whose place lines have the number
+        self.responses: dict[Node, LetteredStiffness] = {}      # of K − Ω²M + iΩC by Ω
         self.by_pieces: dict[str, MotionByPieces | MotionByModes] = {}      # of coordinates under pieces of loads
 
     @property
