@@ -62,7 +62,7 @@ def test_the_same_in_numbers():
     x, v, f = ((part * turn).imag for part in (H, 7j * H, 3))
     for asked, values in {"mean(f.power)": f * v, "mean(x^4)": x**4, "mean(f.force*x)": f * x}.items():
         assert of[asked].value == pytest.approx(np.mean(values), rel=1e-9) and of[asked].node is not None
-    assert of["mean(s.force*x')"].node is not None and shown(of["mean(s.force*x')"]).endswith("= 0")
+    assert of["mean(s.force*x')"].node is not None and shown(of["mean(s.force*x')"]).endswith("= 0 W")
 
 
 @pytest.mark.parametrize("wave", ["sin", "cos"])
@@ -80,4 +80,4 @@ def test_means_of_two_degrees(wave):
         value = np.mean(values) ** (0.5 if asked.startswith("rms") else 1)
         assert of[asked].node is not None and of[asked].value == pytest.approx(value, rel=1e-9)
     assert shown(of["rms(x)"]).startswith("rms(x):  with the real part a and the imaginary part b of each X:  ")
-    assert shown(of["mean(s.force*y')"]).endswith("mean(s.force·ẏ) = 0")
+    assert shown(of["mean(s.force*y')"]).endswith("mean(s.force·ẏ) = 0 W")

@@ -21,7 +21,7 @@ from vibcli.report.blocks import Words
 from vibcli.report.steps.agreement import tidy
 from vibcli.report.steps.held_against import tell_found
 from vibcli.report.steps.instances import INSTANCES, found_at, instances
-from vibcli.report.steps.step import WorkedSolution
+from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
@@ -55,8 +55,10 @@ def tell_average(problem: "Problem", sheet: WorkedSolution, asked: "Expression")
     node, size = (_average(problem, sheet, swing, asked.tree, sizes) for sizes in (False, True))
     found = found_at(problem, sheet, asked)
     if found and all(abs(value) <= ROUNDING * abs(evaluate([size], Floats, known)[0]) for known, value in found):
-        sheet.write(Words(as_printed(asked.text, {*problem.spec.parameters, *problem.spec.coordinates})), " = 0",
-                    settles=asked.text, node=node, uses=[sheet.last])
+        text = as_printed(asked.text, {*problem.spec.parameters, *problem.spec.coordinates})
+        value, unit = (None, "") if problem.numeric.has_free_symbols else (0.0, unit_told(problem.spec, asked))
+        sheet.write(Words(text), *number(0.0, unit), settles=asked.text, node=node.table.zero, value=value, unit=unit,
+                    uses=[sheet.last])
         return True
     first = len(problem.scene.q) > 1 and not any(WITH in part.text for line in sheet.steps for part in line.parts
                                                  if isinstance(part, Words))
