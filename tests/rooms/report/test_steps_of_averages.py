@@ -81,3 +81,18 @@ def test_means_of_two_degrees(wave):
         assert of[asked].node is not None and of[asked].value == pytest.approx(value, rel=1e-9)
     assert shown(of["rms(x)"]).startswith("rms(x):  with the real part a and the imaginary part b of each X:  ")
     assert shown(of["mean(s.force*y')"]).endswith("mean(s.force·ẏ) = 0 W")
+
+
+@pytest.mark.parametrize("values", [True, False])
+def test_two_harmonics_and_periods(values):
+    text = ONE[:ONE.index("forces")] + """forces: {f: {at: b, force: F*sin(w*t) + F*sin(2*w*t)}}
+answers: {rms(x): 0 m, "mean(x'^2)": 0 m^2/s^2, period(x): 0 s}"""
+    for name, value in VALUES.items() if values else ():
+        text = text.replace(f"{name}: ,", f"{name}: {value},").replace(f"{name}: }}", f"{name}: {value}}}")
+    of = told(text)
+    assert shown(of["rms(x)"]).startswith("rms(x):  √((X₁² + X₂²)/2)") and of["rms(x)"].node is not None
+    assert shown(of["period(x)"]).startswith("period(x):  2·π/w") and of["mean(x'^2)"].node is not None
+    if values:
+        X = [abs(3 / (800 - 2 * rate**2 + 9j * rate)) for rate in (7, 14)]
+        assert of["rms(x)"].value == pytest.approx(np.sqrt((X[0]**2 + X[1]**2) / 2), rel=1e-9)
+        assert of["mean(x'^2)"].value == pytest.approx(((7 * X[0])**2 + (14 * X[1])**2) / 2, rel=1e-9)

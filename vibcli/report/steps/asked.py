@@ -21,6 +21,7 @@ from vibcli.report.steps.in_numbers_alone import tell_left
 from vibcli.report.steps.instants import tell_instant
 from vibcli.report.steps.kept_up import tell_of_kept_up
 from vibcli.report.steps.overdamped import tell_of_overdamped, tell_root
+from vibcli.report.steps.periods import tell_period
 from vibcli.report.steps.place_of_rest import as_counted
 from vibcli.report.steps.receptances import tell_receptance
 from vibcli.report.steps.step import WorkedSolution, number, unit_told
@@ -36,8 +37,8 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
-BY_LETTERS = (tell_direction, tell_instant, tell_of_free, tell_of_overdamped, tell_root, tell_average, tell_of_kept_up,
-              tell_of_pieces)       # that have lines of their own
+BY_LETTERS = (tell_direction, tell_instant, tell_of_free, tell_of_overdamped, tell_root, tell_average,
+              tell_period, tell_of_kept_up, tell_of_pieces)       # that have lines of their own
 OF_EXPRESSIONS = tell_average, tell_receptance
 CLOSE = 1e-9        # relative: of an expression and the engine's number
 OF_SPRINGS = "stiffness", "damping", "law", "stiffness_correction"       # of springs, dashpots, and what these hold
@@ -94,7 +95,7 @@ def _by_frequency(problem, sheet, asked):
     return True
 
 
-IN_LETTERS = _by_frequency, tell_root, tell_instant, tell_of_free, tell_of_pieces
+IN_LETTERS = _by_frequency, tell_root, tell_instant, tell_of_free, tell_period, tell_of_pieces
 
 
 def _told_as_expression(problem, sheet, asked):
