@@ -9,7 +9,7 @@ from vibcli.analyses.excitation.linear_output import FieldPoint, LinearOutput
 from vibcli.numerics.pieces.stiffness import stiffness, stiffness_and_slope
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
 
     from vibcli.analyses.continuous.complex_modes import DampedBasis
     from vibcli.analyses.continuous.exact_transfer import ExactTransfer
@@ -47,22 +47,26 @@ class DraggedPieces:
             _fill(found, sizes, p, *flat)
         return found, sizes
 
-    def of_modes(self, basis: "DampedBasis", modes: np.ndarray, reads: "Mapping[int, np.ndarray]",
-                 slots: int) -> tuple[np.ndarray, np.ndarray]:
-        """The same of modes; reads: what loads on a piece are felt by them, (modes, slots)."""
-        found, sizes = (self._empty(len(modes), slots, kind) for kind in (complex, float))
-        none = np.zeros((len(modes), slots))
-        for p, (number, one) in enumerate(zip(self.numbers, self.pieces, strict=True)):
-            half = one.piece.order // 2
-            e, F, e_size, F_size = [], [], [], []
+    def ends_of_modes(self, basis: "DampedBasis", modes: np.ndarray) -> list[tuple[np.ndarray, ...]]:
+        """Of each piece: end values of modes, the forces that these need, and the sizes of both, (modes, order)."""
+        found = []
+        for number, one in zip(self.numbers, self.pieces, strict=True):
+            rows, half = [], one.piece.order // 2
             for end, row in enumerate(one.rows):
-                e.append(sum((x * basis.shapes[i, modes] for i, x in row.items()), np.zeros(len(modes), complex)))
-                F.append(basis.end_forces(number, end)[modes])
-                x = one.piece.length * (end >= half)
-                e_size.append(np.abs(e[-1]) + _lost(basis, number, x, {end % half: 1.0})[modes])
-                F_size.append(np.abs(F[-1]) + _lost(basis, number, x, _force(one.piece, x, end % half))[modes])
-            shown = reads.get(number, none)
-            _fill(found, sizes, p, *(np.array(part).T for part in (e, F, F_size)), shown, none, np.array(e_size).T)
+                e = sum((x * basis.shapes[i, modes] for i, x in row.items()), np.zeros(len(modes), complex))
+                F, x = basis.end_forces(number, end)[modes], one.piece.length * (end >= half)
+                rows.append((e, F, np.abs(e) + _lost(basis, number, x, {end % half: 1.0})[modes],
+                             np.abs(F) + _lost(basis, number, x, _force(one.piece, x, end % half))[modes]))
+            found.append(tuple(np.array(part).T for part in zip(*rows, strict=True)))
+        return found
+
+    def of_modes(self, ends: "Sequence[tuple[np.ndarray, ...]]", reads: "Mapping[int, np.ndarray]",
+                 none: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """(along, sizes) of modes with these ends; reads: what loads on a piece are felt by them, (modes, slots), of
+        others `none`."""
+        found, sizes = (self._empty(*none.shape, kind) for kind in (complex, float))
+        for p, (number, (e, F, e_size, F_size)) in enumerate(zip(self.numbers, ends, strict=True)):
+            _fill(found, sizes, p, e, F, F_size, reads.get(number, none), none, e_size)
         return found, sizes
 
     def _empty(self, n, slots, kind):

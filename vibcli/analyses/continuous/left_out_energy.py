@@ -194,9 +194,11 @@ class LeftOutEnergy:
 
     def norms(self, channels: "Sequence[int]", columns: "Sequence[Column]", e: np.ndarray) -> np.ndarray:
         """‖Π Σ e b‖ of rows of e, with all that may put them off; slots of columns: channels."""
-        key = tuple(channels), tuple(columns)
+        on, key = tuple(channels), (tuple(channels), tuple(columns))
         if key not in self._known:
-            self._known[key] = self.of_columns(self.of_channels(channels), columns)
+            if on not in self._known:
+                self._known[on] = self.of_channels(channels)
+            self._known[key] = self.of_columns(self._known[on], columns)
         return self._norms(self._known[key], e)
 
     def _norms(self, sums, e):
@@ -205,17 +207,24 @@ class LeftOutEnergy:
         return np.sqrt(sum(np.maximum(part, 0.0) for part in squares)) + np.abs(e) @ slips
 
     def _modes(self, reads, along, chosen):
-        """Those of the modes, and their OwnEnergies: by what they lose, or, where that is little, by their mass."""
+        """Those of the modes, and their OwnEnergies."""
+        key = len(chosen), "modes"
+        if key not in self._known:
+            self._known[key] = self._alone(chosen)
+        swings, own, ends = self._known[key]
+        none = np.zeros(reads.shape)
+        return DampedSwings(*swings, reads, none, *self._dragged.of_modes(ends, along, none)), own
+
+    def _alone(self, chosen):
+        """Rates, errors, strokes and sizes of these, their energies, by what they lose, or, where that is little, by
+        their mass, and their ends."""
         numbers, lost = self.states.modes[chosen], self._lost(chosen)
         rates = self.states.rates[chosen] + self.fading
         pace, fade = np.abs(rates), np.maximum(-rates.real, 0.0)
         strokes, drags = self.basis.shapes[:, numbers].T @ self._strokes, [c for c, _ in self._dragged.drags]
+        sizes, (plain, squares) = np.abs(strokes) + lost / ROUNDED, self._dragged.squares(self.basis, numbers)
         with np.errstate(divide="ignore", invalid="ignore"):
             errors = (self.basis.errors[numbers] + EPSILON) * np.abs(self.states.rates[chosen]) / pace
-            sizes = np.abs(strokes) + lost / ROUNDED
-            swings = DampedSwings(rates, errors, strokes, sizes, reads, np.zeros(reads.shape),
-                                  *self._dragged.of_modes(self.basis, numbers, along, reads.shape[1]))
-            plain, squares = self._dragged.squares(self.basis, numbers)
             dragged = squares @ drags
             damped = (np.abs(strokes) ** 2).sum(axis=1) + dragged
             by_loss = pace**2 * damped / fade
@@ -223,7 +232,8 @@ class LeftOutEnergy:
             off_by_mass = MIXED * (fade / self.modes.gaps[chosen]) ** 2 + ROUNDED
         by_mass = pace * np.abs(1 - (strokes**2).sum(axis=1) - plain @ drags)
         surer = ~(off_by_loss <= off_by_mass)
-        return swings, OwnEnergies(np.where(surer, by_mass, by_loss), np.where(surer, off_by_mass, off_by_loss), plain)
+        own = OwnEnergies(np.where(surer, by_mass, by_loss), np.where(surer, off_by_mass, off_by_loss), plain)
+        return (rates, errors, strokes, sizes), own, self._dragged.ends_of_modes(self.basis, numbers)
 
     def _lost(self, chosen):
         """What rounding leaves of the strokes of modes."""
