@@ -38,7 +38,7 @@ class LeftOutMotions:
         """Is that bound finite?"""
         return self.energy.valid and self.energy.has_reach(output, order) and self._taken
 
-    def obstacle(self, _: "LinearOutput") -> str:
+    def obstacle(self, _: "LinearOutput", __: float) -> str:
         """Why it is not, where amplitudes tell nothing either."""
         return FALL
 
