@@ -39,7 +39,7 @@ class LeftOutMotions:
         """Is that bound finite?"""
         return self.energy.valid and all(self._is_finite(k) for k in self.energy.levels(output, order))
 
-    def obstacle(self, _: "LinearOutput") -> str:
+    def obstacle(self, _: "LinearOutput", __: float) -> str:
         """Why it is not, where amplitudes tell nothing either."""
         return FALL
 

@@ -11,6 +11,7 @@ from vibcli.analyses.excitation.linear_output import FieldPoint, LinearOutput
 from vibcli.language.signals_of_places import with_places
 from vibcli.results.damped_modal_response import DampedModalResponse
 from vibcli.results.wave_response import WaveResponse
+from vibcli.results.without_bound import without_bound
 from vibcli.symbolic.parser import parse
 
 BEAM = """
@@ -108,6 +109,13 @@ def test_moments_and_what_is_struck_where_nothing_has_mass_are_estimated():
         assert motion.is_estimated(LinearOutput(places={place: 1.0})) == estimated
     struck = problem(COMMON % "forces: {push: {at: aside, force: 1 N*s*impulse(t)}}")
     assert DampedModalResponse(struck).motion(FEW).is_estimated(LinearOutput(places={MID: 1.0}))
+
+
+def test_what_energies_do_not_bound_is_refused_with_a_reason():
+    """As an acceleration after a step is; it ended in a TypeError."""
+    motion = DampedModalResponse(problem(SCENES["step"][0])).motion(FEW)
+    refusal = without_bound(motion, LinearOutput(places={FieldPoint(2, 0.0, 0, 2): 1.0}), 0.3)
+    assert "too slowly or too unevenly" in refusal.message and "rise within a time" in refusal.hint
 
 
 DRAGS = {"none": "", "even": "drag: 3 N*s/m^2, ", "on a part": "drag: 3 N*s/m^2, ", "overdamped": "drag: 40 N*s/m^2, "}
