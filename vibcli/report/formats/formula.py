@@ -14,6 +14,7 @@ from vibcli.report.blocks import (
     Maths,
     Name,
     Paragraph,
+    Quotient,
     SumOfTerms,
     Typed,
     WithNumbers,
@@ -139,6 +140,8 @@ def _pieces(part, write):
         return [_typed(part, write)]
     if isinstance(part, Factor):
         return [write.write(part.node, 1)]
+    if isinstance(part, Quotient):
+        return [_quotient(part, write)]
     if isinstance(part, Either):
         plus, either = write.signed(False, write(part.mark)), write.notation(" ∓ ")
         return [write(part.node).replace(plus, write.beside(either, write(part.root)))]
@@ -147,6 +150,13 @@ def _pieces(part, write):
     nodes = part.nodes if isinstance(part, SumOfTerms) else (part,)
     terms = [term for node in nodes for term in _terms(node, write)]
     return [write.signed(negative, text, not i) for i, (negative, text) in enumerate(terms)]
+
+
+def _quotient(part, write):
+    if write is not plain:
+        return write.fraction(write(part.above), write(part.below))
+    fraction = part.above.op == "product" and "/" in write(part.above)
+    return f"{write.write(part.above, 1 + fraction)}/{write.write(part.below, 2)}"
 
 
 def _typed(part, write):
