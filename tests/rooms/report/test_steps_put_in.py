@@ -3,6 +3,7 @@
 import math
 import re
 
+import numpy as np
 import pytest
 from support.scenes import problem
 
@@ -107,3 +108,29 @@ def test_a_stretch_by_the_sides_of_a_triangle(text, sides):
     assert (")²" in formula([found], plain)) == sides
     values = {**scene.numeric.floats, "phi": 0.7}
     assert evaluate([found], Floats, values)[0] == pytest.approx(evaluate([plainly], Floats, values)[0], rel=1e-13)
+
+
+CHAIN = "\n".join([
+    "parameters: {m: 2 kg, k: 300 N/m}", "bodies: {a: {mass: m, slide: x}, b: {mass: 2*m, slide: y}%s}",
+    "springs: {r: {k: 3*k, between: [ground, a]}, s: {k: k, between: [a, b]}%s}"])
+
+
+@pytest.mark.parametrize("more", [("", ""), (", c: {mass: 3*m, slide: z}", ", t: {k: 2*k, between: [b, c]}"),
+                                  (", c: {mass: 3*m, slide: z}", ", t: {k: 2*k, between: [b, c]}, "
+                                   "u: {k: 5*k, between: [a, c]}")])
+def test_the_determinant_is_written_out_by_its_entries(more):
+    """By them, by its powers and by numpy it is one number at any ω."""
+    scene = problem(CHAIN % more)
+    lines = {line.settles: line for line in worked(scene)}
+    parts = lines["det(K - omega^2*M)"].parts
+    written, powers = (part for part in parts if hasattr(part, "op") and part.op in ("sum", "product")
+                       and len(part.parts) > 1)
+    n, (of_M, _, _, of_K) = len(scene.scene.q), scene.configuration.linear_system.matrices()
+    M, K = (np.array([[of.get((i, j), 0.0) for j in range(n)] for i in range(n)]) for of in (of_M, of_K))
+    coefficients = {name: line.value for name, line in lines.items() if name[0] == "a"}
+    for omega in (3.0, 11.0, 40.0):
+        known, sign = {**scene.numeric.floats, "omega": omega, **coefficients}, -1 if n == 3 else 1
+        expected = np.linalg.det(K - omega**2 * M)
+        assert evaluate([written], Floats, known)[0] == pytest.approx(expected, rel=1e-9)
+        assert sign * evaluate([powers], Floats, known)[0] == pytest.approx(expected, rel=1e-6)
+    assert ("−(a₃" in told(lines["det(K - omega^2*M)"])) == (n == 3)
