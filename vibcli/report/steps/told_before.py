@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 MATRICES = "M", "C", "G", "K"
+CHECKED = "J", "eigenvalue"         # quantities that several lines may tell
 
 
 def settle_told(problem: "Problem", sheet: WorkedSolution) -> None:
@@ -32,11 +33,12 @@ def settle_told(problem: "Problem", sheet: WorkedSolution) -> None:
 
 
 def _settle(problem, sheet, asked):
-    known = None
+    """By its definition; of what has no number of its own, and in numbers, where the engine has it."""
+    known, numeric = None, not problem.numeric.has_free_symbols
     for line, node in _told(problem, sheet, asked.tree):
-        known = found_at(problem, sheet, asked) if known is None else known
-        if is_found(node, known):
-            numeric = not problem.numeric.has_free_symbols
+        if known is None and (numeric or asked.tree.head in CHECKED):
+            known = found_at(problem, sheet, asked)
+        if known is None or is_found(node, known):
             sheet.settles_too(line, asked.text, node, float(value_of(problem, asked)[0]) if numeric else None,
                               unit_told(problem.spec, asked) if numeric else "")
             return
@@ -57,10 +59,9 @@ def _told(problem, sheet, tree: Any) -> "Iterator[tuple[WorkedLine, Node]]":
             yield line, line.node
         elif tree.head == "eigenvalue" and line.letter in roots:
             yield line, table.parameter(line.letter, positive=False)
-        elif tree.head == "period" and line.settles == f"omega[{indices[0]}]":
-            yield line, 2 * table.pi / line.node
-        elif tree.head == "frequency" and line.settles == f"omega[{indices[0]}]":
-            yield line, line.node / (2 * table.pi)
+        elif tree.head in ("period", "frequency") and line.settles == f"omega[{indices[0]}]":
+            omega = table.parameter(line.letter) if line.letter else line.node
+            yield line, 2 * table.pi / omega if tree.head == "period" else omega / (2 * table.pi)
 
 
 def _entry(problem, tree) -> "Node":
