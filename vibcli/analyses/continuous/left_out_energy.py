@@ -47,14 +47,17 @@ INSIDE = 1e-12      # of a length
 
 
 class Slots(NamedTuple):
-    """Unit loads: inputs (modes, slots), how far each mode is felt by them as they begin; strokes and what each shows
-    at each, on both circles, [(places, slots, dampers)] and [(places, slots, slots)]; massive: bᵀ M⁻¹ b of those that
-    act on mass, (slots, slots)."""
+    """Unit loads, and unit displacements of driven ends: inputs (modes, slots), how far each mode is felt by them as
+    they begin; of modes what they show where loads act, `reads`, and what they draw at driven ends; strokes, what each
+    shows at each and draws at each, on both circles, [(places, slots, dampers)] and [(places, slots, slots)]; massive:
+    bᵀ M⁻¹ b of those that act on mass, (slots, slots)."""
 
     inputs: np.ndarray
     reads: np.ndarray
+    draws: np.ndarray
     strokes: list[np.ndarray]
     shown: list[np.ndarray]
+    drawn: list[np.ndarray]
     massive: np.ndarray
 
 
@@ -120,7 +123,7 @@ class LeftOutEnergy:
             return 0.0
         chosen, modes = np.flatnonzero(self.states.rates), self.modes
         begin, shown = self.states.begin[chosen], modes.shown_by_start[chosen]
-        swings, own, errors = self._modes(np.zeros((len(chosen), 0)), chosen)
+        swings, own, errors = self._modes(*np.zeros((2, len(chosen), 0)), chosen)
         found, off = energies(swings, begin[:, None], swings, begin[:, None], own, errors, self.drag)
         felt, still = begin * shown, float((modes.rigid_start[1] ** 2).sum())
         found = found[0, 0] + self._twice - 2 * float(felt.real.sum()) - still
@@ -134,23 +137,27 @@ class LeftOutEnergy:
         return bool((rates.real > (self.basis.errors[self.states.modes] + EPSILON) * np.abs(rates)).any())
 
     def of_channels(self, channels: "Sequence[int]") -> Slots:
-        """Unit loads on coordinates and along members."""
-        at, answers, shown = list(channels), [], []
+        """Unit loads on coordinates and along members, and unit displacements of driven ends."""
+        at, answers, shown, drawn = list(channels), [], [], []
+        moved = np.isin(at, list(self.loads.driven))
         for s in self.places:
-            H = np.array([self.transfer.at(LinearOutput(q={i: 1.0}), s)[at] for i in range(self.n)])
+            H = np.array([self.transfer.at(LinearOutput(q={i: 1.0}), s)[at] for i in range(self.n)]).reshape(
+                self.n, len(at), len(s))
             answers.append(H)
-            shown.append(np.einsum("ais,ibs->abs", self.loads.put(at, s), H) + self.loads.between(at, s))
+            shown.append(self.loads.shown(at, s, H))
+            drawn.append(np.moveaxis(self.loads.drawn(at, s, H, shown[-1]), -1, 0))
         share = np.where(self.states.rates.imag > 0, 2.0, 1.0)[self.chosen, None]
-        return self._slots(self.states.inputs[self.chosen[:, None], at] / share, answers, shown,
-                           self.loads.massive(at, self._massive))
+        felt = self.states.inputs[self.chosen[:, None], at] / share
+        return self._slots(felt, np.where(moved, 0.0, felt), answers, shown, drawn, self.loads.massive(
+            at, self._massive))
 
     def _shapes(self, chosen):
         return self.basis.shapes[:, self.states.modes[chosen]]
 
-    def _slots(self, reads, answers, shown, massive):
+    def _slots(self, felt, reads, answers, shown, drawn, massive):
         strokes = [np.einsum("nl,nks->skl", self._strokes, h) for h in answers]
-        return Slots(np.where(self.states.rates.imag > 0, 2.0, 1.0)[self.chosen, None] * reads, reads, strokes,
-                     [np.moveaxis(one, -1, 0).swapaxes(1, 2) for one in shown], massive)
+        return Slots(np.where(self.states.rates.imag > 0, 2.0, 1.0)[self.chosen, None] * felt, reads, reads - felt,
+                     strokes, [np.moveaxis(one, -1, 0).swapaxes(1, 2) for one in shown], drawn, massive)
 
     def of_output(self, output: LinearOutput) -> Slots:
         """A unit load where a row of coordinates or a place is read."""
@@ -165,7 +172,8 @@ class LeftOutEnergy:
             answers.append(g[:, None])
             shown.append(own[None, None])
         reads = self.basis.rows(output)[0][self.states.modes[self.chosen]][:, None]
-        return self._slots(reads, answers, shown, (row @ self._massive @ row)[None, None])
+        drawn = [np.ones((len(s), 1, 1)) for s in self.places]
+        return self._slots(reads, reads, answers, shown, drawn, (row @ self._massive @ row)[None, None])
 
     def _put(self, place, s):
         """What a unit load at a place of a piece puts on coordinates, (n, places), and how far it goes itself while the
@@ -186,13 +194,13 @@ class LeftOutEnergy:
 
     def of_columns(self, slots: Slots, columns: "Sequence[Column]") -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """(⟨Π b, Π b⟩ of all, what rounding may put them off by, and how far the modes' own errors put off each)."""
-        modes, own, errors = self._modes(slots.reads, self.chosen)
+        modes, own, errors = self._modes(slots.reads, slots.draws, self.chosen)
         number = len(slots.massive)
         at = np.array([column.slot for column in columns])
         blows = np.zeros((number, len(columns)))
         blows[at, range(len(columns))] = [column.power < 0 for column in columns]
         felt, sides = slots.inputs[:, at], []
-        for s, strokes, shown in zip(self.places, slots.strokes, slots.shown, strict=True):
+        for s, strokes, shown, drawn in zip(self.places, slots.strokes, slots.shown, slots.drawn, strict=True):
             v = np.array([column.weights(s) for column in columns]).T
             rates = modes.rates[:, None]
             sums = (1 / (s - rates)) @ v + (1 / (s.conj() - rates)) @ v.conj() + blows.any(axis=0)
@@ -200,9 +208,9 @@ class LeftOutEnergy:
             circle[:, at, range(len(columns))] = 2 * v
             A = np.concatenate([-felt * sums, circle.reshape(-1, len(columns))])
             count = len(s) * number
-            strokes, unit = strokes.reshape(count, -1), np.tile(np.eye(number), (len(s), 1))
+            strokes = strokes.reshape(count, -1)
             there = DampedSwings(np.repeat(s, number), np.full(count, EPSILON), strokes, np.abs(strokes),
-                           shown.reshape(count, number), unit)
+                                 shown.reshape(count, number), drawn.reshape(count, number))
             sides.append((DampedSwings(*map(np.concatenate, zip(modes, there, strict=True))), A))
         (first, A), (second, B) = sides
         found, off = energies(first, A, second, B, own, errors, self.drag)
@@ -224,12 +232,12 @@ class LeftOutEnergy:
         squares = (np.einsum("ka,ab,kb->k", one, part, one) for one, part in ((e, found), (np.abs(e), off)))
         return np.sqrt(sum(np.maximum(part, 0.0) for part in squares)) + np.abs(e) @ slips
 
-    def _modes(self, reads, chosen):
+    def _modes(self, reads, draws, chosen):
         """Those of the modes, ⟨z̄, z⟩ of each, and relative bounds of the errors of this."""
         rates, shapes, lost = self.states.rates[chosen], self._shapes(chosen), self._lost(chosen)
         strokes, errors = shapes.T @ self._strokes, self.basis.errors[self.states.modes[chosen]] + EPSILON
         sizes = np.abs(strokes) + lost / ROUNDED
-        swings = DampedSwings(rates, errors, strokes, sizes, reads, np.zeros(reads.shape))
+        swings = DampedSwings(rates, errors, strokes, sizes, reads, draws)
         damped, pace, fade = (np.abs(strokes) ** 2).sum(axis=1), np.abs(rates), np.maximum(
             -rates.real - self.drag / 2, 0.0)
         with np.errstate(divide="ignore", invalid="ignore"):

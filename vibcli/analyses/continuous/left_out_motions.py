@@ -16,6 +16,9 @@ if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
 
+ROUNDED = 1e-12     # of what adds up to where an end is: no jump
+
+
 class LeftOutMotions:
     """What modes that a LeftOutEnergy is of leave out of a motion by segments of a load: `bound` of it. ALONE: as
     of Disturbances."""
@@ -49,8 +52,14 @@ class LeftOutMotions:
 
     @cached_property
     def _taken(self):
-        """Is the energy of all of them known?"""
-        return all(self.energy.takes(*key) for key in {key for part in self._parts for key in part})
+        """Is the energy of all of them known? It is infinite where a driven end jumps."""
+        return all(self.energy.takes(*key) for key in {key for part in self._parts for key in part}) and not any(
+            self._jumps(part) for part in self._parts)
+
+    def _jumps(self, part):
+        """Does a driven end, which the free part leaves at rest?"""
+        return any(abs(sum(own)) > ROUNDED * sum(map(abs, own)) for channel in self.energy.loads.driven
+                   for own in [[c.real for (at, _, power), c in part.items() if at == channel and not power]])
 
     @cached_property
     def _sums(self):

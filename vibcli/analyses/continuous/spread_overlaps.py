@@ -29,21 +29,22 @@ TINY = 1e-12        # of a length
 
 
 class UnitLoadsOfChannels:
-    """Unit loads on channels of an ExactTransfer."""
+    """Unit loads on channels of an ExactTransfer, and unit displacements of its driven ends."""
 
     def __init__(self, transfer: "ExactTransfer"):
         self.pieces, self.n, first = transfer.pieces, transfer.n, transfer.n + len(transfer.driven)
+        self.driven = dict(enumerate(transfer.driven, transfer.n))
         self.spread = dict(enumerate(transfer.spread, first))
 
     def takes(self, channel: int) -> bool:
-        """Is it one on coordinates, or along pieces of one tension each?"""
+        """Is it one on coordinates, a driven end, or one along pieces of one tension each?"""
         if channel not in self.spread:
-            return channel < self.n
+            return True
         return not any(one.piece.gradient for one in self.pieces if self.spread[channel].on(one) is not None)
 
     def put(self, channels: "Sequence[int]", s: np.ndarray) -> np.ndarray:
-        """What each puts on coordinates, (channels, n, number of s)."""
-        unit = np.repeat(np.eye(self.n)[:, :, None], len(s), axis=2)
+        """What each puts on coordinates, (channels, n, number of s); of driven ends nothing."""
+        unit = np.repeat(np.eye(self.n + len(self.driven), self.n)[:, :, None], len(s), axis=2)
         return np.array([self.spread[c].put(self.pieces, s, self.n).T if c in self.spread else unit[c]
                          for c in channels])
 
@@ -55,6 +56,42 @@ class UnitLoadsOfChannels:
                 found[i, j] = found[j, i] = found[i, j] + held_overlap(one.piece, one.piece.reaction(s), a, b)
         return found
 
+    def shown(self, channels: "Sequence[int]", s: np.ndarray, H: np.ndarray) -> np.ndarray:
+        """How far the answer to each goes where each load acts, and each driven end: (channels, answers, number of s),
+        H (n, answers, number of s) what coordinates answer."""
+        found = np.einsum("ais,ibs->abs", self.put(channels, s), H) + self.between(channels, s)
+        for b, channel in enumerate(channels):
+            if channel in self.driven:
+                piece, end = self.driven[channel]
+                found[b, b] += 1.0
+                for a, load in enumerate(channels):
+                    loads = self.spread[load].end_loads(self.pieces[piece], s) if load in self.spread else None
+                    found[a, b] += 0.0 if loads is None else loads[:, end]
+        return found
+
+    def drawn(self, channels: "Sequence[int]", s: np.ndarray, H: np.ndarray, shown: np.ndarray) -> np.ndarray:
+        """What each load is where it acts, and the force at each driven end, in the answer to each: (answers, channels,
+        number of s). A load of unit size draws at an end minus how far this drives it."""
+        found = np.repeat(np.eye(len(channels))[:, :, None], len(s), axis=2) + 0j
+        for a, channel in enumerate(channels):
+            if channel not in self.driven:
+                continue
+            drive = self.driven[channel]
+            one = self.pieces[drive.piece]
+            own = stiffness(one.piece, one.piece.reaction(s))[:, drive.end]
+            for b, other in enumerate(channels):
+                found[b, a] = -shown[b, a] if other not in self.driven else self._at_end(
+                    one, own, drive.piece, self.driven[other], H[:, b])
+        return found
+
+    def _at_end(self, one, stiff, piece, moved, q):
+        """The force at an end of a piece of a row of D while a driven end moves."""
+        found = stiff[:, moved.end] if moved.piece == piece else 0.0
+        for k, row in enumerate(one.rows):
+            for i, x in row.items():
+                found = found + x * stiff[:, k] * q[i] if i < self.n else found
+        return found
+
     def _on(self, channels, one):
         found = [(i, self.spread[c].on(one)) for i, c in enumerate(channels) if c in self.spread]
         return [(i, form) for i, form in found if form is not None]
@@ -62,7 +99,7 @@ class UnitLoadsOfChannels:
     def massive(self, channels: "Sequence[int]", inverse: np.ndarray) -> np.ndarray:
         """bᵀ M⁻¹ b of all pairs, (channels, channels), `inverse`: that of coordinates; 0 where nothing has mass."""
         found, light = np.zeros((len(channels), len(channels))), np.zeros(len(channels), bool)
-        plain = np.flatnonzero([c not in self.spread for c in channels])
+        plain = np.flatnonzero([c < self.n for c in channels])
         own = np.array(channels)[plain]
         found[plain[:, None], plain] = inverse[own[:, None], own]
         for one in self.pieces:
