@@ -5,7 +5,9 @@ import pytest
 from support.modes_found_once import modes_found_once  # noqa: F401
 from support.scenes import problem
 
-from vibcli.base.errors import NoDigit
+from vibcli.api.reports import require_certified
+from vibcli.api.values import given_expression
+from vibcli.base.errors import NoDigit, PhysicsError
 from vibcli.check.verdicts import check
 from vibcli.language.signals_of_places import with_places
 from vibcli.quantities.expression import measure
@@ -15,7 +17,9 @@ from vibcli.report.sections.response import unknown_at, value_at
 from vibcli.report.sections.sampled_series import sampled
 from vibcli.report.wanted import Wanted
 from vibcli.results.escalation import value_of_signal
+from vibcli.results.internal_forces import forces_in_time
 from vibcli.results.known_digits import require_digit
+from vibcli.results.modal_signals import ModalSignal
 from vibcli.symbolic.parser import parse
 
 ARM = """\
@@ -60,7 +64,7 @@ def test_a_bound_is_measured_by_what_the_value_is_one_of(value, error, size, kno
             require_digit(value, error, size, "ask")
 
 
-def test_texts_data_answers_and_the_python_door_say_why_a_value_is_not_known():
+def test_texts_data_answers_and_the_python_door_say_why_a_value_is_not_known(monkeypatch):
     scene = cantilever(f"answers: {{arm.u''(0.4*L)({EARLY}): 3 m/s^2}}\n")
     small, fast = signals_asked(scene)
     instant = at(EARLY)
@@ -74,14 +78,18 @@ def test_texts_data_answers_and_the_python_door_say_why_a_value_is_not_known():
     assert not verdict.agrees and verdict.remark.startswith("not known: no digit")
     with pytest.raises(NoDigit):
         measure(scene, scene.spec.answers[0].asked.tree)
-    found = response_data(scene, Wanted((small_asked(scene),), at=(instant,)))["signals"][0]["at"][0]
+    small, fast = (given_expression(text, "the signal") for text in ("arm.u(L)", "arm.u''(0.4*L)"))
+    found = response_data(scene, Wanted((small,), at=(instant,)))["signals"][0]["at"][0]
     assert found["no_bound"] is None and found["value"] is not None
-
-
-def small_asked(scene):
-    from vibcli.api.values import given_expression
-
-    return given_expression("arm.u(L)", "the signal")
+    monkeypatch.setattr(ModalSignal, "error_of_extreme", lambda *_: 1e-6)
+    monkeypatch.setattr(ModalSignal, "extreme", lambda *_: (0.02, 5.0))
+    monkeypatch.setattr(ModalSignal, "error_of_time", lambda *_: 1e-6)
+    found, = response_data(scene, Wanted((fast,), at=(instant,)))["signals"]
+    assert found["at"][0]["value"] is found["at"][0]["error"] is None
+    assert "not known: no digit of this value is known: it may be off by" in found["at"][0]["no_bound"]
+    assert found["max"] == 5.0 and found["no_bound"] is None
+    with pytest.raises(PhysicsError, match="under 'Values' stands 'not known': no digit of what is asked there is"):
+        require_certified(scene, ["response"], wanted=Wanted((fast,), at=(instant,)))
 
 
 def test_samples_are_blank_where_no_digit_is_known(monkeypatch):
@@ -123,6 +131,15 @@ def test_an_extreme_of_which_no_digit_is_known_is_refused(monkeypatch):
     with pytest.raises(NoDigit, match="off by 3e8"):
         one.bounded_extreme(0.0, 0.1, 1)
     assert check(scene)[0].remark.startswith("not known")
+
+
+def test_a_diagram_of_forces_of_which_no_digit_is_known_is_refused(monkeypatch):
+    scene = cantilever()
+    monkeypatch.setattr(ModalSignal, "error", lambda self, t: 3e8 if self.reads.places and 3 in [
+        place.along for place in self.reads.places] else 1e-9)
+    forces, told = forces_in_time(scene, 0.05)
+    assert [force.part for force in forces] == ["moment"]
+    assert any("the shear of arm is not found: no digit of this value is known" in one for one in told)
 
 
 def test_values_of_what_dies_out_beyond_floats_are_read_by_fewer_modes():
