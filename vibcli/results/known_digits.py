@@ -60,10 +60,9 @@ def rounding_of_terms(motion: "LinearMotion", output: "LinearOutput", t: float) 
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
     times, found = np.linspace(0.0, t, SAMPLES), 0.0
-    for kind in "qva":
-        row = getattr(output, kind)
+    for order, row in enumerate((output.q, output.v, output.a)):
         if any(row.values()):
-            sizes = [np.abs(motion.values(LinearOutput(**{kind: {i: 1.0}}), times)).max() for i in range(len(motion.M))]
+            sizes = [np.abs(motion.values(LinearOutput(q={i: 1.0}), times, order)).max() for i in range(len(motion.M))]
             found += float(max(sizes)) * sum(map(abs, row.values()))
     return ROUNDING * found
 
