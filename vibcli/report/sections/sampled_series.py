@@ -43,14 +43,16 @@ class SampledCurve(NamedTuple):
 
 
 def sampled(problem: "Problem", wanted: "Wanted") -> list[SampledSignal]:
-    """The Series of the signals asked for."""
+    """The Series of the signals asked for, NaN where no digit of them is known."""
+    from vibcli.results.known_digits import known_alone
+
     asked = signals_asked(problem, wanted.signals)
     times = problem.response.instants([one.signal for one in asked], wanted.points)
     found = []
     for one in asked:
         parts = {part: getattr(one.signal, part).values(times) for part in wanted.parts}
-        found.append(SampledSignal(one.text, one.unit, times, one.signal.sampled(times), parts,
-                            _bounds(problem, one.signal, times)))
+        values = known_alone(one.signal, times, one.signal.sampled(times))
+        found.append(SampledSignal(one.text, one.unit, times, values, parts, _bounds(problem, one.signal, times)))
     return found
 
 
