@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from vibcli.analyses.continuous.unit_responses import overlaps
+from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.pieces.arithmetic import arithmetic_of
 from vibcli.numerics.pieces.loads import LoadForm, end_loads, loaded_fields, particular
 from vibcli.numerics.pieces.panels import panel_rule
@@ -23,9 +24,18 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from vibcli.analyses.continuous.exact_transfer import ExactTransfer
+    from vibcli.mechanics.factored_system import PlacedPiece
     from vibcli.numerics.pieces.piece import Piece
 
 TINY = 1e-12        # of a length
+
+
+class OnPiece(NamedTuple):
+    """Unit loads on a piece at m places s: what each puts on its ends, (slots, order, m), and ∫ p u dx of all pairs
+    while these rest, (slots, slots, m)."""
+
+    ends: np.ndarray
+    held: np.ndarray
 
 
 class UnitLoadsOfChannels:
@@ -41,21 +51,23 @@ class UnitLoadsOfChannels:
             return channel < self.n
         return not any(one.piece.gradient for one in self.pieces if self.spread[channel].on(one) is not None)
 
-    def put(self, channels: "Sequence[int]", s: np.ndarray) -> np.ndarray:
-        """What each puts on coordinates, (channels, n, number of s)."""
-        unit = np.repeat(np.eye(self.n)[:, :, None], len(s), axis=2)
-        return np.array([self.spread[c].put(self.pieces, s, self.n).T if c in self.spread else unit[c]
-                         for c in channels])
-
-    def between(self, channels: "Sequence[int]", s: np.ndarray) -> np.ndarray:
-        """∫ p u dx of all pairs while the ends of pieces rest, (channels, channels, number of s)."""
-        found = np.zeros((len(channels), len(channels), len(s)), complex)
-        for one in self.pieces:
-            for (i, a), (j, b) in combinations_with_replacement(self._on(channels, one), 2):
-                found[i, j] = found[j, i] = found[i, j] + held_overlap(one.piece, one.piece.reaction(s), a, b)
+    def on_pieces(self, channels: "Sequence[int]", s: np.ndarray) -> dict[int, OnPiece]:
+        """Of each piece with a load along it."""
+        found = {}
+        for number, one in enumerate(self.pieces):
+            forms, kappa = self.on(channels, one), one.piece.reaction(s)
+            ends = np.zeros((len(channels), one.piece.order, len(s)), complex)
+            held = np.zeros((len(channels), len(channels), len(s)), complex)
+            for i, form in forms:
+                ends[i] = end_loads(one.piece, kappa, form).T
+            for (i, a), (j, b) in combinations_with_replacement(forms, 2):
+                held[i, j] = held[j, i] = held_overlap(one.piece, kappa, a, b)
+            if forms:
+                found[number] = OnPiece(ends, held)
         return found
 
-    def _on(self, channels, one):
+    def on(self, channels: "Sequence[int]", one: "PlacedPiece") -> "list[tuple[int, LoadForm]]":
+        """[(slot, load)] of those along a piece."""
         found = [(i, self.spread[c].on(one)) for i, c in enumerate(channels) if c in self.spread]
         return [(i, form) for i, form in found if form is not None]
 
@@ -66,7 +78,7 @@ class UnitLoadsOfChannels:
         own = np.array(channels)[plain]
         found[plain[:, None], plain] = inverse[own[:, None], own]
         for one in self.pieces:
-            on = self._on(channels, one)
+            on = self.on(channels, one)
             at = np.array([i for i, _ in on], int)
             if one.piece.inertia:
                 found[at[:, None], at] += overlaps([form for _, form in on]) / one.piece.inertia

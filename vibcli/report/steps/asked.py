@@ -12,6 +12,7 @@ from vibcli.quantities.quantity import OF_STATE, is_choice, quantity_of
 from vibcli.report.blocks import Words
 from vibcli.report.steps.agreement import same, samples_of, tidy
 from vibcli.report.steps.asked_of_pieces import tell_of_pieces
+from vibcli.report.steps.averages import tell_average
 from vibcli.report.steps.directions import tell_direction
 from vibcli.report.steps.extremes import HEADS
 from vibcli.report.steps.free_vibration import tell_of_free
@@ -21,6 +22,7 @@ from vibcli.report.steps.instants import tell_instant
 from vibcli.report.steps.kept_up import tell_of_kept_up
 from vibcli.report.steps.overdamped import tell_of_overdamped
 from vibcli.report.steps.place_of_rest import as_counted
+from vibcli.report.steps.receptances import tell_receptance
 from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.nested_form import letters
@@ -34,8 +36,9 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
-BY_LETTERS = (tell_direction, tell_instant, tell_of_free, tell_of_overdamped, tell_of_kept_up,
+BY_LETTERS = (tell_direction, tell_instant, tell_of_free, tell_of_overdamped, tell_average, tell_of_kept_up,
               tell_of_pieces)       # that have lines of their own
+OF_EXPRESSIONS = tell_average, tell_receptance
 CLOSE = 1e-9        # relative: of an expression and the engine's number
 OF_SPRINGS = "stiffness", "damping", "law", "stiffness_correction"       # of springs, dashpots, and what these hold
 OF_LETTERS = "period", "decay", "zeta"      # told in letters, where no line settles them
@@ -49,13 +52,13 @@ def tell_asked(problem: "Problem", sheet: WorkedSolution) -> None:
     if problem.numeric.has_free_symbols:
         _tell_in_letters(problem, sheet)
         return
-    settled, before = {line.settles for line in sheet.steps}, len(sheet.steps)
+    settled, before = {line.settles for line in sheet.steps}, sheet.last
     of_answers = [one for one in problem.spec.answers if _untold(problem.spec, one.asked)]
     extremes = {one.asked.text for one in of_answers if getattr(one.asked.tree, "head", "") in HEADS}
     for one in (*(rules.ask if rules is not None else ()), *of_answers):
         if one.asked.text not in settled and _is_number(problem.spec, one.asked.tree):
             settled.add(one.asked.text)
-            beside = len(sheet.steps) > before or sheet.steps[-1].settles in extremes
+            beside = sheet.last > before or sheet.steps[-1].settles in extremes
             _tell(problem, sheet, one.asked, joined=one in of_answers and beside)
 
 
@@ -68,8 +71,9 @@ def _tell_in_letters(problem, sheet):
         if asked.text in settled:
             continue
         try:
-            ways = IN_LETTERS if isinstance(asked.tree, QuantityRef) else ()
-            if not any(tell(problem, sheet, asked) for tell in (*ways, tell_of_kept_up, _told_as_expression)):
+            ways: tuple = IN_LETTERS if isinstance(asked.tree, QuantityRef) else ()
+            ways = *ways, tell_average, tell_of_kept_up, _told_as_expression
+            if not any(tell(problem, sheet, asked) for tell in ways):
                 left.append(asked)
         except (PhysicsError, SpecError):
             left.append(asked)
@@ -131,7 +135,7 @@ def _is_number(spec, tree):
 
 
 def _tell(problem, sheet, asked, joined):
-    for tell in BY_LETTERS if isinstance(asked.tree, QuantityRef) else ():
+    for tell in BY_LETTERS if isinstance(asked.tree, QuantityRef) else OF_EXPRESSIONS:
         if joined and tell not in (tell_direction, tell_instant):
             sheet.join_next()
         with suppress(PhysicsError, SpecError):
