@@ -62,7 +62,7 @@ def test_the_same_in_numbers():
     x, v, f = ((part * turn).imag for part in (H, 7j * H, 3))
     for asked, values in {"mean(f.power)": f * v, "mean(x^4)": x**4, "mean(f.force*x)": f * x}.items():
         assert of[asked].value == pytest.approx(np.mean(values), rel=1e-9) and of[asked].node is not None
-    assert of["mean(s.force*x')"].node is not None and shown(of["mean(s.force*x')"]).endswith("= 0")
+    assert of["mean(s.force*x')"].node is not None and shown(of["mean(s.force*x')"]).endswith("= 0 W")
 
 
 @pytest.mark.parametrize("wave", ["sin", "cos"])
@@ -80,4 +80,19 @@ def test_means_of_two_degrees(wave):
         value = np.mean(values) ** (0.5 if asked.startswith("rms") else 1)
         assert of[asked].node is not None and of[asked].value == pytest.approx(value, rel=1e-9)
     assert shown(of["rms(x)"]).startswith("rms(x):  with the real part a and the imaginary part b of each X:  ")
-    assert shown(of["mean(s.force*y')"]).endswith("mean(s.force·ẏ) = 0")
+    assert shown(of["mean(s.force*y')"]).endswith("mean(s.force·ẏ) = 0 W")
+
+
+@pytest.mark.parametrize("values", [True, False])
+def test_two_harmonics_and_periods(values):
+    text = ONE[:ONE.index("forces")] + """forces: {f: {at: b, force: F*sin(w*t) + F*sin(2*w*t)}}
+answers: {rms(x): 0 m, "mean(x'^2)": 0 m^2/s^2, period(x): 0 s}"""
+    for name, value in VALUES.items() if values else ():
+        text = text.replace(f"{name}: ,", f"{name}: {value},").replace(f"{name}: }}", f"{name}: {value}}}")
+    of = told(text)
+    assert shown(of["rms(x)"]).startswith("rms(x):  √((X₁² + X₂²)/2)") and of["rms(x)"].node is not None
+    assert shown(of["period(x)"]).startswith("period(x):  2·π/w") and of["mean(x'^2)"].node is not None
+    if values:
+        X = [abs(3 / (800 - 2 * rate**2 + 9j * rate)) for rate in (7, 14)]
+        assert of["rms(x)"].value == pytest.approx(np.sqrt((X[0]**2 + X[1]**2) / 2), rel=1e-9)
+        assert of["mean(x'^2)"].value == pytest.approx(((7 * X[0])**2 + (14 * X[1])**2) / 2, rel=1e-9)

@@ -20,7 +20,8 @@ from vibcli.report.steps.held_against import is_short
 from vibcli.report.steps.in_numbers_alone import tell_left
 from vibcli.report.steps.instants import tell_instant
 from vibcli.report.steps.kept_up import tell_of_kept_up
-from vibcli.report.steps.overdamped import tell_of_overdamped
+from vibcli.report.steps.overdamped import tell_of_overdamped, tell_root
+from vibcli.report.steps.periods import tell_period
 from vibcli.report.steps.place_of_rest import as_counted
 from vibcli.report.steps.receptances import tell_receptance
 from vibcli.report.steps.step import WorkedSolution, number, unit_told
@@ -36,11 +37,12 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
-BY_LETTERS = (tell_direction, tell_instant, tell_of_free, tell_of_overdamped, tell_average, tell_of_kept_up,
-              tell_of_pieces)       # that have lines of their own
+BY_LETTERS = (tell_direction, tell_instant, tell_of_free, tell_of_overdamped, tell_root, tell_average,
+              tell_period, tell_of_kept_up, tell_of_pieces)       # that have lines of their own
 OF_EXPRESSIONS = tell_average, tell_receptance
 CLOSE = 1e-9        # relative: of an expression and the engine's number
 OF_SPRINGS = "stiffness", "damping", "law", "stiffness_correction"       # of springs, dashpots, and what these hold
+ENERGIES = "V", "T", "Phi"      # of expansions, told by the factor of a power
 OF_LETTERS = "period", "decay", "zeta"      # told in letters, where no line settles them
 BESIDE = "frequency", "period", "period_d", "eigenvalue"      # told beside another number of the mode
 
@@ -93,7 +95,7 @@ def _by_frequency(problem, sheet, asked):
     return True
 
 
-IN_LETTERS = _by_frequency, tell_instant, tell_of_free, tell_of_pieces
+IN_LETTERS = _by_frequency, tell_root, tell_instant, tell_of_free, tell_period, tell_of_pieces
 
 
 def _told_as_expression(problem, sheet, asked):
@@ -122,7 +124,9 @@ def _untold(spec, asked):
     """Is it of a motion, of a node, of springs, or an expression of quantities that the scene does not choose?"""
     quantities = asked.parts.quantities
     if isinstance(asked.tree, QuantityRef):
-        return bool(asked.tree.args) or asked.tree.head in ("node", *OF_SPRINGS)
+        tree = asked.tree
+        return bool(tree.args) or tree.head in ("node", *OF_SPRINGS) or (
+            tree.head in ENERGIES and bool(tree.indices)) or (tree.head == "eigenvalue" and len(tree.indices) == 2)
     return bool(quantities) and not any(is_choice(spec, tree) for tree in quantities)
 
 
@@ -131,7 +135,8 @@ def _is_number(spec, tree):
     quantity = quantity_of(spec, tree)
     if quantity is None:
         return not isinstance(tree, QuantityRef)
-    return quantity.value is not None and quantity.kind not in OF_STATE and (tree.head not in BESIDE or tree.args)
+    return quantity.value is not None and quantity.kind not in OF_STATE and (
+        tree.head not in BESIDE or tree.args or len(tree.indices) == 2)
 
 
 def _tell(problem, sheet, asked, joined):

@@ -6,6 +6,7 @@
 of a load A sin Ωt + B cos Ωt; of several qⱼ = aⱼ sin Ωt + bⱼ cos Ωt; then ⟨sin² τ⟩ = ½, ⟨sin⁴ τ⟩ = ⅜ and so on
 (Thomson & Dahleh 1998, section 13.3)."""
 
+import re
 from contextlib import suppress
 from itertools import islice
 from math import prod
@@ -21,7 +22,7 @@ from vibcli.report.blocks import Words
 from vibcli.report.steps.agreement import tidy
 from vibcli.report.steps.held_against import tell_found
 from vibcli.report.steps.instances import INSTANCES, found_at, instances
-from vibcli.report.steps.step import WorkedSolution
+from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
@@ -33,6 +34,8 @@ from vibcli.symbolic.syntax import NameRef, QuantityRef
 from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from vibcli.language.reader import Expression
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
@@ -47,7 +50,9 @@ def tell_average(problem: "Problem", sheet: WorkedSolution, asked: "Expression")
     quantities = asked.parts.quantities
     if not quantities or any(one.head not in ("mean", "rms") or len(one.args) != 1 for one in quantities):
         return False
-    swing = None
+    swing, several = None, list(_of_harmonics(problem, sheet, asked.tree))
+    if several:
+        return tell_found(problem, sheet, asked, several, [sheet.last])
     with suppress(PhysicsError):
         swing = _of_one(problem, sheet) if len(problem.scene.q) == 1 else _of_several(problem, sheet)
     if swing is None:
@@ -55,8 +60,10 @@ def tell_average(problem: "Problem", sheet: WorkedSolution, asked: "Expression")
     node, size = (_average(problem, sheet, swing, asked.tree, sizes) for sizes in (False, True))
     found = found_at(problem, sheet, asked)
     if found and all(abs(value) <= ROUNDING * abs(evaluate([size], Floats, known)[0]) for known, value in found):
-        sheet.write(Words(as_printed(asked.text, {*problem.spec.parameters, *problem.spec.coordinates})), " = 0",
-                    settles=asked.text, node=node, uses=[sheet.last])
+        text = as_printed(asked.text, {*problem.spec.parameters, *problem.spec.coordinates})
+        value, unit = (None, "") if problem.numeric.has_free_symbols else (0.0, unit_told(problem.spec, asked))
+        sheet.write(Words(text), *number(0.0, unit), settles=asked.text, node=node.table.zero, value=value, unit=unit,
+                    uses=[sheet.last])
         return True
     first = len(problem.scene.q) > 1 and not any(WITH in part.text for line in sheet.steps for part in line.parts
                                                  if isinstance(part, Words))
@@ -130,6 +137,23 @@ def _load(problem) -> "tuple[Node, dict[int, dict[str, Node]]] | None":
     if len(arguments) != 1:
         return None
     return arguments.pop(), {i: {kind: node for (_, kind), node in waves.items()} for i, waves in acting.items()}
+
+
+def _of_harmonics(problem, sheet, tree) -> "Iterator[tuple[Node, list[Any]]]":
+    """√(Σ Xₖ²/2), and Σ Xₖ²/2, of the only coordinate under several harmonics, or (ΩᵏX)² of a rate of it."""
+    first, table = next(iter(getattr(tree, "args", ())), None), problem.scene.table
+    square = getattr(first, "kind", "") == "power" and getattr(first.exponent, "value", 0) == 2 and (
+        tree.head == "mean")
+    signal: Any = first.base if square else first
+    lines = [line for line in sheet.steps if re.fullmatch(r"amplitude \d+", line.settles) and line.letter]
+    if len(lines) < 2 or not isinstance(signal, NameRef) or problem.scene.coordinates != [signal.name] or not (
+            square or tree.head == "rms"):
+        return
+    (waves,) = waves_of_all(problem.scene, problem.symbolic.excitation).values()
+    rates = list(dict.fromkeys(gradient(argument)[problem.scene.time] for argument, _ in waves))
+    sizes = [rate ** signal.primes * table.parameter(line.letter) for rate, line in zip(rates, lines, strict=True)]
+    node = table.total([size ** 2 for size in sizes]) / 2
+    yield (node if square else table.sqrt(node)), [node if square else table.sqrt(node)]
 
 
 def _of_one(problem, sheet) -> Swing | None:

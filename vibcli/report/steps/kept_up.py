@@ -105,9 +105,10 @@ def _is_letter(problem, sheet, asked):
     line, signal = _lag_of(sheet), asked.tree.args[0]
     if line is None or not isinstance(signal, NameRef) or signal.primes or [signal.name] != problem.scene.coordinates:
         return False
-    if not is_found(problem.scene.table.parameter(line.letter), found_at(problem, sheet, asked)):
+    node = problem.scene.table.parameter(line.letter)
+    if not is_found(node, found_at(problem, sheet, asked)):
         return False
-    sheet.settles_too(line, asked.text)
+    sheet.settles_too(line, asked.text, node, line.value, line.unit)
     return True
 
 

@@ -99,9 +99,9 @@ class WorkedSolution:
         self._beside = self.steps[-1] if opens else None
         return number
 
-    def settles_too(self, line: WorkedLine, settles: str) -> None:
-        """Let a line that told the letter of a number settle another quantity that this is."""
-        found = line._replace(settles=settles, letter="", parts=(), vanishes=None, uses=(*line.uses, line.number))
+    def settles_too(self, line: WorkedLine, settles: str, node: "Node", value: float | None, unit: str) -> None:
+        """Let a line settle another quantity that it tells as well."""
+        found = WorkedLine(line.number, settles, line.uses, (), node, value, unit)
         self.steps.insert(self.steps.index(line) + 1, found)
 
     def join_next(self) -> None:

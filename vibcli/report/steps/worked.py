@@ -26,6 +26,7 @@ from vibcli.report.steps.several_degrees import SeveralDegrees
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.small_oscillations import Derivation
 from vibcli.report.steps.step import WorkedLine, WorkedSolution
+from vibcli.report.steps.told_before import settle_told
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
@@ -45,6 +46,7 @@ def worked(problem: "Problem") -> list[WorkedLine]:
     if problem.choice is not None:
         tell_chosen(problem, sheet)
         tell_chosen_motion(problem, sheet)
+    settle_told(problem, sheet)
     tell_asked(problem, sheet)
     return sheet.steps
 
