@@ -139,7 +139,7 @@ def frequency_figure(problem: "Problem", curves: Sequence[SampledCurve], nyquist
     if nyquist:
         Omega, found = _smooth(Omega, [problem.frequency_response(curve.name, curve.driver) for curve in curves], found)
     Omega = Omega.tolist()      # floats of Python: an array's own are slow
-    values = {symbol(curve.name): points.tolist() for curve, points in zip(curves, found, strict=True)}
+    values = dict(zip(_labels(curves), (points.tolist() for points in found), strict=True))
     if len(curves) == 1:
         peaks, dips = curves[0].peaks, curves[0].antiresonances
     else:
@@ -177,6 +177,12 @@ def _smooth(Omega, responses, found):
 def _factor(name):
     """A name as it stands in a quotient: in brackets where it is more than one name."""
     return f"({name})" if any(sign in name for sign in " ·/") else name
+
+
+def _labels(curves):
+    """What each curve is called: with its unit where not all have the same."""
+    alike = len({curve.unit for curve in curves}) == 1
+    return [symbol(curve.name) + ("" if alike or curve.unit == "1" else f" [{curve.unit}]") for curve in curves]
 
 
 def _unit(curves):
