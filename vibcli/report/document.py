@@ -24,7 +24,7 @@ EVERYTHING = ("given", "chosen", "coordinates", "equilibrium", "virtual_work", "
               "accelerations", "frequency_equation", "frequencies", "damping", "modes", "free_motion", "kept_up")
 
 # sections of formulas, in which the numbers of the file keep their units; of modes they tell none beside members
-MEASURED = {"virtual_work", "energies", "equations", "matrices"}
+MEASURED = {"equilibrium", "reactions", "virtual_work", "energies", "equations", "matrices"}
 OF_MODES = {"frequencies", "damping", "modes"}
 
 NAMED = re.compile(r"(?<![\w.\[])((?<!')[^\W\d]\w*'*|(?<=')[^\W\d]\w*)(?![\w\[(]|\.\w)")  # in quotes it has no primes

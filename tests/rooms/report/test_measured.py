@@ -59,3 +59,23 @@ def test_formulas_of_members_keep_units_and_their_modes_are_found_once():
     report = Report(problem(MEMBER))
     report.add("frequencies")
     assert "_measured" not in vars(report)
+
+
+def test_forces_at_rest_and_preloads_keep_them():
+    """A plate of 2 kg with a weight beside it on a spring that holds them as drawn, and on one that gives way."""
+    text = """
+gravity: 9.81 m/s^2
+bodies:
+  a: {mass: 2 kg, at: [0 m, 1 m], slide: {along: [0, 1], by: y}}
+  b: {mass: 3 kg, at: [0.2 m, 0.1 m], weld: a}
+springs: {s: {k: 900 N/m, between: [[0 m, 0 m], a]%s}}
+"""
+    told = {}
+    for preload in (", preload: static", ""):
+        report = Report(problem(text % preload))
+        for name in ("equilibrium", "reactions"):
+            report.add(name)
+        told[preload] = "\n".join(section_lines(report.sections)).replace("\u00a0", " ")
+    held, given_way = told.values()
+    assert "static preload of s: −49.05 N" in held and "y = −0.0545 m" in given_way
+    assert all("a.reaction.moment = (0.6 kg·m)·ÿ + 5.886 N·m" in one for one in (held, given_way))
