@@ -19,6 +19,7 @@ from vibcli.quantities.quantity import (
 from vibcli.symbolic.syntax import QuantityRef
 
 ALONG = ("value", "max", "min", "argmax", "argmin", "zero")     # along motions that are integrated
+LOOKS = 4       # at a signal that may be constant
 
 
 def _measured(number):
@@ -142,10 +143,20 @@ def _of_what_changes(tree, signal, until, instant):
     from vibcli.results.escalation import is_constant
 
     error = signal.error_of_time(instant)
-    if error >= until and is_constant(*(signal.bounded_extreme(0.0, until, sense) for sense in (1, -1))):
+    at_an_end = instant in (0.0, until)     # exact; of what does not change rounding may tell one
+    still = _looks_still(signal, until) if at_an_end else error >= until
+    if still and is_constant(*(signal.bounded_extreme(0.0, until, sense) for sense in (1, -1))):
         raise PhysicsError(f"'{tree.text.partition('(')[2].removesuffix(')')}' does not change: no instant of it "
                            "stands out", "ask for max(x)")
     return error
+
+
+def _looks_still(signal, until):
+    """Is it the same but for rounding at several instants?"""
+    from vibcli.results.escalation import FLAT
+
+    seen = [at_instant(signal, until * k / LOOKS) for k in range(LOOKS + 1)]
+    return max(seen) - min(seen) <= FLAT * max(map(abs, seen))
 
 
 def _final(problem, tree, args):

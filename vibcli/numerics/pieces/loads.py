@@ -139,11 +139,10 @@ def _by_parity(piece, kappa, x, weights, numbers):
 
 
 def _by_ends(piece, kappa, one, numbers):
-    unit, found = np.eye(piece.order), 0.0
-    for x, sign in ((one.end, 1.0), (one.start, -1.0)):
-        phi = fields(piece, kappa[:, None], unit, x)
-        found = found + sign * bracket(piece, kappa[:, None], phi, one, x)
-    return found
+    unit = np.eye(piece.order)
+    end, start = (bracket(piece, kappa[:, None], fields(piece, kappa[:, None], unit, x), one, x)
+                  for x in (one.end, one.start))
+    return end - start
 
 
 def bracket(piece: "Piece", kappa: np.ndarray, phi: np.ndarray, one: LoadStretch, x: Any) -> np.ndarray:
