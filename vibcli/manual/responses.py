@@ -185,8 +185,8 @@ STEPS = [
          "them, and where small oscillations are not told element by element: places, speeds, T, V, Φ, virtual "
          "work and Lagrange's derivatives unexpanded, of closed loops with multipliers; then the equations to the "
          "first order from rest"),
-        ("frequencies", "ω² and ω with numbers put in, δ, ζ, ω_d; of two coordinates det(K − ω²M) = 0 by its entries and "
-         "by powers, with iωG where frames turn, its coefficients and roots, ratios of amplitudes, modal masses "
+        ("frequencies", "ω² and ω with numbers put in, δ, ζ, ω_d; of two coordinates det(K − ω²M) = 0 by its entries "
+         "and by powers, with iωG where frames turn, its coefficients and roots, ratios of amplitudes, modal masses "
          "and normal coordinates; whether damping is proportional; roots with damping; where they are asked, shapes of "
          "damped modes, bounds by assumed shapes, by Rayleigh and by Dunkerley"),
         ("motion", "of one coordinate the constants from `initial` and the motion with their numbers, and what loads "
