@@ -34,15 +34,30 @@ def _measured(number):
                 return found, 0.0
             kind = problem.response_of(tree).KIND
             if kind in EXACT or (kind == "series" and tree.head in ALONG):
-                error = relative(found, off())
-            else:
-                error = max(ERROR, _doubt(problem, tree, found, off))
-            return settled(problem, tree, args, found, error)
+                lost = off()
+                value, error = settled(problem, tree, args, found, relative(found, lost))
+                if value is found:
+                    _require_digit(problem, tree, args, found, lost)
+                return value, error
+            return settled(problem, tree, args, found, max(ERROR, _doubt(problem, tree, found, off)))
         except PhysicsError as error:
             if error.hint and "(x)" in error.hint:
                 raise error.told(hint=error.hint.replace("(x)", f"({_found(problem, tree)})")) from None
             raise
     return value
+
+
+def _require_digit(problem, tree, args, found, off):
+    """NoDigit of a number that may be off by as much as numbers of its kind become."""
+    from vibcli.results.known_digits import require_digit, size_of
+
+    if off < abs(found) or not off:
+        return
+    signal, quantity = _signal(problem, tree), declared(tree)
+    of_signal = quantity.unit == SIGNAL
+    size = size_of(signal, args[1] if tree.head == "value" else _end(problem, tree)) if of_signal else quantity.size(
+        problem, tree)
+    require_digit(found, off, size, signal.MORE, "value" if of_signal else "number")
 
 
 def relative(value: float, off: float) -> float:
