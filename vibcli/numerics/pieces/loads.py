@@ -55,8 +55,8 @@ class LoadStretch(NamedTuple):
         found: np.ndarray = np.abs(kappa) > FAR * (abs(piece.bending) * rate**4 + abs(piece.tension) * rate**2)
         return found
 
-    def at(self, x: np.ndarray, numbers: "Arithmetic") -> np.ndarray:
-        """f(x)."""
+    def at(self, x: Any, numbers: "Arithmetic") -> Any:
+        """f(x) of a number or an array."""
         y, found = x - self.origin, 0 * x
         for coefficient, power, rate in self.terms:
             wave = numbers.array(coefficient) * y**power
@@ -147,7 +147,8 @@ def _by_ends(piece: "Piece", kappa: np.ndarray, one: LoadStretch, numbers: "Arit
     unit = np.eye(piece.order)
     end, start = (bracket(piece, kappa[:, None], fields(piece, kappa[:, None], unit, x), one, x)
                   for x in (one.end, one.start))
-    return end - start
+    found: np.ndarray = end - start
+    return found
 
 
 def bracket(piece: "Piece", kappa: np.ndarray, phi: np.ndarray, one: LoadStretch, x: Any) -> np.ndarray:
