@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.excitation.linear_output import LinearOutput, combined
 from vibcli.language.signals import ENERGIES
+from vibcli.results.closing import Closing
 from vibcli.results.given_start import check_start
 from vibcli.results.response import Response
-from vibcli.results.signals import Closing, ComposedSignal, LinearSignal
+from vibcli.results.signals import ComposedSignal, LinearSignal
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
@@ -48,6 +49,7 @@ class SmallResponse(Response):
         self.configuration, self.finely, self.finer = problem.configuration, finely, {}
         self._moved: dict[tuple[Node, ...], LinearMotion] = {}      # by what of them depends on the time alone
         self._outputs: dict[str, tuple[LinearOutput, Node | None]] = {}
+        self._signals: dict[Node, LinearSignal | ComposedSignal] = {}
 
     @cached_property
     def values(self) -> dict[str, Any]:
@@ -163,9 +165,14 @@ class SmallResponse(Response):
         return duration(modes, damped, last, sorted(forcing.speeds), fading(forcing))
 
     def signal(self, tree: NameRef | Power | Sum) -> LinearSignal | ComposedSignal:
-        """The signal of a tree."""
+        """The signal of a tree, one for all that is asked of it."""
         parts = {}
-        node, source = lower(tree, self.problem.scene.table, lambda *named: self._part(parts, *named)), (self, tree)
+        node = lower(tree, self.problem.scene.table, lambda *named: self._part(parts, *named))
+        if node not in self._signals:
+            self._signals[node] = self._of_node(node, parts, (self, tree))
+        return self._signals[node]
+
+    def _of_node(self, node, parts, source):
         if node in parts:
             return self._one(parts[node], source)
         slopes = gradient(node)

@@ -138,3 +138,13 @@ def test_a_double_eigenvalue_stands_once():
     damped = "dampers: {d: {c: 80 N*s/m, between: [ground, b]}}\n"
     one = NESTED.replace("%s}\nbodies", "k: 800 N/m}\nbodies") % "s: {k: k, between: [ground, b]}"
     assert text.render([told(one + damped)]).count("critically damped") == 1
+
+
+@pytest.mark.parametrize(("name", "sections"), [
+    ("2_lagrange/pump_turned_by_a_motor", None), ("1_statics_and_energy/drum_with_rope_and_weight", STEPS)])
+def test_no_row_of_text_ends_with_an_equality_or_begins_with_its_zero(name, sections):
+    """Of formulas that are broken: the sign stands before what follows, and a short letter with it."""
+    found = kept_problem_of(ROOT / f"problems/{name}.yaml")
+    rows = text.render([report(found, sections or solution(found)).document()]).split("\n")
+    assert any(row.strip().startswith("= ") for row in rows)
+    assert not [row for row in rows if row.endswith((" =", ",  T")) or row.strip() == "0"]

@@ -210,7 +210,8 @@ def nearest(rates: np.ndarray) -> np.ndarray:
     """The distance of each λ to the next one, conjugates too."""
     found = np.where(rates.imag > 0, 2 * rates.imag, np.inf)
     for away in range(1, min(BESIDE, len(rates) - 1) + 1):
-        apart = np.minimum(abs(rates[away:] - rates[:-away]), abs(rates[away:] - rates[:-away].conj()))
-        apart = np.where(apart > SAME * abs(rates[away:]), apart, np.inf)
+        one, other = rates[away:], rates[:-away]
+        apart = np.minimum(abs(one - other), abs(one - other.conj()))
+        apart = np.where(apart > SAME * abs(one), apart, np.inf)
         found[away:], found[:-away] = np.minimum(found[away:], apart), np.minimum(found[:-away], apart)
     return np.where(np.isfinite(found), found, np.maximum(abs(rates), 1e-300))

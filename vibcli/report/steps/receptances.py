@@ -43,7 +43,7 @@ def tell_receptance(problem: "Problem", sheet: WorkedSolution, asked: "Expressio
     if tell_found(problem, sheet, asked, receptance.forms(getattr(asked.tree, "head", "abs")), [sheet.last]):
         return True
     del sheet.steps[before:]
-    for Omega in set(sheet.responses) - known:
+    for Omega in sheet.responses.keys() - known:
         del sheet.responses[Omega]
     return False
 

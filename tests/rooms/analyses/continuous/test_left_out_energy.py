@@ -22,6 +22,8 @@ points: {aside: {body: arm, at: 0.3*L}, mid: {body: arm, at: L/2}}
 STEP = "forces: {push: {at: aside, force: 1 N*step(t)}}"
 PINNED = BEAM.replace("ENDS", "left: pinned, right: pinned") % "" + "%s"
 COMMON = PINNED.replace("DAMPER", "0.7 N*s/m")
+SHAKEN = "bodies: {hand: {slide: SLIDE}}" + BEAM.replace("ENDS", "left: {ENDS: hand}, right: pinned").replace(
+    "DAMPER", "0.7 N*s/m") % ""
 ASIDE, TURN, MID, BETWEEN = FieldPoint(1, 0.0), FieldPoint(1, 0.0, 1), FieldPoint(2, 0.0), FieldPoint(2, 0.2)
 MOMENT, SHEAR, RATE = FieldPoint(2, 0.0, 2), FieldPoint(2, 0.1, 3), FieldPoint(1, 0.0, 0, 1)
 SCENES = {
@@ -42,6 +44,12 @@ forces: {push: {body: arm, per_length: 1 N/m*x/L*step(t), to: 0.3*L}, pull: {at:
                {ASIDE: 0.3**2 * 0.7**2 / 3}),
     "thrown in a field": (COMMON % "initial: {arm.u': 1 mm/s*x*(L - x)/L^2}", {ASIDE: 0, MID: 0}),
     "bent in a field": (COMMON % "initial: {arm.u: 1 mm*(x/L)^2*(1 - x/L)^2}", {ASIDE: 1e-3 * 0.3**2 * 0.7**2}),
+    "shaken from a velocity on": (SHAKEN.replace("SLIDE", "1 cm*sin(9*t/(1 s))").replace("ENDS", "pinned"),
+                                  {ASIDE: 0, MID: 0, TURN: 0}),
+    "shaken for a while, beside loads along it": (
+        SHAKEN.replace("SLIDE", "1 m/s*(ramp(t) - ramp(t - 0.1 s))").replace("ENDS", "clamped").replace(
+            "mass", "drag: 3 N*s/m^2, mass", 1)
+        + "forces: {push: {body: arm, per_length: 1 N/m*x/L*step(t), to: 0.3*L}}", {ASIDE: 0, BETWEEN: 0, TURN: 0}),
     "a blow and a step on a mass that nothing holds": (
         BEAM.replace("ENDS", "left: free").replace("DAMPER", "0.7 N*s/m") % ", {at: 0.3*L, mass: 0.5 kg}"
         + "bodies: {hit: {mass: 0.5 kg, slide: y}}\nsprings: {tie: {k: 9 N/m, between: [hit, mid]}}\n"
@@ -58,8 +66,8 @@ SCENES |= {
         {ASIDE: 0, MID: 0, MOMENT: 0, RATE: 0}),
     "dragged beside a mass": (PINNED.replace("mass", "drag: 3 N*s/m^2, mass", 1).replace("c: DAMPER", "mass: 0.5 kg")
                               % STEP, {ASIDE: 0, MID: 0}),
-    "creeping": (PINNED.replace("length: L", UNEVEN).replace("DRAG", "1 N*s/m^2").replace("drag: 3", "drag: 60").replace(
-        "DAMPER", "1 N*s/m") % RAMP, {ASIDE: 0, MID: 0, MOMENT: 0}),
+    "creeping": (PINNED.replace("length: L", UNEVEN).replace("DRAG", "1 N*s/m^2").replace(
+        "drag: 3", "drag: 60").replace("DAMPER", "1 N*s/m") % RAMP, {ASIDE: 0, MID: 0, MOMENT: 0}),
     "a ramp": (COMMON % RAMP, {ASIDE: 0, MOMENT: 0, SHEAR: 0, RATE: 0, FieldPoint(0, 0.2, 3): 0}),
     "as smooth as a rate of moments wants it": (
         COMMON % "forces: {push: {at: aside, force: 1 N*(1 - cos(30*t/(1 s)))}}",
@@ -107,6 +115,8 @@ def test_moments_and_what_is_struck_where_nothing_has_mass_are_estimated():
     motion = DampedModalResponse(scene).motion(FEW)
     for place, estimated in ((MID, False), (FieldPoint(2, 0.0, 2), True), (FieldPoint(2, 0.0, 0, 1), True)):
         assert motion.is_estimated(LinearOutput(places={place: 1.0})) == estimated
+    torn = problem(SHAKEN.replace("SLIDE", "1 cm*step(t)").replace("ENDS", "pinned"))
+    assert DampedModalResponse(torn).motion(FEW).is_estimated(LinearOutput(places={MID: 1.0}))
     struck = problem(COMMON % "forces: {push: {at: aside, force: 1 N*s*impulse(t)}}")
     assert DampedModalResponse(struck).motion(FEW).is_estimated(LinearOutput(places={MID: 1.0}))
 
