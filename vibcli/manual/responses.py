@@ -41,9 +41,9 @@ RESPONSE = [
          "argument principle counts in a circle; of those that are one or nearly so, as at critical damping, the "
          "mean over a circle about them. What those left out add to displacements and slopes, and to rates of what "
          "has mass, is bounded by the energy that each jump or bend of loads at places and along members, each bend of "
-         "the way of a driven end, each blow on a mass, or the start leaves them, which never grows; of moments, forces "
-         "and other rates too where loads begin smoothly. Else, and with driven ends that jump, blows on what has no "
-         "mass, or a start in a field beside modes that are one, it is "
+         "the way of a driven end, each blow on a mass, or the start leaves them, which never grows; of moments, "
+         "forces and other rates too where loads begin smoothly. Else, and with driven ends that jump, blows on what "
+         "has no mass, or a start in a field beside modes that are one, it is "
          "estimated from how amplitudes fall; reports, `check` and `--json` say so. A damper of √(Nμ) beside drag is "
          "refused, as no wave comes back from it."),
         ("not known", "A number whose error has a bound, certain or estimated, as large as all that its signal becomes "
