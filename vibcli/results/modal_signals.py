@@ -67,6 +67,10 @@ class ModalSignal(Signal):
     def is_estimated(self) -> bool:
         return self.modal.is_estimated(self.reads)
 
+    @property
+    def why_estimated(self) -> str:
+        return self.modal.why_estimated(self.reads)
+
     def error_of_mean(self, start: float, end: float) -> float:
         """Of its mean: what modes left out add are free vibrations on each stretch, |∫ e^{λt} dt| ≤ 2/|λ|; of what is
         bounded by energies no amplitudes are known."""
