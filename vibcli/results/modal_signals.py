@@ -69,7 +69,9 @@ class ModalSignal(Signal):
 
     @property
     def why_estimated(self) -> str:
-        return self.modal.why_estimated(self.reads)
+        disturbed = self.modal.modes.disturbed
+        known = disturbed and disturbed(self.modal.forcing.pieces)
+        return "" if not known or known.ALONE else known.reason(self.reads)
 
     def error_of_mean(self, start: float, end: float) -> float:
         """Of its mean: what modes left out add are free vibrations on each stretch, |∫ e^{λt} dt| ≤ 2/|λ|; of what is

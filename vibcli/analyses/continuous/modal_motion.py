@@ -184,11 +184,6 @@ class ModalMotion:
         known = self.modes.disturbed(self.forcing.pieces) if self.modes.disturbed else None
         return known is None or not (known.ALONE or known.bounds(output, inf))
 
-    def why_estimated(self, output: "LinearOutput") -> str:
-        """Why it is an estimate, where that is known."""
-        known = self.modes.disturbed(self.forcing.pieces) if self.modes.disturbed else None
-        return "" if known is None or known.ALONE else known.reason(output)
-
     def is_bounded(self, output: "LinearOutput", t: float, order: int = 0) -> bool:
         """Is that bound finite?"""
         self.stretches(float(t))
