@@ -34,7 +34,7 @@ class DraggedPieces:
         slots, m = answers.moved.shape[1:]
         found, sizes = self._empty(m * slots, slots, complex), self._empty(m * slots, slots, float)
         for p, (number, one) in enumerate(zip(self.numbers, self.pieces, strict=True)):
-            e = answers.ends(one).T
+            e = answers.ends(number, one).T
             d, load = stiffness(one.piece, one.piece.reaction(answers.s)), answers.on.get(number)
             F, F_size = (np.einsum("mab,mkb->mka", part, ends) for part, ends in ((d, e), (np.abs(d), np.abs(e))))
             acts, shown = np.zeros((slots, slots)), np.zeros((m, slots, slots), complex)
@@ -42,7 +42,7 @@ class DraggedPieces:
                 put = np.moveaxis(load.ends, -1, 0)
                 F, F_size = F - put, F_size + np.abs(put)
                 acts[range(slots), range(slots)] = load.ends.any(axis=(1, 2))
-                shown = np.swapaxes(np.moveaxis(answers.shown_on(one, load), -1, 0), 1, 2)
+                shown = np.swapaxes(np.moveaxis(answers.shown_on(number, one, load), -1, 0), 1, 2)
             flat = [part.reshape(m * slots, -1) for part in (e, F, F_size, shown, np.tile(acts, (m, 1)))]
             _fill(found, sizes, p, *flat)
         return found, sizes

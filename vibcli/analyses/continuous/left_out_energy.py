@@ -50,9 +50,9 @@ MOST = 4_096        # modes that a start in fields is divided in, as all of them
 
 
 class Slots(NamedTuple):
-    """Unit loads: inputs (modes, slots), how far each mode is felt by them as they begin; modes, and circles: what does
-    so on both circles, as DampedSwings, modes with their OwnEnergies; massive: bᵀ M⁻¹ b of those that act on mass,
-    (slots, slots)."""
+    """Unit loads, or unit displacements of driven ends: inputs (modes, slots), how far each mode is felt by them as
+    they begin; modes, and circles: what does so on both circles, as DampedSwings, modes with their OwnEnergies;
+    massive: bᵀ M⁻¹ b of those that act on mass, (slots, slots)."""
 
     inputs: np.ndarray
     modes: DampedSwings
@@ -135,7 +135,7 @@ class LeftOutEnergy:
         return bool((rates.real > (self.basis.errors[self.states.modes] + EPSILON) * np.abs(rates)).any())
 
     def of_channels(self, channels: "Sequence[int]") -> Slots:
-        """Unit loads on coordinates and along members."""
+        """Unit loads on coordinates and along members, and unit displacements of driven ends."""
         at, numbers = list(channels), self.states.modes[self.chosen]
         share = np.where(self.states.rates.imag > 0, 2.0, 1.0)[self.chosen, None]
         along = {}
@@ -144,28 +144,31 @@ class LeftOutEnergy:
             for slot, form in self.loads.forms(at, number):
                 reads[:, slot] = of_load(self.basis, number, form)[numbers]
             along[number] = reads
-        return self._slots(self.states.inputs[self.chosen[:, None], at] / share, along,
-                           lambda s: self.loads.of_channels(at, s), self.loads.massive(at))
+        felt = self.states.inputs[self.chosen[:, None], at] / share
+        forces = np.where(np.isin(at, list(self.loads.driven)), felt, 0.0)
+        return self._slots(felt, forces, along, lambda s: self.loads.of_channels(at, s), self.loads.massive(at))
 
     def of_output(self, output: LinearOutput) -> Slots:
         """A unit load where displacements of coordinates or a place are read."""
         row = np.array([output.q.get(i, 0.0) for i in range(self.n)])
         reads = self.basis.rows(output)[0][self.states.modes[self.chosen]][:, None]
-        return self._slots(reads, {place.piece: reads for place in output.places},
+        return self._slots(reads, 0 * reads, {place.piece: reads for place in output.places},
                            lambda s: self.loads.of_output(output, s), (row @ self.loads.inverse @ row)[None, None])
 
-    def _slots(self, reads, along, answers: "Callable[[np.ndarray], UnitAnswers]", massive):
-        modes, own = self._modes(reads, along, self.chosen)
+    def _slots(self, felt, forces, along, answers: "Callable[[np.ndarray], UnitAnswers]", massive):
+        modes, own = self._modes(felt - forces, along, self.chosen)
         share = np.where(self.states.rates.imag > 0, 2.0, 1.0)[self.chosen, None]
-        return Slots(share * reads, modes, own, [self._circle(answers(s)) for s in self.places], massive)
+        circles = [self._circle(answers(s)) for s in self.places]
+        return Slots(share * felt, modes._replace(loads=-forces), own, circles, massive)
 
     def _circle(self, answers):
         """DampedSwings of all slots at each place of a circle."""
         slots, m = answers.moved.shape[1:]
         strokes = np.einsum("nl,nks->skl", self._strokes, answers.moved).reshape(m * slots, -1)
         shown = np.swapaxes(np.moveaxis(answers.shown(self.transfer.pieces), -1, 0), 1, 2)
+        acting = np.moveaxis(answers.acting(self.transfer.pieces), -1, 0)
         return DampedSwings(np.repeat(answers.s + self.fading, slots), np.full(m * slots, EPSILON), strokes,
-                            np.abs(strokes), shown.reshape(m * slots, slots), np.tile(np.eye(slots), (m, 1)),
+                            np.abs(strokes), shown.reshape(m * slots, slots), acting.reshape(m * slots, slots),
                             *self._dragged.of_answers(answers))
 
     def of_columns(self, slots: Slots, columns: "Sequence[Column]") -> tuple[np.ndarray, np.ndarray, np.ndarray]:

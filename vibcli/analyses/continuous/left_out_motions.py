@@ -48,10 +48,11 @@ class LeftOutMotions:
         levels = self.energy.levels(output, 0) if self.energy.valid else []
         beyond = {key for k in levels for part in self._rated(k) for key in part if not self.energy.takes(*key)}
         if beyond:
-            return AT_ONCE if all(power < 0 for *_, power in beyond) else ""
+            moved = range(self.energy.n, self.energy.n + len(self.energy.transfer.driven))
+            return AT_ONCE if all(power < 0 and channel not in moved for channel, _, power in beyond) else ""
         return IN_FIELD if self.energy.in_fields and any(levels) else ""
 
-    def obstacle(self, _: "LinearOutput") -> str:
+    def obstacle(self, _: "LinearOutput", __: float) -> str:
         """Why it is not, where amplitudes tell nothing either."""
         return FALL
 
@@ -67,11 +68,17 @@ class LeftOutMotions:
         return self._parts[k]
 
     def _is_finite(self, k):
-        """Is the energy of all of them known?"""
+        """Is the energy of all of them known? It is infinite where a driven end jumps."""
         if k not in self._finite:
             self._finite[k] = not (k and self.energy.in_fields) and all(
-                self.energy.takes(*key) for key in {key for part in self._rated(k) for key in part})
+                self.energy.takes(*key) for key in {key for part in self._rated(k) for key in part}) and not any(
+                    self._jumps(part) for part in self._rated(k))
         return self._finite[k]
+
+    def _jumps(self, part):
+        """Does a driven end, which the free part leaves at rest?"""
+        return any(abs(sum(own)) > ROUNDING * sum(map(abs, own)) for channel in self.energy.loads.driven
+                   for own in [[c.real for (at, _, power), c in part.items() if at == channel and not power]])
 
     def _sizes_of(self, k):
         """‖Π Aᵏ z‖ of what begins with each segment."""
@@ -117,11 +124,11 @@ class _Changes:
     def __init__(self):
         self._terms: dict[tuple[int, complex, int], list[complex]] = {}
 
-    def add(self, key, size):
+    def add(self, key: tuple[int, complex, int], size: complex) -> None:
         """To the sum of a key."""
         self._terms.setdefault(key, []).append(complex(size))
 
-    def kept(self):
+    def kept(self) -> dict[tuple[int, complex, int], complex]:
         """{key: sum}."""
         sums = {key: sum(terms) if key[-1] >= 0 else sum(terms).real + 0j for key, terms in self._terms.items()}
         return {key: c for key, c in sums.items() if abs(c) > ROUNDING * max(map(abs, self._terms[key]))}

@@ -41,16 +41,17 @@ class OnPiece(NamedTuple):
 
 
 class UnitLoadsOfChannels:
-    """Unit loads on channels of an ExactTransfer."""
+    """Unit loads on channels of an ExactTransfer, and unit displacements of its driven ends."""
 
     def __init__(self, transfer: "ExactTransfer"):
         self.pieces, self.n, first = transfer.pieces, transfer.n, transfer.n + len(transfer.driven)
+        self.driven = dict(enumerate(transfer.driven, transfer.n))
         self.spread = dict(enumerate(transfer.spread, first))
 
     def takes(self, channel: int) -> bool:
-        """Is it one on coordinates, or along pieces of one tension each, or a polynomial of the place?"""
+        """Is it one on coordinates, a driven end, or along pieces of one tension each, or a polynomial of the place?"""
         if channel not in self.spread:
-            return channel < self.n
+            return True
         forms = [self.spread[channel].on(one) for one in self.pieces if one.piece.gradient]
         return all(_is_polynomial(form) for form in forms if form is not None)
 
@@ -77,7 +78,7 @@ class UnitLoadsOfChannels:
     def massive(self, channels: "Sequence[int]", inverse: np.ndarray) -> np.ndarray:
         """bᵀ M⁻¹ b of all pairs, (channels, channels), `inverse`: that of coordinates; 0 where nothing has mass."""
         found, light = np.zeros((len(channels), len(channels))), np.zeros(len(channels), bool)
-        plain = np.flatnonzero([c not in self.spread for c in channels])
+        plain = np.flatnonzero([c < self.n for c in channels])
         own = np.array(channels)[plain]
         found[plain[:, None], plain] = inverse[own[:, None], own]
         for one in self.pieces:

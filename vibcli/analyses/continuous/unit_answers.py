@@ -1,4 +1,5 @@
-"""What answers to unit loads, on coordinates, along pieces, or where an output is read, at complex frequencies.
+"""What answers to unit loads, on coordinates, along pieces, or where an output is read, and to unit displacements of
+driven ends, at complex frequencies.
 
 Of a force or a shear that is read at a place the load that goes with it is a dislocation there (Betti): a step of u, or
 of u′, by 1, as the left part moves with the stiffness d₁ of its end and the right part with d₂
@@ -23,7 +24,7 @@ from vibcli.numerics.pieces.stiffness import stiffness
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from vibcli.analyses.continuous.exact_transfer import ExactTransfer
+    from vibcli.analyses.continuous.exact_transfer import DrivenEnd, ExactTransfer
     from vibcli.analyses.excitation.linear_output import FieldPoint
     from vibcli.mechanics.factored_system import PlacedPiece
 
@@ -32,26 +33,42 @@ INSIDE = 1e-12      # of a length
 
 class UnitAnswers(NamedTuple):
     """At places s (m,): how coordinates move under each unit load, (n, slots, m); how each acts on coordinates, (slots,
-    n), and on pieces {number: OnPiece}."""
+    n), and on pieces {number: OnPiece}; driven: (slot, number of a piece, end) of those that are displacements."""
 
     s: np.ndarray
     moved: np.ndarray
     acted: np.ndarray
     on: dict[int, OnPiece]
+    driven: "tuple[tuple[int, int, int], ...]" = ()
 
-    def ends(self, one: "PlacedPiece") -> np.ndarray:
+    def ends(self, number: int, one: "PlacedPiece") -> np.ndarray:
         """End values of a piece, (order, slots, m)."""
         none = np.zeros(self.moved.shape[1:], complex)
-        return np.array([sum((x * self.moved[i] for i, x in row.items()), none) for row in one.rows])
+        found = np.array([sum((x * self.moved[i] for i, x in row.items()), none) for row in one.rows])
+        for slot, piece, end in self.driven:
+            found[end, slot] += 1.0 if piece == number else 0.0
+        return found
 
-    def shown_on(self, one: "PlacedPiece", load: OnPiece) -> np.ndarray:
+    def shown_on(self, number: int, one: "PlacedPiece", load: OnPiece) -> np.ndarray:
         """What each load on a piece shows of each motion of it, (slots, slots, m)."""
-        return np.einsum("aom,obm->abm", load.ends, self.ends(one)) + load.held
+        return np.einsum("aom,obm->abm", load.ends, self.ends(number, one)) + load.held
 
     def shown(self, pieces: "Sequence[PlacedPiece]") -> np.ndarray:
-        """What each load shows of each motion."""
+        """What each load, and each driven end, shows of each motion."""
         found = np.einsum("an,nbm->abm", self.acted, self.moved)
-        return sum((self.shown_on(pieces[number], load) for number, load in self.on.items()), found)
+        for slot, *_ in self.driven:
+            found[slot, slot] += 1.0
+        return sum((self.shown_on(number, pieces[number], load) for number, load in self.on.items()), found)
+
+    def acting(self, pieces: "Sequence[PlacedPiece]") -> np.ndarray:
+        """What acts in each motion: its unit load, or the forces at driven ends, (slots, slots, m)."""
+        found = np.repeat(np.eye(self.moved.shape[1], dtype=complex)[:, :, None], len(self.s), axis=2)
+        for slot, number, end in self.driven:
+            one = pieces[number]
+            d, load = stiffness(one.piece, one.piece.reaction(self.s)), self.on.get(number)
+            force = np.einsum("mk,kbm->bm", d[:, end], self.ends(number, one))
+            found[:, slot] = force if load is None else force - load.ends[:, end]
+        return found
 
 
 class UnitLoadsOf:
@@ -61,8 +78,13 @@ class UnitLoadsOf:
         self.transfer, self.n, self._channels = transfer, transfer.n, UnitLoadsOfChannels(transfer)
         self.inverse = inverse_where_massive(transfer.matrix.polynomial[2])
 
+    @property
+    def driven(self) -> "dict[int, DrivenEnd]":
+        """{channel: DrivenEnd}"""
+        return self._channels.driven
+
     def takes(self, channel: int) -> bool:
-        """Is it one on coordinates, or along pieces of one tension each?"""
+        """Is it one on coordinates, a driven end, or one along pieces of one tension each?"""
         return self._channels.takes(channel)
 
     def massive(self, channels: "Sequence[int]") -> np.ndarray:
@@ -74,11 +96,12 @@ class UnitLoadsOf:
         return self._channels.on(channels, self.transfer.pieces[number])
 
     def of_channels(self, channels: "Sequence[int]", s: np.ndarray) -> UnitAnswers:
-        """Of unit loads on channels."""
+        """Of unit loads on channels, or unit displacements of driven ends."""
         moved = [self.transfer.at(LinearOutput(q={i: 1.0}), s)[list(channels)] for i in range(self.n)]
         acted = np.array([np.eye(self.n)[c] if c < self.n else np.zeros(self.n) for c in channels])
-        return UnitAnswers(s, np.array(moved).reshape(self.n, len(channels), len(s)), acted,
-                           self._channels.on_pieces(channels, s))
+        driven = tuple((slot, *self.driven[c]) for slot, c in enumerate(channels) if c in self.driven)
+        return UnitAnswers(s, np.array(moved).reshape(self.n, len(channels), len(s)), acted.reshape(-1, self.n),
+                           self._channels.on_pieces(channels, s), driven)
 
     def of_output(self, output: LinearOutput, s: np.ndarray) -> UnitAnswers:
         """Of the one that goes with displacements of coordinates, or with what is read at one place."""

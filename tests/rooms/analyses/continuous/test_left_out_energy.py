@@ -12,6 +12,7 @@ from vibcli.analyses.excitation.linear_output import FieldPoint, LinearOutput
 from vibcli.language.signals_of_places import with_places
 from vibcli.results.damped_modal_response import DampedModalResponse
 from vibcli.results.wave_response import WaveResponse
+from vibcli.results.without_bound import without_bound
 from vibcli.symbolic.parser import parse
 
 BEAM = """
@@ -22,6 +23,8 @@ points: {aside: {body: arm, at: 0.3*L}, mid: {body: arm, at: L/2}}
 STEP = "forces: {push: {at: aside, force: 1 N*step(t)}}"
 PINNED = BEAM.replace("ENDS", "left: pinned, right: pinned") % "" + "%s"
 COMMON = PINNED.replace("DAMPER", "0.7 N*s/m")
+SHAKEN = "bodies: {hand: {slide: SLIDE}}" + BEAM.replace("ENDS", "left: {ENDS: hand}, right: pinned").replace(
+    "DAMPER", "0.7 N*s/m") % ""
 ASIDE, TURN, MID, BETWEEN = FieldPoint(1, 0.0), FieldPoint(1, 0.0, 1), FieldPoint(2, 0.0), FieldPoint(2, 0.2)
 MOMENT, SHEAR, RATE = FieldPoint(2, 0.0, 2), FieldPoint(2, 0.1, 3), FieldPoint(1, 0.0, 0, 1)
 SCENES = {
@@ -42,6 +45,12 @@ forces: {push: {body: arm, per_length: 1 N/m*x/L*step(t), to: 0.3*L}, pull: {at:
                {ASIDE: 0.3**2 * 0.7**2 / 3}),
     "thrown in a field": (COMMON % "initial: {arm.u': 1 mm/s*x*(L - x)/L^2}", {ASIDE: 0, MID: 0}),
     "bent in a field": (COMMON % "initial: {arm.u: 1 mm*(x/L)^2*(1 - x/L)^2}", {ASIDE: 1e-3 * 0.3**2 * 0.7**2}),
+    "shaken from a velocity on": (SHAKEN.replace("SLIDE", "1 cm*sin(9*t/(1 s))").replace("ENDS", "pinned"),
+                                  {ASIDE: 0, MID: 0, TURN: 0}),
+    "shaken for a while, beside loads along it": (
+        SHAKEN.replace("SLIDE", "1 m/s*(ramp(t) - ramp(t - 0.1 s))").replace("ENDS", "clamped").replace(
+            "mass", "drag: 3 N*s/m^2, mass", 1)
+        + "forces: {push: {body: arm, per_length: 1 N/m*x/L*step(t), to: 0.3*L}}", {ASIDE: 0, BETWEEN: 0, TURN: 0}),
     "a blow and a step on a mass that nothing holds": (
         BEAM.replace("ENDS", "left: free").replace("DAMPER", "0.7 N*s/m") % ", {at: 0.3*L, mass: 0.5 kg}"
         + "bodies: {hit: {mass: 0.5 kg, slide: y}}\nsprings: {tie: {k: 9 N/m, between: [hit, mid]}}\n"
@@ -115,8 +124,17 @@ def test_moments_and_what_is_struck_where_nothing_has_mass_are_estimated():
         output = LinearOutput(places={place: 1.0})
         left = motion.modes.disturbed(motion.forcing.pieces)
         assert (motion.is_estimated(output), left.reason(output)) == (bool(why), why)
+    torn = problem(SHAKEN.replace("SLIDE", "1 cm*step(t)").replace("ENDS", "pinned"))
+    assert DampedModalResponse(torn).motion(FEW).is_estimated(LinearOutput(places={MID: 1.0}))
     struck = problem(COMMON % "forces: {push: {at: aside, force: 1 N*s*impulse(t)}}")
     assert DampedModalResponse(struck).motion(FEW).is_estimated(LinearOutput(places={MID: 1.0}))
+
+
+def test_what_energies_do_not_bound_is_refused_with_a_reason():
+    """As an acceleration after a step is; it ended in a TypeError."""
+    motion = DampedModalResponse(problem(SCENES["step"][0])).motion(FEW)
+    refusal = without_bound(motion, LinearOutput(places={FieldPoint(2, 0.0, 0, 2): 1.0}), 0.3)
+    assert "too slowly or too unevenly" in refusal.message and "rise within a time" in refusal.hint
 
 
 DRAGS = {"none": "", "even": "drag: 3 N*s/m^2, ", "on a part": "drag: 3 N*s/m^2, ", "overdamped": "drag: 40 N*s/m^2, "}
