@@ -157,6 +157,11 @@ class Signal:
         """Is that an estimate of what modes left out add, and no bound?"""
         return False
 
+    @property
+    def why_estimated(self) -> str:
+        """Why it is, in words, where that is known."""
+        return ""
+
     def error_of_extreme(self, start: float, end: float, top: tuple[float, float], sense: int) -> float:
         """How far the largest (sense 1) or smallest (−1) value between two instants may be off, `top` being (t, value)
         of what is found."""
