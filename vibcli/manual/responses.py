@@ -180,14 +180,15 @@ STEPS = [
          "them, and where small oscillations are not told element by element: places, speeds, T, V, Φ, virtual "
          "work and Lagrange's derivatives unexpanded, of closed loops with multipliers; then the equations to the "
          "first order from rest"),
-        ("frequencies", "ω² and ω with numbers put in, δ, ζ, ω_d; of two coordinates det(K − ω²M) = 0, with iωG where "
-         "frames turn, its coefficients and roots, ratios of amplitudes, modal masses and normal coordinates; whether "
-         "damping is proportional; roots with damping; where they are asked, bounds by assumed shapes, by Rayleigh and "
-         "by Dunkerley"),
-        ("motion", "of one coordinate the constants from `initial`, and what loads bring about: X and θ under one "
-         "harmonic or several, from the complex equation; the first harmonics of a square or sawtooth wave; steps, "
-         "ramps and impulses piece by piece from rest; what follows a growing load. Of several the complex amplitudes "
-         "under each harmonic, of two and three by determinants of K − Ω²M + iΩC; of two or three what each mode "
+        ("frequencies", "ω² and ω with numbers put in, δ, ζ, ω_d; of two coordinates det(K − ω²M) = 0 by its entries "
+         "and by powers, with iωG where frames turn, its coefficients and roots, ratios of amplitudes, modal masses "
+         "and normal coordinates; whether damping is proportional; roots with damping; where they are asked, bounds by "
+         "assumed shapes, by Rayleigh and by Dunkerley"),
+        ("motion", "of one coordinate the constants from `initial` and the motion with their numbers, and what loads "
+         "bring about: X and θ under one harmonic or several, from the complex equation; the first harmonics of a "
+         "square or sawtooth wave; steps, ramps and impulses piece by piece from rest; what follows a growing load. "
+         "Of several the complex amplitudes under each harmonic, of two and three by determinants of K − Ω²M + iΩC; of "
+         "two or three what each mode "
          "starts with, a complex one where damping couples them, and their sum, under one harmonic beside what it "
          "keeps up, beats as a product; where they are asked, points of a response that the one damper of two degrees "
          "does not move."),
