@@ -30,19 +30,19 @@ def solved(rows: np.ndarray, right: np.ndarray) -> np.ndarray:
     return x[:n]
 
 
-def _pivoted(window):
+def _pivoted(window: np.ndarray) -> np.ndarray:
     """The row with the largest leading entry, its place being taken by the first one."""
     first = window[:, 0]
     pivot = (np.abs(first.real) + np.abs(first.imag)).argmax(axis=0)
     moved = np.flatnonzero(pivot)
-    top = window[0].copy()
+    top: np.ndarray = window[0].copy()
     if len(moved):
         top[:, moved] = window[pivot[moved], :, moved].T
         window[pivot[moved], :, moved] = window[0][:, moved].T
     return top
 
 
-def _reduced(window, top, across):
+def _reduced(window: np.ndarray, top: np.ndarray, across: int) -> np.ndarray:
     """The window one row and one column further, its last row empty."""
     found = np.zeros_like(window)
     factor = (window[1:, 0] / top[0])[:, None]

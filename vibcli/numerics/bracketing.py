@@ -15,7 +15,7 @@ SHORT, FARTHER = 4, 8        # of least steps, and how much farther the next one
 SECTIONS, GOLDEN = 90, 0.3819660112501051
 
 
-def zeros_between(function: Callable, low: np.ndarray, high: np.ndarray, level: Any = 0.0,
+def zeros_between(function: Callable[[np.ndarray], np.ndarray], low: np.ndarray, high: np.ndarray, level: Any = 0.0,
                   known: Any = None) -> np.ndarray:
     """The zero of a function in each of the intervals at whose ends its signs differ, to rounding; or where it is at
     the level of each interval. known: its values at the ends, where they are.
@@ -44,10 +44,12 @@ def zeros_between(function: Callable, low: np.ndarray, high: np.ndarray, level: 
         a, fa, b = trial, f, np.where(f == 0, trial, b)
         share, short = _share(a, b, c, fa, fb, fc, step * near)
         step = np.where(short, FARTHER * step, step)
-    return found
+    result: np.ndarray = found
+    return result
 
 
-def _share(a, b, c, fa, fb, fc, step):
+def _share(a: np.ndarray, b: np.ndarray, c: np.ndarray, fa: np.ndarray, fb: np.ndarray, fc: np.ndarray,
+           step: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(how far from a to b the next place lies, whether that is next to one of them)."""
     with np.errstate(all="ignore"):
         place, height = (a - b) / (c - b), (fa - fb) / (fc - fb)
@@ -58,10 +60,12 @@ def _share(a, b, c, fa, fb, fc, step):
     return np.clip(share, edge, 1 - edge), np.minimum(share, 1 - share) < SHORT * edge
 
 
-def maxima_between(function: Callable, low: Any, high: "float | mpmath.mpf", sections: int = SECTIONS) -> np.ndarray:
+def maxima_between(function: Callable[..., np.ndarray], low: Any, high: "float | mpmath.mpf",
+                   sections: int = SECTIONS) -> np.ndarray:
     """Where a function is largest in each of the intervals in which it has one maximum, by golden section."""
     for _ in range(sections if len(low) else 0):
         left, right = low + GOLDEN * (high - low), high - GOLDEN * (high - low)
         falls = function(left) >= function(right)
         low, high = np.where(falls, low, left), np.where(falls, right, high)
-    return 0.5 * (low + high)
+    found: np.ndarray = 0.5 * (low + high)
+    return found

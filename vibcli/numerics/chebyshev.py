@@ -11,7 +11,7 @@ ROUNDING = 2.0 ** -52
 TOUCH = 1e-7        # distance of two places that are one where a series touches zero
 
 
-def _integrated(count):
+def _integrated(count: int) -> np.ndarray:
     """(count, count + 1): the coefficients of ∫ from −1 of T_0 … T_{count−1}, as rows."""
     found = np.zeros((count, count + 1))
     found[0, :2] = 1.0
@@ -23,7 +23,7 @@ def _integrated(count):
     return found
 
 
-def _differentiated(count):
+def _differentiated(count: int) -> np.ndarray:
     """(count, count): the coefficients of T_k′, as rows."""
     found = np.zeros((count, count))
     for k in range(1, count):
@@ -45,7 +45,8 @@ RATE = _differentiated(WIDTH)
 def summed(series: np.ndarray, x: np.ndarray) -> np.ndarray:
     """The values of series, of shape (… , WIDTH), one for each place x in [−1, 1] along their last axis but one."""
     waves = np.cos(np.arccos(np.clip(x, -1.0, 1.0))[:, None] * np.arange(series.shape[-1]))
-    return np.einsum("...k,...k->...", series, waves)
+    found: np.ndarray = np.einsum("...k,...k->...", series, waves)
+    return found
 
 
 def turning_points(series: np.ndarray) -> list[float]:

@@ -27,7 +27,7 @@ class Rule:
 
     __slots__ = ("V1", "V2", "_known", "at_points", "b2", "c", "once", "points", "to_series", "twice", "w", "x")
 
-    def __init__(self, points: int, radau: bool = False):
+    def __init__(self, points: int, radau: bool = False) -> None:
         x, w = (_radau if radau else _gauss)(points)
         P = _legendre(x, points + 1)
         once = _integrated(points)
@@ -55,18 +55,20 @@ class Rule:
         key = c.tobytes()
         if key not in self._known:
             self._known[key] = _rounded(self.basis(2 * c.astype(LONG) - 1))
-        return self._known[key]
+        found: np.ndarray = self._known[key]
+        return found
 
     def within(self, values: np.ndarray, part: float) -> np.ndarray:
         """The values at the points of the first part of a window, of polynomials through values at those of all."""
-        return values @ self.to_series @ self.basis_at(part * self.c)[:-2]
+        found: np.ndarray = values @ self.to_series @ self.basis_at(part * self.c)[:-2]
+        return found
 
 
-def _rounded(array):
+def _rounded(array: np.ndarray) -> np.ndarray:
     return np.ascontiguousarray(array, dtype=float)
 
 
-def _gauss(points):
+def _gauss(points: int) -> tuple[np.ndarray, np.ndarray]:
     """Gauss's points and weights on [−1, 1]: those of NumPy and one Newton step in extended precision."""
     x = leggauss(points)[0].astype(LONG)
     for _ in range(2):
@@ -78,7 +80,7 @@ def _gauss(points):
     return x, 2 / ((1 - x * x) * slope * slope)
 
 
-def _radau(points):
+def _radau(points: int) -> tuple[np.ndarray, np.ndarray]:
     """Radau's points on [−1, 1], the last at 1: zeros of Pₛ₋₁ − Pₛ, near those of the Jacobi polynomial (1, 0)."""
     k = np.arange(points - 1)
     off = np.sqrt(k[1:] * (k[1:] + 1.0)) / (2 * k[1:] + 1)
@@ -93,7 +95,7 @@ def _radau(points):
     return x, (1 + x) / (points * _legendre(x, points)[-2]) ** 2
 
 
-def _legendre(x, degree):
+def _legendre(x: np.ndarray, degree: int) -> np.ndarray:
     """P₀ … P_degree at the places x, by their recurrence; at few places in plain floats, which do the same."""
     if len(x) <= FEW and x.dtype == float:
         return np.ascontiguousarray(np.array([_legendre_at(y, degree) for y in x.tolist()]).reshape(-1, degree + 1).T)
@@ -107,7 +109,7 @@ def _legendre(x, degree):
     return P
 
 
-def _legendre_at(y, degree):
+def _legendre_at(y: float, degree: int) -> list[float]:
     """The same at one place."""
     before, last = 1.0, y
     values = [before, last]
@@ -118,12 +120,12 @@ def _legendre_at(y, degree):
 
 
 @lru_cache
-def _factors(degree):
+def _factors(degree: int) -> list[tuple[float, float, float]]:
     """2k + 1, k and k + 1 of the recurrence (k + 1) Pₖ₊₁ = (2k + 1) x Pₖ − k Pₖ₋₁."""
     return [(2 * k + 1.0, float(k), k + 1.0) for k in range(1, degree)]
 
 
-def _integrated(count):
+def _integrated(count: int) -> np.ndarray:
     """Rows of Legendre coefficients of ∫₀^c Pₖ dc, x = 2c − 1, for k below `count`: (Pₖ₊₁ − Pₖ₋₁)/(2 (2k + 1))."""
     rows = np.zeros((count, count + 1), dtype=LONG)
     rows[0, :2] = LONG(0.5)
@@ -133,7 +135,7 @@ def _integrated(count):
     return rows
 
 
-def _slopes(degree):
+def _slopes(degree: int) -> np.ndarray:
     """Rows of Legendre coefficients of the slopes of P₀ … P_degree: Pₖ₊₁′ = Pₖ₋₁′ + (2k + 1) Pₖ."""
     rows = np.zeros((degree + 1, degree + 1), dtype=LONG)
     for k in range(degree):

@@ -21,7 +21,7 @@ class SideSamples(NamedTuple):
 
 
 @lru_cache
-def _rule():
+def _rule() -> tuple[np.ndarray, np.ndarray]:
     at, weights = np.polynomial.legendre.leggauss(POINTS)
     return (at + 1) / 2, weights / 2
 
@@ -36,7 +36,7 @@ def along(function: Callable[[np.ndarray], np.ndarray],
     width = np.array([(b - a) / PARTS for a, b in sides for _ in range(PARTS)])
     kept: list[list[SideSamples]] = [[] for _ in sides]
 
-    def sampled(start, width):
+    def sampled(start: np.ndarray, width: np.ndarray) -> "tuple[np.ndarray, np.ndarray]":
         s = start[:, None] + width[:, None] * at
         with np.errstate(invalid="ignore"):
             return s, function(s.ravel()).reshape(s.shape) * weights * width[:, None]

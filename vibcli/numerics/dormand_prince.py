@@ -6,8 +6,9 @@ NumPy for each of its stages.
 Tables and error estimate of Hairer, Nørsett & Wanner (1993), II.5, DOP853; the last stage is f at the end of the step.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache
+from typing import Any
 
 C = (0.0, 0.05260015195876773, 0.0789002279381516, 0.1183503419072274, 0.2816496580927726, 0.3333333333333333, 0.25,
      0.3076923076923077, 0.6512820512820513, 0.6, 0.8571428571428571, 1.0, 1.0)
@@ -40,7 +41,7 @@ END = 12
 
 
 @lru_cache
-def stepper(n: int) -> Callable:
+def stepper(n: int) -> Callable[..., Any]:
     """step(f, t, h, q, v, a, weights) ↦ (the error, 1 being allowed, q, q̇, q̈ at the end) for n coordinates, q̈ =
     f(t, *q, *q̇) being a tuple; weights: 1/(the error allowed) of each place and each velocity."""
     stages = [_stage(n, s) for s in range(1, END + 1)]
@@ -55,27 +56,27 @@ def stepper(n: int) -> Callable:
     return _function("f,t,h,q,v,a,w", lines, f"abs(h)*fifth/sqrt(bottom) if bottom else 0.0,{ends}")
 
 
-def _names(kind, n, s=None):
+def _names(kind: str, n: int, s: int | None = None) -> str:
     return "(" + "".join(f"{kind}{i}," if s is None else f"{kind}{s}_{i}," for i in range(n)) + ")"
 
 
-def _state(n):
+def _state(n: int) -> list[str]:
     """At the start; its velocities and accelerations are those of stage 0."""
     return [f"{_names('q', n)}=q", f"{_names('u', n, 0)}=v", f"{_names('k', n, 0)}=a"]
 
 
-def _combined(table, kind, i):
+def _combined(table: Mapping[int, float], kind: str, i: int) -> str:
     return "+".join(f"{factor!r}*{kind}{j}_{i}" for j, factor in table.items())
 
 
-def _stage(n, s):
+def _stage(n: int, s: int) -> list[str]:
     places = [f"x{s}_{i}=q{i}+h*({_combined(A[s], 'u', i)})" for i in range(n)]
     speeds = [f"u{s}_{i}=u0_{i}+h*({_combined(A[s], 'k', i)})" for i in range(n)]
     state = ",".join(f"{kind}{s}_{i}" for kind in "xu" for i in range(n))
     return [*places, *speeds, f"{_names('k', n, s)}=f(t+{C[s]!r}*h,{state})"]
 
 
-def _function(head, lines, result):
+def _function(head: str, lines: Sequence[str], result: str) -> Callable[..., Any]:
     from math import sqrt
 
     body = "".join(f" {line}\n" for line in lines)

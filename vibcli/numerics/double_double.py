@@ -49,6 +49,6 @@ def times(matrix: Any, a: DoubleDouble) -> DoubleDouble:
     return DoubleDouble(found.hi[back], found.lo[back])
 
 
-def _renewed(high, low):
+def _renewed(high: np.ndarray, low: np.ndarray) -> DoubleDouble:
     total = high + low
     return DoubleDouble(total, low - (total - high))

@@ -1,7 +1,10 @@
 """Products and sums of doubles with what their rounding took: a b = p + r, a + b = s + e (Veltkamp, Dekker 1971; Knuth
 1969)."""
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    import numpy as np
 
 SPLIT = 2.0 ** 27 + 1
 
@@ -20,7 +23,7 @@ def whole_sum(a: Any, b: Any) -> tuple[Any, Any]:
     return total, (a - (total - added)) + (b - added)
 
 
-def _halves(a):
+def _halves(a: "np.ndarray") -> "tuple[np.ndarray, np.ndarray]":
     """A double as the sum of two of 26 digits."""
     large = SPLIT * a
     high = large - (large - a)

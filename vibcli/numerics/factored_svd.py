@@ -50,10 +50,11 @@ def row_error(x: np.ndarray, r: np.ndarray, turned: np.ndarray, known: float) ->
     rows = r / sizes
     back = np.linalg.pinv(rows) @ (turned / sizes)
     growth = np.linalg.norm(np.abs(back) @ np.abs(x / _lengths(x)[:, None]), 2)
-    return UNIT * (8 * known * growth + 16 * np.sqrt(x.shape[1]) * np.linalg.cond(rows))
+    found: float = UNIT * (8 * known * growth + 16 * np.sqrt(x.shape[1]) * np.linalg.cond(rows))
+    return found
 
 
-def _lengths(x):
+def _lengths(x: np.ndarray) -> np.ndarray:
     """The lengths of the rows; 1 of a row of zeros."""
     lengths = np.linalg.norm(x, axis=1)
     return np.where(lengths > 0, lengths, 1.0)
@@ -80,4 +81,5 @@ def mass_factor(rows: np.ndarray) -> np.ndarray:
     """Lower triangular L with L Lᵀ = rowsᵀ rows, from a QR of the sorted rows, never from the product."""
     order = np.argsort(-np.abs(rows).max(axis=1), kind="stable")
     r = np.linalg.qr(rows[order], mode="r")
-    return (r * np.copysign(1.0, r.diagonal())[:, None]).T  # type: ignore[attr-defined]
+    found: np.ndarray = (r * np.copysign(1.0, r.diagonal())[:, None]).T  # type: ignore[attr-defined]
+    return found

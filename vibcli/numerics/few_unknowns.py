@@ -12,10 +12,11 @@ def shortest_solution(rows: Sequence[Sequence[float]], right: Sequence[float], r
         return found
     import numpy as np
 
-    return np.linalg.lstsq(rows, right, rcond=rank)[0].tolist()
+    result: list[float] = np.linalg.lstsq(rows, right, rcond=rank)[0].tolist()
+    return result
 
 
-def _eliminated(rows, right):
+def _eliminated(rows: Sequence[Sequence[float]], right: Sequence[float]) -> list[float] | None:
     """By Gaussian elimination, the largest entries of columns as pivots; None where A is nearly singular."""
     left, n = [[*row, b] for row, b in zip(rows, right, strict=True)], len(right)
     least, largest = float("inf"), 0.0

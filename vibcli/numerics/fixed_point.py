@@ -78,7 +78,8 @@ def floats(a: Any, bits: int) -> np.ndarray:
     """The values of an array of fixed-point numbers as floats."""
     if bits < 900:
         try:
-            return np.ldexp(a.astype(float), -bits)
+            found: np.ndarray = np.ldexp(a.astype(float), -bits)
+            return found
         except OverflowError:
             pass
     out = np.array([to_float(x, bits) for x in a.ravel().tolist()], float)
@@ -101,7 +102,8 @@ def product(a: np.ndarray, b: np.ndarray, bits: int) -> np.ndarray:
     cost = price(bits) * a.size * columns / MILLION
     if cost <= 1 or a.ndim == 1:
         counted(cost)
-        return a.dot(b) >> bits
+        found: np.ndarray = a.dot(b) >> bits
+        return found
     rows, parts = max(1, int(len(a) / cost)), []
     for first in range(0, len(a), rows):
         part = a[first:first + rows]

@@ -11,7 +11,8 @@ BITS = 320
 
 def wide(a: np.ndarray) -> np.ndarray:
     """A matrix of floats in fixed point."""
-    return fx.fixed(np.concatenate([a.real, a.imag], axis=1), BITS)
+    found: np.ndarray = fx.fixed(np.concatenate([a.real, a.imag], axis=1), BITS)
+    return found
 
 
 def parts(a: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -30,4 +31,5 @@ def times(a: np.ndarray, b: Any) -> np.ndarray:
     """a b."""
     re, im = parts(b)
     left, right = parts(a)
-    return fx.product(left, b, BITS) + fx.product(right, np.concatenate([-im, re], axis=1), BITS)
+    found: np.ndarray = fx.product(left, b, BITS) + fx.product(right, np.concatenate([-im, re], axis=1), BITS)
+    return found

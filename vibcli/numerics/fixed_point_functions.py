@@ -9,18 +9,18 @@ GUARD = 16      # bits
 UNARY = ("sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log")
 
 
-def functions(bits: int) -> dict[str, Callable]:
+def functions(bits: int) -> dict[str, Callable[..., int]]:
     """{name: function} of fixed-point numbers. ArithmeticError where one has no real value."""
     import mpmath
 
-    def real(x):
+    def real(x: object) -> int:
         if not isinstance(x, mpmath.mpf) or not mpmath.isfinite(x):
             raise ArithmeticError
         m, e = mantissa(x)
         return shifted(m, e + bits)
 
-    def of(function):
-        def value(*args):
+    def of(function: "Callable[..., mpmath.mpf]") -> "Callable[..., int]":
+        def value(*args: int) -> int:
             with mpmath.workprec(bits + GUARD + max(0, *(abs(a).bit_length() - bits for a in args))):
                 try:
                     return real(function(*(mpmath.ldexp(a, -bits) for a in args)))
@@ -28,10 +28,10 @@ def functions(bits: int) -> dict[str, Callable]:
                     raise ArithmeticError from None
         return value
 
-    def power(a, n, d):
+    def power(a: int, n: int, d: int) -> int:
         return of(lambda x: mpmath.power(x, mpmath.mpf(n) / d))(a)
 
-    def root(a):
+    def root(a: int) -> int:
         if a <= 0:
             raise ArithmeticError
         return isqrt(a << bits)

@@ -6,7 +6,7 @@ in fixed point, V⁻¹ in floats; each step removes some fifty bits of E.
 """
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import combinations
 from typing import Any
 
@@ -29,11 +29,12 @@ class Root:
 
     __slots__ = ("im", "left", "radius", "re", "right")
 
-    def __init__(self, re: Any, im: Any, radius: Any, right: np.ndarray, left: np.ndarray):
+    def __init__(self, re: Any, im: Any, radius: Any, right: np.ndarray, left: np.ndarray) -> None:
         self.re, self.im, self.radius, self.right, self.left = re, im, radius, right, left
 
 
-def eigenvalues(apply: Callable, matrix: np.ndarray, bits: int, enough: Callable, noise: float) -> list[Root]:
+def eigenvalues(apply: Callable[[np.ndarray], np.ndarray], matrix: np.ndarray, bits: int,
+                enough: Callable[[Root], bool], noise: float) -> list[Root]:
     """All eigenvalues of A as a list of Root.
 
     apply(V): A V in fixed point; matrix: A in floats; enough(root): whether it is known well enough; noise:
@@ -43,8 +44,8 @@ def eigenvalues(apply: Callable, matrix: np.ndarray, bits: int, enough: Callable
     return form.all_roots(norms)
 
 
-def block_diagonal(apply: Callable, matrix: np.ndarray, bits: int, enough: Callable,
-                   noise: float) -> "tuple[BlockForm, list[float]]":
+def block_diagonal(apply: Callable[[np.ndarray], np.ndarray], matrix: np.ndarray, bits: int,
+                   enough: Callable[[Root], bool], noise: float) -> "tuple[BlockForm, list[float]]":
     """The BlockForm of A, and for each of its blocks log2 of what bounds its rows of E."""
     form = BlockForm(matrix, bits)
     best, stalled = math.inf, 0
@@ -65,19 +66,19 @@ class BlockForm:
 
     __slots__ = ("bits", "blocks", "e", "inverse", "shift", "t", "v", "vf")
 
-    def __init__(self, matrix: np.ndarray, bits: int):
+    def __init__(self, matrix: np.ndarray, bits: int) -> None:
         rotation, self.blocks = split(matrix)
         self.bits, self.v = bits, fixed(rotation, bits)
         self.t = fixed(np.linalg.inv(rotation) @ matrix @ rotation, bits)
         self._keep_blocks()
 
-    def _keep_blocks(self):
+    def _keep_blocks(self) -> None:
         t, self.t = self.t, self.t - self.t
         for part in self.blocks:
             at = np.ix_(part, part)
             self.t[at] = t[at]
 
-    def measure(self, apply: Callable) -> None:
+    def measure(self, apply: Callable[[np.ndarray], np.ndarray]) -> None:
         """E = V⁻¹(A V − V T)."""
         residual = apply(self.v)
         for part in self.blocks:
@@ -131,7 +132,7 @@ class BlockForm:
         self.blocks = kept + [piece for part in merged for piece in self._split_again(part)]
         self._keep_blocks()
 
-    def _split_again(self, part):
+    def _split_again(self, part: np.ndarray) -> list[np.ndarray]:
         """Splits a joined block, now that its own entries are known to their own precision."""
         bits, at, k = self.bits, np.ix_(part, part), range(len(part))
         block = self.t[at]
@@ -181,9 +182,9 @@ def split(matrix: np.ndarray) -> tuple[np.ndarray, list[np.ndarray]]:
         del units[j]
 
 
-def _closest(units, steep):
+def _closest(units: Sequence[tuple[list[complex], np.ndarray]], steep: Iterable[int]) -> tuple[int, int] | None:
     """Those two of the nearly parallel units whose eigenvalues are closest, or None."""
-    def gap(pair):
+    def gap(pair: "tuple[int, int]") -> float:
         some, others = (units[i][0] for i in pair)
         return min(min(abs(a - b), abs(a - b.conjugate())) for a in some for b in others)
 
@@ -226,12 +227,13 @@ def separation(t: np.ndarray, blocks: Sequence[np.ndarray], e: np.ndarray, shift
     return x, close | close.T
 
 
-def _sylvester(a, b, c):
+def _sylvester(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> np.ndarray:
     """X with a X − X b = −c, for stacks a (r, p, p), b (s, q, q), c (r, s, p, q); NaN where singular."""
     p, q = a.shape[1], b.shape[1]
     if p == q == 1:
         with np.errstate(divide="ignore", invalid="ignore"):
-            return c / (b[None, :] - a[:, None])
+            found: np.ndarray = c / (b[None, :] - a[:, None])
+            return found
     left = np.einsum("rij,kl->rikjl", a, np.eye(q)).reshape(len(a), 1, p * q, p * q)
     right = np.einsum("ij,slk->sikjl", np.eye(p), b).reshape(1, len(b), p * q, p * q)
     system = left - right

@@ -11,7 +11,7 @@ def halton(dimensions: int, first: int = 1) -> Iterator[list[float]]:
         yield [_radical_inverse(number, base) for base in bases]
 
 
-def _radical_inverse(number, base):
+def _radical_inverse(number: int, base: int) -> float:
     """The digits of a number mirrored at the point."""
     value, place = 0.0, 1.0 / base
     while number:
@@ -21,7 +21,7 @@ def _radical_inverse(number, base):
     return value
 
 
-def _primes(n):
+def _primes(n: int) -> list[int]:
     found, candidate = [], 2
     while len(found) < n:
         if all(candidate % p for p in found):

@@ -5,7 +5,8 @@ from collections.abc import Callable
 import numpy as np
 
 
-def quintic(times: np.ndarray, q: np.ndarray, v: np.ndarray, a: np.ndarray) -> Callable:
+def quintic(times: np.ndarray, q: np.ndarray, v: np.ndarray,
+            a: np.ndarray) -> Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]:
     """(q, q̇) of shape (rows, n, columns) as a function of instants (rows, columns), from q, q̇, q̈ at the `times` between
     the steps, of shape (steps + 1, n).
 
@@ -17,7 +18,7 @@ def quintic(times: np.ndarray, q: np.ndarray, v: np.ndarray, a: np.ndarray) -> C
     d0, d1, d2 = q[1:] - q[:-1] - v0 - a0 / 2, v1 - v0 - a0, a1 - a0
     powers = (6 * d0 - 3 * d1 + d2 / 2, 7 * d1 - 15 * d0 - d2, 10 * d0 - 4 * d1 + d2 / 2, a0 / 2, v0, q[:-1])
 
-    def at(t):
+    def at(t: np.ndarray) -> "tuple[np.ndarray, np.ndarray]":
         step = np.clip(np.searchsorted(times, t, side="right") - 1, 0, len(times) - 2)
         x = ((t - times[step]) / h[step, 0])[..., None]
         place, speed = powers[0][step], 0.0

@@ -33,7 +33,7 @@ class Pencil:
 
     __slots__ = ("K", "M", "_K", "_M", "least", "sizes")
 
-    def __init__(self, K: SparseForm, M: SparseForm):
+    def __init__(self, K: SparseForm, M: SparseForm) -> None:
         self.K, self.M, self._K, self._M = K, M, K.assembled().tocsc(), M.assembled().tocsc()
         self.sizes = K.magnitudes(), M.magnitudes()
         self.least = _least(M, self._M, self.sizes[1])
@@ -54,7 +54,7 @@ class Pencil:
         return ShiftedFactors(shift, below, (rounding + more) / self.least, lu.solve, 2 * lu.nnz / MILLION)
 
 
-def _least(M, assembled, size):
+def _least(M: SparseForm, assembled: Any, size: np.ndarray) -> float:
     """A bound below which M has no eigenvalue; 0 where none is found."""
     diagonal = assembled.diagonal()
     bound = float(diagonal.min())
@@ -71,7 +71,7 @@ def _least(M, assembled, size):
     return 0.0
 
 
-def _factored(matrix):
+def _factored(matrix: Any) -> tuple[Any, int, float] | None:
     """(factors, number of negative pivots, bound of ‖Δ‖); None where a pivot vanishes."""
     from scipy.sparse.linalg import splu
 

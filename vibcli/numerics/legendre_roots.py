@@ -26,12 +26,14 @@ def overshoot(count: int) -> float:
 def sampled(series: np.ndarray) -> np.ndarray:
     """The values of Legendre series, rows of coefficients, at the ends and the roots of a Chebyshev polynomial between
     them, ascending: the ends of cells."""
-    return series @ _basis(series.shape[1])
+    found: np.ndarray = series @ _basis(series.shape[1])
+    return found
 
 
 def slopes(series: np.ndarray) -> np.ndarray:
     """The rows of coefficients of the slopes of Legendre series, as many."""
-    return series @ _derivative(series.shape[1])
+    found: np.ndarray = series @ _derivative(series.shape[1])
+    return found
 
 
 def coming_to(level: float, series: np.ndarray, values: np.ndarray) -> np.ndarray:
@@ -61,13 +63,14 @@ def numbered_roots(series: np.ndarray, cells: np.ndarray | None = None) -> tuple
     return rows[row], places
 
 
-def _may_vanish(series):
+def _may_vanish(series: np.ndarray) -> np.ndarray:
     """Whether each is no constant that outweighs the rest."""
     sizes = np.abs(series)
-    return (sizes[:, 1:].sum(axis=1) >= sizes[:, 0]) & sizes.any(axis=1)
+    found: np.ndarray = (sizes[:, 1:].sum(axis=1) >= sizes[:, 0]) & sizes.any(axis=1)
+    return found
 
 
-def _found(series, sought=None):
+def _found(series: np.ndarray, sought: np.ndarray | None = None) -> tuple[np.ndarray, np.ndarray]:
     """The same of rows that may have roots."""
     of_slopes = slopes(series)
     of_bends = slopes(of_slopes)
@@ -98,7 +101,7 @@ def _found(series, sought=None):
     return row[order], places[order]
 
 
-def _about(values, rates, bends, gap):
+def _about(values: np.ndarray, rates: np.ndarray, bends: np.ndarray, gap: np.ndarray) -> np.ndarray:
     """How far after the start of a cell a root is in it: by the polynomial of degree 5 of the inverse, whose slope is
     1/s′ and whose bend −s″/s′³ at both ends; by a line where that leaves the cell."""
     change = values[1] - values[0]
@@ -106,26 +109,29 @@ def _about(values, rates, bends, gap):
     left, bend = 1 - s, -bends * slope**3 / change
     found = s**3 * (gap * (10 - 15 * s + 6 * s * s) - left * (slope[1] * (4 - 3 * s) - bend[1] * left / 2)) + (
         s * left**3 * (slope[0] * (1 + 3 * s) + bend[0] * s / 2))
-    return np.where((found >= 0) & (found <= gap), found, s * gap)
+    result: np.ndarray = np.where((found >= 0) & (found <= gap), found, s * gap)
+    return result
 
 
-def _true(table):
+def _true(table: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(rows, columns) of what is true in a table."""
     return np.divmod(np.flatnonzero(table), table.shape[1])
 
 
-def _least(one, other):
+def _least(one: np.ndarray, other: np.ndarray) -> np.ndarray:
     """The smaller |value| of both ends of cells."""
-    return np.minimum(np.abs(one), np.abs(other))
+    found: np.ndarray = np.minimum(np.abs(one), np.abs(other))
+    return found
 
 
-def _most(series):
+def _most(series: np.ndarray) -> np.ndarray:
     """The largest |value| that each has on [−1, 1] at most."""
     at_few, beyond = _few(series.shape[1])
-    return beyond * np.abs(series @ at_few).max(axis=1)
+    found: np.ndarray = beyond * np.abs(series @ at_few).max(axis=1)
+    return found
 
 
-def _polished(series, of_slopes, x):
+def _polished(series: np.ndarray, of_slopes: np.ndarray, x: np.ndarray) -> np.ndarray:
     """Roots by Newton's method, each of its own row, until steps are so small that the next would be none."""
     for _ in range(ROUNDS):
         P = _polynomials(x, series.shape[1])
@@ -137,16 +143,17 @@ def _polished(series, of_slopes, x):
     return x
 
 
-def _polynomials(x, count):
+def _polynomials(x: np.ndarray, count: int) -> np.ndarray:
     """The values of so many Legendre polynomials at places, of shape (places, polynomials): by the barycentric formula
     from those at Chebyshev's (Berrut & Trefethen 2004)."""
     nodes, weights, values = _chebyshev(count)
     away = x[:, None] - nodes
     parts = weights / np.where(away == 0, TINY, away)
-    return (parts / parts.sum(axis=1, keepdims=True)) @ values
+    found: np.ndarray = (parts / parts.sum(axis=1, keepdims=True)) @ values
+    return found
 
 
-def _of_companion(series):
+def _of_companion(series: np.ndarray) -> np.ndarray:
     """The roots of one series."""
     sizes = np.abs(series)
     kept = series[:np.flatnonzero(sizes > NOTHING * sizes.max())[-1] + 1]
@@ -162,37 +169,37 @@ def _of_companion(series):
 
 
 @cache
-def _places():
+def _places() -> np.ndarray:
     """The ends, and the roots of a Chebyshev polynomial between them."""
     return np.concatenate([[-1.0], -np.cos(np.pi * (np.arange(NODES) + 0.5) / NODES), [1.0]])
 
 
 @cache
-def _gaps():
+def _gaps() -> np.ndarray:
     """The lengths of the cells between them."""
     return np.diff(_places())
 
 
 @cache
-def _basis(count):
+def _basis(count: int) -> np.ndarray:
     """The values of so many Legendre polynomials at these places, of shape (polynomials, places)."""
     return np.ascontiguousarray(legendre.legvander(_places(), count - 1).T)
 
 
 @cache
-def _rows_of_basis(count):
+def _rows_of_basis(count: int) -> np.ndarray:
     """The same, of shape (places, polynomials)."""
     return np.ascontiguousarray(_basis(count).T)
 
 
 @cache
-def _edges(count):
+def _edges(count: int) -> np.ndarray:
     """The same at both ends."""
     return np.ascontiguousarray(_basis(count)[:, [0, -1]])
 
 
 @cache
-def _few(count):
+def _few(count: int) -> tuple[np.ndarray, float]:
     """(the values of so many Legendre polynomials at the roots of a Chebyshev polynomial of three times the degree, by
     what the largest size there of a sum of them grows at most)."""
     nodes = 3 * count
@@ -201,13 +208,13 @@ def _few(count):
 
 
 @cache
-def _chebyshev(count):
+def _chebyshev(count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """(Chebyshev's points, their barycentric weights, the values of so many Legendre polynomials there)."""
     angles = np.pi * (np.arange(count) + 0.5) / count
     return np.cos(angles), np.sin(angles) * (-1.0) ** np.arange(count), legendre.legvander(np.cos(angles), count - 1)
 
 
 @cache
-def _derivative(count):
+def _derivative(count: int) -> np.ndarray:
     """The matrix that takes rows of coefficients to those of the slope, as many."""
     return np.pad(legendre.legder(np.eye(count), axis=1), ((0, 0), (0, 1)))

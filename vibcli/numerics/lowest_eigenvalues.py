@@ -7,6 +7,8 @@ from θ_j, the eigenvalues of the slice are off by at most those of H − Θ and
 norm being that of M⁻¹.
 """
 
+from typing import Any
+
 import numpy as np
 
 from vibcli.base.named_tuple import NamedTuple
@@ -52,7 +54,7 @@ def lowest(pencil: Pencil, count: int, zeros: int = 0, start: ShiftedFactors | N
     return found
 
 
-def _below_all(pencil):
+def _below_all(pencil: Pencil) -> ShiftedFactors:
     """ShiftedFactors below which nothing lies."""
     shift = -pencil.top * 2.0**-40
     for _ in range(STEPS):
@@ -63,7 +65,7 @@ def _below_all(pencil):
     raise Unsettled
 
 
-def _slice(pencil, begin, wanted, zeros):
+def _slice(pencil: Pencil, begin: ShiftedFactors, wanted: int, zeros: int) -> Slice:
     """The Slice of the next so many eigenvalues, or a few more, beyond `begin`."""
     for spare in SPARE:
         end = _beyond(pencil, begin, wanted + spare)
@@ -80,7 +82,7 @@ def _slice(pencil, begin, wanted, zeros):
     return _improved(pencil, begin, cut, vectors[:, :last], zeros)
 
 
-def _beyond(pencil, begin, wanted):
+def _beyond(pencil: Pencil, begin: ShiftedFactors, wanted: int) -> ShiftedFactors:
     """ShiftedFactors of a shift that has at least so many eigenvalues between it and `begin`, few more where these
     allow it."""
     low, high, width = 0.0, None, max(pencil.top * (wanted / pencil.K.n) ** 2, abs(begin.shift) * 2.0**-20)
@@ -103,11 +105,12 @@ def _beyond(pencil, begin, wanted):
     return high[1]
 
 
-def _middle(low, high):
-    return (low * high) ** 0.5
+def _middle(low: float, high: float) -> float:
+    found: float = (low * high) ** 0.5
+    return found
 
 
-def _found(pencil, begin, end):
+def _found(pencil: Pencil, begin: ShiftedFactors, end: ShiftedFactors) -> tuple[np.ndarray, np.ndarray]:
     """Approximate eigenvalues between two shifts, ascending, and their vectors."""
     count = end.below - begin.below
     middle = pencil.factors((begin.shift + end.shift) / 2)
@@ -126,41 +129,44 @@ def _found(pencil, begin, end):
         found = found[:, inside]
 
 
-def _lanczos(pencil, middle, count, known, random):
+def _lanczos(pencil: Pencil, middle: ShiftedFactors, count: int, known: np.ndarray, random: Any) -> np.ndarray:
     """Eigenvectors of (K − σM)⁻¹M for its largest eigenvalues, those that are known left out."""
     from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigsh
 
     n, weighed = pencil.K.n, pencil.M.product(known)
 
-    def solved(load):
+    def solved(load: np.ndarray) -> np.ndarray:
         counted(middle.cost)
         load = load - weighed @ (known.T @ load)
         x = middle.solve(load)
         x += middle.solve(load - pencil.K.product(x) + middle.shift * pencil.M.product(x))
-        return x - known @ (weighed.T @ x)
+        found: np.ndarray = x - known @ (weighed.T @ x)
+        return found
 
     operators = [LinearOperator((n, n), apply, dtype=float) for apply in (pencil.K.product, pencil.M.product, solved)]
     K, M, inverse = operators
     try:
-        return eigsh(K, count, M, middle.shift, OPinv=inverse, v0=random.standard_normal(n))[1]
+        found: np.ndarray = eigsh(K, count, M, middle.shift, OPinv=inverse, v0=random.standard_normal(n))[1]
+        return found
     except ArpackNoConvergence as error:
-        return error.eigenvectors
+        result: np.ndarray = error.eigenvectors
+        return result
 
 
-def _orthonormal(pencil, x):
+def _orthonormal(pencil: Pencil, x: np.ndarray) -> np.ndarray:
     """Columns with the same span and XᵀMX = 1, by Cholesky's factor, twice."""
     for _ in range(2):
         x = np.linalg.solve(np.linalg.cholesky(x.T @ pencil.M.product(x)), x.T).T
     return x
 
 
-def _rotated(pencil, x):
+def _rotated(pencil: Pencil, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Ritz values ascending and their vectors."""
     values, turn = np.linalg.eigh(pencil.K.between(DoubleDouble(x, np.zeros_like(x)))[0])
     return values, x @ turn
 
 
-def _improved(pencil, begin, end, x, zeros):
+def _improved(pencil: Pencil, begin: ShiftedFactors, end: ShiftedFactors, x: np.ndarray, zeros: int) -> Slice:
     """The Slice of approximate eigenvectors between two counts."""
     middle, x, best = pencil.factors((begin.shift + end.shift) / 2), DoubleDouble(x, np.zeros_like(x)), None
     if middle is None:
@@ -187,7 +193,7 @@ class _Checked:
     relative to the magnitudes they were added from; floor: what it leaves of every bound.
     """
 
-    def __init__(self, pencil, x, zeros):
+    def __init__(self, pencil: Pencil, x: DoubleDouble, zeros: int) -> None:
         self.pencil, self.x, self.count = pencil, x, x.hi.shape[1]
         self.H, size = pencil.K.between(x)
         self.G, mass = pencil.M.between(x)
@@ -220,7 +226,8 @@ class _Checked:
         inner = np.maximum(_moved(self.values, spread), _moved(self.values, -spread))
         with np.errstate(divide="ignore"):
             outer = np.where(away > 0, off * off / away, np.inf)
-        return inner + abs(self.values) * loose / (1 - loose) + outer
+        found: np.ndarray = inner + abs(self.values) * loose / (1 - loose) + outer
+        return found
 
     def improved(self, middle: ShiftedFactors) -> DoubleDouble:
         """X less what its vectors hold of each other, to first order (Ogita & Aishima 2018), and one step of inverse
@@ -235,7 +242,7 @@ class _Checked:
         return dd.added(DoubleDouble(self.x.hi, np.zeros_like(low)), DoubleDouble(low, np.zeros_like(low)))
 
 
-def _moved(values, spread):
+def _moved(values: np.ndarray, spread: np.ndarray) -> np.ndarray:
     """By how much the values in ascending order change where each changes by so much."""
     order = np.argsort(values, kind="stable")
     found = np.empty_like(values)

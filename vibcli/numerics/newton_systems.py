@@ -5,8 +5,9 @@ the zeros of the functions as they are between the points of a grid over a box (
 centre of the cube and those of a Halton sequence (Halton 1960); the search ends when further ones find nothing new.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from itertools import chain, islice, product
+from typing import Any
 
 import numpy as np
 
@@ -18,7 +19,7 @@ STEPS, STARTS, IDLE, STEP, CLOSE = 40, 48, 16, 1e-7, 1e-6
 CONVERGED, LONGEST = 1e-13, 2.3
 
 
-def common_zeros(function: Callable, place: Callable, dimensions: int) -> list[list[float]]:
+def common_zeros(function: Callable[..., Any], place: Callable[..., Any], dimensions: int) -> list[list[float]]:
     """[u], the distinct zeros found; `function(u)` gives a list of at least so many values, None where it is not
     defined; `place(p)` is the start at a point p of the unit cube."""
     found, idle = [], 0
@@ -34,14 +35,14 @@ def common_zeros(function: Callable, place: Callable, dimensions: int) -> list[l
     return found
 
 
-def _add(found, u):
+def _add(found: list[list[float]], u: list[float] | None) -> bool:
     """Keep a zero; is it new?"""
     new = u is not None and all(_distance(u, other) > CLOSE for other in found)
     found += [u] if new else []
     return new
 
 
-def _across(function, u):
+def _across(function: Callable[..., Any], u: list[float]) -> Iterator[np.ndarray]:
     """Places to both sides of a zero in the direction in which the functions change least: of two zeros that are near
     to meet, the other lies there."""
     slope = _jacobian(function, np.array(u), _values(function, u))
@@ -51,7 +52,7 @@ def _across(function, u):
             yield u + factor * softest
 
 
-def _crossings(function, place):
+def _crossings(function: Callable[..., Any], place: Callable[..., Any]) -> Iterator[np.ndarray]:
     """Where two functions that are linear on each triangle of a grid, as at its corners, vanish."""
     line = range(GRID + 1)
     places = {(i, j): np.array(place([i / GRID, j / GRID])) for i, j in product(line, line)}
@@ -68,11 +69,11 @@ def _crossings(function, place):
                     yield shares @ np.array([places[key] for key in corners])
 
 
-def _distance(a, b):
+def _distance(a: Sequence[float], b: Sequence[float]) -> float:
     return max(abs(x - y) / max(1.0, abs(x), abs(y)) for x, y in zip(a, b, strict=True))
 
 
-def newton(function: Callable, u: Sequence[float] | np.ndarray) -> list[float] | None:
+def newton(function: Callable[..., Any], u: Sequence[float] | np.ndarray) -> list[float] | None:
     """A zero reached from u by Newton steps (Gauss–Newton of more values than unknowns), halved until they lower the
     sum of squares; None where they do not get there."""
     value = _values(function, u)
@@ -100,7 +101,7 @@ def newton(function: Callable, u: Sequence[float] | np.ndarray) -> list[float] |
     return list(map(float, u)) if np.linalg.norm(value) <= 1e-8 else None
 
 
-def _values(function, u):
+def _values(function: Callable[..., Any], u: np.ndarray | Sequence[float]) -> np.ndarray | None:
     value = function(list(map(float, u)))
     if value is None:
         return None
@@ -108,7 +109,7 @@ def _values(function, u):
     return value if np.isfinite(value).all() else None
 
 
-def _jacobian(function, u, value):
+def _jacobian(function: Callable[..., Any], u: np.ndarray, value: np.ndarray) -> np.ndarray | None:
     columns = []
     for j in range(len(u)):
         step = STEP * max(1.0, abs(u[j]))

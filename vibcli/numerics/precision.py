@@ -12,7 +12,8 @@ def working_bits(digits: int) -> int:
 
 def price(bits: int) -> float:
     """As much as how many products of short whole numbers one of numbers of so many bits costs."""
-    return 1 + 2.6e-5 * bits**1.79
+    found: float = 1 + 2.6e-5 * bits**1.79
+    return found
 
 
 def estimated_steps(n: int, digits: int, damped: bool = False) -> float:
@@ -31,5 +32,5 @@ def estimated_steps(n: int, digits: int, damped: bool = False) -> float:
     return total
 
 
-def _product(n, bits):
+def _product(n: int, bits: int) -> float:
     return (n + 1) ** 3 * price(bits) / 1e6

@@ -15,7 +15,7 @@ def integral(function: "Callable[[np.ndarray], np.ndarray]", edges: Sequence[flo
     rounding, and to how far its values may be off. None where it does not settle."""
     at, weights = np.polynomial.legendre.leggauss(POINTS)
 
-    def panels(early, late):
+    def panels(early: np.ndarray, late: np.ndarray) -> "tuple[np.ndarray, np.ndarray]":
         half = 0.5 * (late - early)
         values = function((0.5 * (early + late)[:, None] + half[:, None] * at).ravel()).reshape(len(half), POINTS)
         return half * (values @ weights), half * (np.abs(values) @ weights)

@@ -50,15 +50,16 @@ def recurrence_of_matrices(z: np.ndarray, a: np.ndarray, start: np.ndarray) -> n
 def row_maxima(sizes: np.ndarray) -> np.ndarray:
     """The largest of c₀ … c_N (…, N + 1) in each row and at its start, the last row perhaps a shorter one."""
     inner = np.maximum.reduceat(sizes[..., 1:], np.arange(0, sizes.shape[-1] - 1, ROW), axis=-1)
-    return np.maximum(inner, sizes[..., :-1:ROW])
+    found: np.ndarray = np.maximum(inner, sizes[..., :-1:ROW])
+    return found
 
 
-def _across(a, rows):
+def _across(a: np.ndarray, rows: int) -> np.ndarray:
     """The first of all rows, the second of all, …: (ROW, M, rows), as a copy."""
     return a.reshape(len(a), rows, ROW).transpose(2, 0, 1).copy()
 
 
-def _one_by_one(z, a, start):
+def _one_by_one(z: np.ndarray, a: np.ndarray, start: np.ndarray) -> np.ndarray:
     found = np.empty_like(a)
     for row, factors, more, c in zip(found, np.broadcast_to(z, a.shape), a, start.tolist(), strict=True):
         ends = []
@@ -69,11 +70,12 @@ def _one_by_one(z, a, start):
     return found
 
 
-def _on(matrices, columns):
-    return (matrices @ columns[..., None])[..., 0]
+def _on(matrices: np.ndarray, columns: np.ndarray) -> np.ndarray:
+    found: np.ndarray = (matrices @ columns[..., None])[..., 0]
+    return found
 
 
-def _step_by_step(z, a, start):
+def _step_by_step(z: np.ndarray, a: np.ndarray, start: np.ndarray) -> np.ndarray:
     found = a.copy()
     for k in range(len(a)):
         start = found[k] = found[k] + z[k] @ start

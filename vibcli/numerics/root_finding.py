@@ -4,7 +4,7 @@ The function is bounded, |h| <= 1, as (L − R)/(|L| + |R|) is: at a pole its si
 zero where h tends to 0. None stands for "not defined there".
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
 from math import copysign, isfinite
 from typing import TYPE_CHECKING
@@ -28,7 +28,7 @@ GOLDEN = 0.3819660112501051
 class Scan:
     """Values of a function, each computed once: `points` {x: h or None}."""
 
-    def __init__(self, function: Callable, grid: Sequence[float]):
+    def __init__(self, function: Callable[..., float | None], grid: Sequence[float]) -> None:
         """Looks at every COARSE-th place, and between two of them where the function is defined at one or nowhere; no
         further where it is the same at all of them."""
         self.function, self.points = function, {}
@@ -46,14 +46,16 @@ class Scan:
         if x not in self.points:
             value = self.function(x)
             self.points[x] = value if value is not None and isfinite(value) else None
-        return self.points[x]
+        found: float | None = self.points[x]
+        return found
 
     def defined(self) -> list[tuple[float, float]]:
         """[(x, h)] ascending."""
         return sorted((x, h) for x, h in self.points.items() if h is not None)
 
 
-def zeros(function: Callable, grid: Sequence[float], closed: Sequence[bool] = (True, True)) -> tuple[list[float], Scan]:
+def zeros(function: Callable[..., float | None], grid: Sequence[float],
+          closed: Sequence[bool] = (True, True)) -> tuple[list[float], Scan]:
     """(zeros ascending, Scan) of a function over the range that an ascending grid covers.
 
     `closed`: does the range hold its ends? Towards an open end a function that only tends to zero has no zero.
@@ -75,7 +77,7 @@ def zeros(function: Callable, grid: Sequence[float], closed: Sequence[bool] = (T
     return [x for x in _distinct(found, scan) if not any(x in tail for tail in tails)], scan
 
 
-def _tail(points):
+def _tail(points: Sequence[tuple[float, float]]) -> set[float]:
     """The points from an end on as long as the function is near zero there."""
     found = set()
     for x, h in points:
@@ -106,7 +108,7 @@ def longest_plateau(scan: Scan) -> tuple[float, float] | None:
     return (left, right) if steep and right - left > 1e-3 * abs(right) else None
 
 
-def _neighbours(scan):
+def _neighbours(scan: Scan) -> Iterator[tuple[tuple[float, float], tuple[float, float]]]:
     """Pairs of neighbouring points at both of which the function is defined."""
     points = sorted(scan.points.items())
     for one, other in pairwise(points):
@@ -114,14 +116,15 @@ def _neighbours(scan):
             yield one, other
 
 
-def _middle(a, b):
+def _middle(a: float, b: float) -> float:
     """Halfway, by ratio where both have one sign and differ much."""
     if a * b > 0 and max(abs(a), abs(b)) > 2 * min(abs(a), abs(b)):
-        return (a * b) ** 0.5 * (1 if a > 0 else -1)
+        found: float = (a * b) ** 0.5 * (1 if a > 0 else -1)
+        return found
     return 0.5 * (a + b)
 
 
-def _edges(scan, grid):
+def _edges(scan: Scan, grid: Sequence[float]) -> None:
     """Go up to the edges of the domain, all the way where the function falls towards zero there."""
     for i, (a, b) in enumerate(pairwise(grid)):
         if a not in scan.points or b not in scan.points or (scan.at(a) is None) == (scan.at(b) is None):
@@ -142,7 +145,7 @@ def _edges(scan, grid):
                 inside = x
 
 
-def _refine(scan):
+def _refine(scan: Scan) -> None:
     """Halve where the function bends: its value differs from the mean of its neighbours'."""
     for _ in range(ROUNDS):
         points, wanted = scan.defined(), set()
@@ -155,23 +158,23 @@ def _refine(scan):
             scan.at(x)
 
 
-def _within(scan, a, ha, b, hb):
+def _within(scan: Scan, a: float, ha: float, b: float, hb: float) -> list[float]:
     """The zero within a change of sign; none at a pole or a jump."""
     middle = scan.at(_middle(a, b))
     rises = middle is not None and abs(middle) > abs(ha if (middle > 0) == (ha > 0) else hb)
-    ends = (a, ha, b, hb)
+    ends: Sequence[float] | None = (a, ha, b, hb)
     if rises and 1 not in (abs(middle), abs(ha), abs(hb)):
-        ends = _beside_pole(scan, *ends)
-    x = ends and bracketed(scan.at, *ends)
+        ends = _beside_pole(scan, a, ha, b, hb)
+    x = None if ends is None else bracketed(scan.at, *ends)
     return [] if x is None or abs(scan.at(x)) > ZERO else [x]
 
 
-def _beside_pole(scan, a, ha, b, hb):
+def _beside_pole(scan: Scan, a: float, ha: float, b: float, hb: float) -> Sequence[float] | None:
     """The change of sign of h where |h| falls again on the way to the place at which 1 − |h| vanishes, found as a zero;
     None where it rises from both sides up to there: at a pole, a jump, or where h is not defined."""
     near, fell = {ha > 0: (a, ha), hb > 0: (b, hb)}, []
 
-    def below_one(x):
+    def below_one(x: float) -> "float | None":
         h = scan.at(x)
         if h is None or fell:
             return None
@@ -184,7 +187,7 @@ def _beside_pole(scan, a, ha, b, hb):
     return fell or None
 
 
-def bracketed(function: Callable, a: float, fa: float, b: float, fb: float) -> float:
+def bracketed(function: Callable[[float], float | None], a: float, fa: float, b: float, fb: float) -> float | None:
     """A zero between a and b, by inverse quadratic steps that fall back on halving (Chandrupatla 1997); None where the
     function is not defined on the way, or jumps."""
     c, fc, t, start = a, fa, 0.5, min(abs(fa), abs(fb))
@@ -215,7 +218,7 @@ def bracketed(function: Callable, a: float, fa: float, b: float, fb: float) -> f
     return best
 
 
-def last_place(holds: Callable, low: "float | mpmath.mpf", high: "float | mpmath.mpf",
+def last_place(holds: Callable[..., bool], low: "float | mpmath.mpf", high: "float | mpmath.mpf",
                most: int = 200) -> "tuple[float | mpmath.mpf, float | mpmath.mpf]":
     """(low, high) next to each other, or halved so often: between them a condition ceases to hold that holds at low and
     not at high. Numbers may be floats or mpmath's."""
@@ -227,7 +230,7 @@ def last_place(holds: Callable, low: "float | mpmath.mpf", high: "float | mpmath
     return low, high
 
 
-def _dips(scan):
+def _dips(scan: Scan) -> Iterator[tuple[float, float, float]]:
     """Three neighbours of one sign, the middle one nearest to zero; at an edge of the domain the last one twice."""
     points = sorted(scan.points.items())
     for i, (b, hb) in enumerate(points):
@@ -240,7 +243,7 @@ def _dips(scan):
             yield a, b, c
 
 
-def _touched(scan, a, b, c):
+def _touched(scan: Scan, a: float, b: float, c: float) -> list[float]:
     """Zeros near the least |h| between a and c: two where it goes beyond zero, one where it touches."""
     h, start = scan.at(b), abs(scan.at(b))
     sign = 1 if h > 0 else -1
@@ -265,7 +268,7 @@ def _touched(scan, a, b, c):
     return [b] if sign * scan.at(b) <= TOUCHING else []
 
 
-def _distinct(found, scan):
+def _distinct(found: Sequence[float], scan: Scan) -> list[float]:
     """Zeros that differ by more than what a double zero is known to; of two at one place the better one."""
     kept = []
     for x in sorted(found):

@@ -1,6 +1,7 @@
 """Eigenvalues of a small real block in fixed point: two rows by the quadratic formula, more by mpmath."""
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -23,7 +24,7 @@ def roots_of_block(block: np.ndarray, bits: int, off: float) -> list[tuple[float
             for (re, im, right), value in zip(triples, values, strict=True)]
 
 
-def _radius(block, value, every, off):
+def _radius(block: np.ndarray, value: complex, every: Sequence[complex], off: float) -> float:
     """log2 of how far a perturbation of norm 2^off can move an eigenvalue of a block.
 
     An eigenvalue μ of T + E has Π|μ − λᵢ| = |det(μ − T)| <= off |μ − T|^(k−1).
@@ -38,11 +39,13 @@ def _radius(block, value, every, off):
     if all(others):
         near = power - sum(math.log2(x) for x in others) + k - 1
         if near < math.log2(others[0]) - 1:
-            return min(power / k, near)
-    return power / k
+            found: float = min(power / k, near)
+            return found
+    result: float = power / k
+    return result
 
 
-def _left(block, value, right):
+def _left(block: np.ndarray, value: complex, right: np.ndarray) -> np.ndarray:
     """The left vector of a block for one eigenvalue, with left · right = 1; NaN at a double root."""
     _, _, vh = np.linalg.svd((block - value * np.eye(len(block))).T)
     left = vh[-1].conj()
@@ -50,7 +53,7 @@ def _left(block, value, right):
     return left / product if product else np.full(len(block), np.nan)
 
 
-def _of_two(block, bits):
+def _of_two(block: np.ndarray, bits: int) -> list[tuple[int, int, np.ndarray]]:
     """Roots of λ² − (a + d) λ + ad − bc with their vectors."""
     (a, b), (c, d) = block.tolist()
     middle, half = (a + d) >> 1, (a - d) >> 1
@@ -62,7 +65,7 @@ def _of_two(block, bits):
     return [(end, 0, _direction(a, b, c, d, end, 0, bits)) for end in ends]
 
 
-def _direction(a, b, c, d, re, im, bits):
+def _direction(a: int, b: int, c: int, d: int, re: int, im: int, bits: int) -> np.ndarray:
     """A null vector of [[a − λ, b], [c, d − λ]]: the better determined of two."""
     upper = floats(np.array([b, re - a, im], object), bits)
     lower = floats(np.array([re - d, im, c], object), bits)
@@ -71,10 +74,11 @@ def _direction(a, b, c, d, re, im, bits):
     if not best.any():
         return np.array([1.0, 0.0])
     best = best / np.abs(best).max()
-    return best if im else best.real
+    found: np.ndarray = best if im else best.real
+    return found
 
 
-def _of_many(block, bits):
+def _of_many(block: np.ndarray, bits: int) -> list[tuple[int, int, np.ndarray]]:
     """Eigenvalues and vectors of more than two rows at the precision of the block."""
     import mpmath
 

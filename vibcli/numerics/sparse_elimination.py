@@ -4,7 +4,7 @@ As many of the d are negative as of the eigenvalues of A (Sylvester). What round
 magnitudes of what an entry was added from.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -36,7 +36,7 @@ class Pattern:
 
     __slots__ = ("above", "n", "places", "steps")
 
-    def __init__(self, n: int, pairs: Iterable[tuple[int, int]]):
+    def __init__(self, n: int, pairs: Iterable[tuple[int, int]]) -> None:
         near: list[set[int]] = [set() for _ in range(n)]
         self.n, self.places, self.steps = n, {(i, i): i for i in range(n)}, []
         for i, j in pairs:
@@ -65,13 +65,13 @@ class Pattern:
         """How many entries are kept."""
         return len(self.places)
 
-    def _tie(self, near, i, j):
+    def _tie(self, near: Sequence[set[int]], i: int, j: int) -> None:
         if i != j:
             near[i].add(j)
             near[j].add(i)
             self.places.setdefault((min(i, j), max(i, j)), len(self.places))
 
-    def _step(self, pivot, after):
+    def _step(self, pivot: int, after: list[int]) -> EliminationStep:
         pairs = [(a, b) for a in range(len(after)) for b in range(a, len(after))]
         column = [self.places[min(pivot, j), max(pivot, j)] for j in after]
         changed = [self.places[after[a], after[b]] for a, b in pairs]
@@ -89,7 +89,7 @@ class Elimination:
 
     __slots__ = ("columns", "pattern", "pivots")
 
-    def __init__(self, pattern: Pattern, entries: np.ndarray, tiny: np.ndarray):
+    def __init__(self, pattern: Pattern, entries: np.ndarray, tiny: np.ndarray) -> None:
         """tiny: what takes the place of a pivot that is exactly zero, (n, 1) or (n, matrices)."""
         work, n = entries.copy(), pattern.n
         self.pattern, self.columns, turning = pattern, [], work.dtype.kind in MAY_TURN
@@ -117,7 +117,8 @@ class Elimination:
 
     def negative(self) -> np.ndarray:
         """How many eigenvalues of each matrix are negative."""
-        return (self.pivots < 0).sum(axis=0)
+        found: np.ndarray = (self.pivots < 0).sum(axis=0)
+        return found
 
     def solved(self, loads: np.ndarray) -> np.ndarray:
         """x of A x = load, both (n, matrices)."""
@@ -131,7 +132,7 @@ class Elimination:
         return x
 
 
-def _real(entries):
+def _real(entries: np.ndarray) -> np.ndarray:
     """The real parts, which NumPy does not take of objects."""
     return entries.real if entries.dtype.kind != "O" else np.array(
         [x.real for x in entries.flat], object).reshape(entries.shape)
@@ -151,4 +152,5 @@ def product(pattern: Pattern, entries: np.ndarray, x: np.ndarray) -> np.ndarray:
     found, a = entries[:pattern.n] * x, entries[pattern.n:]
     np.add.at(found, i, a * x[j])
     np.add.at(found, j, np.conj(a) * x[i])
-    return found
+    result: np.ndarray = found
+    return result

@@ -17,14 +17,15 @@ class SparseForm:
 
     __slots__ = ("entries", "rows", "size", "transposed", "weights")
 
-    def __init__(self, weights: np.ndarray, rows: Any, entries: Any = None, size: Any = None):
+    def __init__(self, weights: np.ndarray, rows: Any, entries: Any = None, size: Any = None) -> None:
         self.weights, self.rows, self.transposed = weights, rows.tocsr(), rows.T.tocsr()
         self.entries = None if entries is None else entries.tocsr()
         self.size = abs(self.entries) if size is None and entries is not None else size
 
     @property
     def n(self) -> int:
-        return self.rows.shape[1]
+        found: int = self.rows.shape[1]
+        return found
 
     @property
     def is_diagonal(self) -> bool:
@@ -39,7 +40,8 @@ class SparseForm:
     def magnitudes(self) -> np.ndarray:
         """The sums over rows of the magnitudes that the entries are added from (n)."""
         found = abs(self.transposed) @ (abs(self.weights) * np.asarray(abs(self.rows).sum(axis=1)).ravel())
-        return found if self.entries is None else found + np.asarray(self.size.sum(axis=1)).ravel()
+        result: np.ndarray = found if self.entries is None else found + np.asarray(self.size.sum(axis=1)).ravel()
+        return result
 
     @property
     def terms(self) -> int:
@@ -54,7 +56,8 @@ class SparseForm:
     def product(self, x: np.ndarray) -> np.ndarray:
         """The same in floats, by way of the rows."""
         found = self.transposed @ ((self.rows @ x).T * self.weights).T
-        return found if self.entries is None else found + self.entries @ x
+        result: np.ndarray = found if self.entries is None else found + self.entries @ x
+        return result
 
     def between(self, x: DoubleDouble) -> tuple[np.ndarray, np.ndarray]:
         """Xᵀ A X, and the magnitudes that its diagonal is added from, relative to which it is rounded by
@@ -73,10 +76,11 @@ class SparseForm:
         an entry changes by one unit relative to it (p)."""
         s, wide = self.rows @ x, abs(self.rows) @ abs(x)
         found = (abs(self.weights)[:, None] * (s * s + 2 * abs(s) * wide * self._rounded[:, None])).sum(axis=0)
-        return found if self.entries is None else found + (abs(x) * (self.size @ abs(x))).sum(axis=0)
+        result: np.ndarray = found if self.entries is None else found + (abs(x) * (self.size @ abs(x))).sum(axis=0)
+        return result
 
     @property
-    def _rounded(self):
+    def _rounded(self) -> np.ndarray:
         """Of each row 1 where a component may be rounded, 0 where all are whole multiples of a power of two."""
         short = np.ldexp(np.frexp(self.rows.data)[0], 26) % 1 == 0
         counted = np.bincount(np.repeat(np.arange(self.rows.shape[0]), np.diff(self.rows.indptr)), weights=~short,
@@ -84,7 +88,7 @@ class SparseForm:
         return (counted > 0).astype(float)
 
 
-def _gram(a, b):
+def _gram(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """aᵀ b, the products added in leaves and these pairwise."""
     short = -len(a) % LEAF
     leaves = [np.pad(x, ((0, short), (0, 0))).reshape(-1, LEAF, x.shape[1]) for x in (a, b)]
@@ -92,4 +96,5 @@ def _gram(a, b):
     while len(found) > 1:
         half = len(found) // 2
         found = np.concatenate([found[:half] + found[half:2 * half], found[2 * half:]])
-    return found[0]
+    result: np.ndarray = found[0]
+    return result

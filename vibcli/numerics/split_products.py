@@ -39,7 +39,7 @@ def exactly(a: np.ndarray) -> DoubleDouble:
     return DoubleDouble(a, np.zeros_like(a))
 
 
-def _slices(a, axis, bits):
+def _slices(a: DoubleDouble, axis: int, bits: int) -> list[np.ndarray]:
     """Parts of so many bits each, of rows (axis 1) or columns (axis 0), whose sum is a but for what is below them."""
     rest, found = a.hi, []
     for number in range(SLICES):

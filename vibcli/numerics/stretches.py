@@ -1,6 +1,7 @@
 """Curves along a line in stretches, between which they may jump: their zeros and extremes."""
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
@@ -12,11 +13,11 @@ STEEP, ROUNDS = 0.12, 9         # of the range: more from one place to the next 
 NOTHING, FLAT = 1e-11, 1e-9     # of the largest value, what is zero; of it and of the range, what is even
 
 
-def kept(values: Callable) -> Callable:
+def kept(values: Callable[[np.ndarray], np.ndarray]) -> Callable[[np.ndarray], np.ndarray]:
     """The same function of places, found once for each array of them: curves are looked at again and again there."""
     known: dict[bytes, np.ndarray] = {}
 
-    def at(places):
+    def at(places: np.ndarray) -> np.ndarray:
         asked = places.tobytes()
         if asked not in known:
             known[asked] = values(places)
@@ -29,7 +30,7 @@ class CurveStretch(NamedTuple):
 
     start: float
     end: float
-    values: Callable
+    values: Callable[[np.ndarray], Any]
     parts: int = PARTS
 
     def points(self) -> tuple[np.ndarray, np.ndarray]:

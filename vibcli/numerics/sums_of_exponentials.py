@@ -1,6 +1,7 @@
 """Re Σ c e^{λt} of many λ at many instants: of equidistant ones t + (im + j) h as Σ (c e^{λ(t + imh)}) (e^{λjh}), the
 product of two matrices whose sides are the root of how many instants there are."""
 
+from collections.abc import Iterator
 from math import isqrt
 
 import numpy as np
@@ -21,7 +22,7 @@ def sum_of_exponentials(c: np.ndarray, rates: np.ndarray, t: np.ndarray) -> np.n
     return found
 
 
-def _runs(t):
+def _runs(t: np.ndarray) -> Iterator[tuple[int, int]]:
     """(begin, end) of the runs of equidistant instants that are worth a product."""
     if len(t) < FEWEST:
         return
@@ -34,12 +35,13 @@ def _runs(t):
             at = end
 
 
-def _is_even(t):
+def _is_even(t: np.ndarray) -> bool:
     step = (t[-1] - t[0]) / (len(t) - 1)
-    return np.abs(t - (t[0] + step * np.arange(len(t)))).max() <= EVEN * abs(t[-1])
+    found: bool = np.abs(t - (t[0] + step * np.arange(len(t)))).max() <= EVEN * abs(t[-1])
+    return found
 
 
-def _even(c, rates, t):
+def _even(c: np.ndarray, rates: np.ndarray, t: np.ndarray) -> np.ndarray:
     wide = isqrt(len(t) - 1) + 1
     step, found = (t[-1] - t[0]) / (len(t) - 1), np.zeros(wide * wide)
     for i in range(0, len(rates), max(1, AT_ONCE // wide)):
@@ -50,7 +52,7 @@ def _even(c, rates, t):
     return found[:len(t)]
 
 
-def _one_by_one(c, rates, t):
+def _one_by_one(c: np.ndarray, rates: np.ndarray, t: np.ndarray) -> np.ndarray:
     found, step = np.zeros(len(t)), max(1, AT_ONCE // max(1, len(rates)))
     for i in range(0, len(t), step):
         found[i:i + step] = np.real(np.exp(np.outer(t[i:i + step], rates)) @ c)

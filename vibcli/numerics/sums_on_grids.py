@@ -15,7 +15,7 @@ ROUND = 8, 9, 10, 12, 15        # times powers of two: sizes of grids that are t
 class SumsOnGrid:
     """Sums at 0, step, 2 step …, `count` of them, with the same (N,) omega, one c after another."""
 
-    def __init__(self, omega: np.ndarray, step: float, count: int):
+    def __init__(self, omega: np.ndarray, step: float, count: int) -> None:
         self._size = size = _round(FINER * max(count, WIDTH))
         middle = size // (2 * FINER)            # t is counted from there, as what is spread is clearest about 0
         place = omega * (step * size / (2 * np.pi)) % size
@@ -36,13 +36,13 @@ class SumsOnGrid:
         return np.fft.irfft(grid, self._size)[self._places] * self._scale
 
 
-def _round(least):
+def _round(least: int) -> int:
     """The next even size that is transformed fast."""
     return min(factor << max(1, (-(-least // factor) - 1).bit_length()) for factor in ROUND)
 
 
 @cache
-def _spread():
+def _spread() -> np.ndarray:
     """Kaiser's and Bessel's function on each cell that a c is spread over, as sums of Chebyshev polynomials of how far
     the first of them is off, (cells, DEGREE + 1)."""
     chebyshev = np.polynomial.chebyshev
@@ -52,12 +52,13 @@ def _spread():
     return np.linalg.solve(chebyshev.chebvander(u, DEGREE), values).T
 
 
-def _even(x, half, sense):
+def _even(x: np.ndarray, half: int, sense: int) -> np.ndarray:
     """x[k] ± x[−k] of the first half."""
-    return x[:half] + sense * np.append(x[:1], x[:half - 2:-1])
+    found: np.ndarray = x[:half] + sense * np.append(x[:1], x[:half - 2:-1])
+    return found
 
 
-def _transformed(turns):
+def _transformed(turns: np.ndarray) -> np.ndarray:
     """Of Kaiser's and Bessel's function, by cells."""
     root = np.sqrt(SHAPE**2 - (np.pi * WIDTH * turns) ** 2)
     return WIDTH * np.sinh(root) / root

@@ -7,6 +7,8 @@ is left; if that is too much, Q takes a step of first order in E and the next E 
 """
 
 import math
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -26,7 +28,7 @@ class Spectrum:
 
     __slots__ = ("bits", "radius", "shift", "values", "vectors")
 
-    def __init__(self, values: np.ndarray, radius: np.ndarray, shift: int, vectors: np.ndarray, bits: int):
+    def __init__(self, values: np.ndarray, radius: np.ndarray, shift: int, vectors: np.ndarray, bits: int) -> None:
         self.values, self.radius, self.shift = values, radius, shift
         self.vectors, self.bits = vectors, bits
 
@@ -66,7 +68,7 @@ def spectrum(a: np.ndarray, bits: int, goal: int, zeros: int | None = None, slac
     return Spectrum(alpha, radius, off.shift, q, bits)
 
 
-def _of_one(a, bits, slack):
+def _of_one(a: np.ndarray, bits: int, slack: float) -> Spectrum:
     """The Spectrum of a matrix with one entry, which is its eigenvalue but for the slack."""
     shift = bits - max(math.ceil(slack), 1)
     radius = np.array([max(2.0 ** (slack + shift - bits), LEAST)])
@@ -83,7 +85,7 @@ class Offset:
     __slots__ = ("alpha", "e", "gap", "known", "scaled", "shift", "skew", "still", "zero")
 
     def __init__(self, h: np.ndarray, excess: np.ndarray, alpha: np.ndarray, gap: np.ndarray, zeros: int | None,
-                 slack: float, bits: int):
+                 slack: float, bits: int) -> None:
         top = max(abs(x) for x in h.ravel().tolist()).bit_length()
         self.shift = bits - max(top, math.ceil(slack), 1)
         size = np.abs(floats(h, bits - self.shift))
@@ -122,14 +124,16 @@ class Offset:
         if self.known and not self.zero.all():
             with np.errstate(divide="ignore"):
                 relative = np.maximum(radius[~self.zero], LEAST) / size[~self.zero]
-            return float(np.log2(relative).max()) - self.shift
+            found: float = float(np.log2(relative).max()) - self.shift
+            return found
         judged = ~self.zero & (size > np.ldexp(1e3 * (self.e.min() + radius), -self.shift))
         undecided = ~self.zero & ~judged & (radius > 1e3 * self.e.min())
         if undecided.any():
             return math.inf
         if not judged.any():
             return -math.inf if self.e.max() < 1e6 * self.e.min() or len(size) == 1 else math.inf
-        return float(np.log2(np.maximum(radius[judged] / size[judged], LEAST)).max()) - self.shift
+        result: float = float(np.log2(np.maximum(radius[judged] / size[judged], LEAST)).max()) - self.shift
+        return result
 
     def rough(self) -> float:
         """log2 of how far the vectors are from orthonormal eigenvectors."""
@@ -137,7 +141,8 @@ class Offset:
             tilt = self.e / self.gap
         apart = np.ldexp(self.scaled + self.scaled.T, -self.shift) <= 0.05 * self.gap
         apart &= ~(self.still[:, None] & self.still[None, :]) & (self.gap > 0)
-        return max(float(self.skew), math.log2(tilt[apart].max(initial=LEAST)) - self.shift)
+        found: float = max(float(self.skew), math.log2(tilt[apart].max(initial=LEAST)) - self.shift)
+        return found
 
 
 def radii(alpha: np.ndarray, gap: np.ndarray, scaled: np.ndarray, shift: int = 0) -> np.ndarray:
@@ -153,14 +158,14 @@ def radii(alpha: np.ndarray, gap: np.ndarray, scaled: np.ndarray, shift: int = 0
     np.fill_diagonal(room, np.inf)
     np.fill_diagonal(half, np.inf)
     stretch = room.min(axis=1)
-    alone = own + (disc - own) / np.maximum(stretch, 1.0)
+    alone: np.ndarray = own + (disc - own) / np.maximum(stretch, 1.0)
     isolated = (stretch >= 1) & (np.ldexp(alone, -shift) < half.min(axis=1))
     if isolated.all():
         return alone
     return np.where(isolated, alone, _together(gap, disc) if np.iscomplexobj(alpha) else _union(alpha, disc, shift))
 
 
-def _together(gap, disc):
+def _together(gap: np.ndarray, disc: np.ndarray) -> np.ndarray:
     """How far overlapping discs in the plane reach from the middle of each."""
     out = disc.copy()
     for part in clusters(gap <= disc[:, None] + disc[None, :]):
@@ -168,7 +173,7 @@ def _together(gap, disc):
     return out
 
 
-def _union(alpha, disc, shift):
+def _union(alpha: np.ndarray, disc: np.ndarray, shift: int) -> np.ndarray:
     """How far the union of overlapping discs about the sorted values reaches from each."""
     disc = np.ldexp(disc, -shift)
     out, group, reach = np.empty(len(disc)), [], -np.inf
@@ -185,7 +190,8 @@ def _union(alpha, disc, shift):
         return np.ldexp(out, shift)
 
 
-def _first_order(h, gram, gaps, off, clusters, bits):
+def _first_order(h: np.ndarray, gram: np.ndarray, gaps: np.ndarray, off: Offset, clusters: Sequence[Any],
+                 bits: int) -> np.ndarray:
     """I + X, X = E/(αⱼ − αᵢ) between separated eigenvalues, orthonormalising within clusters."""
     n, one = len(gram), 1 << bits
     together = np.eye(n, dtype=bool) | (off.still[:, None] & off.still[None, :])

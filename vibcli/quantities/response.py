@@ -19,6 +19,7 @@ from vibcli.quantities.quantity import (
 from vibcli.symbolic.syntax import QuantityRef
 
 ALONG = ("value", "max", "min", "argmax", "argmin", "zero")     # along motions that are integrated
+LOOKS = 4       # at a signal that may be constant
 
 
 def _measured(number):
@@ -33,15 +34,30 @@ def _measured(number):
                 return found, 0.0
             kind = problem.response_of(tree).KIND
             if kind in EXACT or (kind == "series" and tree.head in ALONG):
-                error = relative(found, off())
-            else:
-                error = max(ERROR, _doubt(problem, tree, found, off))
-            return settled(problem, tree, args, found, error)
+                lost = off()
+                value, error = settled(problem, tree, args, found, relative(found, lost))
+                if value is found:
+                    _require_digit(problem, tree, args, found, lost)
+                return value, error
+            return settled(problem, tree, args, found, max(ERROR, _doubt(problem, tree, found, off)))
         except PhysicsError as error:
             if error.hint and "(x)" in error.hint:
                 raise error.told(hint=error.hint.replace("(x)", f"({_found(problem, tree)})")) from None
             raise
     return value
+
+
+def _require_digit(problem, tree, args, found, off):
+    """NoDigit of a number that may be off by as much as numbers of its kind become."""
+    from vibcli.results.known_digits import require_digit, size_of
+
+    if off < abs(found) or not off:
+        return
+    signal, quantity = _signal(problem, tree), declared(tree)
+    of_signal = quantity.unit == SIGNAL
+    size = size_of(signal, args[1] if tree.head == "value" else _end(problem, tree)) if of_signal else quantity.size(
+        problem, tree)
+    require_digit(found, off, size, signal.MORE, "value" if of_signal else "number")
 
 
 def relative(value: float, off: float) -> float:
@@ -127,10 +143,20 @@ def _of_what_changes(tree, signal, until, instant):
     from vibcli.results.escalation import is_constant
 
     error = signal.error_of_time(instant)
-    if error >= until and is_constant(*(signal.bounded_extreme(0.0, until, sense) for sense in (1, -1))):
+    at_an_end = instant in (0.0, until)     # exact; of what does not change rounding may tell one
+    still = _looks_still(signal, until) if at_an_end else error >= until
+    if still and is_constant(*(signal.bounded_extreme(0.0, until, sense) for sense in (1, -1))):
         raise PhysicsError(f"'{tree.text.partition('(')[2].removesuffix(')')}' does not change: no instant of it "
                            "stands out", "ask for max(x)")
     return error
+
+
+def _looks_still(signal, until):
+    """Is it the same but for rounding at several instants?"""
+    from vibcli.results.escalation import FLAT
+
+    seen = [at_instant(signal, until * k / LOOKS) for k in range(LOOKS + 1)]
+    return max(seen) - min(seen) <= FLAT * max(map(abs, seen))
 
 
 def _final(problem, tree, args):

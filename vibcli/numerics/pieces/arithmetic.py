@@ -13,15 +13,15 @@ if TYPE_CHECKING:
 class Arithmetic(NamedTuple):
     """Functions of arrays, element by element; π, and the rounding unit."""
 
-    sqrt: "Callable"                # of complex numbers too, with a real part ≥ 0
-    exp: "Callable"
-    real: "Callable"
-    whole: "Callable"               # the nearest whole numbers, as integers
-    inverse: "Callable"             # of matrices (…, m, m)
+    sqrt: "Callable[[Any], np.ndarray]"                # of complex numbers too, with a real part ≥ 0
+    exp: "Callable[[Any], np.ndarray]"
+    real: "Callable[[Any], np.ndarray]"
+    whole: "Callable[[Any], np.ndarray]"               # the nearest whole numbers, as integers
+    inverse: "Callable[[np.ndarray], np.ndarray]"             # of matrices (…, m, m)
     pi: Any
     i: Any                          # the imaginary unit
     eps: float
-    number: "Callable | None"       # one of mpmath's numbers of any
+    number: "Callable[[Any], Any] | None"       # one of mpmath's numbers of any
 
     def array(self, values: Any) -> np.ndarray:
         """Numbers as an array of this arithmetic, complex only where they are."""
@@ -41,9 +41,11 @@ class Arithmetic(NamedTuple):
         return not any(hasattr(value, "_mpc_") for value in values.flat)
 
 
-def _root(values):
+def _root(values: np.ndarray) -> np.ndarray:
     """√ of doubles: real ones ≥ 0 stay real."""
-    return np.sqrt(values.astype(complex)) if values.dtype.kind == "c" or (values < 0).any() else np.sqrt(values)
+    is_complex = values.dtype.kind == "c" or (values < 0).any()
+    found: np.ndarray = np.sqrt(values.astype(complex) if is_complex else values)
+    return found
 
 
 _DOUBLES = Arithmetic(_root, np.exp, np.real, lambda values: np.rint(values).astype(int), np.linalg.inv,
@@ -63,18 +65,18 @@ def arithmetic_of(*values: Any) -> Arithmetic:
                       float(mpmath.mp.eps), number)
 
 
-def _inverse(values):
+def _inverse(values: np.ndarray) -> np.ndarray:
     """Of arrays of mpmath's numbers, one matrix at a time."""
     import mpmath
 
     m = values.shape[-1]
     if m == 1:
-        return 1 / values
+        return np.asarray(1 / values)
     found = [(mpmath.matrix(one.tolist()) ** -1).tolist() for one in values.reshape(-1, m, m)]
     return np.array(found, object).reshape(values.shape)
 
 
-def _of_mpmath(value):
+def _of_mpmath(value: complex | np.ndarray) -> bool:
     if isinstance(value, np.ndarray):
         return value.dtype.kind == "O" and any(_of_mpmath(one) for one in value.flat)
     return type(value).__module__.startswith("mpmath")

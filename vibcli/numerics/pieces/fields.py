@@ -20,7 +20,7 @@ def fields(piece: "Piece", kappa: Any, ends: Any, x: Any) -> np.ndarray:
     ends = np.asarray(ends)
     flat = flattened(piece, kappa, x, *(ends[..., i] for i in range(ends.shape[-1])))
 
-    def uniform(one, kappa, x, *ends):
+    def uniform(one: "Piece", kappa: np.ndarray, x: np.ndarray, *ends: np.ndarray) -> np.ndarray:
         half, rest = one.length / 2, one.length - x
         near = np.where(x < rest, x, rest) / half
         xi = np.where(x < rest, near - 1, 1 - near)
@@ -29,7 +29,7 @@ def fields(piece: "Piece", kappa: Any, ends: Any, x: Any) -> np.ndarray:
         return fourth_order_fields(xi, near, half, one.bending, one.tension, kappa, np.array(ends).T,
                                    flat.numbers)
 
-    def graded(one, kappa, x, *ends):
+    def graded(one: "Piece", kappa: np.ndarray, x: np.ndarray, *ends: np.ndarray) -> np.ndarray:
         from vibcli.numerics.pieces.graded import graded_fields
 
         return graded_fields(one, kappa, np.array(ends).T, x, flat.numbers)

@@ -1,5 +1,6 @@
 """Pieces and what is asked of them as flat arrays of equal length, and back."""
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -33,7 +34,8 @@ class Flat(NamedTuple):
             yield one, left[same]
             left = left[~same]
 
-    def filled(self, size: tuple[int, ...], uniform: "Callable", graded: "Callable") -> np.ndarray:
+    def filled(self, size: tuple[int, ...], uniform: "Callable[..., np.ndarray]",
+               graded: "Callable[..., np.ndarray]") -> np.ndarray:
         """An array (…, *size): uniform(piece, *values) of flat arrays where nothing varies, graded of the others, one
         piece at a time."""
         even = self.piece.gradient == 0
@@ -57,7 +59,7 @@ def flattened(piece: Piece, *values: Any) -> Flat:
     return Flat(_piece(arrays[:len(piece)]), arrays[len(piece):], shape, piece.order, numbers)
 
 
-def _spread(array, shape):
+def _spread(array: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
     """Flat, as long as the shape tells: by assignment, which costs a tenth of np.broadcast_to."""
     if array.shape == shape:
         return array.reshape(-1)
@@ -66,5 +68,5 @@ def _spread(array, shape):
     return found.reshape(-1)
 
 
-def _piece(values):
+def _piece(values: "Iterator[Any] | Sequence[np.ndarray]") -> Piece:
     return Piece(*values)

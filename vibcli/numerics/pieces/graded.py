@@ -1,6 +1,7 @@
 """Pieces whose tension varies along them: stiffness, held count and fields by short parts joined two and two."""
 
-from typing import TYPE_CHECKING
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -16,7 +17,10 @@ from vibcli.numerics.pieces.graded_tree import graded_tree, ports
 from vibcli.numerics.pieces.scattering import divided, stiffness_again
 
 if TYPE_CHECKING:
+    import mpmath
+
     from vibcli.numerics.pieces.arithmetic import Arithmetic
+    from vibcli.numerics.pieces.graded_tree import GradedTree
     from vibcli.numerics.pieces.piece import Piece
 
 AT_ONCE, HELD = 4_000, 2**21        # parts times values of κ, and times places
@@ -28,7 +32,7 @@ def mirrored(piece: "Piece") -> "Piece":
     return piece._replace(tension=piece.tension + piece.gradient * piece.length, gradient=-piece.gradient)
 
 
-def _settled(piece):
+def _settled(piece: "Piece") -> "Piece":
     """With no tension where that is a rounding of none: waves that are as slow there would feel it."""
     return piece._replace(tension=0 * piece.tension) if piece.order == 2 and is_slack(piece) else piece
 
@@ -50,7 +54,7 @@ def graded_stiffness(piece: "Piece", kappa: np.ndarray, numbers: "Arithmetic") -
     return found[0], found[1]
 
 
-def _of_parted_ends(piece, kappa, numbers):
+def _of_parted_ends(piece: "Piece", kappa: np.ndarray, numbers: "Arithmetic") -> np.ndarray:
     """(d, ∂d/∂κ), (κ, m, m), at κ at which no end feels the other: each that of the layer next to it, as deep as the
     least of like κ needs."""
     half = piece.order // 2
@@ -68,7 +72,7 @@ def _of_parted_ends(piece, kappa, numbers):
     return found
 
 
-def _of_joined_ends(piece, kappa, numbers):
+def _of_joined_ends(piece: "Piece", kappa: np.ndarray, numbers: "Arithmetic") -> tuple[np.ndarray, np.ndarray]:
     """(d, ∂d/∂κ) of the whole, from all its parts."""
     found, real = [], numbers.is_real(kappa)
     order, portions = _portions(piece, kappa)
@@ -94,7 +98,8 @@ def graded_count(piece: "Piece", kappa: np.ndarray, numbers: "Arithmetic") -> np
     for some in portions:
         tree = graded_tree(piece, some, numbers, False)
         found.append(sum(_negative(tree, i, numbers) for i in range(len(tree.levels) - 1)) + np.zeros(len(some), int))
-    return np.concatenate(found)[order]
+    result: np.ndarray = np.concatenate(found)[order]
+    return result
 
 
 def graded_fields(piece: "Piece", kappa: np.ndarray, ends: np.ndarray, x: np.ndarray,
@@ -102,7 +107,8 @@ def graded_fields(piece: "Piece", kappa: np.ndarray, ends: np.ndarray, x: np.nda
     """(u, u′, …), (values, order), of one piece over flat κ, end values (values, order), places x."""
     if piece.order == 2 and piece.gradient < 0:
         found = graded_fields(mirrored(piece), kappa, ends[:, ::-1], piece.length - x, numbers)
-        return found * numbers.array([1, -1])
+        result: np.ndarray = found * numbers.array([1, -1])
+        return result
     piece = _settled(piece)
     found = np.empty((len(x), piece.order), np.result_type(kappa, ends, x))
     real = numbers.is_real(kappa) and numbers.is_real(ends)
@@ -127,7 +133,8 @@ def graded_integrals(piece: "Piece", kappa: np.ndarray, x: np.ndarray, weights: 
     return found
 
 
-def _integrals(piece, kappa, x, weights, numbers):
+def _integrals(piece: "Piece", kappa: np.ndarray, x: np.ndarray, weights: np.ndarray,
+               numbers: "Arithmetic") -> np.ndarray:
     tree, order = graded_tree(piece, kappa, numbers, False), piece.order
     of, unit = np.repeat(np.arange(len(kappa)), order), numbers.array(np.tile(np.eye(order), (len(kappa), 1)))
     ends, places = _part_ends(piece, tree, of, unit, numbers), numbers.array(tree.cuts)
@@ -142,10 +149,11 @@ def _integrals(piece, kappa, x, weights, numbers):
         power = power * eta
     sums_of_parts = (moments[..., None, None] * c).sum(axis=0)[:, of]
     found = found + (sums_of_parts * _first_coefficients(piece, c, half, of, ends, numbers)).sum(axis=(0, -1))
-    return found.reshape(len(kappa), order)
+    result: np.ndarray = found.reshape(len(kappa), order)
+    return result
 
 
-def _together(piece, kappa):
+def _together(piece: "Piece", kappa: np.ndarray) -> Iterator[np.ndarray]:
     """Numbers of values in groups of those whose κ are the same or alike, as many as are worth being held at once."""
     at, own = _distinct(kappa)
     order = np.argsort(own, kind="stable")
@@ -156,7 +164,7 @@ def _together(piece, kappa):
         yield from (chosen[i:i + most] for i in range(0, len(chosen), most))
 
 
-def _runs(piece, kappa):
+def _runs(piece: "Piece", kappa: np.ndarray) -> Iterator[np.ndarray]:
     """Numbers of fields in groups of like |κ|, so that all in one have about the parts that they need."""
     sizes = np.array([float(abs(value)) for value in kappa])
     order = np.argsort(sizes, kind="stable")
@@ -167,25 +175,27 @@ def _runs(piece, kappa):
         order = order[count:]
 
 
-def _portions(piece, kappa):
+def _portions(piece: "Piece", kappa: np.ndarray) -> tuple[np.ndarray, list[np.ndarray]]:
     """(the number of each κ among all of the portions, κ by their size in portions that need about as many parts)."""
     runs = list(_runs(piece, kappa))
     return np.argsort(np.concatenate(runs)), [kappa[run] for run in runs]
 
 
-def _negative(tree, i, numbers):
+def _negative(tree: "GradedTree", i: int, numbers: "Arithmetic") -> np.ndarray:
     """How many negative eigenvalues the stiffnesses of joints that a level loses have, (κ)."""
     level = tree.levels[i]
     pairs, h = len(level.s) // 2, level.s.shape[-1] // 2
     d, _ = stiffness_again(level, np.ones(level.s.shape[-1]), numbers)
     joint = numbers.real(d[:2 * pairs:2, :, h:, h:] + d[1:2 * pairs:2, :, :h, :h])
     if h == 1:
-        return (joint[..., 0, 0] < 0).sum(axis=0)
+        found: np.ndarray = (joint[..., 0, 0] < 0).sum(axis=0)
+        return found
     determinant = joint[..., 0, 0] * joint[..., 1, 1] - joint[..., 0, 1] * joint[..., 1, 0]
-    return np.where(determinant < 0, 1, 2 * (joint[..., 0, 0] + joint[..., 1, 1] < 0)).sum(axis=0)
+    result: np.ndarray = np.where(determinant < 0, 1, 2 * (joint[..., 0, 0] + joint[..., 1, 1] < 0)).sum(axis=0)
+    return result
 
 
-def _fields(piece, kappa, ends, x, numbers):
+def _fields(piece: "Piece", kappa: np.ndarray, ends: np.ndarray, x: np.ndarray, numbers: "Arithmetic") -> np.ndarray:
     """At a κ each: what goes into the whole goes into its parts, whose end values follow; those of one κ and the same
     end values are one field at several places."""
     at, own = _distinct(kappa)
@@ -200,17 +210,18 @@ def _fields(piece, kappa, ends, x, numbers):
     return found
 
 
-def _distinct(values):
+def _distinct(values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(places of the values, or rows, that differ, the number of each among these)."""
     if values.dtype.kind != "O":
         _, places, numbers = np.unique(values, axis=0, return_index=True, return_inverse=True)
         return places, numbers.reshape(-1)
-    known: dict = {}
+    known: dict[Any, int] = {}
     numbers = np.array([known.setdefault(value, len(known)) for value in values.tolist()], int)
     return np.unique(numbers, return_index=True)[1], numbers
 
 
-def _part_ends(piece, tree, of, ends, numbers):
+def _part_ends(piece: "Piece", tree: "GradedTree", of: np.ndarray, ends: np.ndarray,
+               numbers: "Arithmetic") -> np.ndarray:
     """The end values of all parts, (parts, fields, order), of fields with these end values; of: the numbers of their
     κ."""
     scale = ports(tree, -1)[0, of]
@@ -221,10 +232,12 @@ def _part_ends(piece, tree, of, ends, numbers):
     for level in reversed(tree.levels[:-1]):
         inward = divided(level.s[:, of], inward, numbers)
     outward = (tree.levels[0].s[:, of] @ inward[..., None])[..., 0]
-    return (inward - outward) / (2 * numbers.i) * ports(tree, 0)[:, of]
+    found: np.ndarray = (inward - outward) / (2 * numbers.i) * ports(tree, 0)[:, of]
+    return found
 
 
-def _within(piece, tree, which, parts, x, numbers):
+def _within(piece: "Piece", tree: "GradedTree", which: tuple[np.ndarray, np.ndarray], parts: np.ndarray, x: np.ndarray,
+            numbers: "Arithmetic") -> tuple[np.ndarray, np.ndarray]:
     """(the series of the part in which each place lies, from its end values; the number of that part); which: (the
     number of the κ of each field, the number of the field at each place)."""
     (of, field), places, half = which, numbers.array(tree.cuts), tree.series.half
@@ -237,21 +250,25 @@ def _within(piece, tree, which, parts, x, numbers):
     return np.stack([sums(terms, eta, j) / half[index, 0, 0] ** j for j in range(piece.order)], axis=-1), index
 
 
-def _places_in(places, half, x):
+def _places_in(places: np.ndarray, half: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(the number of the part in which each place lies, η there)."""
     index = np.clip(np.searchsorted(places.astype(float), x.astype(float), side="right") - 1, 0, len(places) - 2)
     return index, (x - (places[index] + places[index + 1]) / 2) / half[index, 0, 0]
 
 
-def _first_coefficients(piece, c, half, of, parts, numbers):
+def _first_coefficients(piece: "Piece", c: np.ndarray, half: np.ndarray, of: np.ndarray, parts: np.ndarray,
+                        numbers: "Arithmetic") -> np.ndarray:
     """Those of the series in all parts, (parts, fields, order), that have these end values."""
     values = np.concatenate([np.stack([one / half**j for j, one in enumerate(at_end)], axis=-2)
                              for at_end in end_derivatives(c, piece.order // 2)], axis=-2)
-    return (numbers.inverse(values)[:, of] @ parts[..., None])[..., 0]
+    found: np.ndarray = (numbers.inverse(values)[:, of] @ parts[..., None])[..., 0]
+    return found
 
 
-def _near_slack(piece, end, kappa, value, x, numbers):
+def _near_slack(piece: "Piece", end: "float | mpmath.mpf", kappa: np.ndarray, value: np.ndarray, x: np.ndarray,
+                numbers: "Arithmetic") -> np.ndarray:
     """(u, u′) next to the end without tension; u′ = κ/n there."""
     whole, u = (slack_series(piece, place, kappa, numbers) for place in (end, x))
     slope = np.where(x == 0, kappa / piece.gradient, u[1] / np.where(x == 0, 1, x))
-    return np.stack([u[0], slope], axis=-1) * (value / whole[0])[..., None]
+    found: np.ndarray = np.stack([u[0], slope], axis=-1) * (value / whole[0])[..., None]
+    return found

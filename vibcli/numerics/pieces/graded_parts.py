@@ -18,6 +18,8 @@ import numpy as np
 from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
+    import mpmath
+
     from vibcli.numerics.pieces.arithmetic import Arithmetic
     from vibcli.numerics.pieces.piece import Piece
 
@@ -28,7 +30,7 @@ GUARD = 20          # bits of integers beyond those of numbers
 NIL = 2.0**-50      # of the largest tension: an end with less has none
 
 
-def parts_of(piece: "Piece", most: float) -> list:
+def parts_of(piece: "Piece", most: float) -> "list[float | mpmath.mpf]":
     """The places of the cuts, ends included, for |κ| ≤ most; one piece in numbers, N ≥ 0 growing with x where it is
     no beam."""
     length = piece.length
@@ -61,10 +63,12 @@ def depth_of(piece: "Piece", kappa: Any, numbers: "Arithmetic") -> float:
     if kappa <= 0:
         return inf
     if piece.order == 2:
-        return nepers * (max(tension, 0.0) / kappa) ** 0.5 + gradient * nepers**2 / (4 * kappa)
+        found: float = nepers * (max(tension, 0.0) / kappa) ** 0.5 + gradient * nepers**2 / (4 * kappa)
+        return found
     if max(abs(tension), abs(tension + gradient * float(piece.length))) ** 2 > float(piece.bending) * kappa:
         return inf
-    return 2 * nepers * (float(piece.bending) / kappa) ** 0.25
+    result: float = 2 * nepers * (float(piece.bending) / kappa) ** 0.25
+    return result
 
 
 def is_slack(piece: "Piece") -> bool:
@@ -72,7 +76,7 @@ def is_slack(piece: "Piece") -> bool:
     return bool(abs(piece.tension) <= NIL * abs(piece.gradient * piece.length))
 
 
-def part_stiffness(piece: "Piece", cuts: list, kappa: np.ndarray, series: "Series",
+def part_stiffness(piece: "Piece", cuts: "list[float | mpmath.mpf]", kappa: np.ndarray, series: "Series",
                    numbers: "Arithmetic") -> tuple[np.ndarray, np.ndarray | None]:
     """(d, ∂d/∂κ or None) of all parts, (parts, κ, m, m), from their `coefficients`."""
     ends, forces, *slopes = _end_values(piece, cuts, series, numbers)
@@ -103,10 +107,12 @@ class Series(NamedTuple):
             return values
         from mpmath import mp
 
-        return np.frompyfunc(lambda value: mp.ldexp(value, -self.bits), 1, 1)(values)
+        found: np.ndarray = np.frompyfunc(lambda value: mp.ldexp(value, -self.bits), 1, 1)(values)
+        return found
 
 
-def coefficients(piece: "Piece", cuts: list, kappa: np.ndarray, numbers: "Arithmetic", steep: bool = True) -> Series:
+def coefficients(piece: "Piece", cuts: "list[float | mpmath.mpf]", kappa: np.ndarray, numbers: "Arithmetic",
+                 steep: bool = True) -> Series:
     """The Series of a piece: as no coefficient is large, those of real numbers of mpmath are found in integers."""
     cuts_array, order = numbers.array(cuts), piece.order
     half = ((cuts_array[1:] - cuts_array[:-1]) / 2)[:, None, None]
@@ -129,7 +135,7 @@ def coefficients(piece: "Piece", cuts: list, kappa: np.ndarray, numbers: "Arithm
     return Series(both[:, 0], both[:, 1] if steep else None, scale, half, bits)
 
 
-def _continued(both, shares, one, whole):
+def _continued(both: np.ndarray, shares: list[np.ndarray], one: int, whole: bool) -> None:
     """All further c_k, and ∂c_k/∂χ where it stands beside them, (terms, 1 or 2, …), from the first; shares: χ and γ, ν
     or χ and ρ, multiples of 1/one."""
     chi, gamma, *nu = shares
@@ -169,7 +175,7 @@ def end_derivatives(c: np.ndarray, count: int) -> np.ndarray:
 
 
 @lru_cache
-def _at_ends(terms, count):
+def _at_ends(terms: int, count: int) -> np.ndarray:
     """The derivatives of ηᵏ at η = −1 and η = 1, (2, count, terms)."""
     return np.array([[[perm(k, derivative) * eta ** (k - derivative) if k >= derivative else 0 for k in range(terms)]
                       for derivative in range(count)] for eta in (-1.0, 1.0)])
@@ -186,7 +192,8 @@ def slack_series(piece: "Piece", x: Any, kappa: np.ndarray, numbers: "Arithmetic
     return found[0], found[1], found[2] * x / piece.gradient, found[3] * x / piece.gradient
 
 
-def _end_values(piece, cuts, series, numbers):
+def _end_values(piece: "Piece", cuts: "list[float | mpmath.mpf]", series: Series,
+                numbers: "Arithmetic") -> list[np.ndarray]:
     """End values and end forces of the solutions, rows, and their derivatives by κ if there are slopes: arrays (parts,
     κ, m, m)."""
     places, half = numbers.array(cuts), series.half
@@ -208,11 +215,13 @@ def _end_values(piece, cuts, series, numbers):
     return found
 
 
-def _slack(piece, end, kappa, numbers):
+def _slack(piece: "Piece", end: "float | mpmath.mpf", kappa: np.ndarray,
+           numbers: "Arithmetic") -> tuple[np.ndarray, np.ndarray]:
     """Of the part next to the end without tension: forces only at its other end."""
     u, pull, u_slope, pull_slope = slack_series(piece, end, kappa, numbers)
     own = pull * piece.gradient / u
     zero = own * 0
     slope = (pull_slope * piece.gradient - own * u_slope) / u
-    return tuple(np.stack([np.stack([zero, zero], axis=-1), np.stack([zero, value], axis=-1)], axis=-2)
+    one, rate = (np.stack([np.stack([zero, zero], axis=-1), np.stack([zero, value], axis=-1)], axis=-2)
                  for value in (own, slope))
+    return one, rate

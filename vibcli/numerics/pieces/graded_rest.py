@@ -40,7 +40,7 @@ def bent_at_rest(piece: "Piece", ends: np.ndarray,
     return None
 
 
-def _bend(piece, ends, loads, degree):
+def _bend(piece: "Piece", ends: np.ndarray, loads: "Sequence[LoadForm]", degree: int) -> np.ndarray:
     """u″ as a series in Legendre's polynomials of 2x/l − 1, up to a degree."""
     half, cubic = piece.length / 2, _cubic(ends, piece.length / 2)
     xi, weights = legendre.leggauss(degree + 16)
@@ -56,10 +56,11 @@ def _bend(piece, ends, loads, degree):
         F += _resting(x / half - 1, degree)[0] @ (one.at(x, IN_FLOATS) * share * weights)
     found = np.concatenate([[0.0, 0.0], np.linalg.solve(K, F)])
     found[:2] += legendre.legder(cubic, 2)
-    return found / half**2
+    curvature: np.ndarray = found / half**2
+    return curvature
 
 
-def _resting(xi, degree):
+def _resting(xi: np.ndarray, degree: int) -> tuple[np.ndarray, np.ndarray]:
     """∬Pⱼ, j = 2 … degree, which vanish with their slopes at both ends, and ∫Pⱼ: (j, places) each."""
     P = legendre.legvander(xi, degree + 2).T
     j = np.arange(1, degree + 2)[:, None]
@@ -67,7 +68,7 @@ def _resting(xi, degree):
     return (once[2:] - once[:-2]) / (2 * j[1:-1] + 1), once[1:-1]
 
 
-def _cubic(ends, half):
+def _cubic(ends: np.ndarray, half: float) -> np.ndarray:
     """That of end values as a series in Legendre's polynomials."""
     u0, u1 = ends[0], ends[2]
     v0, v1 = half * ends[1], half * ends[3]

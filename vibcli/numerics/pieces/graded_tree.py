@@ -1,8 +1,9 @@
 """A piece whose tension varies along it at several κ: its short parts, joined two and two up to the whole."""
 
+from collections.abc import Sequence
 from functools import lru_cache
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -15,6 +16,8 @@ from vibcli.numerics.pieces.piece import Piece
 from vibcli.numerics.pieces.scattering import joined, scattered
 
 if TYPE_CHECKING:
+    import mpmath
+
     from vibcli.numerics.pieces.arithmetic import Arithmetic
 
 KEPT, ALIKE = 16, 8     # trees of a piece at one κ or a few, and of mpmath's numbers at several
@@ -24,8 +27,8 @@ STEP = 25e-6            # steps of work for each entry of the stiffness of a par
 class GradedTree(NamedTuple):
     """cuts, (levels, from parts to the whole), 1/√Z at the nodes (nodes, κ, m/2), and the power series in all parts."""
 
-    cuts: list
-    levels: list
+    cuts: "list[float | mpmath.mpf]"
+    levels: list[Any]
     scale: np.ndarray
     series: Series
 
@@ -43,17 +46,18 @@ def graded_tree(piece: "Piece", kappa: np.ndarray, numbers: "Arithmetic", steep:
 
 
 @lru_cache(KEPT)
-def _grown_again(piece, kind, kappa):
+def _grown_again(piece: Piece, kind: str, kappa: bytes) -> GradedTree:
     return _grown(piece, np.frombuffer(kappa, kind), arithmetic_of(0.0))
 
 
 @lru_cache(KEPT)
-def _grown_precisely(piece, kappa, eps):
+def _grown_precisely(piece: "tuple[mpmath.mpf, mpmath.mpf, mpmath.mpf, mpmath.mpf, mpmath.mpf, mpmath.mpf, mpmath.mpf]",
+                     kappa: "tuple[mpmath.mpc | mpmath.mpf]", eps: float) -> GradedTree:
     """In numbers of mpmath of this rounding unit, which is that of now."""
     return _grown(Piece(*piece), np.array(kappa, object), arithmetic_of(*piece, *kappa))
 
 
-def _grown(piece, kappa, numbers, steep=True):
+def _grown(piece: Piece, kappa: np.ndarray, numbers: "Arithmetic", steep: bool = True) -> GradedTree:
     cuts = parts_of(piece, max(float(abs(value)) for value in kappa))
     scale = _scale(piece, cuts, kappa, numbers)
     ports = np.concatenate([scale[:-1], scale[1:]], axis=-1)
@@ -64,17 +68,19 @@ def _grown(piece, kappa, numbers, steep=True):
     return GradedTree(cuts, levels, scale, series)
 
 
-def _scale(piece, cuts, kappa, numbers):
+def _scale(piece: Piece, cuts: "Sequence[float | mpmath.mpf]", kappa: np.ndarray, numbers: "Arithmetic") -> np.ndarray:
     """1/√Z of the nodes, of the order of what waves meet."""
     if piece.order == 2:
         each = [(piece.tension + piece.gradient * (a + b) / 2) / (b - a) for a, b in pairwise(cuts)]
         z = numbers.array([each[0], *map(max, each, each[1:]), each[-1]])
-        return 1 / numbers.sqrt(z[:, None, None] + abs(kappa[None, :, None]) * 0)
+        found: np.ndarray = 1 / numbers.sqrt(z[:, None, None] + abs(kappa[None, :, None]) * 0)
+        return found
     nu = 0 * kappa + (piece.tension + piece.gradient * piece.length / 2) / piece.bending
     one, other = separate_roots(nu, kappa / piece.bending + 2.0**-40 / piece.length**4, numbers)
     p, q = (np.sqrt(np.abs(root).astype(float)) + 1 / float(piece.length) for root in (one, other))
     z = float(piece.bending) * np.stack([p * q * (p + q), p + q], axis=-1)
-    return numbers.array(1 / np.sqrt(z))[None] * numbers.array(np.ones((len(cuts), 1, 1)))
+    result: np.ndarray = numbers.array(1 / np.sqrt(z))[None] * numbers.array(np.ones((len(cuts), 1, 1)))
+    return result
 
 
 def ports(tree: GradedTree, i: int) -> np.ndarray:

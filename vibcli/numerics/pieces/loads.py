@@ -52,7 +52,8 @@ class LoadStretch(NamedTuple):
         if piece.gradient or not self.terms:
             return np.zeros(kappa.shape, bool)
         rate = max(float(abs(term.exponent)) + (1 + term.power) / float(self.end - self.start) for term in self.terms)
-        return np.abs(kappa) > FAR * (abs(piece.bending) * rate**4 + abs(piece.tension) * rate**2)
+        found: np.ndarray = np.abs(kappa) > FAR * (abs(piece.bending) * rate**4 + abs(piece.tension) * rate**2)
+        return found
 
     def at(self, x: np.ndarray, numbers: "Arithmetic") -> np.ndarray:
         """f(x)."""
@@ -71,7 +72,9 @@ class LoadStretch(NamedTuple):
     def size(self, x: np.ndarray) -> np.ndarray:
         """Σ |terms| at places, in floats."""
         y = np.clip(x, float(self.start), float(self.end)) - float(self.origin)
-        return sum((abs(complex(c)) * abs(y)**k * np.exp(complex(rate).real * y) for c, k, rate in self.terms), 0 * y)
+        found: np.ndarray = sum((abs(complex(c)) * abs(y)**k * np.exp(complex(rate).real * y)
+                                 for c, k, rate in self.terms), 0 * y)
+        return found
 
     @property
     def pace(self) -> float:
@@ -84,7 +87,7 @@ class LoadStretch(NamedTuple):
 class LoadForm(NamedTuple):
     """f(x) along a member, LoadStretches from left to right."""
 
-    stretches: tuple
+    stretches: tuple[LoadStretch, ...]
 
     def on(self, start: Any, end: Any) -> "LoadForm":
         """Its part from one place to another, which counts from there on."""
@@ -107,10 +110,11 @@ def end_loads(piece: "Piece", kappa: Any, form: LoadForm) -> np.ndarray:
         for chosen, integral in ((far, _by_ends), (~far, _by_panels)):
             if chosen.any():
                 found[chosen] += integral(piece, flat[chosen], one, numbers)
-    return found.reshape((*kappa.shape, piece.order))
+    result: np.ndarray = found.reshape((*kappa.shape, piece.order))
+    return result
 
 
-def _by_panels(piece, kappa, one, numbers):
+def _by_panels(piece: "Piece", kappa: np.ndarray, one: LoadStretch, numbers: "Arithmetic") -> np.ndarray:
     cut = piece._replace(length=one.end - one.start, tension=piece.tension + piece.gradient * one.start)
     y, weights = panel_rule(cut, kappa, one.pace, numbers)
     x, found = one.start + cut.length * y, []
@@ -127,7 +131,8 @@ def _by_panels(piece, kappa, one, numbers):
     return np.concatenate(found)
 
 
-def _by_parity(piece, kappa, x, weights, numbers):
+def _by_parity(piece: "Piece", kappa: np.ndarray, x: np.ndarray, weights: np.ndarray,
+               numbers: "Arithmetic") -> np.ndarray:
     """On a uniform beam, whose four fields share an even and an odd function."""
     half, rest, found = piece.length / 2, piece.length - x, []
     near = np.where(x < rest, x, rest) / half
@@ -138,18 +143,17 @@ def _by_parity(piece, kappa, x, weights, numbers):
     return np.concatenate(found)
 
 
-def _by_ends(piece, kappa, one, numbers):
-    unit, found = np.eye(piece.order), 0.0
-    for x, sign in ((one.end, 1.0), (one.start, -1.0)):
-        phi = fields(piece, kappa[:, None], unit, x)
-        found = found + sign * bracket(piece, kappa[:, None], phi, one, x)
-    return found
+def _by_ends(piece: "Piece", kappa: np.ndarray, one: LoadStretch, numbers: "Arithmetic") -> np.ndarray:
+    unit = np.eye(piece.order)
+    end, start = (bracket(piece, kappa[:, None], fields(piece, kappa[:, None], unit, x), one, x)
+                  for x in (one.end, one.start))
+    return end - start
 
 
 def bracket(piece: "Piece", kappa: np.ndarray, phi: np.ndarray, one: LoadStretch, x: Any) -> np.ndarray:
     """Green's bracket at x of fields φ (…, order) with κ (…) and the w of a stretch."""
     w = particular(piece, kappa, one, x)
-    found = -piece.tension * (phi[..., 0] * w[1] - phi[..., 1] * w[0])
+    found: np.ndarray = -piece.tension * (phi[..., 0] * w[1] - phi[..., 1] * w[0])
     if piece.order == 4:
         found = found + piece.bending * (phi[..., 0] * w[3] - phi[..., 1] * w[2] + phi[..., 2] * w[1]
                                          - phi[..., 3] * w[0])
@@ -170,9 +174,9 @@ def particular(piece: "Piece", kappa: np.ndarray, one: LoadStretch, x: Any) -> n
     return w
 
 
-def _by_rates(one):
+def _by_rates(one: LoadStretch) -> dict[complex, np.ndarray]:
     """{λ: coefficients of 1, y, y² …} of a stretch."""
-    found: dict = {}
+    found: dict[complex, list[complex]] = {}
     for coefficient, power, rate in one.terms:
         powers = found.setdefault(complex(rate), [])
         powers += [0j] * (power + 1 - len(powers))
@@ -180,7 +184,7 @@ def _by_rates(one):
     return {rate: np.array(powers) for rate, powers in found.items()}
 
 
-def _particular(piece, kappa, rate, powers, y):
+def _particular(piece: "Piece", kappa: np.ndarray, rate: complex, powers: np.ndarray, y: float) -> np.ndarray:
     """w, w′, w″, w‴ for p(y) e^{λy}, (4, …): with 1/P(λ + μ) = Σ rⱼ μʲ it is w = e^{λy} q, q = Σ rⱼ p⁽ʲ⁾."""
     series = [kappa + piece.bending * rate**4 - piece.tension * rate**2,
               4 * piece.bending * rate**3 - 2 * piece.tension * rate, 6 * piece.bending * rate**2 - piece.tension,
@@ -190,8 +194,9 @@ def _particular(piece, kappa, rate, powers, y):
         inverse.append(-sum(series[m] * inverse[i - m] for m in range(1, min(i, 4) + 1) if series[m]) / series[0])
     slopes = [polynomial.polyval(y, polynomial.polyder(powers, j)) for j in range(len(powers))]
     q = [sum((slopes[j + m] * inverse[j] for j in range(len(powers) - m)), 0 * inverse[0]) for m in range(4)]
-    return np.exp(rate * y) * np.array([sum(comb(d, m) * rate**(d - m) * q[m] for m in range(d + 1))
-                                        for d in range(4)])
+    found: np.ndarray = np.exp(rate * y) * np.array([sum(comb(d, m) * rate**(d - m) * q[m] for m in range(d + 1))
+                                                     for d in range(4)])
+    return found
 
 
 def end_loads_slope(piece: "Piece", kappa: Any, form: LoadForm) -> np.ndarray:
@@ -219,7 +224,7 @@ def loaded_fields(piece: "Piece", kappa: Any, form: LoadForm, x: Any) -> np.ndar
     return _state(piece, x, moved, (own[..., h:, h:] @ moved[..., None])[..., 0] - force)
 
 
-def _state(piece, x, moved, pulled):
+def _state(piece: "Piece", x: float, moved: np.ndarray, pulled: np.ndarray) -> np.ndarray:
     """From (u) and (N u′), of beams (u, u′) and (N u′ − B u‴, B u″)."""
     tension = piece.tension + piece.gradient * x
     if moved.shape[-1] == 1:

@@ -22,7 +22,7 @@ def panel_rule(piece: "Piece", kappa: Any, rate: float, numbers: "Arithmetic") -
     return (low[:, None] + half[:, None] * (1 + at)).ravel(), (half[:, None] * weights).ravel()
 
 
-def _edges(piece, kappa, rate, span):
+def _edges(piece: "Piece", kappa: np.ndarray, rate: float, span: float) -> np.ndarray:
     """Panels of equal lengths, halved again and again towards an end with little tension."""
     length, bending, tension, slope = (_size(value) for value in piece[:4])
     other, kappa = _size(piece.tension + piece.gradient * piece.length), _size(kappa)
@@ -40,11 +40,12 @@ def _edges(piece, kappa, rate, span):
     return np.unique(np.concatenate([edges, nearer, 1 - nearer]))
 
 
-def _size(value):
-    return np.abs(np.atleast_1d(np.asarray(value))).astype(float)
+def _size(value: float | np.ndarray) -> np.ndarray:
+    found: np.ndarray = np.abs(np.atleast_1d(np.asarray(value))).astype(float)
+    return found
 
 
-def _gauss(numbers):
+def _gauss(numbers: "Arithmetic") -> tuple[np.ndarray, np.ndarray]:
     if numbers.number is None:
         return plain_rule()
     import mpmath
@@ -52,7 +53,8 @@ def _gauss(numbers):
     rule = mpmath.calculus.quadrature.GaussLegendre(mpmath.mp)
     degree = 3 + int(np.ceil(np.log2(1 + mpmath.mp.dps / 12)))
     nodes = rule.calc_nodes(degree, mpmath.mp.prec + 10)
-    return tuple(np.array(values, object) for values in zip(*nodes, strict=True))
+    places, weights = (np.array(values, object) for values in zip(*nodes, strict=True))
+    return places, weights
 
 
 @cache

@@ -12,7 +12,8 @@ well separated roots, and where all are small both are power series in ν and χ
 Beams held at both ends vibrate evenly where d = 0, oddly where σ = 0.
 """
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -51,7 +52,7 @@ def parity_functions(nu: np.ndarray, chi: np.ndarray, numbers: "Arithmetic", ste
     apart = np.abs(nu * nu - 4 * chi) >= 16 * np.abs(chi)
     if real and numbers.number is None:
         apart |= chi < 0        # one is positive, the other negative: no complex numbers
-    found = None if len(nu) else [part for parts in _by_roots(nu, chi, numbers, steep) for part in parts]
+    found: list[Any] = None if len(nu) else [part for parts in _by_roots(nu, chi, numbers, steep) for part in parts]
     for chosen, form in ((small, _series), (~small & apart, _by_roots), (~small & ~apart, _by_sums)):
         if count := np.count_nonzero(chosen):
             every = count == len(nu)
@@ -69,7 +70,7 @@ def separate_roots(nu: np.ndarray, chi: np.ndarray, numbers: "Arithmetic") -> tu
     return one, chi / one
 
 
-def _put(found, part, chosen):
+def _put(found: list[np.ndarray] | None, part: Sequence[np.ndarray], chosen: np.ndarray) -> list[np.ndarray]:
     """Values of some elements among those known."""
     if found is None:
         found = [np.zeros(chosen.shape, values.dtype) for values in part]
@@ -80,7 +81,8 @@ def _put(found, part, chosen):
     return found
 
 
-def _series(nu, chi, numbers, steep):
+def _series(nu: np.ndarray, chi: np.ndarray, numbers: "Arithmetic",
+            steep: bool) -> tuple[tuple[np.ndarray, ...], tuple[np.ndarray, ...]]:
     """By sums of Xₖ = (Aᵏ + Bᵏ)/2 and Yₖ = (Aᵏ − Bᵏ)/(A − B), both weighed by 1/(2k)! and by 1/(2k + 1)!."""
     weights = [numbers.array(1)]
     for k in range(1, 2 * terms(ALIKE, numbers) + 2):
@@ -91,7 +93,7 @@ def _series(nu, chi, numbers, steep):
     return (c, s, d, sigma, c * d - chi * s * sigma, chi * sigma * sigma - d * d, c * sigma - d * s), slopes
 
 
-def _summed(nu, chi, weights, steep):
+def _summed(nu: np.ndarray, chi: np.ndarray, weights: Sequence[np.ndarray], steep: bool) -> tuple[np.ndarray, ...]:
     """(Σ wₖ Xₖ, 2 Σ wₖ Yₖ and, if it is `steep`, their derivatives by χ): both obey Xₖ₊₁ = (A + B) Xₖ − A B Xₖ₋₁, and
     are summed by Clenshaw's recurrence from the last term on, which is least.
 
@@ -110,7 +112,8 @@ def _summed(nu, chi, weights, steep):
     return (*sums, product * slope_two + two * 4 + nu * slope_one, slope_one * 2) if steep else sums
 
 
-def _by_roots(nu, chi, numbers, steep):
+def _by_roots(nu: np.ndarray, chi: np.ndarray, numbers: "Arithmetic",
+              steep: bool) -> tuple[tuple[np.ndarray, ...], tuple[np.ndarray, ...]]:
     """From C, S and S′ at P₁ and P₂, which are not near each other."""
     one, other = separate_roots(nu, chi, numbers)
     f, g, gap = even_functions(one, numbers), even_functions(other, numbers), one - other
@@ -125,7 +128,8 @@ def _by_roots(nu, chi, numbers, steep):
             -(f.s * f.c * fading - g.s * g.c * other_fading) / gap), slopes
 
 
-def _by_sums(nu, chi, numbers, steep):
+def _by_sums(nu: np.ndarray, chi: np.ndarray, numbers: "Arithmetic",
+             steep: bool) -> tuple[tuple[np.ndarray, ...], tuple[np.ndarray, ...]]:
     """From C, S and S′ at A and B, which are not near each other."""
     root = numbers.sqrt(chi)
     f, g = even_functions(nu + 2 * root, numbers), even_functions(nu - 2 * root, numbers)
@@ -133,7 +137,7 @@ def _by_sums(nu, chi, numbers, steep):
     f_scale, g_scale = numbers.exp(least - g.r), numbers.exp(least - f.r)
     f_c, f_s, g_c, g_s = f.c * f_scale, f.s * f_scale, g.c * g_scale, g.s * g_scale
     s, d, sigma = (f_c - g_c) / (2 * root), (f_s + g_s) / 2, (f_s - g_s) / (2 * root)
-    slopes = ()
+    slopes: tuple = ()
     if steep:
         f_slope, g_slope = f.slope * f_scale, g.slope * g_scale
         slopes = (sigma / 2, (d - s) / (2 * chi), (f_slope - g_slope) / (2 * root),

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 RADIUS, TURNS = 1e-3, 4     # of the circle, over the stiffness of a wave, and its points
 
 
-def reaction_slope(piece: "Piece", kappa: Any, function: "Callable") -> np.ndarray:
+def reaction_slope(piece: "Piece", kappa: Any, function: "Callable[..., np.ndarray]") -> np.ndarray:
     """∂f/∂κ, (…, values), of a function of κ (…) that is analytic and real where κ is."""
     kappa = np.asarray(kappa)
     size = np.abs(kappa).astype(float)
@@ -24,4 +24,5 @@ def reaction_slope(piece: "Piece", kappa: Any, function: "Callable") -> np.ndarr
     for turn in turns[:TURNS // 2] if real else turns:
         found = found + function(kappa + radius * turn) / turn
     slope = found / (TURNS * radius[..., None])
-    return 2 * slope.real if real else slope
+    result: np.ndarray = 2 * slope.real if real else slope
+    return result

@@ -46,11 +46,12 @@ def _derived(order: int) -> np.ndarray:
     return found
 
 
-def _values(t, order):
+def _values(t: np.ndarray, order: int) -> np.ndarray:
     """The order-th derivatives by ξ of all functions, (functions, …)."""
     from numpy.polynomial import legendre
 
-    return legendre.legval(t, _derived(order))
+    found: np.ndarray = legendre.legval(t, _derived(order))
+    return found
 
 
 @cache
@@ -67,7 +68,9 @@ def told(piece: "Piece", kappa: np.ndarray) -> np.ndarray:
     """Where relative_stiffness holds, as kappa broadcasts."""
     with np.errstate(all="ignore"):
         force = (np.abs(piece.tension) + np.abs(piece.gradient) * piece.length) * piece.length**2
-        return (np.abs(kappa) * piece.length**4 <= SHORT * piece.bending) & (force <= SHORT * piece.bending)
+        found: np.ndarray = (np.abs(kappa) * piece.length**4 <= SHORT * piece.bending) & (
+            force <= SHORT * piece.bending)
+        return found
 
 
 def relative_stiffness(piece: "Piece", kappa: np.ndarray, bent: bool = True) -> tuple[np.ndarray, np.ndarray]:
@@ -84,7 +87,7 @@ def relative_stiffness(piece: "Piece", kappa: np.ndarray, bent: bool = True) -> 
     return tuple(part * turn[..., :, None] * turn[..., None, :] for part in (d, slope))
 
 
-def _moved(piece, kappa):
+def _moved(piece: "Piece", kappa: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """What bending adds to the stiffness of all functions, and all else, and what each does as u₀, θ₀ l, w and ψ l are
     1, (…, functions, 4)."""
     S, T, T_along, M = _integrals()

@@ -61,7 +61,7 @@ def terms(size: float, numbers: "Arithmetic") -> int:
 
 
 @cache
-def _terms(size, eps):
+def _terms(size: float, eps: float) -> int:
     term, k = 1.0, 0
     while term > eps / 64:
         k += 1
@@ -69,7 +69,7 @@ def _terms(size, eps):
     return k + 1
 
 
-def _series(z, numbers):
+def _series(z: np.ndarray, numbers: "Arithmetic") -> Even:
     """By Horner's rule from the last term: C = Σ zᵏ/(2k)!, S = Σ zᵏ/(2k+1)!, S′ = Σ k zᵏ⁻¹/(2k+1)!."""
     c = s = z * 0 + 1
     slope = z * 0 + 1
@@ -80,7 +80,7 @@ def _series(z, numbers):
     return Even(c, s, slope / 6, np.abs(z) * 0)
 
 
-def _exponentials(z, numbers):
+def _exponentials(z: np.ndarray, numbers: "Arithmetic") -> Even:
     if numbers.number is None and numbers.is_real(z):
         return _of_reals(z)
     p = numbers.sqrt(z)
@@ -92,7 +92,7 @@ def _exponentials(z, numbers):
     return Even(c, s, (c - s) / (2 * z), r)
 
 
-def _of_reals(z):
+def _of_reals(z: np.ndarray) -> Even:
     """Cosines and sines where z < 0; doubles."""
     p, waves = np.sqrt(np.abs(z)), z < 0
     if waves.all():

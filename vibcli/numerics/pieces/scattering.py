@@ -38,7 +38,7 @@ def stiffness_again(level: Level, scale: np.ndarray, numbers: "Arithmetic") -> t
         None if level.slope is None else 2 * i @ inverse @ level.slope @ inverse / both)
 
 
-def _unit(values, numbers):
+def _unit(values: np.ndarray, numbers: "Arithmetic") -> tuple[np.ndarray, np.ndarray]:
     one = numbers.array(np.eye(values.shape[-1]))
     return one, one * numbers.i
 
@@ -51,16 +51,16 @@ def joined(level: Level, numbers: "Arithmetic") -> Level:
                    for found, values in zip(_star(left, right, numbers), level, strict=True)))
 
 
-def _blocks(values):
+def _blocks(values: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     h = values.shape[-1] // 2
     return values[..., :h, :h], values[..., :h, h:], values[..., h:, :h], values[..., h:, h:]
 
 
-def _whole(one, two, three, four):
+def _whole(one: np.ndarray, two: np.ndarray, three: np.ndarray, four: np.ndarray) -> np.ndarray:
     return np.concatenate([np.concatenate(part, axis=-1) for part in ((one, two), (three, four))], axis=-2)
 
 
-def _star(left, right, numbers):
+def _star(left: Level, right: Level, numbers: "Arithmetic") -> tuple[np.ndarray, np.ndarray]:
     """S of two in a row (Redheffer's product with f and −f at the joint), and ∂S/∂κ where it is found of both."""
     l11, l12, l21, l22 = _blocks(left.s)
     r11, r12, r21, r22 = _blocks(right.s)

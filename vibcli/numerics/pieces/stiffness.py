@@ -8,6 +8,8 @@ from vibcli.numerics.pieces.flattening import flattened
 from vibcli.numerics.pieces.uniform import fourth_order, second_order
 
 if TYPE_CHECKING:
+    import mpmath
+
     from vibcli.numerics.pieces.piece import Piece
 
 
@@ -34,21 +36,22 @@ def stiffness_and_slope(piece: "Piece", kappa: Any) -> tuple[np.ndarray, np.ndar
     distance of κ to it. An end without tension of what does not bend bears no force and its rows are 0: no coordinate
     belongs there.
     """
-    return _found(piece, kappa, True)
+    d, slope = _found(piece, kappa, True)
+    return d, slope
 
 
-def _found(piece, kappa, steep):
+def _found(piece: "Piece", kappa: "complex | mpmath.mpc | np.ndarray", steep: bool) -> tuple[np.ndarray, ...]:
     """(d,) or (d, ∂d/∂κ)."""
     waves = np.asarray(kappa)
     plain = waves.dtype.kind == "c" and not waves.imag.any()        # real but for its type: half as dear
     flat = flattened(piece, waves.real if plain else kappa)
 
-    def uniform(one, kappa):
+    def uniform(one: "Piece", kappa: np.ndarray) -> np.ndarray:
         if flat.order == 2:
             return second_order(one.length, one.tension, kappa, flat.numbers, steep)
         return fourth_order(one.length, one.bending, one.tension, kappa, flat.numbers, steep)
 
-    def graded(one, kappa):
+    def graded(one: "Piece", kappa: np.ndarray) -> np.ndarray:
         from vibcli.numerics.pieces.graded import graded_stiffness
 
         return np.stack(graded_stiffness(one, kappa, flat.numbers)[:1 + steep], axis=1)

@@ -1,5 +1,6 @@
 """The exact stiffness of uniform pieces, split into what moves evenly and oddly about their middle."""
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -61,7 +62,9 @@ def fourth_order(length: np.ndarray, bending: np.ndarray, tension: np.ndarray, k
     return _squares(found, _four(even_slope, odd_slope, coupling_slope, half, half))
 
 
-def _four(even, odd, coupling, half, scale):
+def _four(even: tuple[np.ndarray, np.ndarray, np.ndarray], odd: tuple[np.ndarray, np.ndarray, np.ndarray],
+          coupling: Sequence[np.ndarray], half: np.ndarray,
+          scale: np.ndarray) -> tuple[tuple[np.ndarray, ...], ...]:
     """(u₀, θ₀, u_l, θ_l) from the halves of even ± odd; mirrored, θ turns its sign."""
     uu, ut, tt = ((e + o) / 2 * scale for e, o in zip(even, odd, strict=True))
     ut, tt = ut * half, tt * half * half
@@ -70,7 +73,7 @@ def _four(even, odd, coupling, half, scale):
     return ((uu, -ut, xuu, xut), (-ut, tt, -xut, -xtt), (xuu, -xut, uu, ut), (xut, -xtt, ut, tt))
 
 
-def _squares(*matrices):
+def _squares(*matrices: Sequence[Sequence[np.ndarray]]) -> np.ndarray:
     """(…, number of matrices, m, m) of m rows of m arrays each."""
     m, kind = len(matrices[0]), np.result_type(*(values for rows in matrices for row in rows for values in row))
     found = np.empty((len(matrices), m, m, *matrices[0][0][0].shape), kind)     # each entry in one run

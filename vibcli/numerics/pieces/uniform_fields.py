@@ -9,6 +9,7 @@ where the roots are near each other, f₁ g₂ − f₂ g₁ = Δ (f′ ḡ − 
 What grows towards an end is scaled to 1 there.
 """
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -19,6 +20,7 @@ from vibcli.numerics.pieces.scaled_functions import ALIKE, even_functions, even_
 
 if TYPE_CHECKING:
     from vibcli.numerics.pieces.arithmetic import Arithmetic
+    from vibcli.numerics.pieces.scaled_functions import Even
 
 
 class _Pair(NamedTuple):
@@ -36,8 +38,8 @@ class _Form(NamedTuple):
     odd: _Pair
     times: Any
     cross: Any
-    own: tuple
-    rest: tuple
+    own: tuple[_Pair, _Pair]
+    rest: tuple[_Pair, _Pair] | tuple[np.ndarray, np.ndarray]
 
 
 def second_order_fields(xi: np.ndarray, near: np.ndarray, half: np.ndarray, tension: np.ndarray, kappa: np.ndarray,
@@ -91,7 +93,8 @@ def fourth_order_integrals(xi: np.ndarray, near: np.ndarray, weights: np.ndarray
     return found
 
 
-def _forms(nu, chi, numbers):
+def _forms(nu: np.ndarray, chi: np.ndarray,
+           numbers: "Arithmetic") -> tuple[tuple[np.ndarray, Callable[..., _Form]], ...]:
     """[(for which, the form in which fields are put there)]."""
     root = numbers.sqrt(chi)
     sums = [np.abs(nu + 2 * root), np.abs(nu - 2 * root)]
@@ -100,12 +103,13 @@ def _forms(nu, chi, numbers):
     return (small, _by_series), (alike, _by_means), (~small & ~alike, _by_roots)
 
 
-def _fading(own, here, near, numbers):
+def _fading(own: "Even", here: "Even", near: np.ndarray, numbers: "Arithmetic") -> np.ndarray:
     """e to what a function at ξ was scaled by less what it was at the end."""
-    return numbers.exp(np.where(here.r == 0, -own.r, -own.r * near))
+    found: np.ndarray = numbers.exp(np.where(here.r == 0, -own.r, -own.r * near))
+    return found
 
 
-def _by_roots(nu, chi, xi, near, numbers):
+def _by_roots(nu: np.ndarray, chi: np.ndarray, xi: np.ndarray, near: np.ndarray, numbers: "Arithmetic") -> _Form:
     one, other = separate_roots(nu, chi, numbers)
     gap, square = one - other, xi * xi
     if one.shape == square.shape:
@@ -117,24 +121,25 @@ def _by_roots(nu, chi, xi, near, numbers):
     even = _Pair(f_here.c * f_fading, g_here.c * g_fading)
     odd = _Pair(xi * f_here.s * f_fading, xi * g_here.s * g_fading)
 
-    def times(pair):
+    def times(pair: _Pair) -> _Pair:
         return _Pair(pair.one * one, pair.other * other)
 
-    def cross(own, pair):
-        return (own.one * pair.other - own.other * pair.one) / gap
+    def cross(own: _Pair, pair: _Pair) -> np.ndarray:
+        found: np.ndarray = (own.one * pair.other - own.other * pair.one) / gap
+        return found
 
     c, s = _Pair(f.c, g.c), _Pair(f.s, g.s)
     d, sigma = cross(times(s), c), cross(c, s)
     return _Form(even, odd, times, cross, (c, s), (d, sigma))
 
 
-def _by_means(nu, chi, xi, near, numbers):
+def _by_means(nu: np.ndarray, chi: np.ndarray, xi: np.ndarray, near: np.ndarray, numbers: "Arithmetic") -> _Form:
     """Near double roots: from A/4 and B/4, of which the second is small."""
     root = numbers.sqrt(chi)
     root = np.where(np.abs(nu + 2 * root) >= np.abs(nu - 2 * root), root, -root)
     large, little = nu / 4 + root / 2, nu / 4 - root / 2
 
-    def pairs(square):
+    def pairs(square: np.ndarray) -> "tuple[Even, Even, _Pair, _Pair]":
         f, g = even_functions(large * square, numbers), even_functions(little * square, numbers)
         difference = (f.c * g.s - f.s * g.c) / (2 * root)
         c = _Pair(f.c * g.c, square * f.s * g.s / 2)
@@ -149,14 +154,15 @@ def _by_means(nu, chi, xi, near, numbers):
     return _Form(even, odd, *_of_means(nu, chi), (c, s), rest)
 
 
-def _by_series(nu, chi, xi, near, numbers, weights=None):
+def _by_series(nu: np.ndarray, chi: np.ndarray, xi: np.ndarray, near: np.ndarray, numbers: "Arithmetic",
+               weights: np.ndarray | None = None) -> _Form:
     """Means and divided differences of Pᵏ by their recurrence; of `weights`, sums of what is told over places ξ."""
     zero = nu * chi * 0
     powers = [np.array([zero + 1, zero]), np.array([zero + nu / 2, zero + 1])]      # means, differences
     for k in range(1, terms(ALIKE, numbers)):
         powers.append(nu * powers[k] - chi * powers[k - 1])
 
-    def pairs(x, weights):
+    def pairs(x: np.ndarray, weights: "np.ndarray | None") -> "tuple[_Pair, _Pair]":
         share, square, even, odd = numbers.array(1) + x * 0, x * x, 0 * powers[0], 0 * powers[0]
         for k, power in enumerate(powers):
             share = share * square / (2 * k * (2 * k - 1)) if k else share
@@ -171,20 +177,21 @@ def _by_series(nu, chi, xi, near, numbers, weights=None):
     return _Form(even, odd, times, cross, (c, s), (cross(times(s), c), cross(c, s)))
 
 
-def _of_means(nu, chi):
+def _of_means(nu: np.ndarray, chi: np.ndarray) -> tuple[Callable[[_Pair], _Pair], Callable[[_Pair, _Pair], np.ndarray]]:
     """What multiplies a pair by P, and the crossed product."""
     quarter = nu * nu / 4 - chi
 
-    def times(pair):
+    def times(pair: _Pair) -> _Pair:
         return _Pair(nu / 2 * pair.one + quarter * pair.other, nu / 2 * pair.other + pair.one)
 
-    def cross(own, pair):
-        return own.other * pair.one - own.one * pair.other
+    def cross(own: _Pair, pair: _Pair) -> np.ndarray:
+        found: np.ndarray = own.other * pair.one - own.one * pair.other
+        return found
 
     return times, cross
 
 
-def _derivatives(form, amplitudes):
+def _derivatives(form: _Form, amplitudes: tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]) -> np.ndarray:
     """u and its three derivatives by ξ; g of the even part follow one another as C, ξPS, PC, ξP²S, of the odd part
     as ξS, C, ξPS, PC."""
     (even, odd, times, cross, (c, s), rest) = form
@@ -193,9 +200,10 @@ def _derivatives(form, amplitudes):
     ps = times(s)
     bend = times(even)
     g, h = _stacked(even, slope, bend, times(slope)), _stacked(odd, even, slope, bend)
-    return cross(ps, g) * u - cross(c, g) * t + cross(c, h) * v - cross(s, h) * w
+    found: np.ndarray = cross(ps, g) * u - cross(c, g) * t + cross(c, h) * v - cross(s, h) * w
+    return found
 
 
-def _stacked(*pairs):
+def _stacked(*pairs: _Pair) -> _Pair:
     """Several pairs as one."""
     return _Pair(*map(np.array, zip(*pairs, strict=True)))
