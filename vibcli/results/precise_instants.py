@@ -28,7 +28,7 @@ SIMPLE = 1e-3           # y ÿ/ẏ² beside a single zero; 1/2 beside a double o
 STEPS, LOST = 40, 8     # of Newton's method; digits that its last step may lack
 
 
-def value_to(signal: "Signal", t: "Fraction", digits: int) -> "mpmath.mpf":
+def value_to(signal: "Signal", t: "Fraction | int", digits: int) -> "mpmath.mpf":
     """The value of a signal at an instant, correct to `digits`."""
     return value_when(signal, lambda: real(t), digits)
 
