@@ -5,7 +5,7 @@ from math import pi
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.drawing.canvas.primitives import LEADER, Polygon, Polyline, Run
+from vibcli.drawing.canvas.primitives import LEADER, Polyline, Primitive, Run
 from vibcli.drawing.layout import captions, lettering, plane
 from vibcli.drawing.layout.space import TAKEN
 from vibcli.drawing.symbols import arrow
@@ -14,6 +14,9 @@ from vibcli.drawing.symbols.look import ROD
 if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
     from vibcli.drawing.layout.space import Space
+    from vibcli.elements.rigid_body import Body
+    from vibcli.language.named_place import NamedPlace
+    from vibcli.language.reader import Expression, Record
 
 OFFSETS = (15.0, 23.0, 32.0, 42.0, 54.0, 68.0, 84.0)
 FAR = 102.0, 122.0      # of what has no room nearer
@@ -28,11 +31,11 @@ class Length(NamedTuple):
     """A length between two places as drawn, and what it is called; `radial` from a centre to a rim, of which there are
     other places in `rims`."""
 
-    runs: tuple
-    one: tuple
-    two: tuple
+    runs: tuple[Run, ...]
+    one: tuple[float, float]
+    two: tuple[float, float]
     radial: bool = False
-    rims: tuple = ()
+    rims: tuple[tuple[float, float], ...] = ()
 
 
 def lengths(sketch: "Sketch") -> list[Length]:
@@ -47,7 +50,7 @@ def lengths(sketch: "Sketch") -> list[Length]:
     return found
 
 
-def _of_body(body, sketch):
+def _of_body(body: "Body", sketch: "Sketch") -> Iterator[tuple[Length, str]]:
     """[(Length, its text)] of one body."""
     for record in body.record.get("parts", (body.record,)):
         yield from _radius(record, sketch)
@@ -63,7 +66,7 @@ def _of_body(body, sketch):
                 yield Length(runs, one, two), lettering.letters(runs)
 
 
-def _places(body, sketch):
+def _places(body: "Body", sketch: "Sketch") -> "list[tuple[tuple[float, float], list[Expression] | NamedPlace]]":
     """[(place, the fields that say where it is)] of the ends of a rod and of what a body carries."""
     found = []
     if body.record.get("shape") == "rod":
@@ -84,7 +87,7 @@ def named_length(value: float, fields: Any, sketch: "Sketch") -> Any:
     return lettering.named(equal[0]) if len(equal) == 1 else None
 
 
-def _radius(record, sketch):
+def _radius(record: "Record", sketch: "Sketch") -> Iterator[tuple[Length, str]]:
     """The radius of a disc or ring, at an angle of its own, or at others."""
     if "radius" not in record or record.get("shape") not in ("disc", "ring", "sector", "arch"):
         return
@@ -100,7 +103,7 @@ def _radius(record, sketch):
     yield Length(runs, centre, rim, True, tuple(rims)), lettering.letters(runs)
 
 
-Drawn = tuple[list[Polygon | Polyline], tuple[Run, ...], list[tuple[float, float]]]
+Drawn = tuple[list[Primitive], tuple[Run, ...], list[tuple[float, float]]]
 
 
 def ways(length: Length, space: "Space") -> Iterator[Drawn]:
@@ -121,13 +124,14 @@ def ways(length: Length, space: "Space") -> Iterator[Drawn]:
             yield drawn
 
 
-def _ray(centre, rim):
+def _ray(centre: tuple[float, float], rim: tuple[float, float]) -> list[tuple[float, float]]:
     """From beside a centre to beside a rim."""
     start = plane.plus(centre, plane.unit(plane.minus(rim, centre)), 4.0)
     return [start, plane.plus(rim, plane.minus(start, rim), 0.1)]
 
 
-def _radial(length, space):
+def _radial(length: Length,
+            space: "Space") -> tuple[list[Primitive], tuple[Run, ...], list[tuple[float, float]]] | None:
     """From the centre, or from beside a spiral or dashpot that is there."""
     start = length.one
     if space.meets(_ray(start, length.two)):
@@ -142,7 +146,8 @@ def _radial(length, space):
         plane.unit(plane.minus(length.two, length.one))), side) for side in (2.0, -2.0)]
 
 
-def _straight(length, space, offsets):
+def _straight(length: Length, space: "Space",
+              offsets: tuple[float, ...]) -> tuple[list[Primitive], tuple[Run, ...], list[tuple[float, float]]] | None:
     e = plane.unit(plane.minus(length.two, length.one))
     n = plane.left(e)
     best = None
@@ -173,7 +178,8 @@ def _straight(length, space, offsets):
     return [*legs, *parts], length.runs, [plane.plus(plane.middle(a, b), n, sign * 1.5) for sign in (side, -side)]
 
 
-def _leg(start, end, space):
+def _leg(start: tuple[float, float], end: tuple[float, float],
+         space: "Space") -> tuple[tuple[float, float], tuple[float, float]]:
     """What leads from a place to the line of a dimension; only behind a word that is between them, and behind a spring,
     a rope or an arrow along which it would run from there."""
     length, at = plane.distance(start, end), plane.along(start, end)
