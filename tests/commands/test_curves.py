@@ -46,6 +46,8 @@ def test_a_chosen_scene_is_plotted_until_the_end_given(call):
     code, out, _ = call("frf", "tuned_absorber", "--of", "x1", "--plot")
     assert code == 0 and "phase lag" in out and "\n|x₁/drive| [m/N]\n" in out
     assert "\n|y/base|\n" in call("frf", SHAKEN, "--of", "y", "--to", "base", "--plot")[1]
+    mixed = call("frf", "frequency_response", "--plot")[1]
+    assert "\n|H| to drive  " in mixed and " x [m/N] " in mixed and " ẋ [(m/s)/N]\n" in mixed
     assert "\n|x₁/Q_x₂| [m/N]\n" in call("frf", "tuned_absorber", "--of", "x1", "--to", "x2", "--plot")[1]
 
 

@@ -157,7 +157,7 @@ def test_values_at_instants(ask):
     assert [one["value"] for one in data["at"]] == pytest.approx([0.05, 0.008], rel=1e-12)      # nothing holds them
     digits, = ask(SCENE + "initial: {x': 1 m/s, y': 1 m/s}\n", "response", "--of", "y", "--at", "0.1", "--digits",
                   "20")["response"]["signals"]
-    assert digits["at"] == [{"t": 0.1, "value": "0.10000000000000000000", "error": None}]
+    assert digits["at"] == [{"t": 0.1, "value": "0.10000000000000000000", "error": None, "no_bound": None}]
     driven = "bodies: {a: {mass: 2 kg, slide: 1 m*cos(2 rad/s*t)}}\n"
     prescribed = ask(driven, "response", "--of", "T", "--at", "0.7", "--json")["response"]
     assert prescribed["until"] is None

@@ -377,3 +377,15 @@ def _titled(port, title):
             return
         time.sleep(0.1)
     raise AssertionError(found)
+
+
+@NEEDED
+@pytest.mark.parametrize("width", [360, 1280])
+def test_the_caret_stands_under_what_is_wrong_and_no_word_under_the_button(tmp_path, width):
+    error = "scene.yaml:3:40: error: unknown key\n" + 60 * " " + "{slid: x}\n" + 61 * " " + "^^^^\nhint: slide"
+    text = page(State(1, "t", ('<p>one</p><svg><circle r="1"><animate/></circle></svg>',), (error,)), "n")
+    size = f"--window-size={width},740"
+    lines = "(errors.scrollHeight - 14.4) / parseFloat(getComputedStyle(errors).lineHeight)"
+    assert 3.5 < measured(text, tmp_path, lines, size) < 4.6
+    beside = "main.getBoundingClientRect().left - pause.getBoundingClientRect().right"
+    assert measured(text, tmp_path, f"Math.max({beside}, pause.offsetWidth / innerWidth - 0.999)", size) > 0

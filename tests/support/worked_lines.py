@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from vibcli.base import units
 from vibcli.language.parameter_samples import sample_values
-from vibcli.report.blocks import Factor, Name, SumOfTerms, WithNumbers, Words
+from vibcli.report.blocks import Factor, Name, Quotient, SumOfTerms, WithNumbers, Words
 from vibcli.report.steps.worked import asks_in_full, worked
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
@@ -107,7 +107,7 @@ class Checked:
         values = []
         for side in sides:
             if len(side) == 1 and not isinstance(side[0], (str, type(None))):
-                node = side[0].node if isinstance(side[0], (WithNumbers, Factor)) else side[0]
+                node = side[0].node if isinstance(side[0], (WithNumbers, Factor, Quotient)) else side[0]
                 if isinstance(node, SumOfTerms):
                     node = node.nodes[0].table.total(node.nodes)
                 if isinstance(node, Name):

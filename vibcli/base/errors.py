@@ -123,3 +123,9 @@ class NoBound(PhysicsError):
     """A number whose error has no bound that is known."""
 
     CELL = "no bound"
+
+
+class NoDigit(NoBound):
+    """A number whose error has a bound that is as large as all that the number is one of."""
+
+    CELL = "not known"

@@ -12,6 +12,7 @@ from time import process_time
 from typing import TYPE_CHECKING
 
 from vibcli.bench.processes import answer, costs, vibcli
+from vibcli.bench.responses import in_a_row
 from vibcli.bench.rows import Timing
 
 if TYPE_CHECKING:
@@ -117,8 +118,7 @@ def _lsim(count: int) -> "tuple[float, np.ndarray]":
 
     masses, stiffnesses, times, values = _data(count)
     start = process_time()
-    K, C = (np.diag(k + np.append(k[1:], 0.0)) - np.diag(k[1:], 1) - np.diag(k[1:], -1)
-            for k in (stiffnesses, (0.002 * stiffnesses).round(6)))
+    K, C = in_a_row(stiffnesses), in_a_row((0.002 * stiffnesses).round(6))
     inverse, none = np.diag(1 / masses), np.zeros((DEGREES, DEGREES))
     A = np.block([[none, np.eye(DEGREES)], [-inverse @ K, -inverse @ C]])
     push, read = np.zeros((2 * DEGREES, 1)), np.zeros((1, 2 * DEGREES))

@@ -55,14 +55,15 @@ def _system() -> "tuple[np.ndarray, np.ndarray, np.ndarray]":
 
     random = np.random.default_rng(1)
     k, c = random.uniform(100, 2000, DEGREES), random.uniform(0, 0.5, DEGREES)
-    return np.diag(random.uniform(1, 3, DEGREES)), _row(c), _row(k)
+    return np.diag(random.uniform(1, 3, DEGREES)), in_a_row(c), in_a_row(k)
 
 
-def _row(weights: "np.ndarray") -> "np.ndarray":
+def in_a_row(weights: "np.ndarray") -> "np.ndarray":
     """The matrix of springs or dampers in a row, the first tied to the ground."""
     import numpy as np
 
-    return np.diag(weights + np.append(weights[1:], 0.0)) - np.diag(weights[1:], 1) - np.diag(weights[1:], -1)
+    beside = np.diag(weights[1:], 1)
+    return np.diag(weights + np.append(weights[1:], 0.0)) - beside - beside.T
 
 
 def _driven(M: "np.ndarray", C: "np.ndarray", K: "np.ndarray", periods: int, runs: int) -> list[float]:

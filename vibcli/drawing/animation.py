@@ -8,7 +8,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.drawing.canvas.primitives import Primitive, extent
 from vibcli.drawing.layout import compose, lettering
 from vibcli.drawing.member_motion import MemberMotion
-from vibcli.drawing.symbols import mode_shape
+from vibcli.drawing.symbols import mode_shape, path
 from vibcli.drawing.vibration import Vibration, caption, magnification, mode, phases, response
 
 if TYPE_CHECKING:
@@ -28,9 +28,9 @@ def of_mode(problem: Any, index: int, normalise: str = "first") -> tuple[list[li
     found = mode(problem, index)
     stage = compose.Scenery(problem.scene)
     vibration = Vibration(problem, index, stage, normalise)
-    angles = phases(FRAMES)
-    frames = _drawn(problem, FRAMES, lambda i: mode_shape.frame(stage, vibration.at(angles[i]), vibration.unit,
-                                                                vibration.room, vibration.bends(angles[i])))
+    angles, still = phases(FRAMES), path.draw(stage)
+    frames = _drawn(problem, FRAMES, lambda i: still + mode_shape.frame(
+        stage, vibration.at(angles[i]), vibration.unit, vibration.room, vibration.bends(angles[i])))
     return frames, caption(found), [f"{i / FRAMES:.2f} T" for i in range(FRAMES)]
 
 
@@ -74,6 +74,8 @@ def _with_members(problem: "Problem", times: "np.ndarray") -> "tuple[list[list[P
     positions = [{**base, **{name: part[i] for name, part in zip(told, parts, strict=True)}}
                  for i in range(len(times))]
     motion = MemberMotion(problem, stage, positions, values, response)
+    if len(times) > 1 and motion.rests and not problem.scene.driven:
+        raise _at_rest()
     words = f"{times[0]:.4g} s to {times[-1]:.4g} s" + (f", displacements × {motion.factor:.3g}"
                                                         if motion.placed else "")
     frames = _drawn(problem, len(times), lambda i: mode_shape.frame(stage, motion.sketches[i], motion.unit, motion.room,
@@ -90,7 +92,7 @@ def of_positions(problem: Any, positions: Sequence[dict[str, float]],
     stage = compose.Scenery(problem.scene)
     sketches, unit, room = response(stage, positions, times)
     if all(one == positions[0] for one in positions) and not problem.scene.driven:
-        raise PhysicsError("this scene stays at rest", "say under `initial` how it starts, or give it a load")
+        raise _at_rest()
     middle = _middle(problem, stage, positions)
     factor = 1.0 if problem.scene.driven else magnification(stage, stage.at(middle), sketches)
     if factor > 1:
@@ -98,8 +100,13 @@ def of_positions(problem: Any, positions: Sequence[dict[str, float]],
         sketches, unit, room = response(stage, positions, times)
     stage.sketch.numbers["magnified"] = factor
     words = f"{times[0]:.4g} s to {times[-1]:.4g} s" + (f", displacements × {factor:g}" if factor > 1 else "")
-    frames = _drawn(problem, len(times), lambda i: mode_shape.frame(stage, sketches[i], unit, room))
+    still = path.draw(stage)
+    frames = _drawn(problem, len(times), lambda i: still + mode_shape.frame(stage, sketches[i], unit, room))
     return frames, words, [f"{t:.4g} s" for t in times]
+
+
+def _at_rest() -> PhysicsError:
+    return PhysicsError("this scene stays at rest", "say under `initial` how it starts, or give it a load")
 
 
 def _middle(problem: "Problem", stage: "Scenery", positions: Sequence[dict[str, float]]) -> dict[str, float]:

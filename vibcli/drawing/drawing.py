@@ -92,7 +92,7 @@ def annotations(stage: Any, found: Any,
         runs, role = _gap(*name, sketch) if isinstance(name, tuple) else (_element(name, sketch), "ink")
         made += [space.put(runs, beside, role)] if runs else []
     made += [space.put(runs, places, "driven") for _, runs, places in shaken if runs]
-    made += _lengths(stage, space)
+    made += _lengths(stage, space, extent(found + made))
     put(_gravity(sketch, found + made))
     return made + notes.lines(stage, found + made)
 
@@ -129,11 +129,11 @@ def contents(spec: Any) -> str:
     return "; ".join(f"{section}: {', '.join(names)}" for section in SHOWN if (names := spec.named.get(section)))
 
 
-def _lengths(stage: "Scenery", space: Space) -> "list[LetterRuns | Primitive]":
+def _lengths(stage: "Scenery", space: Space, box: tuple[float, float, float, float]) -> "list[LetterRuns | Primitive]":
     """Those that have room for their label, the shorter ones nearer to what they measure."""
     found, wanted = [], [*dimension.lengths(stage.sketch), *_lengths_of_members(stage)]
     for length in sorted(wanted, key=lambda length: round(plane.distance(length.one, length.two))):
-        for parts, runs, places in dimension.ways(length, space):
+        for parts, runs, places in dimension.ways(length, space, box):
             space.add(parts)
             label = space.put(runs, places, "measure", most=dimension.ROOM)
             if label is not None:

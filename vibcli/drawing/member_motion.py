@@ -101,6 +101,8 @@ class MemberMotion:
         self.curves = {strip.name: (strip, *_curve(strip, strip.member.signal_stem, values)) for strip in stage.strips}
         self.stretches = {strip.name: _curve(strip, f"{strip.name}.along", values)[1] for strip in stage.strips
                           if strip.member.stretching}
+        histories = [positions, *(rows for _, _, rows in self.curves.values()), *self.stretches.values()]
+        self.rests = all(one == history[0] for history in histories for one in history)
         tops = {kind: max((abs(u) * (BEDDED if strip.bedded else 1.0) for strip, _, rows in self.curves.values()
                            for row in rows for u in row if _kind(strip) == kind), default=0.0)
                 for kind in ("placed", "slides", "turns")}

@@ -1,5 +1,6 @@
 """Places along a member: its ends, steps of section, and all that stands somewhere on it."""
 
+import re
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 ROUNDING = 1e-9         # of the length of a member: places nearer than that are one
+OBLIQUE = re.compile(r"-?(?P<r>[^\W\d]\w*)\*(?P<function>cos|sin)\((?P<angle>[^()]+)\)")     # r*cos(alpha)
 ALIKE = 1e-12           # of the length: what no rounding of places leaves between them
 
 
@@ -48,7 +50,7 @@ def right_text(record: "Record") -> str:
 
 
 def _drawn_length(record: "Record") -> str:
-    """How far the ends of a member lie apart as drawn: one coordinate, or by Pythagoras."""
+    """How far the ends of a member lie apart as drawn: one coordinate, r of r cos α and r sin α, or by Pythagoras."""
     ends: list[list[str]] = [[part.text.strip() for part in record[key]] for key in ("from", "to")]
     if any(len(end) != 2 for end in ends):      # a name that is no point: refused where places are found
         return "0"
@@ -58,7 +60,15 @@ def _drawn_length(record: "Record") -> str:
         return ends[1][apart[0]].removeprefix("-").strip()
     parts = [ends[1][i] if ends[0][i].partition(" ")[0] == "0" else f"{ends[1][i]} - ({ends[0][i]})" for i in apart]
     squares = [f"{part}^2" if part.isidentifier() else f"({part})^2" for part in parts]
-    return f"sqrt({' + '.join(squares)})"
+    return _radius(parts) or f"sqrt({' + '.join(squares)})"
+
+
+def _radius(parts: list[str]) -> str | None:
+    """r of r cos α and r sin α, in either order."""
+    found = [one.group("r", "angle", "function") for one in map(OBLIQUE.fullmatch, parts) if one]
+    if len(found) == 2 and found[0][:2] == found[1][:2] and found[0][2] != found[1][2]:
+        return str(found[0][0])
+    return None
 
 
 def asked_places(name: str, spec: "Spec") -> "Iterator[Any]":

@@ -77,8 +77,8 @@ class PlaceSignal(NamedTuple):
         return spread + self.segment.inertia * line.seen(*scene.gravity)[0 if self.member.lengthwise else 1]
 
     def uneven(self, scene: "Scene") -> "list[SpreadLoad]":
-        """The SpreadLoads along its piece that are not the same all along."""
-        return [load for load in self._spread(scene) if not load.even]
+        """The SpreadLoads along its piece that are not the same all along, of which a part is steady."""
+        return [load for load in self._spread(scene) if not (load.even or load.q.is_zero)]
 
     def _spread(self, scene: "Scene") -> "list[SpreadLoad]":
         middle = scene.number(self.left.place + self.right.place) / 2

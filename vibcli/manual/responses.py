@@ -40,11 +40,15 @@ RESPONSE = [
          "members, the same sum runs over damped modes, each with its own complex frequency, as many of them as the "
          "argument principle counts in a circle; of those that are one or nearly so, as at critical damping, the "
          "mean over a circle about them. What those left out add to displacements and slopes, and to rates of what "
-         "has mass, is bounded by the energy that each jump or bend of forces at places, each blow on a mass, or the "
-         "start leaves them, which never grows. Of moments, forces and other rates, and with drag, loads along "
-         "members, driven ends, blows on what has no mass, or a start in a field beside modes that are one, it is "
-         "estimated from how amplitudes fall; reports, `check` and `--json` say so. A damper of √(Nμ) beside drag is "
+         "has mass, is bounded by the energy that each jump or bend of loads at places and along members, each bend of "
+         "the way of a driven end, each blow on a mass, or the start leaves them, which never grows; of moments, "
+         "forces and other rates too where loads begin smoothly. Else, and with driven ends that jump, blows on what "
+         "has no mass, or a start in a field beside modes that are one, it is estimated from how amplitudes fall; reports, `check` and `--json` say so. A damper of √(Nμ) beside drag is "
          "refused, as no wave comes back from it."),
+        ("not known", "A number whose error has a bound, certain or estimated, as large as all that its signal becomes "
+         "is not told: reports say `not known` and why, `--json` gives null and the reason, files leave such samples "
+         "blank, and `check` finds no answer. A value next to a passage through zero is told, and so is what stays at "
+         "zero while others of its kind move."),
         ("full", "`motion: full`: the full equations, integrated, for wide swings, laws, dry friction, stops, slack. "
          "Events and the balance of the energies are printed; a motion whose energies do not balance to 1e-8, or to "
          "the accuracy that is asked, is refused. It is found twice, by rules of another order or by longer steps, and "
@@ -180,16 +184,18 @@ STEPS = [
          "them, and where small oscillations are not told element by element: places, speeds, T, V, Φ, virtual "
          "work and Lagrange's derivatives unexpanded, of closed loops with multipliers; then the equations to the "
          "first order from rest"),
-        ("frequencies", "ω² and ω with numbers put in, δ, ζ, ω_d; of two coordinates det(K − ω²M) = 0, with iωG where "
-         "frames turn, its coefficients and roots, ratios of amplitudes, modal masses and normal coordinates; whether "
-         "damping is proportional; roots with damping; where they are asked, bounds by assumed shapes, by Rayleigh and "
-         "by Dunkerley"),
-        ("motion", "of one coordinate the constants from `initial`, and what loads bring about: X and θ under one "
-         "harmonic or several, from the complex equation; the first harmonics of a square or sawtooth wave; steps, "
-         "ramps and impulses piece by piece from rest; what follows a growing load. Of several the complex amplitudes "
-         "under each harmonic, of two and three by determinants of K − Ω²M + iΩC; of two or three what each mode "
+        ("frequencies", "ω² and ω with numbers put in, δ, ζ, ω_d; of two coordinates det(K − ω²M) = 0 by its entries "
+         "and by powers, with iωG where frames turn, its coefficients and roots, ratios of amplitudes, modal masses "
+         "and normal coordinates; whether damping is proportional; roots with damping; where they are asked, shapes of "
+         "damped modes, bounds by assumed shapes, by Rayleigh and by Dunkerley"),
+        ("motion", "of one coordinate the constants from `initial` and the motion with their numbers, and what loads "
+         "bring about: X and θ under one harmonic or several, from the complex equation; the first harmonics of a "
+         "square or sawtooth wave; steps, ramps and impulses piece by piece; what follows a growing load. Of several "
+         "the complex amplitudes under each harmonic, of two and three by determinants of K − Ω²M + iΩC; of two or "
+         "three what each mode "
          "starts with, a complex one where damping couples them, and their sum, under one harmonic beside what it "
-         "keeps up, beats as a product; where they are asked, points of a response that the one damper of two degrees "
+         "keeps up, beats as a product; loads in pieces by what each brings about in a mode, others by the integral of "
+         "their impulses; where they are asked, points of a response that the one damper of two degrees "
          "does not move."),
         ("wide motions", "of one coordinate that keeps its energy: the integral ½ m q̇² + V = E, where it turns, its "
          "greatest speed and its period; under dry friction the half cycles until it rests"),

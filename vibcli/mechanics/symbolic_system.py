@@ -204,14 +204,26 @@ class SymbolicSystem:
 
     @cached_property
     def reactions(self) -> "SymbolicForces":
-        """The SymbolicForces in equilibrium, of a scene whose equilibrium is the drawn position; else NotInLetters."""
+        """The SymbolicForces in equilibrium, of a scene whose equilibrium is known in letters; else NotInLetters."""
         from vibcli.mechanics.inputs_outputs.symbolic_reactions import symbolic_forces
 
-        if not self.scene.held and (self.system.sticking is not None or not self.balanced_as_drawn):
-            raise NotInLetters("reactions in an equilibrium that is not the drawn position are found in numbers",
-                               "draw it in equilibrium, or give numbers with --set")
+        if not self.scene.held and self.system.sticking is not None:
+            raise NotInLetters("reactions where friction holds a scene are found in numbers", "give numbers with --set")
         with self.work.task("the reactions in letters"):
-            return symbolic_forces(self.numeric)
+            return symbolic_forces(self.numeric, place=self.place_of_rest)
+
+    @cached_property
+    def place_of_rest(self) -> "dict[str, Node]":
+        """{coordinate: expression} of the equilibrium, of what follows from the others too; nothing where that is the
+        drawn position; else NotInLetters."""
+        if self.scene.held or self.balanced_as_drawn:
+            return {}
+        if self.scene.hidden:
+            raise NotInLetters("reactions where members are deflected at rest are found in numbers",
+                               "draw it in equilibrium, or give numbers with --set")
+        scene, place = self.scene, self.equilibrium_position
+        at = {q: place[q.name] for q in scene.q}
+        return place | dict(zip(scene.dependent, substitute(list(scene.dependent.values()), at), strict=True))
 
     @cached_property
     def accelerations(self) -> Any:

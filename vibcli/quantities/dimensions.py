@@ -1,14 +1,14 @@
 """The dimension of a quantity, and of a signal: an expression of coordinates, signals and parameters."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 from vibcli.quantities.quantity import SIGNAL, about_which, declared, is_choice, quantity_of
 from vibcli.symbolic.semantics import DimensionCheck
-from vibcli.symbolic.syntax import ExpressionError, QuantityRef
+from vibcli.symbolic.syntax import ExpressionError, NameRef, QuantityRef
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Container, Mapping
     from fractions import Fraction
 
     from vibcli.language.reader import Expression
@@ -47,7 +47,17 @@ def unit_of(spec: "Spec", asked: "Expression") -> str:
         return ""
     found = spec.dimensions.resolve(dimension)
     angle = quantity is not None and (quantity.unit == SIGNAL or tree.head == "equilibrium")
-    return ("rad" if angle else "1") if found == {} else units.text(found)
+    return ("rad" if angle else "1") if found == {} else text_of(found, tree, spec.parameters)
+
+
+def text_of(dimension: "Mapping[str, Fraction | int]", tree: Any, names: "Container[str]" = ()) -> str:
+    """The SI unit of a signal or quantity of this dimension, J of an energy and N·m of a moment; `names`: those of
+    parameters."""
+    while isinstance(tree, QuantityRef) and tree.args:
+        tree = tree.args[0]
+    name = tree.head if isinstance(tree, QuantityRef) else tree.name if isinstance(tree, NameRef) else ""
+    is_energy = name.endswith(".energy") or (name in ("T", "V") and name not in names)
+    return "J" if is_energy and dimension == units.ENERGY else units.text(dimension)
 
 
 def checker(spec: "Spec", text: str = "") -> DimensionCheck:

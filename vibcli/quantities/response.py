@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from math import isfinite
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.base.errors import PhysicsError
 from vibcli.quantities.quantity import (
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.syntax import SyntaxTree
 
 ALONG = ("value", "max", "min", "argmax", "argmin", "zero")     # along motions that are integrated
+LOOKS = 4       # at a signal that may be constant
 
 
 def _measured(number: Callable[..., Any]) -> "Callable[[Problem, QuantityRef, Sequence[Any]], tuple[float, float]]":
@@ -40,15 +41,30 @@ def _measured(number: Callable[..., Any]) -> "Callable[[Problem, QuantityRef, Se
                 return found, 0.0
             kind = problem.response_of(tree).KIND
             if kind in EXACT or (kind == "series" and tree.head in ALONG):
-                error = relative(found, off())
-            else:
-                error = max(ERROR, _doubt(problem, tree, found, off))
-            return settled(problem, tree, args, found, error)
+                lost = off()
+                value, error = settled(problem, tree, args, found, relative(found, lost))
+                if value is found:
+                    _require_digit(problem, tree, args, found, lost)
+                return value, error
+            return settled(problem, tree, args, found, max(ERROR, _doubt(problem, tree, found, off)))
         except PhysicsError as error:
             if error.hint and "(x)" in error.hint:
                 raise error.told(hint=error.hint.replace("(x)", f"({_found(problem, tree)})")) from None
             raise
     return value
+
+
+def _require_digit(problem: "Problem", tree: QuantityRef, args: Sequence[Any], found: float, off: float) -> None:
+    """NoDigit of a number that may be off by as much as numbers of its kind become."""
+    from vibcli.results.known_digits import require_digit, size_of
+
+    if off < abs(found) or not off:
+        return
+    signal, quantity = _signal(problem, tree), declared(tree)
+    of_signal = quantity.unit == SIGNAL
+    size = size_of(signal, args[1] if tree.head == "value" else _end(problem, tree)) if of_signal else quantity.size(
+        problem, tree)
+    require_digit(found, off, size, signal.MORE, "value" if of_signal else "number")
 
 
 def relative(value: float, off: float) -> float:
@@ -64,14 +80,12 @@ def _doubt(problem: "Problem", tree: QuantityRef, value: float, off: Callable[..
     if problem.response.KIND != "full":
         return 0.0
     if tree.head == "period":
-        found: float = problem.response.period(tree.args[0])[1]
-        return found
+        return cast("float", problem.response.period(tree.args[0])[1])
     if not problem.response.integrated:
         return 0.0
     if tree.head in ALONG:
         return off() / (abs(value) or 1e-300)
-    result: float = problem.response.reaching(problem.response.known).shared.of_state(problem.response.known)
-    return result
+    return cast("float", problem.response.reaching(problem.response.known).shared.of_state(problem.response.known))
 
 
 def _found(problem: "Problem", tree: QuantityRef) -> str:
@@ -95,8 +109,7 @@ def _is_found(problem: "Problem", arg: "SyntaxTree") -> bool:
 
 
 def _signal(problem: "Problem", tree: QuantityRef) -> "Signal":
-    found: Signal = problem.response_of(tree).signal(tree.args[0])
-    return found
+    return cast("Signal", problem.response_of(tree).signal(tree.args[0]))
 
 
 def at_instant(signal: Any, time: float) -> float:
@@ -136,11 +149,21 @@ def _of_what_changes(tree: QuantityRef, signal: Any, until: float, instant: floa
     """The bound of an instant, if the signal has one that stands out."""
     from vibcli.results.escalation import is_constant
 
-    error: float = signal.error_of_time(instant)
-    if error >= until and is_constant(*(signal.bounded_extreme(0.0, until, sense) for sense in (1, -1))):
+    error = signal.error_of_time(instant)
+    at_an_end = instant in (0.0, until)     # exact; of what does not change rounding may tell one
+    still = _looks_still(signal, until) if at_an_end else error >= until
+    if still and is_constant(*(signal.bounded_extreme(0.0, until, sense) for sense in (1, -1))):
         raise PhysicsError(f"'{tree.text.partition('(')[2].removesuffix(')')}' does not change: no instant of it "
                            "stands out", "ask for max(x)")
     return error
+
+
+def _looks_still(signal: Any, until: float) -> bool:
+    """Is it the same but for rounding at several instants?"""
+    from vibcli.results.escalation import FLAT
+
+    seen = [at_instant(signal, until * k / LOOKS) for k in range(LOOKS + 1)]
+    return max(seen) - min(seen) <= FLAT * max(map(abs, seen))
 
 
 def _final(problem: "Problem", tree: QuantityRef, args: Sequence[Any]) -> tuple[float, Callable[[], float]]:
@@ -161,16 +184,13 @@ def _small(name: str) -> "Callable[[Problem, QuantityRef, Sequence[Any]], tuple[
     def number(problem: "Problem", tree: QuantityRef, args: "Sequence[Any]") -> "tuple[float, Callable[..., float]]":
         from vibcli.quantities import small_motion
 
-        found: tuple[float, Callable[..., float]] = getattr(small_motion, name)(problem, tree, args)
-        return found
+        return cast("tuple[float, Callable[..., float]]", getattr(small_motion, name)(problem, tree, args))
     return number
 
 
 def _overshoot(problem: "Problem", tree: QuantityRef, args: Sequence[Any]) -> tuple[float, Callable[[], float]]:
-    import numpy as np
-
     signal = _signal(problem, tree)
-    start, (final, error_of_final) = signal.values(np.array([0.0]))[0], _limit(problem, tree, signal)
+    start, (final, error_of_final) = at_instant(signal, 0.0), _limit(problem, tree, signal)
     if final == start:
         raise PhysicsError("the signal ends where it starts: it has no overshoot", "ask for max(x)")
     sense = 1 if final > start else -1
@@ -180,8 +200,7 @@ def _overshoot(problem: "Problem", tree: QuantityRef, args: Sequence[Any]) -> tu
 
     def off() -> float:
         last, high = error_of_final(), signal.error_of_extreme(0.0, until, (instant, top), sense)
-        result: float = (high + last + found * (signal.error(0.0) + last)) / abs(final - start)
-        return result
+        return cast("float", (high + last + found * (signal.error(0.0) + last)) / abs(final - start))
 
     return found, off
 
@@ -201,8 +220,7 @@ def _zero(problem: "Problem", tree: QuantityRef, args: Sequence[Any]) -> tuple[f
 
 
 def _end(problem: "Problem", tree: QuantityRef) -> float:
-    found: float = problem.response_of(tree).until
-    return found
+    return cast("float", problem.response_of(tree).until)
 
 
 def _size(problem: "Problem", tree: QuantityRef) -> float:
@@ -221,16 +239,14 @@ def _size(problem: "Problem", tree: QuantityRef) -> float:
         end = max(number_of(problem, tree.args[1]), 1.0)
     signal = response.signal(tree.args[0])
     signal = signal.steady if response.KIND == "steady" else signal
-    found: float = max(abs(signal.extreme(0.0, end, sense)[1]) for sense in (1, -1))
-    return found
+    return cast("float", max(abs(signal.extreme(0.0, end, sense)[1]) for sense in (1, -1)))
 
 
 def _in_letters(name: str) -> "Callable[[Problem, QuantityRef], Node]":
     def symbolic(problem: "Problem", tree: QuantityRef) -> "Node":
         from vibcli.quantities import responses_in_letters
 
-        found: Node = getattr(responses_in_letters, name)(problem, tree)
-        return found
+        return cast("Node", getattr(responses_in_letters, name)(problem, tree))
     return symbolic
 
 

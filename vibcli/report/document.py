@@ -23,8 +23,9 @@ if TYPE_CHECKING:
 EVERYTHING = ("given", "chosen", "coordinates", "equilibrium", "virtual_work", "energies", "equations", "matrices",
               "accelerations", "frequency_equation", "frequencies", "damping", "modes", "free_motion", "kept_up")
 
-# sections of formulas, in which the numbers of the file keep their units
-MEASURED = {"virtual_work", "energies", "equations", "matrices", "frequencies", "damping", "modes"}
+# sections of formulas, in which the numbers of the file keep their units; of modes they tell none beside members
+MEASURED = {"equilibrium", "reactions", "virtual_work", "energies", "equations", "matrices"}
+OF_MODES = {"frequencies", "damping", "modes"}
 
 NAMED = re.compile(r"(?<![\w.\[])((?<!')[^\W\d]\w*'*|(?<=')[^\W\d]\w*)(?![\w\[(]|\.\w)")  # in quotes it has no primes
 
@@ -46,7 +47,8 @@ class Report:
         if name == "chosen" and self.problem.choice is None:
             return
         write = getattr(import_module(f"vibcli.report.sections.{SECTIONS[name][0]}"), name)
-        problem = self._measured if name in MEASURED else self.problem
+        measured = name in MEASURED or (name in OF_MODES and not self.problem.scene.pieces)
+        problem = self._measured if measured else self.problem
         try:
             for found in write(problem, self):
                 self.sections.append(explained(found))

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 def with_units(problem: "Problem") -> "Problem":
     """The same with letters for the units of numbers that stand in its expressions, which are printed beside these."""
-    if not problem.scene.table.hidden or problem.scene.table.dimension is None or problem.scene.pieces:
+    if not problem.scene.table.hidden or problem.scene.table.dimension is None:
         return problem
     from vibcli.language.units_as_letters import with_unit_letters
 

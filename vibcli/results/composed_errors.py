@@ -43,17 +43,16 @@ def spread(function: Callable, values: "Mapping[str, np.ndarray]", errors: "Mapp
     return np.where(np.isnan(found), np.inf, found)
 
 
-def of_value(signal: "ComposedSignal", t: float) -> float:
-    """Of a composed signal at an instant."""
+def of_value(signal: "ComposedSignal", t: float, errors: "dict[str, float]") -> float:
+    """Of a composed signal at an instant, of whose parts each is off by its error."""
     import numpy as np
 
     at = np.array([t])
-    parts = {**signal.signals, **(signal.closing.free if signal.closing is not None else {})}
-    values = {name: float(one.values(at)[0]) for name, one in parts.items()}
-    errors = {name: one.error(t) for name, one in parts.items()}
+    values = {name: float(one.values(at)[0]) for name, one in signal.parts.items()}
     numbers = {name: value for name, value in signal.floats.items() if isinstance(value, float)
                and any(symbol == name for symbol in signal.names)}
-    errors |= dict.fromkeys(numbers, 0.0) | ({signal.time.name: 0.0} if signal.node.mask & signal.time.mask else {})
+    exact = [*numbers, *([signal.time.name] if signal.node.mask & signal.time.mask else [])]
+    errors = errors | dict.fromkeys(exact, 0.0)
 
     def function(known):
         return signal.composed(at, {name: np.array([x]) for name, x in known.items()})[0]

@@ -26,16 +26,17 @@ class ComposedOfModes(ComposedSignal):
     """A function of ModalSignals and perhaps of others."""
 
     KIND = "a signal composed of others of a motion that is followed by modes of members"
+    LOOKED = ModalSignal.LOOKED
     signals: Any
     _cells: "dict[tuple, tuple[np.ndarray, np.ndarray, np.ndarray]] | None" = None
 
     def __init__(self, node: "Node", signals: "Mapping[str, Any]", floats: "Mapping[str, Any]", time: "Node",
                  work: "Work | None" = None, asked: tuple = ()):
         super().__init__(node, signals, floats, time, None, work)
-        self._asked = asked
+        self.asked = asked
 
     def read_at(self, t: float) -> Signal:
-        return by_waves(self, self._asked, t)
+        return by_waves(self, self.asked, t)
 
     def error_of_time(self, t: float) -> float:
         near = self.values(np.array([t * (1 - 1e-6), t, t * (1 + 1e-6)]))

@@ -63,6 +63,8 @@ def finest(response: "ModalResponse", motion: "ModalMotion", output: "LinearOutp
             break
         if not less < share:
             break
+        if not less:        # as exponentials of what is left out underflow
+            return further
         power = log(share / less) / log(further.count / motion.count)
         motion, share = further, less
         count = min(ceil(MARGIN * motion.count * (share / small) ** (1 / power)), limit)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.work import Spent
+from vibcli.results.known_digits import require_value
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -29,6 +30,10 @@ class BoundedExtreme(NamedTuple):
     error_of_time: float
     error: float
 
+    def tells_instant(self, length: float) -> bool:
+        """Is the instant known at all, of so long a time?"""
+        return self.error_of_time < length
+
 
 def is_constant(largest: Any, smallest: Any) -> bool:
     """Do the BoundedExtremes of a signal tell no more of its change than what rounds? No words in their stead do."""
@@ -46,7 +51,7 @@ def value_of_signal(signal: "Signal", t: "Fraction | float") -> tuple[float, flo
     value, error = float(signal.values(np.array([at]))[0]), signal.error(at)
     size = _exceeded(signal, at, value, error)
     if size is None:
-        return value, error
+        return _known(signal, at, value, error)
 
     def finer():
         from fractions import Fraction
@@ -57,7 +62,13 @@ def value_of_signal(signal: "Signal", t: "Fraction | float") -> tuple[float, flo
         return float(value_when(signal, lambda: real(Fraction(t)), DIGITS, MOST, size))
 
     found = _found(finer)
-    return (value, error) if found is None else (found, ROUNDED * abs(found) + size * 10.0**-DIGITS)
+    return _known(signal, at, value, error) if found is None else (found, ROUNDED * abs(found) + size * 10.0**-DIGITS)
+
+
+def _known(signal, t, value, error):
+    """Both, where they tell a digit."""
+    require_value(signal, t, value, error)
+    return value, error
 
 
 def extreme_of_signal(signal: "Signal", start: float, end: float, sense: int) -> BoundedExtreme:
@@ -72,6 +83,7 @@ def extreme_of_signal(signal: "Signal", start: float, end: float, sense: int) ->
         if found is not None:
             time, value = map(float, found)
             return BoundedExtreme(time, value, ROUNDED * time, ROUNDED * abs(value))
+    require_value(signal, end, value, error)
     return BoundedExtreme(time, value, signal.error_of_time(time), error)
 
 

@@ -10,6 +10,7 @@ from vibcli.language.signal_names import LEFT_OF, signal_name
 from vibcli.mechanics.internal_forces import InternalForce, forces_within
 from vibcli.mechanics.rest_curves import curves_at_rest
 from vibcli.numerics.stretches import PARTS, CurveStretch, kept
+from vibcli.results.known_digits import require_value
 from vibcli.symbolic.syntax import NameRef, QuantityRef
 
 if TYPE_CHECKING:
@@ -56,7 +57,12 @@ def forces_in_time(problem: "Problem", instant: float) -> tuple[list[InternalFor
             lambda names, places: np.array([float((signal(one) if x in between else beside(x)).values(at)[0])
                                             for one, x in zip(names, places.tolist(), strict=True)]))
 
-    return _of_signals(problem, values, lambda name: signal(name).error(instant))
+    def require(force):
+        for stretch in force.stretches:
+            x = (stretch.start + stretch.end) / 2
+            require_value(signal(f"{force.member}.{force.part}({x!r} m)"), instant, force.largest, force.error(x))
+
+    return _of_signals(problem, values, lambda name: signal(name).error(instant), require)
 
 
 def _beside(problem, name, signal, between):
@@ -106,8 +112,9 @@ def _one_by_one(value):
     return values
 
 
-def _of_signals(problem, values, error):
-    """Those whose values signals tell: values(name of one, stations it lies between) → (names, places) → values."""
+def _of_signals(problem, values, error, require=None):
+    """Those whose values signals tell: values(name of one, stations it lies between) → (names, places) → values;
+    require: refuses one of which no digit is known."""
     scene, found, refused = problem.scene, [], []
     for name, member, part in forces_within(scene):
         length, stations = scene.number(member.length), [scene.number(one.place) for one in member.stations]
@@ -117,6 +124,8 @@ def _of_signals(problem, values, error):
             stretches = [_of_signal(signal, between, values) for between in pairwise(stations)]
             force = InternalForce(name, part, stretches, lambda x, signal=signal: error(f"{signal}({x!r} m)"))
             force.largest       # noqa: B018 - refused where it is not found
+            if require is not None:
+                require(force)
             found.append(force)
         except PhysicsError as refusal:
             refused.append((f"{part} of {name}", refusal))

@@ -15,18 +15,22 @@ if TYPE_CHECKING:
     from vibcli.analyses.continuous.modal_motion import ModalMotion
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
+SAMPLES, ZERO = 65, 1e-3        # of what is alike on members: a bound as small tells a zero
 SHARES = 1 / 64, 1 / 16, 1 / 4      # of the time in which zeros are looked for
 
 
 class ModalSignal(Signal):
     """A linear output of a ModalMotion; asked: the response and the tree that it was asked as; finest(motion, output):
-    the motion that instants are read of."""
+    the motion that instants are read of; whole: the signal that it is an instant of."""
 
     KIND = "a motion that is followed by modes of members"
+    LOOKED = 32
+    MORE = "let loads rise within a time; bounds of displacements are smaller than those of forces and rates"
 
     def __init__(self, motion: "ModalMotion", output: "LinearOutput", asked: tuple = (),
-                 finest: "Callable | None" = None):
+                 finest: "Callable | None" = None, whole: "ModalSignal | None" = None):
         self.modal, self.reads, self.work, self.asked, self._finest = motion, output, motion.work, asked, finest
+        self._whole = whole
         self._tops: dict[tuple, tuple[ModalMotion, tuple[float, float]]] = {}
         self._of_waves: dict[tuple[float, float], Signal] = {}      # tops that waves tell
 
@@ -34,7 +38,11 @@ class ModalSignal(Signal):
         found = by_waves(self, self.asked, t)
         if found is not self or self._finest is None:
             return found
-        return ModalSignal(self._finest(self.modal, self.reads, t), self.reads)
+        return ModalSignal(self._finest(self.modal, self.reads, t), self.reads, whole=self)
+
+    @property
+    def whole(self) -> Signal:
+        return self._whole or self
 
     @property
     def coarse(self) -> Signal:
@@ -66,6 +74,16 @@ class ModalSignal(Signal):
     @property
     def is_estimated(self) -> bool:
         return self.modal.is_estimated(self.reads)
+
+    def told_zero(self, t: float) -> float:
+        """A share of what is alike elsewhere on the members."""
+        import numpy as np
+
+        from vibcli.analyses.continuous.modal_reads import elsewhere
+
+        times = np.linspace(0.0, t, SAMPLES)
+        return ZERO * max((float(np.abs(self.modal.values(one, times)).max())
+                           for one in elsewhere(self.reads, self.modal.transfer.pieces)), default=0.0)
 
     def error_of_mean(self, start: float, end: float) -> float:
         """Of its mean: what modes left out add are free vibrations on each stretch, |∫ e^{λt} dt| ≤ 2/|λ|; of what is

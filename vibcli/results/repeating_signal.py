@@ -70,6 +70,9 @@ class RepeatingSignal(Signal):
     def error(self, t: float) -> float:
         return self.signal.error(float(self._late(t))) + self.left
 
+    def told_zero(self, t: float) -> float:
+        return self.signal.told_zero(self.start + self.period)
+
     @property
     def is_estimated(self) -> bool:
         return self.signal.is_estimated

@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.excitation.linear_output import LinearOutput, combined
 from vibcli.language.signals import ENERGIES
+from vibcli.results.closing import Closing
 from vibcli.results.given_start import check_start
 from vibcli.results.response import Response
-from vibcli.results.signals import Closing, ComposedSignal, LinearSignal
+from vibcli.results.signals import ComposedSignal, LinearSignal
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable

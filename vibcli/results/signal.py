@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
+from math import inf
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
@@ -13,6 +14,9 @@ if TYPE_CHECKING:
     import numpy as np
 
     from vibcli.results.escalation import BoundedExtreme
+
+
+AT_ONCE = "small", "modes", "parts"     # motions whose end costs no more than any instant
 
 
 def require_finite(values: "np.ndarray", times: "np.ndarray") -> "np.ndarray":
@@ -31,7 +35,10 @@ class Signal:
     """A function of the time. What a kind of signal does not have is refused by the name of that kind."""
 
     KIND, period = "a signal", None
+    MORE = "ask for an earlier instant"     # of which digits may be known where none is
+    LOOKED = 0      # parts of the time of samples, at whose ends it is looked whether they are known
     source: tuple = ()
+    asked: tuple = ()
     values: Callable[..., "np.ndarray"]
     extreme: Callable[..., tuple[float, float]]
     zeros: "Callable[[float, float], Sequence[float]]"
@@ -128,6 +135,22 @@ class Signal:
     def error(self, t: float) -> float:
         """How far its value at an instant may be off; 0 where that is rounding."""
         return 0.0
+
+    def told_zero(self, t: float) -> float:
+        """The bound below which a signal is told to be zero up to an instant, whatever its own size: where errors are
+        those of rounding alone any is."""
+        return inf
+
+    @property
+    def whole(self) -> "Signal":
+        """The signal that tells how large it becomes."""
+        return self
+
+    @property
+    def end(self) -> float | None:
+        """That of the motion it is read off, where this is followed at once [s]."""
+        response = next(iter(self.source or self.asked), None)
+        return response.until if response is not None and response.KIND in AT_ONCE else None
 
     @property
     def is_estimated(self) -> bool:

@@ -3,7 +3,7 @@ that are composed of them."""
 
 from collections.abc import Mapping
 from functools import cached_property
-from math import tau
+from math import inf, tau
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
@@ -12,7 +12,6 @@ from vibcli.results.signal import Signal, part_of, require_finite
 from vibcli.symbolic.evaluation import evaluate
 
 if TYPE_CHECKING:
-    import mpmath
     import numpy as np
 
     from vibcli.analyses.excitation.linear_output import LinearOutput
@@ -28,6 +27,8 @@ EQUAL = 1e-12       # relative distance of periods that are one
 class LinearSignal(Signal):
     """A linear output of a linear motion. part: "steady" or "transient" where it is that of another; source: the
     response and the tree it was asked as, and the parts of that which it is."""
+
+    LOOKED = 1
 
     def __init__(self, motion: "LinearMotion", output: "LinearOutput", part: str = "", source: tuple = ()):
         self.motion, self.output, self.part, self.source = motion, output, part, source
@@ -54,6 +55,12 @@ class LinearSignal(Signal):
         from vibcli.results.feature_errors import final
 
         return final(self)
+
+    def told_zero(self, t: float) -> float:
+        """What rounds of coordinates as large as the largest of them."""
+        from vibcli.results.known_digits import rounding_of_terms
+
+        return rounding_of_terms(self.motion, self.output, t)
 
     def along(self, end: float) -> "Leaf":
         from vibcli.analyses.transient.composition import Leaf
@@ -113,26 +120,10 @@ class LinearSignal(Signal):
         return harmonics(self)
 
 
-class Closing:
-    """Coordinates that close loops, as functions of the time: of the free ones, whose signals are {name: signal}."""
-
-    def __init__(self, loops: Any, rest: "Mapping[str, float | mpmath.mpf]", free: Any):
-        self.loops, self.rest, self.free = loops, rest, free
-
-    def values(self, times: Any, known: Any) -> "dict[str, np.ndarray]":
-        """{name: array}, `known` being the values of parameters and of the time, and of free coordinates perhaps."""
-        free = {name: one.values(times) for name, one in self.free.items() if name not in known}
-        found = self.loops.along(self.rest, {**known, **free})
-        if found is None:
-            raise PhysicsError("the loops of this scene cannot close along its small oscillations",
-                               "mind how large they are, or write motion: full")
-        return found
-
-
 class ComposedSignal(Signal):
     """A function of signals, instant by instant; `node` in symbols that `signals` names, and in the time."""
 
-    KIND = "a signal composed of others"
+    KIND, LOOKED, MORE = "a signal composed of others", 1, "ask for its parts"
 
     def __init__(self, node: "Node", signals: Mapping[str, LinearSignal], floats: Mapping[str, Any], time: "Node",
                  closing: Any = None, work: Work | None = None, source: tuple = ()):
@@ -171,7 +162,19 @@ class ComposedSignal(Signal):
     def error(self, t: float) -> float:
         from vibcli.results.composed_errors import of_value
 
-        return of_value(self, t)
+        return of_value(self, t, {name: one.error(t) for name, one in self.parts.items()})
+
+    def told_zero(self, t: float) -> float:
+        """What its parts make of it that are as large as what is told to be zero of them."""
+        from vibcli.results.composed_errors import of_value
+
+        zeros = {name: one.told_zero(t) for name, one in self.parts.items()}
+        return inf if inf in zeros.values() else of_value(self, t, zeros)
+
+    @property
+    def parts(self) -> "dict[str, Signal]":
+        """The signals that it is a function of, those that close loops too."""
+        return {**self.signals, **(self.closing.free if self.closing is not None else {})}
 
     def error_of_time(self, t: float) -> float:
         from vibcli.results.composed_errors import of_instant

@@ -393,8 +393,32 @@ def test_the_response_of_a_scene(kind):
 
 
 def test_a_scene_at_rest_is_not_animated():
-    with pytest.raises(PhysicsError, match="stays at rest"):
-        animation.of_response(problem(BLOCK))
+    sagging = "parameters: {L: 1 m, EI: 9 N*m^2, mu: 1 kg/m, q: 3 N/m}\n" \
+        "beams: {b: {length: L, EI: EI, mass_per_length: mu, left: clamped}}\n" \
+        "forces: {f: {body: b, per_length: q}}\n"
+    for text in (BLOCK, sagging):
+        with pytest.raises(PhysicsError, match="stays at rest"):
+            animation.of_response(problem(text))
+
+
+@pytest.mark.parametrize("frames", [
+    lambda given: [mode_shape.draw(given, 1)], lambda given: animation.of_mode(given, 1)[0][::12],
+    lambda given: animation.of_response(given)[0][::12]])
+def test_a_particle_on_a_curve_is_seen_on_it_in_motion_too(frames):
+    given = problem("""
+        coordinates: {s: m}
+        parameters: {m: 1 kg, a: 1 m, g: 9.81 m/s^2}
+        gravity: g
+        bodies: {p: {mass: m, at: [0, 0], move: {by: [s, s^2/(2*a), 0]}}}
+        initial: {s: 0.2 m}
+    """)
+    for drawn in frames(given):
+        path, = [part.points for part in drawn if isinstance(part, Polyline) and part.dashed]
+        left, bottom, right, top = plane.bounds([p for part in drawn if isinstance(part, (Polygon, Circle))
+                                                 and part.fill == "body" for p in part.points])
+        ball = plane.middle((left, bottom), (right, top))
+        near = [plane.distance(ball, plane.nearest_on(ball, *stretch)) for stretch in pairwise(path)]
+        assert path[0][0] < ball[0] < path[-1][0] and min(near) < 0.5
 
 
 def test_large_animations_lose_frames(monkeypatch):

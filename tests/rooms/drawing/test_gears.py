@@ -1,10 +1,13 @@
 """Gears and racks of bodies without a place: those that turn against each other in a fixed ratio mesh."""
 
 from math import pi
+from pathlib import Path
 
 import pytest
-from support.scenes import problem
+from support.overlaps import cross
+from support.scenes import kept_drawing_of, problem
 
+from vibcli.drawing.canvas.primitives import Polyline
 from vibcli.drawing.drawing import draw
 from vibcli.drawing.layout import compose, gears, lumped, plane
 from vibcli.drawing.layout.lumped_place import LumpedPlace
@@ -146,3 +149,11 @@ def test_a_spring_that_is_stretched_otherwise_than_drawn_is_told_so(stretch, tol
     notes = ["".join(run.text for run in part.runs) for part in figure if part.role == "note"]
     assert any(part.role == "spring" for part in figure) and bool(notes) is told
     assert notes in ([], ["s: 30 N/m on 2x"])
+
+
+def test_the_rope_of_a_drum_crosses_no_shaft():
+    drawn = kept_drawing_of(Path(__file__).parents[3] / "vibcli/examples/geared_hoist.yaml")
+    rope, = [part.points for part in drawn if part.role == "rope"]
+    others = [part.points for part in drawn if isinstance(part, Polyline) and part.role != "rope"]
+    away = plane.plus(*rope[:1], plane.minus(rope[1], rope[0]), 0.05), plane.plus(*rope[1:], (0.0, 1.0))
+    assert len(others) > 5 and not [stroke for stroke in others if cross(away, stroke)]

@@ -23,9 +23,10 @@ strings: {s: {from: [0, 0], to: TO, preload: T, mass_per_length: mu, left: clamp
 @pytest.mark.parametrize(("scene", "deflects"), [
     (STRING.replace(", q: 20 N/m", ""), False), (STRING + "forces: {f: {body: s, per_length: -q}}\n", True),
     (STRING + "forces: {f: {body: s, per_length: q*sin(2*pi*x/L)}}\n", True),
+    (STRING + "forces: {f: {body: s, per_length: q*sin(2*pi*x/L)*cos(3 rad/s*t)}}\n", False),
     (HUNG.replace("TO", "[L, 0]"), True), (HUNG.replace("TO", "[0, -L]"), False)])
 def test_members_that_deflect_at_rest_are_said_to(scene, deflects):
-    """By its weight, an even and an uneven load; not as it hangs along its weight."""
+    """By its weight, an even and an uneven load; not by one without a steady part, nor as it hangs along its weight."""
     found = problem(scene)
     told = text.render([report(found, solution(found)).document()], None)
     assert "the drawn position" in told

@@ -5,10 +5,14 @@ from pathlib import Path
 import pytest
 from support.scenes import kept_problem_of, problem
 
+import vibcli
 from vibcli.api.reports import STEPS, illustrated, report, solution
+from vibcli.base.units import ENERGY, FORCE
+from vibcli.quantities.dimensions import text_of
 from vibcli.report.blocks import Name, maths
 from vibcli.report.formats import html, text
 from vibcli.report.sections.requested_signals import symbol
+from vibcli.symbolic.syntax import NameRef
 
 ROOT = Path(__file__).parents[3]
 ASKED = """
@@ -108,3 +112,39 @@ def test_what_is_prescribed_is_told_with_pictures_too():
     found = kept_problem_of(ROOT / "problems/2_lagrange/pump_turned_by_a_motor.yaml")
     made = report(found, illustrated(solution(found)), pictures=True)
     assert made.refusal is None and made.sections[0].title == "Figure"
+
+
+ENERGETIC = """
+parameters: {m: 2 kg, k: 200 N/m, kt: 3 N*m/rad, b: 0.2 m}
+bodies: {b: {mass: m, slide: x}, wheel: {inertia: m*b^2, turn: phi}}
+springs: {s: {k: k, between: [ground, b]}, t: {torsion: kt, between: [ground, wheel]}}
+initial: {x: 10 cm, phi: 0.2 rad}
+find: [{response: {of: [s.energy, t.energy, t.force], until: 2 s}}]
+"""
+
+
+def test_energies_are_in_joules_and_moments_in_newton_metres(tmp_path):
+    heads = text.render([told(ENERGETIC)])
+    assert all(head in heads for head in ("s.energy [J]", "t.energy [J]", "t.force [N·m]"))
+    path = tmp_path / "scene.yaml"
+    path.write_text(ENERGETIC)
+    found = vibcli.load(path)
+    assert [found[asked].unit for asked in ("max(s.energy)", "t.energy(0.1 s)", "max(t.force)")] == ["J", "J", "N·m"]
+    T = NameRef(0, 1, "T", 0)
+    assert text_of(ENERGY, T) == "J" and text_of(ENERGY, T, {"T"}) == "N·m" and text_of(FORCE, T) == "N"
+
+
+def test_a_double_eigenvalue_stands_once():
+    damped = "dampers: {d: {c: 80 N*s/m, between: [ground, b]}}\n"
+    one = NESTED.replace("%s}\nbodies", "k: 800 N/m}\nbodies") % "s: {k: k, between: [ground, b]}"
+    assert text.render([told(one + damped)]).count("critically damped") == 1
+
+
+@pytest.mark.parametrize(("name", "sections"), [
+    ("2_lagrange/pump_turned_by_a_motor", None), ("1_statics_and_energy/drum_with_rope_and_weight", STEPS)])
+def test_no_row_of_text_ends_with_an_equality_or_begins_with_its_zero(name, sections):
+    """Of formulas that are broken: the sign stands before what follows, and a short letter with it."""
+    found = kept_problem_of(ROOT / f"problems/{name}.yaml")
+    rows = text.render([report(found, sections or solution(found)).document()]).split("\n")
+    assert any(row.strip().startswith("= ") for row in rows)
+    assert not [row for row in rows if row.endswith((" =", ",  T")) or row.strip() == "0"]

@@ -39,8 +39,8 @@ PRINTED = """\
    2  rod turns about the fixed O, C at  (L·cos φ/2, L·sin φ/2):  J_O = J_C + m·OC² = m·L²/12 +
       m·L²/4 = m·L²/3 = 0.64 kg·m²
    3  T = J_O·φ̇²/2 = m·L²·φ̇²/6
-   4  stretch of s, from rest, B at  (L·cos φ, L·sin φ):  Δ_s = √(2·L·h·sin φ + 2·L² + h² −
-      2·L²·cos φ) − h = L·φ + …   (second order, as its force at rest counts: there is no such term)
+   4  stretch of s, from rest, B at  (L·cos φ, L·sin φ):  Δ_s = √((L·cos φ − L)² + (L·sin φ + h)²) −
+      h = L·φ + …   (second order, as its force at rest counts: there is no such term)
    5  V_s = k·Δ_s²/2 + N_s·Δ_s = L²·k·φ²/2 + L·N_s·φ,  N_s its force at rest
    6  weight of rod, counted from rest:  V_rod = m·L·g·sin φ/2 = m·L·g·φ/2 + …   (second order, as
       its force at rest counts: there is no such term)
@@ -51,10 +51,11 @@ PRINTED = """\
   11  ∂T/∂φ̇ = m·L²·φ̇/3,  d/dt ∂T/∂φ̇ = m·L²·φ̈/3,  ∂T/∂φ = 0
   12  ∂V/∂φ = L²·k·φ,  ∂Φ/∂φ̇ = L²·c·φ̇/4
   13  m·L²·φ̈/3 + L²·c·φ̇/4 + L²·k·φ = 0
-  14  ω² = 3·k/m,  ω = √(3·1200/3) = 34.641 rad/s,  f = ω/(2·π) = 5.51329 Hz,  T = 2·π/ω = 0.18138 s
+  14  ω² = L²·k/(m·L²/3) = 3·k/m,  ω = √(3·1200/3) = 34.641 rad/s,  f = ω/(2·π) = 5.51329 Hz,
+      T = 2·π/ω = 0.18138 s
   15  so  φ̈ + 2·δ·φ̇ + ω²·φ = 0  with  δ = 3·c/(8·m) = 3·40/(8·3) = 5 1/s
   16  ζ = δ/ω = √3·c/(8·√(m·k)) = 0.144338 < 1: under-damped
-  17  ω_d = √(ω² − δ²) = √(3·(64·m·k − 3·c²))/(8·m) = √(3·(64·3·1200 − 3·40²))/(8·3) = 34.2783 rad/s
+  17  ω_d = √(ω² − δ²) = √(1200 − 25) = 34.2783 rad/s
 """
 CART = Path("problems/2_lagrange/pendulum_on_sprung_cart.yaml")
 MOST = {1: 25, 2: 60}       # lines to so many coordinates, beside one for each amplitude asked of a signal

@@ -31,7 +31,7 @@ gravity: g
 points: {road: {at: [0, 0], moves: [0, Y*sin(W*t)]}}
 bodies: {trailer: {mass: m, at: [0, 1 m], slide: {along: [0, 1], by: x}}}
 springs: {s: {k: k, between: [road, trailer], preload: static}}
-""", ("ω² = g/d,  ω = √(9.81/0.1) = 9.90454 rad/s",
+""", ("ω² = (m·g/d)/m = g/d,  ω = √(9.81/0.1) = 9.90454 rad/s",
       "X = Y·g/(g − d·W²) = 0.075·9.81/(9.81 − 0.1·6.98132²) = 0.149054 m",
       "or, with  r = W/ω = 0.70486:  X = Y/(1 − r²)")),
     "Thomson, on rotating unbalance: an exciter of 0.0921 kg·m on 181.4 kg, a quarter of a turn behind at 900 rpm": ("""
@@ -61,7 +61,7 @@ gravity: g
 surfaces: {trough: {circle: [0, 0], radius: R, side: inside}}
 bodies: {c: {shape: disc, mass: m, radius: r, at: [0, r - R], roll: {surface: trough, swing: theta}}}
 """, ("v_c = (R − r)·θ̇", "T = m·v_c²/2 + m·r²·ω_c²/4 = 3·m·(R − r)²·θ̇²/4", "3·m·(R − r)²·θ̈/2 + m·g·(R − r)·θ = 0",
-      "ω² = 2·g/(3·(R − r))")),
+      "ω² = m·g·(R − r)/(3·m·(R − r)²/2) = 2·g/(3·(R − r))")),
     "Kibble & Berkshire, Classical Mechanics, section 11.3, of equal parts: 2 ∓ √2": ("""
 parameters: {m: , a: , g: }
 gravity: g

@@ -68,7 +68,7 @@ bodies:
   tip: {mass: mt, at: [0, -l], weld: bar}
 find: [equations]
 """, ("m·l²/3", "T_bar = ", "T_tip = ", "V", "cos θ", "l²·(m/3 + mt)·θ̈ + l·g·(m/2 + mt)·sin θ = 0",
-      "to the first order", "ω² = 3·g·(m + 2·mt)/(2·l·(m + 3·mt))")),
+      "to the first order", "ω² = l·g·(m/2 + mt)/(l²·(m/3 + mt)) = 3·g·(m + 2·mt)/(2·l·(m + 3·mt))")),
     "harmonic_force": Source(
         "Vibration lecture notes, chapter 11: F sin ωt on mass, spring and dashpot by the force polygon",
         DAMPED % "m: , k: , c: , F: , w: " + "forces: {f: {at: b, force: F*sin(w*t)}}\n", (
@@ -81,7 +81,7 @@ bodies: {b: {shape: disc, mass: m, radius: r, at: [0, r], roll: {surface: floor,
 surfaces: {floor: {line: [[0, 0], [1 m, 0]]}}
 springs: {s: {k: k, between: [[-1 m, r], b]}}
 """, ("ω_b = −ẋ/r", "T = m·v_b²/2 + m·r²·ω_b²/4 = 3·m·ẋ²/4", "V = k·Δ²/2 = k·x²/2", "3·m·ẍ/2 + k·x = 0",
-      "ω² = 2·k/(3·m)", "25.8199 rad/s", "f = ω/(2·π) = 4.10936 Hz")),
+      "ω² = k/(3·m/2) = 2·k/(3·m)", "25.8199 rad/s", "f = ω/(2·π) = 4.10936 Hz")),
     "rolling_cylinder_in_letters": Source(
         "Rao, Mechanical Vibrations, Figure 2.106: a cylinder of moment of inertia J on a spring rolls", """
 parameters: {m: , J: , R: , k: }

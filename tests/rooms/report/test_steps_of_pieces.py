@@ -6,8 +6,9 @@ import math
 import mpmath
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 from scipy.linalg import expm
-from support.scenes import problem
+from support.scenes import problem, problem_of
 
 from vibcli.notation.plain import plain
 from vibcli.report.formats.formula import formula
@@ -136,7 +137,92 @@ def test_pieces_of_several_degrees_are_told_by_their_modes(alpha):
     assert shown(of["equation of mode 1"]).startswith("with the shape of mode 1  u₁ = (1, ")
 
 
-def test_where_damping_couples_the_modes_that_is_said():
-    of = {line.settles: line for line in worked(problem(TWO.format(
-        damping="dampers: {d: {c: 6 N*s/m, between: [ground, a]}}")))}
-    assert shown(of["no superposition of modes"]).startswith("damping couples the modes") and of["x(t1)"].node is None
+COUPLED = "dampers: {d: {c: 6 N*s/m, between: [ground, a]}}"
+STARTED = COUPLED + "\ninitial: {x: 1 cm, y': -0.2 m/s}"
+
+
+def coupled(times, load, c=6.0, start=(0.0, 0, 0, 0), grounded=500.0):
+    """[x, y, ẋ, ẏ] of 2 ẍ + c ẋ + 500 x − 200 y = load(t), ÿ − 200 x + 200 y = 0 at instants, by a solver of
+    differential equations."""
+    found = solve_ivp(lambda t, s: [*s[2:], (load(t) - c * s[2] - grounded * s[0] + 200 * s[1]) / 2,
+                                    200 * (s[0] - s[1])], (0, max(times)), start, "DOP853", times, rtol=1e-11,
+                      atol=1e-13, max_step=0.01)
+    return found.y.T
+
+
+ONE = TWO.replace(", P: 8 N", "").replace("force: F*(step(t) - step(t - t1))", "force: {load}")
+ONE = "".join((ONE[:ONE.index(", g: {{")], "}}", ONE[ONE.index("\nanswers"):]))
+
+
+@pytest.mark.parametrize(("damping", "c", "start"), [
+    (COUPLED, 6, (0, 0, 0, 0)), (STARTED, 6, (0.01, 0, 0, -0.2)), (COUPLED.replace("6 N", "-6 N"), -6, (0, 0, 0, 0)),
+    (STARTED.replace("6 N", "60 N"), 60, (0.01, 0, 0, -0.2)), (STARTED[len(COUPLED) + 1:], 0, (0.01, 0, 0, -0.2))])
+@pytest.mark.parametrize("load", ["F*(step(t) - step(t - t1))", "F*sin(7 rad/s*t)*(step(t) - step(t - t1))",
+                                  "F/t1*(ramp(t) - ramp(t - t1))"])
+def test_pieces_and_a_start_where_damping_couples_the_modes(damping, c, start, load):
+    """Oscillating and overdamped modes, growing ones and real ones, held against a solver."""
+    of = {line.settles: line for line in worked(problem(ONE.format(damping=damping, load=load)))}
+    at = of["argmax(y)"].value
+    instants = sorted({0.12, 0.24, at})
+    acts = {"F*(": lambda t: 5.0 * (t < 0.12), "F*s": lambda t: 5 * math.sin(7 * t) * (t < 0.12),
+            "F/t": lambda t: 5 * min(t / 0.12, 1)}[load[:3]]
+    y = dict(zip(instants, coupled(instants, acts, c, start), strict=True))
+    for asked, value in {"x(t1)": y[0.12][0], "y'(2*t1)": y[0.24][3], "max(y)": y[at][1]}.items():
+        assert of[asked].node is not None and of[asked].value == pytest.approx(value, rel=1e-6)
+    if c:
+        assert "Re(" in shown(of["x(t1)"]) and shown(of["equations of complex modes"]).endswith("= u·Q")
+        assert ("z₁(0) = " in shown(of["equation of complex mode 1"])) == bool(any(start))
+    else:
+        assert shown(of["equation of mode 1"]).startswith("with  q = (x, y)  and the shape of mode 1  u₁ = (1, ")
+    assert len({line.number for line in of.values()}) <= 60
+
+
+def test_lines_of_complex_modes_have_the_numbers_of_their_matrices():
+    """By hand: λ by numpy of the companion matrix, u·Q over u·(2λM + C)·u."""
+    of = {line.settles: line for line in worked(problem(ONE.format(damping=COUPLED, load="F*step(t)")))}
+    A = np.block([[np.zeros((2, 2)), np.eye(2)], [np.array([[-250.0, 100], [200, -200]]), np.diag([-3.0, 0])]])
+    roots, shapes = np.linalg.eig(A)
+    k = min((i for i in range(4) if roots[i].imag > 0), key=lambda i: roots[i].imag)
+    u = shapes[:2, k] / shapes[0, k]
+    g = u[0] / (u @ (2 * roots[k] * np.diag([2, 1]) + np.diag([6, 0])) @ u)
+    line = shown(of["equation of complex mode 1"])
+    for value in (roots[k].real, roots[k].imag, u[1].real, u[1].imag, g.real, g.imag):
+        assert f"{abs(value):.6g}".rstrip("0") in line
+    unit = shown(of["s"])
+    assert unit.startswith("a unit step at τ = 0 has the particular part  −1/λ,  and as z = 0 at its start")
+    assert f"1/λ₁ = −{abs((1 / roots[k]).real):.6g}" in unit
+    assert shown(of["z1"]).endswith("·F·s₁(t)   (each from when its argument is positive)")
+
+
+def test_a_mode_that_moves_freely_under_pieces():
+    """By hand: the mass centre of 3 kg under 5 N for 0.12 s, and the distance as of m₁m₂/(m₁ + m₂) = ⅔ kg."""
+    scene = ONE.format(damping="", load="F*(step(t) - step(t - t1))").replace("r: {k: k, between: [ground, a]}, ", "")
+    of = {line.settles: line for line in worked(problem(scene.replace("k: 300 N/m, ", "")))}
+    omega = math.sqrt(300)
+    apart = 5 / 600 * (1 - math.cos(omega * 0.12))
+    assert of["x(t1)"].value == pytest.approx(5 / 3 * 0.12 ** 2 / 2 + apart / 3, rel=1e-9)
+    assert of["x(t1)"].node is not None and "which moves freely,  s₁(τ) = τ²/2" in shown(of["s_k"])
+
+
+def test_a_root_that_is_zero_under_pieces():
+    """Two masses on a spring, one in a bath: what ends drifts away by ∫F dt/c."""
+    scene = ONE.format(damping=COUPLED, load="F*(step(t) - step(t - t1))").replace(
+        "r: {k: k, between: [ground, a]}, ", "").replace("x(t1): 0 m", "x(40 s): 0 m")
+    of = {line.settles: line for line in worked(problem(scene.replace("k: 300 N/m, ", "")))}
+    assert of["x(40 s)"].value == pytest.approx(5 * 0.12 / 6, rel=1e-6) and of["x(40 s)"].node is not None
+    assert "but as λ₁ = 0  s₁(τ) = τ" in shown(of["s"])
+
+
+@pytest.mark.parametrize("damping", [COUPLED, STARTED, ""])
+def test_recorded_loads_are_integrals_of_impulses(damping, tmp_path):
+    (tmp_path / "push.csv").write_text("t,F\n0,1\n0.05,2\n0.2,0\n")
+    (tmp_path / "scene.yaml").write_text("records: {push: {file: push.csv}}" + ONE.format(
+        damping=damping, load="F*push(t)").replace("max(y): 0 m, argmax(y): 0 s, ", ""))
+    of = {line.settles: line for line in worked(problem_of(tmp_path / "scene.yaml"))}
+    start = (0.01, 0, 0, -0.2) if "initial" in damping else (0, 0, 0, 0)
+    found = coupled([0.12], lambda t: 5 * np.interp(t, [0, 0.05, 0.2], [1, 2, 0]), 6 * bool(damping), start)
+    assert of["x(t1)"].value == pytest.approx(found[0][0], rel=1e-6)
+    told = shown(of["convolution"])
+    assert told.endswith("exp(λ·(t − τ))·g·Q(τ)·dτ" if damping else "h_k(t − τ)·u_k·Q(τ)/(u_k·M·u_k)·dτ")
+    assert ("z(0)·exp(λ·t) + " in told) == ("initial" in damping)
+    assert shown(of["motion of x"]).startswith("and  x = 2·Re(z₁) + " if damping else "and  x = p₁ + p₂")

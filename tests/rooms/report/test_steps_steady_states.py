@@ -15,6 +15,7 @@ from vibcli.notation.plain import plain
 from vibcli.report.formats.formula import formula
 from vibcli.report.steps import steady_states
 from vibcli.report.steps.worked import worked
+from vibcli.symbolic.evaluation import Floats, evaluate
 
 ROW = """
 parameters: {m: 2 kg, k: 300 N/m, c: 6 N*s/m, F: 5 N, w: 9 rad/s, u: 14 rad/s}
@@ -231,3 +232,40 @@ def test_lines_in_letters_say_something_of_each_frequency():
         assert sum("solved as any linear equations" in line for line in found) == often
         assert any("steady state" in line for line in found)
         assert not any(line.rstrip().endswith(":") for line in found)
+
+
+THREE = """
+parameters: {m: %s, k: %s, c: %s, F: %s, w: %s}
+bodies: {a: {mass: m, slide: x1}, b: {mass: 2*m, slide: x2}, d: {mass: m, slide: x3}}
+springs: {p: {k: k, between: [ground, a]}, q: {k: 2*k, between: [a, b]}, r: {k: k, between: [b, d]}}
+dampers: {e: {c: c, between: [ground, a]}}
+forces: {f: {at: a, force: F*sin(w*t)}}
+answers: {phase(x3): 0, phase(r.force): 0, amplitude(r.force): 0 N, "abs(frf[x2, f](w))": 0 m/N,
+          "arg(frf[x3, f](2 Hz))": 0, "re(frf[x2, f](2 Hz))": 0 m/N}
+"""
+
+
+@pytest.mark.parametrize("values", [("2 kg", "300 N/m", "6 N*s/m", "5 N", "9 rad/s"), ("",) * 5])
+def test_phases_and_frequency_responses_of_three_degrees_in_letters(values):
+    scene = problem(THREE % values)
+    lines = worked(scene)
+    of = {line.settles: line for line in lines}
+    assert all(of[answer.asked.text].node is not None for answer in scene.spec.answers)
+    told_of = {asked: formula(line.parts, plain) for asked, line in of.items()}
+    assert told_of["phase(r.force)"].startswith("phase(r.force):  the lag of  k·(X₂ − X₃)")
+    assert told_of["abs(frf[x2, f](w))"].startswith("|frf[x₂, f](w)|:  |−Z₁₂·Z₃₃/D|")
+    assert told_of["arg(frf[x3, f](2 Hz))"].endswith("Z₁₂′·Z₂₃′/D′" if not values[0] else " rad")
+    assert sum("Z₁₁′ = " in text for text in told_of.values()) == 1     # of both responses at one frequency
+    if values[0]:
+        def Z(Omega):
+            return np.array([[900 - 2 * Omega**2 + 6j * Omega, -600, 0], [-600, 900 - 4 * Omega**2, -300],
+                             [0, -300, 300 - 2 * Omega**2]])
+
+        X, H = np.linalg.solve(Z(9), [5, 0, 0]), np.linalg.solve(Z(4 * math.pi), [1, 0, 0])
+        known = {**scene.numeric.floats, **{line.letter: line.value for line in lines if line.letter and line.value}}
+        wanted = {"phase(x3)": -cmath.phase(X[2]), "amplitude(r.force)": abs(300 * (X[2] - X[1])),
+                  "abs(frf[x2, f](w))": abs(X[1]) / 5, "arg(frf[x3, f](2 Hz))": cmath.phase(H[2]),
+                  "re(frf[x2, f](2 Hz))": H[1].real}
+        for asked, value in wanted.items():
+            assert of[asked].value == pytest.approx(value, rel=1e-9)
+            assert evaluate([of[asked].node], Floats, known)[0] == pytest.approx(value, rel=1e-9)

@@ -6,6 +6,7 @@ import re
 
 import numpy as np
 import pytest
+from support.modes_found_once import modes_found_once  # noqa: F401
 from support.scenes import problem
 
 import vibcli
@@ -21,6 +22,7 @@ UNIFORM = ("parameters: {L: 1 m}\n"
            "points: {tip: {body: arm, at: L}}\n")
 STEP = "forces: {push: {at: tip, force: 1 N*step(t)}}\n"
 FORMS = {"step": "step(t)", "ramp": f"(ramp(t) - ramp(t - {RISE} s))/({RISE} s)"}
+pytestmark = pytest.mark.usefixtures("modes_found_once")
 
 
 def signal(scene, text):

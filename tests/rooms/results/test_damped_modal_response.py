@@ -114,6 +114,36 @@ def test_at_and_beside_critical_damping(aside):
         assert abs(found.values(np.array([12.0]))[0] - 3.68714665e-21) <= 1e-29
 
 
+PAIR = """\
+parameters: {L: 1 m, EI: 1 N*m^2, mu: 1 kg/m}
+beams:
+  a: {length: L, EI: EI, mass_per_length: mu, left: clamped, right: {c: %r N*s/m}}
+  b: {length: L, EI: EI, mass_per_length: mu, left: clamped, right: {c: %r N*s/m}}
+points: {one: {body: a, at: L}, two: {body: b, at: L}}
+springs: {tie: {between: [one, two], k: %r N/m}}
+forces: {pull: {at: one, force: 1 N*(t/(1 s))^6*exp(-10*t/(1 s))}}
+"""
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize("k", [1e-15, 1e-12, 1e-11, 1e-10, 1e-9, 1e-7, 1e-5, 1e-4])
+@pytest.mark.parametrize("name, sign", [("a.u(L)", 1), ("b.u(L)", -1)])
+def test_two_critically_damped_members_that_are_tied_weakly(k, name, sign, monkeypatch):
+    """Both ends together bear half the load beside no spring, against each other beside 2 k."""
+    monkeypatch.setattr(damped_modal_response, "MANY", 60)
+    found = signal(DampedModalResponse, problem(PAIR % (CRITICAL, CRITICAL, k)), name)
+    step = np.pi / 16
+    s = 6.0 + 1j * np.arange(-3000.0, 3000.0, step)
+    load = factorial(6) / (s + 10)**7 / 2
+    own = transfer(s, CRITICAL)
+    apart = own / (1 + 2 * k * own)
+    expected = np.array([np.real((own + sign * apart) * load @ np.exp(s * t)) * step / (2 * np.pi) for t in TIMES[:3]])
+    off, bounds = np.abs(found.values(TIMES[:3]) - expected), np.array([found.error(t) for t in TIMES[:3]])
+    size = np.abs(np.real(own * load @ np.exp(s * TIMES[1]))) * step / np.pi
+    assert (off <= bounds + 1e-12 * size).all() and not found.is_estimated
+    assert bounds.max() <= 1e-4 * size
+
+
 @pytest.mark.parametrize("c", ["0.05", "2"])
 def test_what_rounds_at_a_free_end_is_within_what_modes_lose(c):
     text = TIP.replace("0.7", c) + "forces: {pull: {at: tip, force: 1 N*exp(-t/(1 s))}}\n"

@@ -41,7 +41,8 @@ class Extension:
 
     def inverse(self, a: Sequence[Any]) -> list[Any]:
         """1/a by Euclid's algorithm on (p, a)."""
-        r, s = (list(self.modulus), a), ([], [self.one])
+        r: tuple[Sequence[Any], Sequence[Any]] = list(self.modulus), a
+        s: tuple[list[Any], list[Any]] = [], [self.one]
         while len(r[1]) > 1:
             quotient, rest = self._divided(r[0], r[1])
             r = r[1], rest

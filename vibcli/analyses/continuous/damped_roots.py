@@ -23,8 +23,9 @@ UNIT = 2.0**-53
 GIVEN = 2.0         # roundings of a damper beside √(Nμ), as they are given
 ALIKE = 1e-7        # relative distance below which roots are looked at together
 CLOSE = 1e-8        # relative bound of a root beyond which another may be next to it,
-AROUND, PLACES = 1e-5, 16       # on a circle about which, at so many places, both are seen,
+AROUND, WIDER, PLACES = 1e-5, (1, 10, 100), 16     # on a circle about which, at so many places, both are seen,
 SPLIT = 0.05        # of its radius: how far they are from their middle at most
+NONE = 1e-8         # of D: what a shape at the middle of such roots leaves of it
 FLAT = 1e-6         # of κ: so near the real axis the energy of a piece is that of its slope
 
 
@@ -87,8 +88,8 @@ def _followed(whole, s):
 
 
 def roots_at(whole: Whole, s: complex) -> list[DampedRoot]:
-    """All roots that coincide at s, or nearly do, each with its bound; none where that does not tell. Of those with one
-    shape, as where damping is critical, that of their middle."""
+    """All roots that coincide at s, or nearly do, each with its bound; none where that does not tell. Of those with few
+    shapes, as where damping is critical, these are those of their middle."""
     found = whole.at(s)
     D, slope, scale = _scaled(found, s)
     left, _, right = np.linalg.svd(D)
@@ -99,12 +100,12 @@ def roots_at(whole: Whole, s: complex) -> list[DampedRoot]:
         away = np.linalg.eigvals(np.linalg.solve(w.conj().T @ slope @ x, -(w.conj().T @ D @ x)))
         gain = np.linalg.norm(np.linalg.inv(w.conj().T @ slope @ x), 2)
     except np.linalg.LinAlgError:       # det D has a zero of higher order there
-        return _close(whole, s, scale * right[-1].conj())
+        return _close(whole, s)
     spread = (abs(w).sum(axis=0) ** 2).sum() ** 0.5 * (abs(x).sum(axis=0) ** 2).sum() ** 0.5
     given = np.sqrt(found.given[:, 0]) * scale
     felt = ((given @ abs(w)) ** 2).sum() ** 0.5 * ((given @ abs(x)) ** 2).sum() ** 0.5
     error = UNIT * (SLACK * GUARD * spread + GIVEN * felt) * gain / abs(s) + 4 * UNIT
-    out = [] if error < CLOSE else _close(whole, s, scale * right[-1].conj())
+    out = [] if error < CLOSE else _close(whole, s)
     for i, step in enumerate(away if not out else ()):
         value = complex(s + step)
         shape = (scale * x[:, i])[:whole.matrix.n]
@@ -112,29 +113,48 @@ def roots_at(whole: Whole, s: complex) -> list[DampedRoot]:
     return out
 
 
-def _close(whole, s, x):
-    """Roots with one shape x that lie close together next to s: with (ln det D)′ = tr D⁻¹D′ on a circle about it,
+def _close(whole, s):
+    """Roots with fewer shapes than they are that lie close together next to s; those of several shapes may lie further
+    apart than those of one, whose Newton's steps part them. None where there are not several."""
+    for wider in WIDER:
+        middle, many = _together(whole, s, wider * AROUND)
+        if many >= (2 if wider == 1 else 3):
+            error = 2 * SPLIT * wider * AROUND
+            return [DampedRoot(middle, error, shape) for shape in _shapes(whole, middle, many)]
+    return []
+
+
+def _shapes(whole, s, many):
+    """What D(s) nearly takes to 0, one for each of so many roots."""
+    found = whole.at(s)
+    D, _, scale = _scaled(found, s)
+    _, sizes, right = np.linalg.svd(D)
+    m = int(np.clip((sizes < NONE * sizes[0]).sum(), 1, many // 2))
+    vectors = [scale * right[-1 - min(k * m // many, m - 1)].conj() for k in range(many)]
+    return [x[:whole.matrix.n] / _kinetic(found, x, s) for x in vectors]
+
+
+def _together(whole, s, around):
+    """(their middle, how many there are) of roots next to s: with (ln det D)′ = tr D⁻¹D′ on a circle about it,
 
         Σ (λ − s)ᵏ = (1/2πi) ∮ (z − s)ᵏ tr D⁻¹D′ dz,
 
-    how many there are, their middle, and how far they are from it; none where there are not several."""
-    steps = AROUND * abs(s) * np.exp(2j * np.pi * (np.arange(PLACES) + 0.5) / PLACES)
+    0 where they are not well within it."""
+    steps = around * abs(s) * np.exp(2j * np.pi * (np.arange(PLACES) + 0.5) / PLACES)
     traces = []
     for z in s + steps:
         D, slope, _ = _scaled(whole.at(z), z)
         try:
             traces.append(np.trace(np.linalg.solve(D, slope)))
         except np.linalg.LinAlgError:
-            return []
+            return s, 0
     if not np.isfinite(traces).all():
-        return []
+        return s, 0
     count, first, second = (complex(np.mean(steps**k * traces)) for k in (1, 2, 3))
     many = round(count.real)
-    if many < 2 or abs(count - many) > SPLIT or abs(second / many - (first / many)**2) > (SPLIT * AROUND * abs(s))**2:
-        return []
-    middle = s + first / many
-    shape = x[:whole.matrix.n] / _kinetic(whole.at(middle), x, middle)
-    return [DampedRoot(middle, 2 * SPLIT * AROUND, shape)] * many
+    if many < 2 or abs(count - many) > SPLIT or abs(second / many - (first / many)**2) > (SPLIT * around * abs(s))**2:
+        return s, 0
+    return s + first / many, many
 
 
 def _scaled(found, s):

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from vibcli.analyses.continuous.disturbances import FALL
+from vibcli.analyses.continuous.disturbances import FALL, ROUNDING
 from vibcli.analyses.continuous.left_out_energy import Column, LeftOutEnergy
 
 if TYPE_CHECKING:
@@ -24,68 +24,108 @@ class LeftOutMotions:
 
     def __init__(self, energy: LeftOutEnergy, segments: "Sequence[Segment]"):
         self.energy, self.times = energy, np.array([segment.start for segment in segments])
-        self._segments = segments
+        self._segments, self._finite, self._sizes = segments, {}, {}
 
     def bound(self, output: "LinearOutput", t: float, order: int = 0) -> float:
         """Of what they add to the order-th rate of an output at an instant; inf where none is known."""
         if not self.bounds(output, t, order):
             return inf
-        number = int(np.searchsorted(self.times, t, side="right")) - 1
-        found = self.energy.reach(output, order) * float(self._sums[max(0, number)])
+        begun = self.times <= max(t, float(self.times[0]))
+        faded = np.exp(-self.energy.fading * np.maximum(t - self.times[begun], 0.0))
+        found = sum(reach * float(self._sizes_of(k)[begun] @ faded) for k, reach in self.energy.reaches(output, order))
         return found if found < inf else inf
 
     def bounds(self, output: "LinearOutput", _: float, order: int = 0) -> bool:
         """Is that bound finite?"""
-        return self.energy.valid and self.energy.has_reach(output, order) and self._taken
+        return self.energy.valid and all(self._is_finite(k) for k in self.energy.levels(output, order))
 
-    def obstacle(self, _: "LinearOutput") -> str:
+    def obstacle(self, _: "LinearOutput", __: float) -> str:
         """Why it is not, where amplitudes tell nothing either."""
         return FALL
 
     @cached_property
     def _parts(self):
         """Of each segment {(channel, exponent, power): coefficient} of the change of the free part at its start."""
-        return [self._begun(number) for number in range(len(self._segments))]
+        return [[self._begun(number) for number in range(len(self._segments))]]
 
-    @cached_property
-    def _taken(self):
-        """Is the energy of all of them known?"""
-        return all(self.energy.takes(*key) for key in {key for part in self._parts for key in part})
+    def _rated(self, k):
+        """The same of the k-th rate."""
+        while len(self._parts) <= k:
+            self._parts.append([_rate(part, self.energy.fading) for part in self._parts[-1]])
+        return self._parts[k]
 
-    @cached_property
-    def _sums(self):
-        """Σ ‖Π z‖ of what begins with each segment and those before."""
-        channels = sorted({channel for part in self._parts for channel, *_ in part})
-        keys = sorted({key for part in self._parts for key in part}, key=str)
-        columns = [Column(channels.index(channel), s, power, imaginary) for channel, s, power in keys
-                   for imaginary in ((False, True) if s.imag else (False,))]
-        e = np.array([[-c.imag if column.imaginary else c.real for column in columns
-                       for c in [part.get((channels[column.slot], column.exponent, column.power), 0j)]]
-                      for part in self._parts])
-        return self.energy.begun + (np.cumsum(self.energy.norms(channels, columns, e)) if columns else np.zeros(len(e)))
+    def _is_finite(self, k):
+        """Is the energy of all of them known? It is infinite where a driven end jumps."""
+        if k not in self._finite:
+            self._finite[k] = not (k and self.energy.in_fields) and all(
+                self.energy.takes(*key) for key in {key for part in self._rated(k) for key in part}) and not any(
+                    self._jumps(part) for part in self._rated(k))
+        return self._finite[k]
+
+    def _jumps(self, part):
+        """Does a driven end, which the free part leaves at rest?"""
+        return any(abs(sum(own)) > ROUNDING * sum(map(abs, own)) for channel in self.energy.loads.driven
+                   for own in [[c.real for (at, _, power), c in part.items() if at == channel and not power]])
+
+    def _sizes_of(self, k):
+        """‖Π Aᵏ z‖ of what begins with each segment."""
+        if k not in self._sizes:
+            parts = self._rated(k)
+            channels = sorted({channel for part in parts for channel, *_ in part})
+            keys = sorted({key for part in parts for key in part}, key=str)
+            columns = [Column(channels.index(channel), s, power, imaginary) for channel, s, power in keys
+                       for imaginary in ((False, True) if s.imag else (False,))]
+            e = np.array([[-c.imag if column.imaginary else c.real for column in columns
+                           for c in [part.get((channels[column.slot], column.exponent, column.power), 0j)]]
+                          for part in parts])
+            found = self.energy.norms(channels, columns, e) if columns else np.zeros(len(parts))
+            found[0] += self.energy.begun
+            self._sizes[k] = found
+        return self._sizes[k]
 
     def _begun(self, number):
         """That of one."""
-        found: dict[tuple[int, complex, int], complex] = {}
-
-        def add(channel, s, power, c):
-            if c:
-                found[channel, s, power] = found.get((channel, s, power), 0j) + c
-
+        found = _Changes()
         segment = self._segments[number]
         for wave in segment.waves:
-            add(wave.channel, complex(wave.exponent), wave.power, -wave.coefficient)
+            found.add((wave.channel, complex(wave.exponent), wave.power), -wave.coefficient)
         for channel, size in segment.impulses:
-            add(channel, 0j, -1, size)
+            found.add((channel, 0j, -1), size)
         if not number:
             for channel in range(self.energy.n):
-                add(channel, 0j, 0, self.energy.held[channel])
-                add(channel, 0j, -1, self.energy.struck[channel])
-            return found
+                found.add((channel, 0j, 0), self.energy.held[channel])
+                found.add((channel, 0j, -1), self.energy.struck[channel])
+            return found.kept()
         tau = segment.start - self._segments[number - 1].start
         for wave in self._segments[number - 1].waves:
             s = complex(wave.exponent)
             for i in range(wave.power + 1):
-                add(wave.channel, s, i, comb(wave.power, i) * tau ** (wave.power - i) * np.exp(s * tau)
-                    * wave.coefficient)
-        return found
+                found.add((wave.channel, s, i), comb(wave.power, i) * tau ** (wave.power - i) * np.exp(s * tau)
+                          * wave.coefficient)
+        return found.kept()
+
+
+class _Changes:
+    """Sums by keys, those of blows real, without what is only rounded."""
+
+    def __init__(self):
+        self._terms: dict[tuple[int, complex, int], list[complex]] = {}
+
+    def add(self, key, size):
+        """To the sum of a key."""
+        self._terms.setdefault(key, []).append(complex(size))
+
+    def kept(self):
+        """{key: sum}."""
+        sums = {key: sum(terms) if key[-1] >= 0 else sum(terms).real + 0j for key, terms in self._terms.items()}
+        return {key: c for key, c in sums.items() if abs(c) > ROUNDING * max(map(abs, self._terms[key]))}
+
+
+def _rate(part, fading):
+    """Of (s + δ) f̂(s): an onset is a blow of its rate, and what is smoother begins less smoothly."""
+    found = _Changes()
+    for (channel, s, power), c in part.items():
+        if power >= 0:
+            found.add((channel, s, power), c * (s + fading))
+        found.add(*(((channel, s, power - 1), c * power) if power else ((channel, 0j, -1), -c)))
+    return found.kept()

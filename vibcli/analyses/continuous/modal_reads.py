@@ -5,9 +5,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from vibcli.analyses.excitation.linear_output import FieldPoint, LinearOutput
+
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from vibcli.analyses.continuous.modal_motion import ModalMotion
-    from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.mechanics.factored_system import PlacedPiece
+
+SHARES = 0.11, 0.29, 0.52, 0.73, 0.93       # of a length: places that no symmetry keeps at rest together
 
 
 class Read:
@@ -32,3 +38,19 @@ class Read:
 def key_of(output: "LinearOutput") -> tuple:
     """What tells an output from others, but for its constant and channels."""
     return tuple(tuple(sorted(part.items())) for part in (output.q, output.v, output.a, output.places))
+
+
+def elsewhere(output: "LinearOutput", pieces: "Sequence[PlacedPiece]") -> "list[LinearOutput]":
+    """What an output reads of one place of members or of one of their ends, of places of all pieces of that kind; none
+    of sums, and of what else moves."""
+    read = [(pieces[place.piece].piece.order, place.along, place.rates, x) for place, x in output.places.items() if x]
+    for rates, row in enumerate((output.q, output.v, output.a)):
+        for i, x in row.items():
+            ends = [(one.piece.order, end % (one.piece.order // 2)) for one in pieces
+                    for end, ties in enumerate(one.rows) if ties.get(i)]
+            read += [(*ends[0], rates, x)] if ends and x else []
+    if len(read) != 1:
+        return []
+    (order, along, rates, x), = read
+    return [LinearOutput(places={FieldPoint(p, share * float(one.piece.length), along, rates): x})
+            for p, one in enumerate(pieces) if one.piece.order == order for share in SHARES]

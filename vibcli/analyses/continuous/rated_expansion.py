@@ -109,8 +109,7 @@ class RatedExpansion:
                 g[k] = g[1] * g[k - 1] - (s / R)**2 * g[k - 2]
             return g
         a, b = (*map(float, self._damping.series), 0.0)[:2]
-        k = np.arange(TERMS // 2)
-        g[::2] = (-s * (s + a) / (1 + b * s) / R**2)**k / (1 + b * s)
+        g[::2] = (-s * (s + a) / (1 + b * s) / R**2)**np.arange(TERMS // 2) / (1 + b * s)
         return g
 
     def _look_beside(self):

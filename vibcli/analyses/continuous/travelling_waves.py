@@ -123,8 +123,8 @@ class WaveMotion:
             opposite = abs(sum(rates[:3])) <= EVEN * max(curve.scale[1] for curve in ways)
             last = max(last, max(since) + float(delay) if opposite else np.inf)
         for curve in march.coordinates:
-            since, rate = curve.even_from
-            last = max(last, since if not rate else np.inf)
+            still, rate = curve.even_from
+            last = max(last, still if not rate else np.inf)
         lasting = not loads.listed or any(piece.start > last for piece in loads.pieces)
         return np.inf if last > until or lasting else last
 

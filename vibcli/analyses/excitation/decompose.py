@@ -80,7 +80,7 @@ def _sum_of(node, found, numbers):
     if node.op == "sum":
         return added((constant(Fraction(node.coefficient)), 1), *((found[part], c) for part, c in node.args))
     if node.op == "product":
-        total = constant(Fraction(node.coefficient))
+        total: Any = constant(Fraction(node.coefficient))
         for base, exponent in node.args:
             total = multiplied(total, _power(found[base], exponent, numbers))
         return total

@@ -83,7 +83,7 @@ class ModalDamping:
         largest = max(abs(x) for x in self.c.ravel().tolist())
         self.c[np.abs(self.c) <= (largest >> self.coupled)] = 0
         rigid = np.flatnonzero(self.values == 0).tolist()
-        rigid = sorted(rigid, key=lambda i: abs(self.c[i, i]))[:untouched]
+        rigid = sorted(rigid, key=abs(self.c.diagonal()).tolist().__getitem__)[:untouched]
         self.c[rigid, :] = 0
         self.c[:, rigid] = 0
 

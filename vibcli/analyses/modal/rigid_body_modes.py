@@ -35,12 +35,11 @@ def undamped_rigid(elements: Any, zeros: int | None, data: Any) -> int | None:
 
 def rank(n: int, rows: Sequence[dict[int, float]], exact_rows: Sequence[dict[int, Fraction]] | None = None) -> int:
     """The rank of sparse rows {coordinate: component}; exact_rows: the same as Fractions where they are rational."""
+    known: Sequence[dict[int, Any]] = rows if exact_rows is None else exact_rows
+    if all(_is_difference(row) for row in known):
+        return n - _floating_components(n, known)
     if exact_rows is not None:
-        rows = exact_rows
-    if all(_is_difference(row) for row in rows):
-        return n - _floating_components(n, rows)
-    if exact_rows is not None:
-        return max(_rank_modulo(rows, prime) for prime in PRIMES)
+        return max(_rank_modulo(known, prime) for prime in PRIMES)
     return _rank_of_floats(n, rows)
 
 

@@ -258,8 +258,8 @@ class MotionErrors:
                 added[:, at + 1] += self._brought(part, place, *lengths, buckets[at])[0]
         step = self._summed(self.plain, (), *lengths)[buckets] if last else np.zeros((0, self.count, self.count))
         found = np.empty_like(added)
-        for at in self.system.places:
-            found[at] = marched(step[:, at, at], added[at].T.copy(), first[at]).T
+        for rows in self.system.places:
+            found[rows] = marched(step[:, rows, rows], added[rows].T.copy(), first[rows]).T
         return found
 
     def _first(self):

@@ -17,8 +17,8 @@ def poles(m: float, c: float, k: float) -> tuple[complex, complex]:
     excess = c * c - 4 * m * k
     root = square_root(abs(excess) / (4 * m * m))
     if excess < 0:
-        half = float(-c / (2 * m))
-        return complex(half, root), complex(half, -root)
+        real = float(-c / (2 * m))
+        return complex(real, root), complex(real, -root)
     half = c / (2 * m)
     fast = half + Fraction(root if c >= 0 else -root)
     if not fast:

@@ -4,13 +4,19 @@ from vibcli.cli.viewing.shown import State
 from vibcli.report.formats.html_page import STYLE, words
 
 MORE = """
-#errors { white-space: pre-wrap; overflow-x: auto; border-left: 4px solid #b00020; padding: 0.5em 0.8em;
+#errors { white-space: pre; overflow: auto; border-left: 4px solid #b00020; padding: 0.5em 0.8em;
   font: 0.9rem/1.4 monospace; position: sticky; top: 0; z-index: 1; background: Canvas; max-height: 40vh; }
 #work { position: fixed; left: 7rem; right: 1rem; bottom: 0.5rem; text-align: right;
   background: Canvas; opacity: 0.8; font-size: 0.9rem; }
 #pause { position: fixed; left: 1rem; bottom: 0.5rem; font: inherit; }
 #errors:empty, #work:empty { display: none; }
-@media print { #pause { display: none; } }
+@media (max-width: 72rem) {
+  body { padding-bottom: 4rem; }
+  #pause { left: 0; bottom: 0; width: 100%; padding: 0.5em; border: 0; border-top: 1px solid var(--rule);
+    background: Canvas; color: CanvasText; }
+  #work { bottom: 3rem; }
+}
+@media print { #pause { display: none; } body { padding-bottom: 0; } }
 #errors:not(:empty) ~ main { opacity: 0.45; }
 .part + .part { border-top: 1px solid var(--rule); margin-top: 3rem; padding-top: 1rem; }
 """

@@ -29,7 +29,7 @@ class Space:
     """The cells that a drawing takes, with the cost of writing over them."""
 
     def __init__(self, primitives: Sequence[Any] = ()) -> None:
-        self.cells, self.barred, self.kept, self.beside = {}, set(), set(), set()
+        self.cells, self.barred, self.kept, self.coils, self.beside = {}, set(), set(), set(), set()
         self.add(primitives)
 
     def add(self, primitives: Any) -> None:
@@ -49,6 +49,7 @@ class Space:
                     coiled = set(_cells_within([*stroke[1::2], *stroke[2::2][::-1]])) - keys
                     self._taken(coiled, COILED)
                     keys |= coiled
+                    self.coils |= coiled | _cells_through(stroke[1:-1])
                 if part.role in KEPT_CLEAR or part.layer == ARROW:
                     self.kept |= keys
                     self.barred |= keys
@@ -116,6 +117,10 @@ class Space:
     def meets(self, points: Sequence[tuple[float, float]]) -> float:
         """The same of springs, dampers, ropes and arrows alone."""
         return CROSSED * sum(map(self.kept.__contains__, _cells_of(tuple(points))))
+
+    def coiled(self, points: Sequence[tuple[float, float]]) -> float:
+        """The same of coils of springs, without the rods at their ends."""
+        return CROSSED * sum(map(self.coils.__contains__, _cells_of(tuple(points))))
 
     def put(self, runs: Sequence[Run], anchors: Sequence[tuple[float, float]], role: str = "ink",
             inside: Sequence[tuple[float, float]] = (), most: float | None = None,

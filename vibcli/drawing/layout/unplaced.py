@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
 
 BELOW, CLEAR, STACKED = 40.0, 60.0, 20.0    # points to the first row, below a member, for each length above the first
+ASIDE = 20.0        # points from the right end of the rows above to what one of them winds up
 
 
 def laid_out(sketch: "Sketch", left: float, top: float) -> tuple[list[Any], list[Any], list[Any], list[Any]]:
@@ -65,7 +66,21 @@ def _rows(sketch: "Sketch", left: float, top: float) -> "tuple[list[Hung], list[
     hanging = hung.find(every, sketch)
     elsewhere = {*_held_alone(sketch.scene), *(one.body for one in hanging)}
     found = lumped.layouts([row for row in every if not _only(row, elsewhere)], sketch, left, top)
-    return hanging, found, gears.wound(sketch.scene) if found else []
+    wound = gears.wound(sketch.scene) if found else []
+    return hanging, [_aside(layout, found, wound) for layout in found], wound
+
+
+def _aside(layout: "Layout", found: "Sequence[Layout]", wound: Sequence[tuple[str, str]]) -> "Layout":
+    """A row between no walls, on the right of the rows above it where one of these winds it up: its rope then crosses
+    no shaft."""
+    above = [other for other in found if other.y > layout.y]
+    drums = {drum for drum, load in wound if load in layout.places}
+    if {layout.left, layout.right} != {None} or not any(drums & set(other.places) for other in above):
+        return layout
+    right = max(place.middle[0] + place.half for other in above for place in other.places.values())
+    dx = right + ASIDE - min(place.middle[0] - place.half for place in layout.places.values())
+    return layout._replace(places={name: place._replace(middle=plane.plus(place.middle, (dx, 0.0)))
+                                   for name, place in layout.places.items()})
 
 
 def _held_alone(scene: "Scene") -> set[str]:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.drawing.layout import captions, lettering, plane
 from vibcli.drawing.layout.sketch import Attachment, Sketch
-from vibcli.drawing.layout.space import FILLED
+from vibcli.drawing.layout.space import FILLED, TAKEN
 from vibcli.drawing.symbols import arrow
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -26,9 +26,10 @@ LENGTH, TICK, WIDE, OVER = 26.0, 5.0, 60.0, 1.5
 ROUND, AROUND = (22.0, 32.0, 44.0), (2, 6, 14, 10, 1, 7, 15, 9, 3, 5, 13, 11, 0, 4, 8, 12)
 LINES, ARCS = (5.0, 11.0, 18.0, 27.0, 38.0), (0.55, 0.7, 0.85, 0.4, 1.0)
 STARTS = (0.2, 0.7, -0.3, 1.2, -0.8), (0.08, 0.58, -0.42, 1.08)     # in units of π; those beside them
-LATER, ROUND_LATER = 1.5, 1.0       # the cost of each place that is tried before
+LATER, ROUND_LATER, WORDED = 1.5, 1.0, 1.2      # the cost of each place that is tried before, of a word at the start
 BEYOND, SMALL = 6.0, 30.0       # points: of an arc about all of a small body
 THIN, MOST = 4.0, 12.0          # half the thickness of what arcs begin within
+INSIDE, LEAVING = 22.0, 0.38    # that of what short arcs may end in; the part of an arc within a thinner one
 ROUNDED = "ring", "arch", "sector"
 SLANT = 15.0        # points to either side by which a rod leans away from an arrow
 
@@ -154,7 +155,8 @@ def draw(item: "tuple[tuple[Run, ...], str, BodyMotion]", sketch: Sketch, looks:
     for rank, (path, make, *own) in enumerate(paths):           # where an arc begins it may cross what turns
         if best is not None and best[0] <= later * rank:
             break
-        cost = space.arrow(path, over) + sum(map(space.meets, own)) + later * rank
+        cost = space.arrow(path, over) + later * rank + sum(
+            space.meets(way) + WORDED * (space.path(way) >= TAKEN) for way in own)
         if best is None or cost < best[0]:
             best = cost, path, make
     _, path, make = best
@@ -234,14 +236,21 @@ def _round(motion: BodyMotion, sketch: Sketch, looks: "Mapping[str, Look]") -> l
                 found += [_arced(centre, radius, start * pi, start * pi + motion.sense * span) for start in starts]
         return found
     headings = [plane.heading(axis) + turn for turn in ((0.0, pi) if both else (0.0,))]
-    thick = slender and min(MOST, max(abs(plane.across(plane.unit(axis), plane.minus(p, centre))) for p in points))
+    size = _size(max(abs(plane.across(plane.unit(axis), plane.minus(p, centre))) for p in points), look, slender)
     for heading in headings:
         radii = [min(max(share * far, min(26.0, 0.8 * far), 13.0), 85.0) + 14 * i * (share * far > 85)
                  for i, share in enumerate(ARCS)]
         for radius in [*radii, *([far + BEYOND] if look.kind in ROUNDED and far < SMALL else [])]:
-            span = min(0.5 * pi, max((26.0 + max(0.0, thick - THIN)) / radius, 0.3))
+            span = min(0.5 * pi, max(size / radius, 0.3))
             found.append(_arced(centre, radius, heading, heading + motion.sense * span))
     return found
+
+
+def _size(half: float, look: "Look", slender: bool) -> float:
+    """The length of an arc from the axis of a body half as thick: out of one that is slender, of another within it."""
+    if look.kind == "rectangle" and half < INSIDE:
+        return max(26.0, half / LEAVING + 0.8 * arrow.HEAD)
+    return 26.0 + max(0.0, min(MOST, half) - THIN) if slender else 26.0
 
 
 def _arced(centre: tuple[float, float], radius: float, start: float, end: float) -> RoundPath:

@@ -1,7 +1,8 @@
 """Dimension lines: given lengths that a body shows, where there is room for them."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from math import pi
+from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
@@ -106,61 +107,72 @@ def _radius(record: "Record", sketch: "Sketch") -> Iterator[tuple[Length, str]]:
 Drawn = tuple[list[Primitive], tuple[Run, ...], list[tuple[float, float]]]
 
 
-def ways(length: Length, space: "Space") -> Iterator[Drawn]:
-    """(primitives, runs, places for them) of those for which there is room, the better first; beside a line that
-    stands upright first away from what it measures, where no other line is."""
+def ways(length: Length, space: "Space", box: tuple[float, float, float, float]) -> Iterator[Drawn]:
+    """(primitives, runs, places for them) of those for which there is room within or beside a box, the better first;
+    beside a line that stands upright first away from what it measures, where no other line is."""
     if length.radial:
-        rims = sorted((length.two, *length.rims), key=lambda rim: space.meets(_ray(length.one, rim)) > 0.0)
-        tried = [_radial(length._replace(two=rim), space) for rim in rims]
-        yield from (drawn for drawn in tried if drawn is not None)
+        tried = [_radial(length, rim, space) for rim in (length.two, *length.rims)]
+        yield from (drawn for _, drawn in sorted(filter(None, tried), key=itemgetter(0)))
         return
     upright = abs(length.two[1] - length.one[1]) > abs(length.two[0] - length.one[0])
     for offsets in ((*OFFSETS, *FAR), FAR):
-        drawn = _straight(length, space, offsets)
-        if drawn is not None:
-            parts, runs, places = drawn
+        best = _straight(length, space, offsets)
+        if best is not None and best.met:
+            best = _straight(length, space, (*offsets, *_beyond(length, box)))
+        if best is not None:
+            drawn = parts, runs, places = _drawn(length, best)
             if upright:
                 yield parts, runs, places[:1]
             yield drawn
 
 
-def _ray(centre: tuple[float, float], rim: tuple[float, float]) -> list[tuple[float, float]]:
-    """From beside a centre to beside a rim."""
-    start = plane.plus(centre, plane.unit(plane.minus(rim, centre)), 4.0)
-    return [start, plane.plus(rim, plane.minus(start, rim), 0.1)]
+def _beyond(length: Length, box: tuple[float, float, float, float]) -> list[float]:
+    """The offsets on either side of lines that lie beyond all that is drawn."""
+    n = plane.left(plane.unit(plane.minus(length.two, length.one)))
+    reach = [plane.dot(plane.minus((x, y), length.one), n) for x in box[::2] for y in box[1::2]]
+    return sorted(OFFSETS[0] + far for far in (max(reach), -min(reach)))
 
 
-def _radial(length: Length,
-            space: "Space") -> tuple[list[Primitive], tuple[Run, ...], list[tuple[float, float]]] | None:
-    """From the centre, or from beside a spiral or dashpot that is there."""
-    start = length.one
-    if space.meets(_ray(start, length.two)):
-        at, radius = plane.along(start, length.two), plane.distance(start, length.two)
-        free = [share for share in STARTS if not space.meets([at(share * radius), at(0.9 * radius)])]
-        start = at(free[0] * radius) if free else start
-    length = length._replace(one=start)
-    if space.path(_ray(length.one, length.two)) > 2 * CROWDED:
+def _radial(length: Length, rim: tuple[float, float], space: "Space") -> tuple[float, Drawn] | None:
+    """(what it meets, Drawn): from the centre, or from beside a spiral or dashpot that is there."""
+    at, radius = plane.along(length.one, rim), plane.distance(length.one, rim)
+    starts = [(0.0, min(4.0, radius / 2)), *((share * radius, share * radius) for share in STARTS)]
+    met, start, first = min((space.meets([at(first), at(0.9 * radius)]), start, first) for start, first in starts)
+    if space.path([at(first), at(0.9 * radius)]) > 2 * CROWDED:
         return None
-    parts = [part._replace(width=0.7) for part in arrow.straight(length.one, length.two, "measure", 0.7)]
-    return parts, length.runs, [plane.plus(plane.middle(length.one, length.two), plane.left(
-        plane.unit(plane.minus(length.two, length.one))), side) for side in (2.0, -2.0)]
+    parts = [part._replace(width=0.7) for part in arrow.straight(at(start), rim, "measure", 0.7)]
+    return met, (parts, length.runs, [plane.plus(plane.middle(at(start), rim), plane.left(
+        plane.unit(plane.minus(rim, length.one))), side) for side in (2.0, -2.0)])
 
 
-def _straight(length: Length, space: "Space",
-              offsets: tuple[float, ...]) -> tuple[list[Primitive], tuple[Run, ...], list[tuple[float, float]]] | None:
+class _Line(NamedTuple):
+    """A dimension line from `a` to `b` on a side (±1) of what it measures, what leads to it, the cost of it all, and
+    that of the springs, dampers and arrows that it crosses."""
+
+    rank: float
+    met: float
+    a: tuple[float, float]
+    b: tuple[float, float]
+    side: int
+    legs: list[Any]
+
+
+def _straight(length: Length, space: "Space", offsets: Sequence[float]) -> _Line | None:
+    """The best _Line at one of some offsets, None where there is none."""
     e = plane.unit(plane.minus(length.two, length.one))
     n = plane.left(e)
     best = None
     for offset in offsets:
-        if best is not None and best[0] <= 0.1 * offset:
+        if best is not None and best.rank <= 0.1 * offset:
             break
         for side in (-1, 1):
             a, b = plane.plus(length.one, n, side * offset), plane.plus(length.two, n, side * offset)
             label = plane.plus(plane.middle(a, b), n, side * 7.0)
             line, clear = ([plane.plus(a, e, off), plane.plus(b, e, -off)] for off in (2.0, TIP))
             cost = space.path(line) + space.path([label, label])
-            rank = CUT * cost + 0.1 * offset + space.crossings(clear)
-            if cost > CROWDED or (best is not None and rank >= best[0]):
+            coiled = space.coiled(line)
+            rank = CUT * cost + 0.1 * offset + space.crossings(clear) + coiled
+            if cost > CROWDED or (best is not None and rank >= best.rank):
                 continue
             legs = [_leg(plane.plus(p, n, side * (ROD + 2)), plane.plus(q, n, side * BEYOND), space)
                     for p, q in ((length.one, a), (length.two, b))]
@@ -168,14 +180,18 @@ def _straight(length: Length, space: "Space",
                 continue
             struck = sum(space.path([plane.plus(p, n, side * OWN), q]) for p, q in legs)
             rank += STRUCK * struck + LEG * sum(map(space.meets, legs))
-            if best is None or rank < best[0]:
-                best = rank, a, b, side, legs
-    if best is None:
-        return None
-    _, a, b, side, legs = best
-    legs = [Polyline(leg, "measure", 0.6, layer=LEADER) for leg in legs]
-    parts = [part._replace(width=min(part.width, 0.7)) for part in arrow.straight(a, b, "measure", 0.7, both=True)]
-    return [*legs, *parts], length.runs, [plane.plus(plane.middle(a, b), n, sign * 1.5) for sign in (side, -side)]
+            if best is None or rank < best.rank:
+                best = _Line(rank, space.meets(clear) + coiled, a, b, side, legs)
+    return best
+
+
+def _drawn(length: Length, line: _Line) -> Drawn:
+    n = plane.left(plane.unit(plane.minus(length.two, length.one)))
+    legs = [Polyline(leg, "measure", 0.6, layer=LEADER) for leg in line.legs]
+    parts = [part._replace(width=min(part.width, 0.7))
+             for part in arrow.straight(line.a, line.b, "measure", 0.7, both=True)]
+    return [*legs, *parts], length.runs, [plane.plus(plane.middle(line.a, line.b), n, sign * 1.5)
+                                          for sign in (line.side, -line.side)]
 
 
 def _leg(start: tuple[float, float], end: tuple[float, float],

@@ -1,14 +1,12 @@
 """Loads: arrows of forces at the points where they act, round ones of moments; unbalances."""
 
-from collections import defaultdict
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from math import hypot, pi
 from typing import TYPE_CHECKING, Any
 
 from vibcli.drawing.canvas.primitives import BODY, Circle, Polyline, Primitive, Run
 from vibcli.drawing.layout import captions, lettering, plane
-from vibcli.drawing.symbols import arrow
-from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.drawing.symbols import acting, arrow
 from vibcli.symbolic.syntax import Sum
 
 if TYPE_CHECKING:
@@ -18,7 +16,7 @@ if TYPE_CHECKING:
     from vibcli.language.reader import Record
     from vibcli.symbolic.node import Node
 
-LENGTH, INSTANTS = 32.0, (0.0, 1e-6, 0.37, 1.13, 2.71)
+LENGTH = 32.0
 
 
 def draw(record: "Record", sketch: "Sketch", looks: "Mapping[str, Look]",
@@ -79,17 +77,11 @@ def unsigned(field: Any) -> Any:
     return Expression(shorter, field.tree.parts[0][1])
 
 
-def _direction(nodes: "list[Node]", sketch: "Sketch") -> tuple[float, float]:
-    """The direction of a force as drawn, or at the first instant and rate at which it acts."""
-    for instant in INSTANTS:
-        rate = float(bool(instant))         # of every coordinate
-        values = defaultdict(lambda rate=rate: rate,  # type: ignore[misc]
-                             {**sketch.values, sketch.scene.time.name: instant})
-        x, y = evaluate(nodes, Floats, values)
-        size = hypot(x, y)
-        if 1e-12 < size < float("inf"):
-            return x / size, y / size
-    return 1.0, 0.0
+def _direction(nodes: "Sequence[Node]", sketch: "Sketch") -> tuple[float, float]:
+    """The direction of a force as drawn, when it first acts."""
+    (x, y), = acting.values(nodes, sketch)
+    size = hypot(x, y)
+    return (x / size, y / size) if size else (1.0, 0.0)
 
 
 def _moment(record: "Record", sketch: "Sketch", looks: "Mapping[str, Look]",

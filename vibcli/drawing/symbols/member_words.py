@@ -7,7 +7,7 @@ from vibcli.drawing.canvas.primitives import Primitive, Run
 from vibcli.drawing.layout import captions, hung, lettering, plane
 from vibcli.drawing.layout.rows import motion
 from vibcli.drawing.layout.strips import Strip, resting
-from vibcli.drawing.symbols import arrow, member_ends, support
+from vibcli.drawing.symbols import acting, arrow, member_ends, support
 from vibcli.drawing.symbols.coordinate import ticked
 from vibcli.drawing.symbols.dimension import SHORTEST, Length, named_length
 from vibcli.drawing.symbols.member import ASIDE, Bend, preload
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 NAMED_BY, PUSH, BESIDE, ROW, APART = ("EI", "EA", "GIo"), 30.0, 9.0, 20.0, 18.0
 ASIDE_OF_LEGS = 4.0     # points from a name to a line that leads to a length
+FAINT = 0.1         # the least part of the largest load of a row that has an arrow
 NAMED_AT = 0.3, 0.7, 0.5, 0.4, 0.6      # parts of a length where its name may stand
 
 
@@ -126,19 +127,21 @@ def _sensed(field: "Expression") -> "tuple[float, Expression]":
 
 
 def _spread(load: "Record", strip: Strip, sketch: "Sketch",
-            space: "Space") -> "tuple[list[Primitive], tuple[Run, ...], list[tuple[float, float]], str]":
-    """A row of arrows beside a member, where it crosses least; along it on bars."""
+            space: "Space") -> tuple[list[Primitive], tuple[Run, ...], list[tuple[float, float]], str]:
+    """A row of arrows beside a member, where it crosses least, along it on bars; each as long as the load is there."""
     start, end = (sketch.number(load[key]) if key in load else x
                   for key, x in (("from", 0.0), ("to", strip.metres)))
     count = max(2, round((end - start) * strip.scale / APART))
     places = [start + (end - start) * i / count for i in range(count + strip.sideways)]
-
-    sense, field = _sensed(load["per_length"])
+    field = _sensed(load["per_length"])[1]
+    shares = [(x, share) for x, share in zip(places, _shares(load, places, sketch), strict=True) if abs(share) > FAINT]
 
     def row(aside: float) -> "list[tuple[tuple[float, float], tuple[float, float]]]":
-        found = [(strip.at(x, aside), strip.at(x, aside + ROW) if strip.sideways else strip.at(x, aside, 0.7 * APART))
-                 for x in places]
-        return [(b, a) for a, b in found] if sense < 0 else found
+        near, far = (aside, aside + ROW) if aside > 0 else (aside + ROW, aside)
+        found = [((strip.at(x, near), strip.at(x, near + (far - near) * abs(share))) if strip.sideways else
+                  (strip.at(x, aside), strip.at(x, aside, 0.7 * APART * abs(share))), (share > 0) is (far > near))
+                 for x, share in shares]
+        return [path if onward else path[::-1] for path, onward in found]
 
     aside = min((6.0, 12.0, 16.0, -6.0 - ROW, 24.0)[not strip.sideways:],
                 key=lambda aside: sum(map(space.arrow, row(aside))))
@@ -146,6 +149,14 @@ def _spread(load: "Record", strip: Strip, sketch: "Sketch",
     runs = captions.expression(field, sketch, 24) or lettering.named(load.name)
     middle = (start + end) / 2
     return parts, runs, [strip.at(middle, aside + (ROW + 4 if aside > 0 else -4.0))], "load"
+
+
+def _shares(load: "Record", places: Sequence[float], sketch: "Sketch") -> list[float]:
+    """What a load is at each of some places, as a part of the most, when it first acts."""
+    node = captions.raw(load["per_length"], sketch.scene)
+    found = [value for value, in acting.values([node], sketch, [{"x": x} for x in places])]
+    most = max(map(abs, found))
+    return [value / most for value in found] if most else [_sensed(load["per_length"])[0]] * len(places)
 
 
 def lengths(strips: Sequence[Strip], sketch: "Sketch") -> list[Length]:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.drawing.canvas.primitives import BODY, Polyline, Primitive, extent, ghost
 from vibcli.drawing.layout import compose, lettering
-from vibcli.drawing.symbols import arrow, bodies
+from vibcli.drawing.symbols import arrow, bodies, path
 from vibcli.drawing.vibration import Vibration, caption, mode
 
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ def draw(problem: Any, index: int, both: bool = False, normalise: str = "first")
     vibration = Vibration(problem, index, stage, normalise)
     unit, room = vibration.unit, vibration.room
     still = frame(stage, vibration.rest, unit, room, vibration.bends(None))
-    found = ghost(part for part in still if part.role not in QUIET)
+    found = path.draw(stage) + ghost(part for part in still if part.role not in QUIET)
     if both:
         other = frame(stage, vibration.at(pi), unit, room, vibration.bends(pi))
         found += [part._replace(dashed=True, width=0.8) for part in ghost(

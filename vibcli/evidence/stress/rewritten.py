@@ -72,7 +72,7 @@ def scaled(length: int = 0, mass: int = 0, time: int = 0) -> Change:
     """Numbers with units in which lengths, masses and times are 4^… as large."""
     def change(number: Number, _: str) -> str | None:
         power = Fraction(0)
-        for unit, exponent, *_ in number.units:
+        for unit, exponent, *_more in number.units:
             dimension = UNITS[unit].dimension
             power += exponent * sum(step * dimension.get(base, 0) for base, step in
                                     (("m", length), ("kg", mass), ("s", time)))

@@ -1,6 +1,6 @@
-"""Forces in constraints and supports in letters, in the drawn position at rest, at given accelerations.
+"""Forces in constraints and supports in letters, at rest as drawn or at a given place, at given accelerations.
 
-As in numbers (mechanics/reactions.py) the scene is released, and with the drawn position put in, all is linear in λ:
+As in numbers (mechanics/reactions.py) the scene is released, and with the position put in, all is linear in λ:
 
     E_q + Σ λ_k ∂G_k/∂q = 0        R_ρ = E_ρ + Σ λ_k ∂G_k/∂ρ,        E = d/dt ∂T/∂q̇ − ∂T/∂q + ∂Φ/∂q̇ + ∂V/∂q − Q.
 """
@@ -52,11 +52,13 @@ class _Open(NamedTuple):
     degree: int
 
 
-def symbolic_forces(numeric: "NumericSystem", accelerations: "Mapping[str, Node] | None" = None) -> SymbolicForces:
-    """The SymbolicForces of a system as drawn, at rest, with the `accelerations` {coordinate: node}, else without."""
+def symbolic_forces(numeric: "NumericSystem", accelerations: "Mapping[str, Node] | None" = None,
+                    place: "Mapping[str, Node] | None" = None) -> SymbolicForces:
+    """The SymbolicForces of a system at rest as drawn, or at a `place` {coordinate: node} of those that are elsewhere,
+    with the `accelerations` {coordinate: node}, else without."""
     scene = take_over(numeric.scene.with_released_supports(), numeric.system.preloads)
     n, total = len(numeric.spec.coordinates), scene.table.total
-    E, G = _as_drawn(scene, accelerations or {})
+    E, G = _at_rest(scene, accelerations or {}, place or {}, n)
     multipliers, left_open = _multipliers(scene, E[:n], G)
     signs = [1 if tie.form in LENGTHENING else -1 for tie in scene.constraints]
     symbols = [scene.table.variable("S_" + tie.name.replace(".", "_")) for tie in scene.constraints]
@@ -97,18 +99,28 @@ def _samples(scene):
             for known, _ in zip(values, SAMPLES if parameters.free else "1", strict=False)]
 
 
-def _as_drawn(scene, accelerations):
-    """E of every coordinate, and [∂G_k/∂q] of each constraint, as drawn at rest."""
+def _at_rest(scene, accelerations, place, n):
+    """E of every coordinate, and [∂G_k/∂q] of each constraint, at rest as drawn but for what is at a place; n: how many
+    coordinates are no supports that give way."""
     T, V, Phi = kinetic(scene), potential(scene), dissipation(scene)
     nodes = [*(equation_of(scene, i, T, V, Phi) for i in range(len(scene.q))), *constraint_slopes(scene)]
-    zero, names = scene.table.zero, list(accelerations)
-    given = dict(zip(names, copied(list(accelerations.values()), scene.table), strict=True)) if names else {}
-    at = {**scene.drawn_position, **dict.fromkeys(scene.v, zero)}
+    nodes = _with_lengths_as_drawn(scene, nodes, n) if place else nodes
+    zero = scene.table.zero
+    given, elsewhere = ({name: copied([node], scene.table)[0] for name, node in of.items()}
+                        for of in (accelerations, place))
+    at = {**scene.drawn_position, **{q: elsewhere[q.name] for q in scene.q if q.name in elsewhere}}
+    at |= dict.fromkeys(scene.v, zero)
     at |= {a: given.get(q.name, zero) for q, a in zip(scene.q, scene.a, strict=True)}
     samples = _samples(scene)
     found = [_without_bars(textbook(node), samples) for node in substitute(nodes, at)]
     size = len(scene.q)
     return found[:size], [found[start:start + size] for start in range(size, len(found), size)]
+
+
+def _with_lengths_as_drawn(scene, nodes, n):
+    """Expressions of supports that hold with lengths as drawn for the roots of their squares."""
+    still = {q: scene.drawn_position[q] for q in scene.q[n:]}
+    return scene.unrooted(substitute(nodes, still))
 
 
 def _multipliers(scene, E, G):

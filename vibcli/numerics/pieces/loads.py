@@ -145,11 +145,10 @@ def _by_parity(piece: "Piece", kappa: np.ndarray, x: np.ndarray, weights: np.nda
 
 
 def _by_ends(piece: "Piece", kappa: np.ndarray, one: LoadStretch, numbers: "Arithmetic") -> np.ndarray:
-    unit, found = np.eye(piece.order), np.zeros(())
-    for x, sign in ((one.end, 1.0), (one.start, -1.0)):
-        phi = fields(piece, kappa[:, None], unit, x)
-        found = found + sign * bracket(piece, kappa[:, None], phi, one, x)
-    return found
+    unit = np.eye(piece.order)
+    end, start = (bracket(piece, kappa[:, None], fields(piece, kappa[:, None], unit, x), one, x)
+                  for x in (one.end, one.start))
+    return end - start
 
 
 def bracket(piece: "Piece", kappa: np.ndarray, phi: np.ndarray, one: LoadStretch, x: Any) -> np.ndarray:

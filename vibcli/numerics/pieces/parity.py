@@ -137,7 +137,7 @@ def _by_sums(nu: np.ndarray, chi: np.ndarray, numbers: "Arithmetic",
     f_scale, g_scale = numbers.exp(least - g.r), numbers.exp(least - f.r)
     f_c, f_s, g_c, g_s = f.c * f_scale, f.s * f_scale, g.c * g_scale, g.s * g_scale
     s, d, sigma = (f_c - g_c) / (2 * root), (f_s + g_s) / 2, (f_s - g_s) / (2 * root)
-    slopes = ()
+    slopes: tuple[np.ndarray, ...] = ()
     if steep:
         f_slope, g_slope = f.slope * f_scale, g.slope * g_scale
         slopes = (sigma / 2, (d - s) / (2 * chi), (f_slope - g_slope) / (2 * root),

@@ -14,6 +14,7 @@ from vibcli.report.blocks import (
     Maths,
     Name,
     Paragraph,
+    Quotient,
     SumOfTerms,
     Typed,
     WithNumbers,
@@ -25,6 +26,7 @@ FEW, STUB = 40, 12  # characters of words that stay in a row; columns that no ro
 CLAUSE, GAP = ",  ", "  "       # what ends a clause, and what begins one
 WORD = re.compile(r"^\s+|\S+\s*")
 TENS = re.compile(r"(?<![\w.])(\d+(?:\.\d+)?)e([+-]?)0*(\d+)\b")
+OVER = re.compile("/")
 BREAK = re.compile(r"(?= [+−=<>] )")
 INDEXED = re.compile(r"(?<!\w)(\w|\\ensuremath\{\\\w+\})(?:\\?_|&#95;)(\w)(?!\w)")  # a letter, its index, as escaped
 
@@ -139,6 +141,8 @@ def _pieces(part, write):
         return [_typed(part, write)]
     if isinstance(part, Factor):
         return [write.write(part.node, 1)]
+    if isinstance(part, Quotient):
+        return [_quotient(part, write)]
     if isinstance(part, Either):
         plus, either = write.signed(False, write(part.mark)), write.notation(" ∓ ")
         return [write(part.node).replace(plus, write.beside(either, write(part.root)))]
@@ -147,6 +151,13 @@ def _pieces(part, write):
     nodes = part.nodes if isinstance(part, SumOfTerms) else (part,)
     terms = [term for node in nodes for term in _terms(node, write)]
     return [write.signed(negative, text, not i) for i, (negative, text) in enumerate(terms)]
+
+
+def _quotient(part, write):
+    if write is not plain:
+        return write.fraction(write(part.above), write(part.below))
+    divided = part.above.op == "product" and bool(_outside(OVER, write(part.above)))
+    return f"{write.write(part.above, 1 + divided)}/{write.write(part.below, 2)}"
 
 
 def _typed(part, write):
@@ -171,6 +182,11 @@ def _terms(node, write):
 
 def _split(text):
     """A text in notation before each relation or sign that stands in no bracket."""
-    places = [found.start() for found in BREAK.finditer(text)
-              if text.count("(", 0, found.start()) == text.count(")", 0, found.start())]
+    places = _outside(BREAK, text)
     return [text[start:end] for start, end in zip([0, *places], [*places, len(text)], strict=True)]
+
+
+def _outside(pattern, text):
+    """Where something stands in no bracket."""
+    return [found.start() for found in pattern.finditer(text)
+            if text.count("(", 0, found.start()) == text.count(")", 0, found.start())]

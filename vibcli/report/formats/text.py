@@ -1,5 +1,6 @@
 """A report as plain text: sections under their titles, formulas on one line as far as they fit."""
 
+import re
 from collections.abc import Sequence
 from itertools import zip_longest
 from typing import Any
@@ -12,6 +13,7 @@ from vibcli.report.formats.formula import formula
 
 COLUMNS = 98            # of a page of 100: sections are indented by two
 SEPARATOR, NO_BREAK = ",  ", "\u2007"       # of statements in a line; what stands for a space within one
+HEAD = re.compile(r"(?<=  )(\S{1,8}) = ")         # what a clause tells, where that is short
 LISTING, LEAST = ", ", 12       # what a cell is broken at, and to so many columns at least
 
 
@@ -51,9 +53,10 @@ def _equations(block):
 
 def _line(line):
     text = formula(line.label, plain) + ":  " * bool(line.label) + formula(line.parts, plain)
-    if line.hang is not None:
-        return wrapped(text, COLUMNS, indent=line.hang, first=line.inset)
-    return [text] if width(text) <= COLUMNS else _listed(text)
+    text = HEAD.sub(f"\\1{NO_BREAK}= ", text).replace("= ", f"={NO_BREAK}")       # at which no line ends
+    lines = wrapped(text, COLUMNS, indent=line.hang, first=line.inset) if line.hang is not None else [text] if (
+        width(text) <= COLUMNS) else _listed(text)
+    return [one.replace(NO_BREAK, " ") for one in lines]
 
 
 def _listed(text):
@@ -62,8 +65,7 @@ def _listed(text):
     if max(map(width, statements)) + 4 > COLUMNS:
         return wrapped(text, COLUMNS, indent=4)
     held = f"{SEPARATOR.rstrip()} ".join(one.replace(" ", NO_BREAK) for one in statements)
-    lines = wrapped(held, COLUMNS, indent=4)
-    return [line.replace(NO_BREAK, " ") for line in lines]
+    return wrapped(held, COLUMNS, indent=4)
 
 
 def _paragraph(block):

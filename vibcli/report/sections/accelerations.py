@@ -49,7 +49,7 @@ def accelerations(problem: "Problem", report: "Report") -> Iterator[Section]:
     yield from section("Accelerations from rest as drawn", blocks.equations(lines), *with_lengths(lengths),
                        paragraph(CONSTANT) if found.constant else None)
     forces = {signal: node for signal, node in forces.items() if node is None or not node.is_zero}
-    forces |= dict(normals_in_letters(problem, forces))
+    forces |= dict(normals_in_letters(problem, forces, {}))
     lines, lengths = _lines(problem, report, forces, {signal: Words(signal) for signal in forces})
     yield from section(FORCES, blocks.equations(lines), *with_lengths(lengths), note(SIGNS))
 

@@ -2,8 +2,8 @@
 
 from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import PhysicsError
-from vibcli.report.blocks import figures_of_fewer_digits
+from vibcli.base.errors import NoBound, NoDigit, PhysicsError
+from vibcli.report.blocks import TableBlock, figures_of_fewer_digits
 from vibcli.report.keys import Key, data
 
 if TYPE_CHECKING:
@@ -22,11 +22,16 @@ def certified(problem: "Problem") -> dict[str, Any]:
 
 
 def require_all_digits(sections: "Sequence[Section]") -> None:
-    """PhysicsError of the first figure that has fewer digits than others."""
+    """PhysicsError of the first figure that has fewer digits than others, or none."""
     for section in sections:
         for text in figures_of_fewer_digits(section)[:1]:
             raise PhysicsError(f"under '{section.title}' stands {text}: no more digits are within the bound of its "
                                "error", "leave --strict out")
+        rows = [row for block in section.blocks if isinstance(block, TableBlock) for row in block.rows]
+        for word in (NoBound.CELL, NoDigit.CELL):
+            if any(word in row for row in rows):
+                raise PhysicsError(f"under '{section.title}' stands '{word}': no digit of what is asked there is known",
+                                   "leave --strict out")
 
 
 def require_rounding(problem: "Problem") -> None:

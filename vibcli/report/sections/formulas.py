@@ -102,18 +102,20 @@ def _product(part, t, digits):
 
 
 def _falling(part, t, digits):
-    return f"e^({_signed(part.rate, digits)}·{t})"
+    return f"e^({'−' if part.rate < 0 else ''}{_times(abs(part.rate), t, digits)})"
+
+
+def _times(rate, t, digits):
+    """rate·t, t alone where the rate is one."""
+    size = figure(rate, digits=digits)
+    return t if size == "1" else f"{size}·{t}"
 
 
 def _wave(part, t, digits):
     """(whether −, sin or cos) of cos(ωt − φ), which is a sine where φ is a right angle and a minus where it is two."""
-    angle = f"{figure(part.omega, digits=digits)}·{t}"
+    angle = _times(part.omega, t, digits)
     for lag, turned, function in ((0.0, False, "cos"), (math.pi, True, "cos"), (math.pi / 2, False, "sin"),
                                   (-math.pi / 2, True, "sin"), (-math.pi, True, "cos")):
         if abs(part.phase - lag) <= NO_ANGLE:
             return turned, f"{function}({angle})"
     return False, f"cos({angle} {'−' if part.phase > 0 else '+'} {figure(abs(part.phase))})"
-
-
-def _signed(value, digits):
-    return figure(value, digits=digits).replace("-", "−")

@@ -11,6 +11,7 @@ from vibcli.report.sections.response import (
     known_until,
     require_quick,
     unknown,
+    unknown_at,
     value_at,
     without_bound,
 )
@@ -31,7 +32,7 @@ def response_data(problem: "Problem", wanted: "Wanted") -> dict[str, Any]:
     alone = at_instants_alone(motion, wanted)
     end = None if alone else min(known, motion.until)
     ends = [(one, None, None) for one in asked] if alone else extremes(asked, end)
-    found = [SIGNALS.row(one.text, one.unit, *(number for which in both for number in _of_extreme(which)),
+    found = [SIGNALS.row(one.text, one.unit, *(number for which in both for number in _of_extreme(which, end)),
                          None if alone else without_bound(one, end),
                          None if alone else _steady(motion, one.signal, wanted.phase), values,
                          [] if alone else one.signal.leaps(end), motion.estimated and one.signal.is_estimated)
@@ -44,21 +45,25 @@ def response_data(problem: "Problem", wanted: "Wanted") -> dict[str, Any]:
         "periods": compared_periods(problem, motion)})
 
 
-def _of_extreme(found):
-    """(value, bound of its error, instant) of a BoundedExtreme; nothing of what is not known."""
-    return (None,) * 3 if found is None or isinstance(found, str) else (found.value, found.error, found.time)
+def _of_extreme(found, end):
+    """(value, bound of its error, instant) of a BoundedExtreme up to an end; nothing of what is not known."""
+    if found is None or isinstance(found, str):
+        return (None,) * 3
+    return found.value, found.error, found.time if found.tells_instant(end) else None
 
 
 def _values(problem, one, wanted, known):
-    """[(t, value, bound of its error)] at the instants asked for; with --digits as texts; None beyond what is known."""
+    """[(t, value, bound of its error, why there is none)] at the instants asked for; with --digits as texts; None
+    beyond what is known."""
     def value(t):
         from vibcli.results.escalation import value_of_signal
 
         if float(t) > known:
-            return None, None
+            return None, None, None
         if wanted.digits is not None:
-            return value_at(problem, one, t, wanted.digits), None
-        return if_known(lambda: value_of_signal(one.signal.read_at(float(t)), t), lambda _: (None, None))
+            return value_at(problem, one, t, wanted.digits), None, None
+        return if_known(lambda: (*value_of_signal(one.signal.read_at(float(t)), t), None),
+                        lambda _: (None, None, unknown_at(one, t)))
 
     return [(t, *value(t)) for _, t in wanted.at]
 
@@ -77,13 +82,14 @@ SIGNALS = Key("signals", "a list, one entry to each signal", each=(
     Key("signal", "the signal as written"),
     Key("unit", "its unit"),
     Key("max", "its largest value for 0 ≤ t ≤ until; null of a force that statics alone does not fix at all of these "
-        "instants, and of what has no bound"),
+        "instants, and of what has no bound or one as large as the signal"),
     Key("max_error", "how far that may be off at most, of a motion that is integrated, or `estimated`, about"),
-    Key("argmax", "the instant of that, in s"),
+    Key("argmax", "the instant of that, in s; null where its bound is as long as all of the time"),
     Key("min", "its smallest value; null as above"),
     Key("min_error", "how far that may be off, as above"),
     Key("argmin", "the instant of that, in s"),
-    Key("no_bound", "null, or why its largest and smallest values have no bound, and what helps"),
+    Key("no_bound", "null, or why its largest and smallest values have no bound, or one as large as the signal, and "
+        "what helps"),
     Key("steady", "a list of the harmonics of the steady state, of a periodic load the first; null where there is none",
         each=(
             Key("Omega", "angular frequency of a harmonic", lambda one: one[0]),
@@ -92,7 +98,9 @@ SIGNALS = Key("signals", "a list, one entry to each signal", each=(
     Key("at", "a list, one entry to each --at; empty without", each=(
         Key("t", "the instant, in s", lambda one: float(one[0])),
         Key("value", "the value then, null where it is not known; with --digits a decimal", lambda one: one[1]),
-        Key("error", "how far that may be off, as above; null with --digits", lambda one: one[2]))),
+        Key("error", "how far that may be off, as above; null with --digits", lambda one: one[2]),
+        Key("no_bound", "null, or why that has no bound or one as large as the signal, and what helps",
+            lambda one: one[3]))),
     Key("fronts", "a list of the fronts of travelling waves at which the signal leaps; empty of other motions", each=(
         Key("t", "the instant, in s", lambda one: one[0]),
         Key("before", "the value before it", lambda one: one[1]),

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.notation.as_printed import as_printed
-from vibcli.notation.numbers import with_unit
+from vibcli.notation.numbers import with_minus, with_unit
+from vibcli.quantities.dimensions import unit_of
 from vibcli.report.blocks import Section, Words, equations, line, section
 from vibcli.report.sections.requested_signals import dimension_of
 from vibcli.report.steps.asked import known
@@ -29,5 +30,7 @@ def prescribed(problem: "Problem", _: "Report") -> Iterator[Section]:
 
 def _valued(problem, asked):
     """`x(t₁) = 3 mm`; an error where it has no value."""
-    value = with_unit(known(problem, asked), dimension_of(problem, asked.tree))
-    return Words(f"{as_printed(asked.text, {*problem.spec.parameters, *problem.spec.coordinates})} = {value}")
+    value = known(problem, asked)
+    unit = unit_of(problem.spec, asked)
+    told = f"{with_minus(value)} {unit}" if unit == "J" else with_unit(value, dimension_of(problem, asked.tree))
+    return Words(f"{as_printed(asked.text, {*problem.spec.parameters, *problem.spec.coordinates})} = {told}")

@@ -8,7 +8,7 @@ from vibcli.base.errors import NoBound, NotFixed, PhysicsError, SpecError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.reader import Reader
 from vibcli.language.signal_names import signal_name
-from vibcli.quantities.dimensions import checker
+from vibcli.quantities.dimensions import checker, text_of
 from vibcli.quantities.signal_dimensions import input_dimension, inputs, output_dimension
 from vibcli.reader.sections.find import FREQUENCY_RESPONSE, RESPONSE
 from vibcli.report.sections.parameters import unit
@@ -41,7 +41,7 @@ class RequestedSignal(NamedTuple):
 
     @property
     def unit(self) -> str:
-        return unit(self.dimension)
+        return "rad" if self.dimension == {} else text_of(self.dimension, self.tree)
 
 
 def symbol(text: str) -> str:

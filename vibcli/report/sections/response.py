@@ -5,7 +5,7 @@ from contextlib import suppress
 from math import inf
 from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import NoBound, NotInLetters, PhysicsError, Unknown
+from vibcli.base.errors import NoBound, NoDigit, NotInLetters, PhysicsError, Unknown
 from vibcli.base.units import TIME, times
 from vibcli.language.sections.initial import FIELDS
 from vibcli.notation.numbers import figure, supported, with_unit
@@ -136,7 +136,10 @@ def _at_instants(problem, asked, wanted, known):
             if_known(lambda one=one, t=t: value_at(problem, one, t, wanted.digits), str)
             if float(t) <= known else "–" for _, t in wanted.at))
             for one in asked)
-        yield from section("Values", TableBlock(("signal", *(f"t = {text}" for text, _ in wanted.at)), rows))
+        reasons = (unknown_at(one, t) for one, cells in zip(asked, rows, strict=True)
+                   for cell, (_, t) in zip(cells[1:], wanted.at, strict=True) if cell in (NoBound.CELL, NoDigit.CELL))
+        yield from section("Values", TableBlock(("signal", *(f"t = {text}" for text, _ in wanted.at)), rows),
+                           *map(paragraph, dict.fromkeys(filter(None, reasons))))
 
 
 def value_at(problem: "Problem", one: RequestedSignal, t: "Fraction", digits: int | None = None) -> str:
@@ -213,14 +216,25 @@ def _extremes(asked, until, digits):
 
 def without_bound(one: RequestedSignal, until: float) -> str | None:
     """Why extremes of a signal up to an instant have no bound, and what helps; None where they have one."""
-    for sense in (1, -1):
-        try:
-            one.signal.bounded_extreme(0.0, until, sense)
-        except NoBound as refusal:
-            return f"{refusal.CELL}: {refusal.message}; {refusal.hint}"
-        except PhysicsError:
-            return None
-    return None
+    return next(filter(None, (_reason(lambda sense=sense: one.signal.bounded_extreme(0.0, until, sense))
+                              for sense in (1, -1))), None)
+
+
+def unknown_at(one: RequestedSignal, t: "Fraction") -> str | None:
+    """Why the value of a signal at an instant is not known, and what helps; None where it is."""
+    from vibcli.results.escalation import value_of_signal
+
+    return _reason(lambda: value_of_signal(one.signal.read_at(float(t)), t))
+
+
+def _reason(found):
+    """Why nothing bounds what a function finds, or leaves it a digit; None where it finds it."""
+    try:
+        found()
+    except NoBound as refusal:
+        return f"{refusal.CELL}: {refusal.message}; {refusal.hint}"
+    except PhysicsError:
+        return None
 
 
 def extreme_cells(signal: "Signal", found: "BoundedExtreme", until: float, sense: int,
@@ -230,4 +244,5 @@ def extreme_cells(signal: "Signal", found: "BoundedExtreme", until: float, sense
         with suppress(PhysicsError):
             t, value = signal.precise_extreme(0.0, until, sense, digits)
             return precise_text(value, digits), precise_text(t, digits)
-    return supported(found.value, found.error), supported(found.time, found.error_of_time)
+    return supported(found.value, found.error), (supported(found.time, found.error_of_time)
+                                                 if found.tells_instant(until) else NoDigit.CELL)

@@ -43,14 +43,16 @@ class SampledCurve(NamedTuple):
 
 
 def sampled(problem: "Problem", wanted: "Wanted") -> list[SampledSignal]:
-    """The Series of the signals asked for."""
+    """The Series of the signals asked for, NaN where no digit of them is known."""
+    from vibcli.results.known_digits import known_alone
+
     asked = signals_asked(problem, wanted.signals)
     times = problem.response.instants([one.signal for one in asked], wanted.points)
     found = []
     for one in asked:
         parts = {part: getattr(one.signal, part).values(times) for part in wanted.parts}
-        found.append(SampledSignal(one.text, one.unit, times, one.signal.sampled(times), parts,
-                            _bounds(problem, one.signal, times)))
+        values = known_alone(one.signal, times, one.signal.sampled(times))
+        found.append(SampledSignal(one.text, one.unit, times, values, parts, _bounds(problem, one.signal, times)))
     return found
 
 
@@ -137,7 +139,7 @@ def frequency_figure(problem: "Problem", curves: Sequence[SampledCurve], nyquist
     if nyquist:
         Omega, found = _smooth(Omega, [problem.frequency_response(curve.name, curve.driver) for curve in curves], found)
     Omega = Omega.tolist()      # floats of Python: an array's own are slow
-    values = {symbol(curve.name): points.tolist() for curve, points in zip(curves, found, strict=True)}
+    values = dict(zip(_labels(curves), (points.tolist() for points in found), strict=True))
     if len(curves) == 1:
         peaks, dips = curves[0].peaks, curves[0].antiresonances
     else:
@@ -175,6 +177,12 @@ def _smooth(Omega, responses, found):
 def _factor(name):
     """A name as it stands in a quotient: in brackets where it is more than one name."""
     return f"({name})" if any(sign in name for sign in " ·/") else name
+
+
+def _labels(curves):
+    """What each curve is called: with its unit where not all have the same."""
+    alike = len({curve.unit for curve in curves}) == 1
+    return [symbol(curve.name) + ("" if alike or curve.unit == "1" else f" [{curve.unit}]") for curve in curves]
 
 
 def _unit(curves):

@@ -149,7 +149,7 @@ def damping(problem: "Problem", report: "Report") -> Iterator[Section]:
         yield from section("Damped modes", paragraph("not found where these ratios of modes stand beside dampers"))
         return
     told = _letters(problem).text if problem.scene.pieces else str
-    table = TableBlock(tuple(map(told, head)), tuple(map(damped_row, found)))
+    table = TableBlock(tuple(map(told, head)), tuple(dict.fromkeys(map(damped_row, found))))     # λ that is double once
     yield from section("Damped modes", without_empty(table, "–"), paragraph(
         f"no other: {ended}") if ended else _proved(problem.modal.damped, found, told), note(told(
             OF_DAMPED + OF_OVERDAMPED * any(one.zeta is not None and one.zeta > 1 for one in found))))

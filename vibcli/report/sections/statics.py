@@ -113,7 +113,7 @@ def _in_letters(problem, report):
     """Blocks of the reactions as expressions."""
     known = {signal: node for signal, node in problem.symbolic.reactions.values.items()
              if node is None or not node.is_zero}
-    known |= dict(normals_in_letters(problem, known))
+    known |= dict(normals_in_letters(problem, known, problem.symbolic.place_of_rest))
     if not known:
         return []
     shown, lengths = abbreviated([node for node in known.values() if node is not None], report.roots)
@@ -139,11 +139,14 @@ def _normals(problem):
     return [(f"{name}.normal", force(problem.configuration, f"{name}.normal")) for name, _ in _guided(problem, known)]
 
 
-def normals_in_letters(problem: "Problem", forces: "Mapping[str, Node | None]") -> "Iterator[tuple[str, Node]]":
-    """(B.normal, its expression as drawn) where these forces act."""
-    scene, known = problem.scene.resting, {signal: node for signal, node in forces.items() if node is not None}
+def normals_in_letters(problem: "Problem", forces: "Mapping[str, Node | None]", place: "Mapping[str, Node]"
+                       ) -> "Iterator[tuple[str, Node]]":
+    """(B.normal, its expression) where these forces act, as drawn but for what is at a `place` {coordinate: node}."""
+    scene = problem.scene.resting
+    known = {signal: node for signal, node in forces.items() if node is not None and not node.is_zero}
+    at = {scene.symbol(name): node for name, node in zip(place, copied(list(place.values()), scene.table), strict=True)}
     for name, normal in _guided(problem, known):
-        nx, ny = substitute(list(normal), scene.drawn_position)
+        nx, ny = substitute(list(normal), {**scene.drawn_position, **at})
         x, y = copied([known[f"{name}.reaction.{axis}"] for axis in "xy"], scene.table)
         yield f"{name}.normal", textbook(nx * x + ny * y)
 

@@ -12,6 +12,7 @@ from vibcli.quantities.quantity import OF_STATE, is_choice, quantity_of
 from vibcli.report.blocks import Words
 from vibcli.report.steps.agreement import same, samples_of, tidy
 from vibcli.report.steps.asked_of_pieces import tell_of_pieces
+from vibcli.report.steps.averages import tell_average
 from vibcli.report.steps.directions import tell_direction
 from vibcli.report.steps.extremes import HEADS
 from vibcli.report.steps.free_vibration import tell_of_free
@@ -19,8 +20,10 @@ from vibcli.report.steps.held_against import is_short
 from vibcli.report.steps.in_numbers_alone import tell_left
 from vibcli.report.steps.instants import tell_instant
 from vibcli.report.steps.kept_up import tell_of_kept_up
-from vibcli.report.steps.overdamped import tell_of_overdamped
+from vibcli.report.steps.overdamped import tell_of_overdamped, tell_root
+from vibcli.report.steps.periods import tell_period
 from vibcli.report.steps.place_of_rest import as_counted
+from vibcli.report.steps.receptances import tell_receptance
 from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.nested_form import letters
@@ -34,10 +37,12 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
-BY_LETTERS = (tell_direction, tell_instant, tell_of_free, tell_of_overdamped, tell_of_kept_up,
-              tell_of_pieces)       # that have lines of their own
+BY_LETTERS = (tell_direction, tell_instant, tell_of_free, tell_of_overdamped, tell_root, tell_average,
+              tell_period, tell_of_kept_up, tell_of_pieces)       # that have lines of their own
+OF_EXPRESSIONS = tell_average, tell_receptance
 CLOSE = 1e-9        # relative: of an expression and the engine's number
 OF_SPRINGS = "stiffness", "damping", "law", "stiffness_correction"       # of springs, dashpots, and what these hold
+ENERGIES = "V", "T", "Phi"      # of expansions, told by the factor of a power
 OF_LETTERS = "period", "decay", "zeta"      # told in letters, where no line settles them
 BESIDE = "frequency", "period", "period_d", "eigenvalue"      # told beside another number of the mode
 
@@ -49,13 +54,13 @@ def tell_asked(problem: "Problem", sheet: WorkedSolution) -> None:
     if problem.numeric.has_free_symbols:
         _tell_in_letters(problem, sheet)
         return
-    settled, before = {line.settles for line in sheet.steps}, len(sheet.steps)
+    settled, before = {line.settles for line in sheet.steps}, sheet.last
     of_answers = [one for one in problem.spec.answers if _untold(problem.spec, one.asked)]
     extremes = {one.asked.text for one in of_answers if getattr(one.asked.tree, "head", "") in HEADS}
     for one in (*(rules.ask if rules is not None else ()), *of_answers):
         if one.asked.text not in settled and _is_number(problem.spec, one.asked.tree):
             settled.add(one.asked.text)
-            beside = len(sheet.steps) > before or sheet.steps[-1].settles in extremes
+            beside = sheet.last > before or sheet.steps[-1].settles in extremes
             _tell(problem, sheet, one.asked, joined=one in of_answers and beside)
 
 
@@ -68,8 +73,9 @@ def _tell_in_letters(problem, sheet):
         if asked.text in settled:
             continue
         try:
-            ways = IN_LETTERS if isinstance(asked.tree, QuantityRef) else ()
-            if not any(tell(problem, sheet, asked) for tell in (*ways, tell_of_kept_up, _told_as_expression)):
+            ways: tuple = IN_LETTERS if isinstance(asked.tree, QuantityRef) else ()
+            ways = *ways, tell_average, tell_of_kept_up, _told_as_expression
+            if not any(tell(problem, sheet, asked) for tell in ways):
                 left.append(asked)
         except (PhysicsError, SpecError):
             left.append(asked)
@@ -89,7 +95,7 @@ def _by_frequency(problem, sheet, asked):
     return True
 
 
-IN_LETTERS = _by_frequency, tell_instant, tell_of_free, tell_of_pieces
+IN_LETTERS = _by_frequency, tell_root, tell_instant, tell_of_free, tell_period, tell_of_pieces
 
 
 def _told_as_expression(problem, sheet, asked):
@@ -118,7 +124,9 @@ def _untold(spec, asked):
     """Is it of a motion, of a node, of springs, or an expression of quantities that the scene does not choose?"""
     quantities = asked.parts.quantities
     if isinstance(asked.tree, QuantityRef):
-        return bool(asked.tree.args) or asked.tree.head in ("node", *OF_SPRINGS)
+        tree = asked.tree
+        return bool(tree.args) or tree.head in ("node", *OF_SPRINGS) or (
+            tree.head in ENERGIES and bool(tree.indices)) or (tree.head == "eigenvalue" and len(tree.indices) == 2)
     return bool(quantities) and not any(is_choice(spec, tree) for tree in quantities)
 
 
@@ -127,11 +135,12 @@ def _is_number(spec, tree):
     quantity = quantity_of(spec, tree)
     if quantity is None:
         return not isinstance(tree, QuantityRef)
-    return quantity.value is not None and quantity.kind not in OF_STATE and (tree.head not in BESIDE or tree.args)
+    return quantity.value is not None and quantity.kind not in OF_STATE and (
+        tree.head not in BESIDE or tree.args or len(tree.indices) == 2)
 
 
 def _tell(problem, sheet, asked, joined):
-    for tell in BY_LETTERS if isinstance(asked.tree, QuantityRef) else ():
+    for tell in BY_LETTERS if isinstance(asked.tree, QuantityRef) else OF_EXPRESSIONS:
         if joined and tell not in (tell_direction, tell_instant):
             sheet.join_next()
         with suppress(PhysicsError, SpecError):

@@ -23,6 +23,7 @@ from vibcli.symbolic.radicals import root
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
+WRITTEN_OUT = 60    # letters of a determinant by its entries, beyond which it is told by its powers alone
 LONG = 100          # letters of a root or a coefficient, beyond which it is told by its number alone
 
 
@@ -69,15 +70,23 @@ def tell_polynomial(about: AboutRest, sheet: WorkedSolution, found: SmallEquatio
     n = len(about.scene.q)
     names = [about.letter(sheet.letter(f"a{power}")) for power in range(n, -1, -1)]
     omega, of_M, of_K = about.letter(sheet.letter("omega")), sheet.matrix("M"), sheet.matrix("K")
-    sign = (-1) ** n
     turned = [" + i·", omega, "·", Name(sheet.matrix("G"))] if found.G else []
-    head = sheet.write(*["−"] * (sign < 0), "det(", Name(of_K), *turned, " − ", omega ** 2, "·", Name(of_M), ") = ",
-                       polynomial(names, omega), " = 0", settles="det(K - omega^2*M)", uses=uses)
+    powers = ["−(", polynomial(names, omega), ")"] if n % 2 else [polynomial(names, omega)]
+    head = sheet.write("det(", Name(of_K), *turned, " − ", omega ** 2, "·", Name(of_M), ") = ", *_written_out(
+        about, found, omega), *powers, " = 0", settles="det(K - omega^2*M)", uses=uses)
     known = coefficients(about, found)
     lines = [head]
     for power, (letter, node) in enumerate(zip(names, known, strict=True)):
         lines.append(tell_coefficient(about, sheet, (letter, node), 2 * (n - power), uses))
     return names, known, lines
+
+
+def _written_out(about, found, omega):
+    """Parts of the determinant by its entries and ` = `; none of a long or a gyroscopic one."""
+    n, zero = len(about.scene.q), about.table.zero
+    node = determinant([[found.K.get((i, j), zero) - omega ** 2 * found.M.get((i, j), zero) for j in range(n)]
+                        for i in range(n)])
+    return [] if found.G or letters(node) > WRITTEN_OUT else [node, " = "]
 
 
 def tell_coefficient(about: AboutRest, sheet: WorkedSolution, found: "tuple[Node, Node]", power: int,

@@ -2,10 +2,12 @@
 
 from typing import TYPE_CHECKING, Any
 
-from vibcli.report.blocks import Factor
+from vibcli.report.blocks import Factor, Name
 from vibcli.report.steps.step import told
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from vibcli.symbolic.node import Node
 
 SMALL = 1e-12       # of a part beside the other: rounding
@@ -31,6 +33,18 @@ def complex_told(value: complex) -> str:
     if not real:
         return f"{told(imaginary)}·i"
     return f"{told(real)} {'−' if imaginary < 0 else '+'} {told(abs(imaginary))}·i"
+
+
+def factor_told(value: complex) -> str:
+    """The same before a dot: in brackets where it is a sum or negative."""
+    text = complex_told(value)
+    return f"({text})" if " " in text or text.startswith("−") else text
+
+
+def shape_told(names: "Sequence[str]", shape: "Sequence[complex]") -> list[Any]:
+    """Parts of x : y = 1 : (2 + 3·i)."""
+    return [*[part for name in names for part in (" : ", Name(name))][1:], " = " + " : ".join(
+        f"({told})" if " " in (told := complex_told(complex(x))) else told for x in shape)]
 
 
 def cleared(value: complex) -> complex:

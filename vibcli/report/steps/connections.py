@@ -15,6 +15,7 @@ from vibcli.notation.plain import plain
 from vibcli.report.blocks import Name, SumOfTerms, Words
 from vibcli.report.steps.bodies import LONG, EnergyPart
 from vibcli.report.steps.parts_in_series import tell_parts
+from vibcli.report.steps.sides import by_sides
 from vibcli.report.steps.small import AboutRest, Small
 from vibcli.report.steps.step import WorkedSolution, number, place_told
 from vibcli.symbolic.derivatives import gradient, substitute
@@ -140,6 +141,7 @@ class Connections:
     def _told(self, term, small, moves, letter, loaded):
         """The line of a stretch, counted from rest, and whether it is told exactly."""
         s, exact = self._exactly(small, moves)
+        s = by_sides(self.about, term.s, s)
         parts = [] if exact or letters(s) > LONG else [s, " = "]
         more = () if exact else (" + …", Words(FIRST if not loaded else SECOND if small.bends else STRAIGHT))
         return self.sheet.write(*self._across(f"stretch of {term.owner}, from rest", term), Name(letter), " = ",

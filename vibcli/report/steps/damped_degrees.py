@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from vibcli.mechanics.given_damping_in_letters import proportional
 from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.characteristic import damped_coefficients, tell_coefficient
+from vibcli.report.steps.damped_shapes import tell_damped_shapes
 from vibcli.report.steps.held import SmallEquations
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, told
@@ -45,6 +46,8 @@ def tell_damped(about: AboutRest, sheet: WorkedSolution, found: SmallEquations, 
             order, again = (again, "") if not value else ("", again)
             sheet.write(f"λ = {told(value.real)}", Words(f" 1/s{order}"), uses=lines,
                         settles=f"eigenvalue[{mode.index}]")
+    if polynomial is not None:
+        tell_damped_shapes(about, sheet, found, lines)
 
 
 def _again(damped, polynomial):

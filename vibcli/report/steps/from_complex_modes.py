@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.report.blocks import Name, Words
-from vibcli.report.steps.complex_numbers import complex_told
+from vibcli.report.steps.complex_numbers import complex_told, shape_told
 from vibcli.report.steps.from_modes import ALIKE, motion_of, waves
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number, told
@@ -58,8 +58,7 @@ def tell_complex_modes(about: AboutRest, sheet: WorkedSolution, modes: "Sequence
 
 
 def complex_modes_of(problem: "Problem", start: "Sequence[Sequence[float]]") -> list[ComplexMode]:
-    """All of them with their parts of a start, places and speeds from rest; none where one does not die out, or they
-    are not all."""
+    """All of them with their parts of a start, places and speeds from rest; none where they are not all."""
     import numpy as np
 
     names, configuration = problem.scene.coordinates, problem.configuration
@@ -72,11 +71,11 @@ def complex_modes_of(problem: "Problem", start: "Sequence[Sequence[float]]") -> 
     for mode in damped:
         root = complex(mode.eigenvalue)
         shape = np.array([complex(x) for x in problem.modal.shape(mode)])
-        whole = [root**2 * M, root * C, K]
-        if root.real >= 0 or np.abs(sum(whole) @ shape).max() > ALIKE * sum(np.abs(part) @ np.abs(shape)
-                                                                           for part in whole).max():
+        whole, weight = [root**2 * M, root * C, K], shape @ (2 * root * M + C) @ shape
+        left, size = np.abs(sum(whole) @ shape).max(), sum(np.abs(part) @ np.abs(shape) for part in whole).max()
+        if left > ALIKE * size or not weight:
             return []
-        part = shape @ (M @ speeds + (root * M + C) @ places) / (shape @ (2 * root * M + C) @ shape)
+        part = shape @ (M @ speeds + (root * M + C) @ places) / weight
         found.append(ComplexMode(mode.index, root, shape, complex(part)))
     return found if _complete(found, places, speeds) else []
 
@@ -108,11 +107,8 @@ def _part_of(about, sheet, mode, uses):
     if mode.root.imag:
         for letter, value, of in (("delta", -mode.root.real, "1/s"), ("omega_d", mode.root.imag, "rad/s")):
             parts += [Name(sheet.letter(f"{letter}{mode.order}")), *number(value, of), Words(",  ")]
-    parts += [part for name in names for part in (" : ", Name(name))][1:]
-    parts += [" = " + " : ".join(f"({told})" if " " in (told := complex_told(complex(x))) else told
-                                 for x in mode.shape), Words(",  its part is  ")]
-    line = sheet.write(*parts, complex_told(mode.part), Words(f" {unit}"), settles=f"part {complex_told(mode.root)}",
-                       uses=uses)
+    told_of = [*shape_told(names, mode.shape), Words(",  its part is  "), complex_told(mode.part), Words(f" {unit}")]
+    line = sheet.write(*parts, *told_of, settles=f"part {complex_told(mode.root)}", uses=uses)
     if mode.root.imag:
         know_decay(sheet, mode.order, -mode.root.real, mode.root.imag, line)
     return line
@@ -125,5 +121,6 @@ def _terms(about, sheet, mode, i, nothing):
         return waves(about.scene, sheet, mode.order, (size.real, -size.imag), nothing, True)
     if abs(size.real) <= nothing:
         return []
-    return [" − " if size.real < 0 else " + ", f"{told(abs(size.real))}·exp(−{told(-mode.root.real)}·",
-            about.scene.time, ")"]
+    rate = mode.root.real
+    decay = [f"·exp({'−' * (rate < 0)}{told(abs(rate))}·", about.scene.time, ")"] if rate else []
+    return [" − " if size.real < 0 else " + ", told(abs(size.real)), *decay]

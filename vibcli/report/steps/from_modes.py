@@ -144,11 +144,25 @@ def parts_of_start(about: AboutRest, sheet: WorkedSolution, order: int, shape: "
                    rest: "Sequence[bool]") -> list[Any]:
     """Parts of `with the shape of mode 1  u₁ = (…):  p₁(0) = u₁·M·q(0)/(u₁·M·u₁) = …,  ṗ₁(0) = …`, with
     the first also what q is; `rest`: is nothing moved, does nothing move?"""
+    u = Name(sheet.letter(f"u{order}"))
+    return [*mode_named(about, sheet, order, order == 1), u, " = (", *shape, ")", Words(":  "), *values_of_start(
+        sheet, order, values, rest)]
+
+
+def mode_named(about: AboutRest, sheet: WorkedSolution, order: int, first: bool) -> list[Any]:
+    """Parts of `with the shape of mode 1  `, of the first told one with what q is."""
+    if not first:
+        return [Words(f"with the shape of mode {order}  ")]
+    names = [part for name in about.scene.coordinates for part in (", ", Name(name))][1:]
+    return [Words("with  "), Name(sheet.letter("q")), " = (", *names, ")", Words(
+        f"  and the shape of mode {order}  ")]
+
+
+def values_of_start(sheet: WorkedSolution, order: int, values: "Sequence[Any]", rest: "Sequence[bool]") -> list[Any]:
+    """Parts of p₁(0) and ṗ₁(0) of these."""
     q, u, p, M = (Name(name) for name in (sheet.letter("q"), sheet.letter(f"u{order}"), sheet.letter(f"p{order}"),
                                           sheet.matrix("M")))
-    names = [part for name in about.scene.coordinates for part in (", ", Name(name))][1:]
-    head = [Words("with  "), q, " = (", *names, ")", Words("  and ")] if order == 1 else [Words("with ")]
-    parts: list[Any] = [*head, Words(f"the shape of mode {order}  "), u, " = (", *shape, ")", Words(":  ")]
+    parts: list[Any] = []
     for dot, value, still in zip(("", "'"), values, rest, strict=True):
         formula = [] if still else [" = ", u, "·", M, "·", Name(q.text + dot), "(0)/(", u, "·", M, "·", u, ")"]
         told = [*formula, *value]

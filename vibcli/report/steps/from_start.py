@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from vibcli.report.steps.steady_states import SteadyState
+    from vibcli.results.problem import Problem
 
 MOST = 3                # coordinates whose motion is a line to read
 
@@ -31,7 +32,7 @@ MOST = 3                # coordinates whose motion is a line to read
 def tell_from_start(about: AboutRest, sheet: WorkedSolution, found: SmallEquations, uses: "Sequence[int]") -> None:
     """Write down the free motion from the start that the file gives; nothing where it has none or is not such a sum."""
     if about.problem.spec.get("initial") is not None and not found.drive and _is_told(about, found):
-        start = _start(about.problem)
+        start = start_from_rest(about.problem)
         if start is not None:
             _tell_free(about, sheet, start, uses, {})
 
@@ -44,7 +45,7 @@ def tell_driven_from_start(kept: "Sequence[tuple[SteadyState, Sequence[complex]]
     heads = {tree.head for answer in problem.spec.answers for tree in answer.asked.parts.quantities}
     if not (heads & IN_TIME or "response" in (problem.spec.get("find") or ())) or not _is_told(about, steady.found):
         return
-    left = _start(problem)
+    left = start_from_rest(problem)
     if left is None or any(about.value(one.given) is None for one, _ in kept):
         return
     for one, values in kept:
@@ -75,7 +76,7 @@ def _is_told(about, found):
                 or len(about.scene.q) > MOST)
 
 
-def _start(problem) -> "list[list[float]] | None":
+def start_from_rest(problem: "Problem") -> "list[list[float]] | None":
     """[places, speeds] at t = 0 from rest."""
     try:
         place, speed = problem.initial.start

@@ -19,6 +19,8 @@ from vibcli.quantities.in_letters import frequency_of, size_of
 from vibcli.report.blocks import Words
 from vibcli.report.steps.agreement import samples_of
 from vibcli.report.steps.held_against import tell_found
+from vibcli.report.steps.instances import found_at, is_found
+from vibcli.report.steps.receptances import PARTS, response_at, tell_receptance
 from vibcli.report.steps.step import WorkedSolution
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -35,30 +37,23 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
-PARTS = "re", "im", "arg", "phase"
 SIDES = {"1": -1, "2": 1}       # of a peak where it has half its power
 
 
 def tell_of_kept_up(problem: "Problem", sheet: WorkedSolution, asked: "Expression") -> bool:
     """Is what is asked of a steady state, or read off a frequency response, written down in letters?"""
     tree = asked.tree
-    at = _response_at(tree)
+    if getattr(tree, "head", "") == "phase" and _is_letter(problem, sheet, asked):
+        return True
+    at = response_at(tree)
     if getattr(tree, "head", "") == "half_power":
         forms = _half_power(problem, sheet, tree)
+    elif at is not None and tell_receptance(problem, sheet, asked):
+        return True
     else:
         forms = ((node, [node]) for node in _forms(problem, sheet, tree)) if at is None else _at_a_frequency(
             problem, sheet, tree, at)
     return tell_found(problem, sheet, asked, forms, [sheet.last])
-
-
-def _response_at(tree):
-    """The response whose size, part or lag at a frequency is asked; None of another tree."""
-    head = getattr(tree, "head", getattr(tree, "name", ""))
-    if head == "transmissibility":
-        return tree
-    first = next(iter(getattr(tree, "args", ())), None)
-    at = isinstance(first, QuantityRef) and first.head == "frf" and first.args
-    return first if at and head in ("abs", *PARTS) else None
 
 
 def _at_a_frequency(problem, sheet, tree, response):
@@ -85,7 +80,7 @@ def _forms(problem, sheet, tree: Any) -> "Iterator[Node]":
     first = args[0]
     of_response = isinstance(first, QuantityRef) and first.head == "frf"
     if head == "phase":
-        yield from _by_lag(problem, sheet, first)
+        yield from _by_lag(problem, sheet)
         steady = problem.symbolic_steady_state(_named(first))
         lag, quarter = _part(problem, steady.formula, "phase"), problem.scene.table.pi / 2
         yield from (lag, lag - quarter, lag + 3 * quarter) if steady.wave == "cos" else (lag,)
@@ -99,13 +94,30 @@ def _forms(problem, sheet, tree: Any) -> "Iterator[Node]":
         yield from _means(problem, first)
 
 
-def _by_lag(problem, sheet, signal):
-    """That of the only coordinate by the letter of its lag, where this has a number."""
+def _lag_of(sheet):
+    """The line of the letter of the lag of the only coordinate, where this has a number."""
     theta = sheet.letter("theta")
-    if isinstance(signal, NameRef) and [signal.name] == problem.scene.coordinates and not signal.primes and any(
-            line.letter == theta for line in sheet.steps):
-        node, quarter = problem.scene.table.parameter(theta), problem.scene.table.pi / 2
-        yield from (node, node - quarter, node + 3 * quarter)
+    return next((line for line in sheet.steps if line.letter == theta), None)
+
+
+def _is_letter(problem, sheet, asked):
+    """Is the phase that is asked told already, as the lag of the only coordinate?"""
+    line, signal = _lag_of(sheet), asked.tree.args[0]
+    if line is None or not isinstance(signal, NameRef) or signal.primes or [signal.name] != problem.scene.coordinates:
+        return False
+    node = problem.scene.table.parameter(line.letter)
+    if not is_found(node, found_at(problem, sheet, asked)):
+        return False
+    sheet.settles_too(line, asked.text, node, line.value, line.unit)
+    return True
+
+
+def _by_lag(problem, sheet):
+    """The same, of a wave that is no sine, and of signals that go with the coordinate, its speed or against it."""
+    line = _lag_of(sheet)
+    if line is not None:
+        node, quarter = problem.scene.table.parameter(line.letter), problem.scene.table.pi / 2
+        yield from (node + turn * quarter for turn in (0, -1, 1, -2, 2, 3, -3))
 
 
 def _named(signal):

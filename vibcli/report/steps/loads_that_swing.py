@@ -9,7 +9,7 @@ from vibcli.report.steps.damping_by_modes import with_damping_by_modes
 from vibcli.report.steps.from_start import tell_driven_from_start
 from vibcli.report.steps.growing_loads import tell_growing
 from vibcli.report.steps.held import SmallEquations, Untold
-from vibcli.report.steps.modes_under_pieces import tell_modal_pieces
+from vibcli.report.steps.motion_under_loads import tell_under_loads
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.steady_states import SteadyState
 from vibcli.report.steps.step import WorkedSolution
@@ -28,7 +28,7 @@ def tell_loads(about: AboutRest, sheet: WorkedSolution, found: SmallEquations) -
         acting = _waves(about, found)
     except (NotInLetters, Untold):
         del sheet.steps[before:]
-        tell_modal_pieces(about, sheet, found)
+        tell_under_loads(about, sheet, found)
         return
     if not acting:
         tell_growing(about, sheet, found)

@@ -1,109 +1,182 @@
-"""Several degrees of freedom from rest under loads that begin, end and strike, in numbers, by the modes that damping
-leaves apart:
+"""Several degrees of freedom under loads that begin, end and strike, or any other, in numbers, by the modes that
+damping leaves apart:
 
     p̈ₖ + 2δₖ ṗₖ + ωₖ² pₖ = uₖᵀQ/(uₖᵀM uₖ),   q = Σ uₖ pₖ,   pₖ the sum of what the pieces of Q bring about,
 
-    unit impulse h = e^{−δτ} sin ω_dτ/ω_d,   unit step s = (1 − e^{−δτ} (cos ω_dτ + δ sin ω_dτ/ω_d))/ω²,
+and of what the start goes on as; of other loads the integral of their impulses (Thomson & Dahleh 1998, section 6.9)."""
 
-    unit ramp r = (τ − 2δ/ω² + e^{−δτ} (2δ cos ω_dτ/ω² + (δ² − ω_d²) sin ω_dτ/(ω²ω_d)))/ω²
-
-(Thomson & Dahleh 1998, section 6.9)."""
-
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.report.blocks import Name, Words
-from vibcli.report.steps.from_modes import ModeFromStart, modes_of
+from vibcli.report.steps.from_modes import ModeFromStart, mode_named, values_of_start
 from vibcli.report.steps.held import SmallEquations
-from vibcli.report.steps.motion_by_pieces import MotionByModes, MotionByPieces, ToldPiece
-from vibcli.report.steps.pieces import KINDS, LoadPiece, pieces_of
+from vibcli.report.steps.loads_on_modes import LoadsOnModes, is_of_engine
+from vibcli.report.steps.motion_by_pieces import MotionByModes, MotionByPieces, PartOfMode, ToldPiece
+from vibcli.report.steps.pieces import KINDS, WAVES, LoadPiece
 from vibcli.report.steps.small import AboutRest
-from vibcli.report.steps.step import WorkedSolution, number, told
-from vibcli.report.steps.unit_responses import UnitResponses
+from vibcli.report.steps.step import WorkedSolution, indexed, number, told
+from vibcli.report.steps.unit_responses import UnitResponses, moving_freely
 from vibcli.report.steps.waves_in_numbers import know_decay, with_numbers
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Sequence
 
-LETTERS = {"impulse": "h", "step": "s", "ramp": "r"}        # of unit responses
-COUPLED = "damping couples the modes, so that what the pieces of the loads bring about is found in numbers alone"
-MOST = 3                # coordinates whose motion is a line to read
-
-
-def tell_modal_pieces(about: AboutRest, sheet: WorkedSolution, found: SmallEquations) -> None:
-    """Write down all of it; nothing where the file gives a start, the modes do not stay apart, or loads are others."""
-    problem, n = about.problem, len(about.scene.q)
-    if problem.numeric.has_free_symbols or found.G or n > MOST or problem.spec.get("initial") is not None:
-        return
-    loads = {i: pieces_of(about.scene, load) for i, load in found.drive.items()}
-    modes = modes_of(problem, [[0.0] * n, [0.0] * n])
-    told_of = all(pieces is not None and all(piece.kind in LETTERS for piece in pieces) for pieces in loads.values())
-    if modes and told_of:
-        _ModesUnderPieces(about, sheet, modes, loads).write(found.lines)
-    elif found.C and told_of:
-        sheet.write(Words(COUPLED), settles="no superposition of modes", uses=found.lines)
+LETTERS = {"impulse": "h", "step": "s", "ramp": "r", "sin": "v", "cos": "w", "place": "d"}      # of unit responses
+ROUNDED = 1e-9          # relative: of a load that swings as a mode that nothing damps
+UNITS = "1/kg", "1/(kg·m)", "1/(kg·m²)"         # of what a mode has of loads, by how many coordinates turn
+POSITIVE = "   (each from when its argument is positive)"
 
 
-class _ModesUnderPieces:
-    def __init__(self, about: AboutRest, sheet: WorkedSolution, modes: "Sequence[ModeFromStart]",
-                 loads: "Mapping[int, Sequence[LoadPiece]]"):
+class ModesUnderPieces:
+    """The lines of such a motion by real modes."""
+
+    def __init__(self, about: AboutRest, sheet: WorkedSolution, found: SmallEquations,
+                 modes: "Sequence[ModeFromStart]", loads: LoadsOnModes):
         self.about, self.sheet, self.modes, self.loads, self.table = about, sheet, modes, loads, about.table
-        self.names, self.tau = about.scene.coordinates, about.letter(sheet.letter("tau"))
+        self.found, self.names, self.tau = found, about.scene.coordinates, about.letter(sheet.letter("tau"))
         self.units = ["m" if about.problem.system.dimension(name) else "rad" for name in self.names]
-        self.damped = any(mode.delta for mode in modes)
+        self.damped, self._resists = any(mode.delta for mode in modes), []
+        self.rest = [not any(getattr(mode, part) for mode in modes) for part in ("place", "speed")]
         M = about.problem.configuration.linear_system.matrices()[0]
         self.masses = [sum(value * mode.shape[i] * mode.shape[j] for (i, j), value in M.items()) for mode in modes]
-        self.kinds = list(dict.fromkeys(piece.kind for pieces in loads.values() for piece in pieces))
 
-    def write(self, uses: "Sequence[int]") -> None:
-        """Write down all of it."""
-        lines = [self._equation(mode, mass, uses) for mode, mass in zip(self.modes, self.masses, strict=True)]
-        k = self._unit("k", self.damped)
-        for kind in self.kinds:
-            head = Words(f"{KINDS[kind]} at τ = 0 brings about in mode k, from rest,  ")
-            name = self.sheet.letter(LETTERS[kind], "k")
-            lines.append(self.sheet.write(head, Name(name), "(τ) = ", k.of(kind), settles=name, uses=lines))
-        time, several = self.about.scene.time, Words("   (each from when its argument is positive)")
-        lines = [self.sheet.write(Words("so by superposition  "), self._p(k), " = ", *with_numbers(
-            self.sheet, MotionByPieces(pieces, self.tau, 0, None).told(pieces, time)), *[several] * (k == 0),
-            settles=self._p(k).text, uses=lines) for k in range(len(self.modes)) for pieces in [self._pieces(k)]]
-        for i, name in enumerate(self.names):
-            pieces = [piece for k in range(len(self.modes)) for piece in self._pieces(k, i)]
-            modes = [(mode.shape[i], self._p(k)) for k, mode in enumerate(self.modes) if mode.shape[i]]
-            motion = MotionByModes(MotionByPieces(pieces, self.tau, self.sheet.last + 1, None), modes)
-            self.sheet.write(*([Words("and  ")] if i == 0 else []), Name(name), " = ", *motion.told(pieces, None),
-                             settles=f"motion of {name}", uses=lines, joined=i > 0)
+    def write(self) -> bool:
+        """Is all of it written down? Not where a load swings as a mode that nothing damps, nor what the engine does
+        not find."""
+        lines = [self._equation(mode, mass) for mode, mass in zip(self.modes, self.masses, strict=True)]
+        if self.loads.pieces is None:
+            self._integrals(lines)
+            return True
+        self.Omega = self.loads.frequency(self.about, self.sheet, lines)
+        if self._resonates():
+            return False
+        lines += [line for kind in self._kinds() for line in self._unit(kind, lines)]
+        lines = [self._sum(k, lines) for k in range(len(self.modes))]
+        motions = [MotionByModes(MotionByPieces(self._of_all(i), self.tau, self.sheet.last + 1, None),
+                                 self._parts_of(i)) for i in range(len(self.names))]
+        for i, (name, motion) in enumerate(zip(self.names, motions, strict=True)):
+            self._coordinate(i, motion, lines)
             self._know(i)
             self.sheet.by_pieces[name] = motion
+        return all(is_of_engine(self.about, self.sheet, *pair) for pair in zip(self.names, motions, strict=True))
+
+    def _kinds(self):
+        """Of what begins: places and speeds of the start, and pieces of loads."""
+        start = [kind for kind, rest in zip(("place", "impulse"), self.rest, strict=True) if not rest]
+        return dict.fromkeys([*start, *(piece.kind for pieces in self.loads.pieces.values() for piece in pieces)])
+
+    def _resonates(self):
+        Omega = None if self.Omega.is_zero else self.about.value(self.Omega)
+        return Omega is not None and any(abs(mode.omega - Omega) <= ROUNDED * Omega and not mode.delta
+                                         for mode in self.modes)
 
     def _p(self, k):
         return Name(self.sheet.letter(f"p{self.modes[k].order}"))
-
-    def _unit(self, index, damped):
-        omega, *decays = (self._letter(letter, index) for letter in ("omega", "delta", "omega_d"))
-        return UnitResponses(self.table.one, omega ** 2, omega, *decays, self.tau, damped)
 
     def _letter(self, letter, index):
         return self.about.letter(self.sheet.letter(letter, index) if index == "k" else self.sheet.letter(
             f"{letter}{index}"))
 
-    def _equation(self, mode, mass, uses):
-        """The line of a mode: its shape, and the equation of its normal coordinate."""
+    def _response(self, kind, index, damped):
+        """To a unit of a kind, by the letters of a mode."""
+        omega, *decays = (self._letter(letter, index) for letter in ("omega", "delta", "omega_d"))
+        unit = UnitResponses(self.table.one, omega ** 2, omega, *decays, self.tau, damped)
+        if kind not in WAVES:
+            return unit.of(kind)
+        return unit.to_wave(kind, self.Omega, self._letter("R", index), self._letter("S", index) if damped else (
+            self.table.zero))
+
+    def _of_mode(self, kind, mode):
+        """The same of a mode of this number; of one that moves freely that."""
+        return self._response(kind, mode.order, bool(mode.delta)) if mode.omega else moving_freely(
+            kind, self.tau, self.Omega)
+
+    def _unit(self, kind, uses):
+        """The lines of what a unit of a kind brings about."""
+        resists = self._resistances(uses) if kind in WAVES and not self._resists else []
+        self._resists = self._resists or resists
+        name, free = self.sheet.letter(LETTERS[kind], "k"), [mode for mode in self.modes if not mode.omega]
+        what = "the place 1, without a speed, goes on as  " if kind == "place" else (
+            f"{KINDS[kind]} at τ = 0{',' * (kind in WAVES)} brings about in mode k, from rest,  ")
+        told = [part for mode in free for part in (Words(
+            f",  but in mode {mode.order}, which moves freely,  "), Name(
+                self.sheet.letter(f"{LETTERS[kind]}{mode.order}")), "(τ) = ", self._of_mode(kind, mode))]
+        return [*resists, self.sheet.write(Words(what), Name(name), "(τ) = ", self._response(
+            kind, "k", self.damped), *told, settles=name, uses=[*uses, *resists])]
+
+    def _resistances(self, uses):
+        """The line of R and S of each mode that is brought back."""
+        known, speed = [], self.about.value(self.Omega) or 0.0
+        for mode in (mode for mode in self.modes if mode.omega):
+            omega, delta, R, S = (self._letter(letter, mode.order) for letter in ("omega", "delta", "R", "S"))
+            known.append((R, omega ** 2 - self.Omega ** 2, mode.omega**2 - speed**2))
+            if mode.delta:
+                known.append((S, 2 * delta * self.Omega, 2 * mode.delta * speed))
+        for k, (letter, node, value) in enumerate(known):
+            self.sheet.write(*[Words("the load meets  ")] * (k == 0), letter, " = ", node, *number(value, "1/s²"),
+                             settles=letter.name, letter=letter.name, node=node, value=value, unit="1/s²", joined=k > 0,
+                             uses=uses)
+        return [self.sheet.last]
+
+    def _sum(self, k, uses):
+        """The line of the normal coordinate of a mode."""
+        pieces = self._pieces(k)
+        parts = with_numbers(self.sheet, MotionByPieces(pieces, self.tau, 0, None).told(pieces, self.about.scene.time))
+        return self.sheet.write(Words("so by superposition  "), self._p(k), " = ", *(parts or ["0"]), *[Words(
+            POSITIVE)] * (k == 0), settles=self._p(k).text, uses=uses)
+
+    def _coordinate(self, i, motion, uses):
+        name = self.names[i]
+        self.sheet.write(*([Words("and  ")] if i == 0 else []), Name(name), " = ", *motion.told([], None),
+                         settles=f"motion of {name}", uses=uses, joined=i > 0)
+
+    def _parts_of(self, i):
+        return [PartOfMode(mode.shape[i], self._p(k)) for k, mode in enumerate(self.modes) if mode.shape[i]]
+
+    def _integrals(self, uses):
+        """The lines of p under any loads, as the sum of the impulses that these consist of, and of the coordinates."""
+        t, self.Omega = self.about.scene.time, self.table.zero
+        kinds = ["impulse", *(["place"] * (not self.rest[0]))]
+        lines = [*uses, *(line for kind in kinds for line in self._unit(kind, uses))]
+        d, h, u, p, M, Q = *(self.sheet.letter(letter, "k") for letter in ("d", "h", "u", "p")), self.sheet.matrix(
+            "M"), self.sheet.letter("Q")
+        start: list[Any] = [part for rest, (one, dot) in zip(self.rest, ((d, ""), (h, "'")), strict=True) if not rest
+                            for part in (Name(p + dot), "(0)·", Name(one), "(", t, ") + ")]
+        lines = [self.sheet.write(Words("of the impulses from "), self.tau, " = 0", Words(" to "), t, Words(
+            " that loads consist of  "), Name(p), " = ", *start, Words("∫ "), Name(h), "(", t, " − ", self.tau, ")·",
+            Name(u), "·", Name(Q), "(", self.tau, ")/(", Name(u), "·", Name(M), "·", Name(u), ")·d", self.tau,
+            settles="convolution", uses=lines)]
+        for i in range(len(self.names)):
+            self._coordinate(i, MotionByModes(MotionByPieces([], self.tau, lines[0], None), self._parts_of(i)), lines)
+
+    def _equation(self, mode, mass):
+        """The line of a mode: its shape, the equation of its normal coordinate, and how that starts."""
         p, u, M, Q, order = *(Name(self.sheet.letter(f"{letter}{mode.order}")) for letter in "pu"), Name(
             self.sheet.matrix("M")), Name(self.sheet.letter("Q")), mode.order
         shape = [part for x, unit in zip(mode.shape, self.units, strict=True) for part in (
             ", ", told(x), *([Words(f"\u00a0{unit}/{self.units[0]}")] if x and unit != self.units[0] else []))][1:]
         omega = self._letter("omega", order)
         speed = [" + 2·", self._letter("delta", order), "·", Name(p.text + "'")] if mode.delta else []
-        loads = [part for i in self.loads if mode.shape[i] for part in (
-            " − " if mode.shape[i] < 0 else " + ", told(abs(mode.shape[i]) / mass), "·", Name(f"{Q.text}{i + 1}"))]
+        stiff = [" + ", omega ** 2, "·", p] if mode.omega else []
+        loads = [part for i in self.loads.rows if mode.shape[i] for part in (
+            " − " if mode.shape[i] < 0 else " + ", told(abs(mode.shape[i]) / mass), "·", Name(self.sheet.letter(
+                indexed(Q.text, i + 1))))]
         loads = ["−" if loads[0] == " − " else "", *loads[1:]] if loads else ["0"]
+        head = mode_named(self.about, self.sheet, order, mode is self.modes[0] and not all(self.rest))
         line = self.sheet.write(
-            Words("with the shape of mode "), str(order), Words("  "), u, " = (", *shape, ")", Words(":  "), Name(
-                p.text + "''"), *speed, " + ", omega ** 2, "·", p, " = ", u, "·", Q, "/(", u, "·", M, "·", u, ") = ",
-            *[part for part in loads if part != ""], *self._decay(mode), settles=f"equation of mode {order}", uses=uses)
+            *head, u, " = (", *shape, ")", Words(":  "), Name(p.text + "''"), *speed, *stiff, " = ", u, "·", Q, "/(", u,
+            "·", M, "·", u, ") = ", *[part for part in loads if part != ""], *self._decay(mode), *self._start(mode),
+            settles=f"equation of mode {order}", uses=self.found.lines)
         if mode.delta:
             know_decay(self.sheet, order, mode.delta, mode.rate, line)
         return line
+
+    def _start(self, mode):
+        """Parts of p(0) and ṗ(0), where not all modes start at rest."""
+        if all(self.rest):
+            return []
+        values = number(mode.place, self.units[0]), number(mode.speed, f"{self.units[0]}/s")
+        return [Words(",  "), *values_of_start(self.sheet, mode.order, values, self.rest)]
 
     def _decay(self, mode):
         """Parts of δ and ω_d of a mode that is damped."""
@@ -112,33 +185,36 @@ class _ModesUnderPieces:
         return [Words(",  "), self._letter("delta", mode.order), *number(mode.delta, "1/s"), Words(",  "), self._letter(
             "omega_d", mode.order), *number(mode.rate, "rad/s")]
 
-    def _weight(self, k, i, j):
-        """The letter, and the value, of uᵢₖ uⱼₖ over the modal mass: of a coordinate by a load on row j; uⱼₖ over that
-        of the normal coordinate where i is None."""
-        size = (1.0 if i is None else self.modes[k].shape[i]) * self.modes[k].shape[j] / self.masses[k]
-        name = self.sheet.letter(f"g{k + 1}", f"{'p' if i is None else self.names[i]}{j + 1}")
-        self.sheet.in_numbers[name] = abs(size)
-        return name, size
+    def _weights(self, k, i):
+        """[(the name of the factor of pₖ's part in a coordinate, of itself where i is None; its value, its unit, the
+        pieces that it belongs to)] of the start and of the loads."""
+        mode, of = self.modes[k], "p" if i is None else self.names[i]
+        share, turned = (1.0, self.units[0]) if i is None else (mode.shape[i], self.units[i])
+        begins = [(f"{of}{kind}", share * value, unit, [LoadPiece(kind, self.table.one, self.table.zero)])
+                  for kind, value, unit in (("place", mode.place, turned), ("impulse", mode.speed, f"{turned}/s"))]
+        return [(self.sheet.letter(f"g{k + 1}", name), value, unit, pieces) for name, value, unit, pieces in (
+            *begins, *((f"{of}{j + 1}", share * mode.shape[j] / self.masses[k], UNITS[
+                (turned == "rad") + (self.units[j] == "rad")], pieces) for j, pieces in self.loads.pieces.items()))]
 
     def _know(self, i):
         """Let the last line tell the letters of the weights of a coordinate."""
-        for k in range(len(self.modes)):
-            for j in self.loads:
-                name, value = self._weight(k, i, j)
-                turns = (self.units[i] == "rad") + (self.units[j] == "rad")
+        for name, value, unit, _ in (one for k in range(len(self.modes)) for one in self._weights(k, i)):
+            if value:
                 self.sheet.write(settles=name, letter=name, value=abs(value), joined=True, uses=[self.sheet.last],
-                                 unit=("1/kg", "1/(kg·m)", "1/(kg·m²)")[turns])
+                                 unit=unit)
+
+    def _of_all(self, i):
+        return [piece for k in range(len(self.modes)) for piece in self._pieces(k, i)]
 
     def _pieces(self, k, i=None):
         """The pieces that a mode has in a coordinate; those of the normal coordinate where i is None."""
-        order, together = self.modes[k].order, {}
-        unit = self._unit(order, bool(self.modes[k].delta))
-        for j, pieces in self.loads.items():
-            letter, weight = self._weight(k, i, j)
+        mode, together = self.modes[k], {}
+        for letter, weight, _, pieces in self._weights(k, i):
+            self.sheet.in_numbers[letter] = abs(weight)
             name = self.table.parameter(letter)
             for piece in pieces if weight else ():
                 key = piece.kind, piece.begins
                 part = piece.factor * (name if weight > 0 else -name)
                 together[key] = together.get(key, self.table.zero) + part
-        return [ToldPiece(factor, begins, unit.of(kind), self.sheet.letter(f"{LETTERS[kind]}{order}"), kind)
-                for (kind, begins), factor in together.items()]
+        return [ToldPiece(factor, begins, self._of_mode(kind, mode), self.sheet.letter(f"{LETTERS[kind]}{mode.order}"),
+                          kind) for (kind, begins), factor in together.items()]

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.report.blocks import Factor, Name
+from vibcli.report.steps.complex_numbers import factor_told
 from vibcli.report.steps.step import told
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
 
     from vibcli.symbolic.node import Node
 
+AT_ONCE = "impulse", "place"        # kinds of pieces that do something when they begin
 LATE = 1e-9         # relative: of an instant at which a piece has begun
 
 
@@ -46,7 +48,7 @@ class MotionByPieces(NamedTuple):
         starts = evaluate([piece.begins for piece in self.pieces], Floats, values)
         late = LATE * max(abs(at), *map(abs, starts))
         return [piece for piece, start in zip(self.pieces, starts, strict=True)
-                if at > start + late or (piece.kind == "impulse" and at >= start - late)]
+                if at > start + late or (piece.kind in AT_ONCE and at >= start - late)]
 
     def value(self, pieces: "Sequence[ToldPiece]", t: "Node", time: "Node", rate: int = 0) -> "Node":
         """The sum of such pieces at an instant, of their rates of change or those of these."""
@@ -70,11 +72,32 @@ class MotionByPieces(NamedTuple):
         return parts
 
 
+class PartOfMode(NamedTuple):
+    """What a coordinate has of a mode, the name of the normal coordinate, and whether it is complex, one of a pair."""
+
+    size: complex
+    name: Name
+    pair: bool = False
+
+    def told(self, t: "Node | None", rate: int, first: bool) -> list[Any]:
+        """Parts of ` + 2·p(t)`, or ` + 2·Re((1 + 2·i)·z(t))`; at an instant where one is given."""
+        of = [Name(self.name.text + "'" * rate), *([] if t is None else ["(", t, ")"])]
+        if self.pair:
+            size = factor_told(self.size)
+            factor = f"{size}·" * (size != "1")
+            return [*([] if first else [" + "]), f"2·Re({factor}", *of, ")"]
+        value = complex(self.size).real
+        sign = "−" if value < 0 else "+"
+        size = told(abs(value))
+        head = [sign.strip("+") if first else f" {sign} ", f"{size}·" * (size != "1")]
+        return [*filter(None, head), *of]
+
+
 class MotionByModes(NamedTuple):
-    """The same of a coordinate of several, and [(its part of a mode, the name of the normal coordinate)]."""
+    """The same of a coordinate of several, and what that has of each mode."""
 
     by_pieces: MotionByPieces
-    modes: Sequence[tuple[float, Name]]
+    modes: Sequence[PartOfMode]
 
     @property
     def line(self) -> int:
@@ -94,10 +117,4 @@ class MotionByModes(NamedTuple):
 
     def told(self, _: "Sequence[ToldPiece]", t: "Node | None", rate: int = 0) -> list[Any]:
         """Parts of Σ uₖ pₖ, at an instant where one is given."""
-        parts: list[Any] = []
-        for part, name in self.modes:
-            sign = " − " if part < 0 else " + " if parts else ""
-            size = f"{told(abs(part))}·" if abs(part) != 1 else ""
-            parts += [sign if parts else sign.strip(), size, Name(name.text + "'" * rate), *(
-                [] if t is None else ["(", t, ")"])]
-        return [part for part in parts if part != ""]
+        return [part for k, mode in enumerate(self.modes) for part in mode.told(t, rate, not k)]

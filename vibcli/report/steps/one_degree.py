@@ -1,20 +1,23 @@
 """The steps from the equation of one degree of freedom to its frequency, its damping, and its free motion from a given
 start."""
 
-from math import tau
+from math import isclose, tau
 from typing import TYPE_CHECKING
 
 from vibcli.analyses.closed_form.free_response import CRITICAL, OVER, UNDAMPED, UNDER, regime_at
 from vibcli.base.errors import PhysicsError
+from vibcli.notation.numbers import figure
 from vibcli.notation.units_in_sums import unit_beside
-from vibcli.report.blocks import Factor, Name, Words
+from vibcli.report.blocks import Factor, Name, Quotient, Words
 from vibcli.report.steps.degree import Degree
 from vibcli.report.steps.extremes import Swing, tell_extremes
 from vibcli.report.steps.forced import tell_forced
 from vibcli.report.steps.free_waves import FreeWave, ToldMotion
+from vibcli.report.steps.put_in import tell_motion_in_numbers
 from vibcli.report.steps.step import number
 from vibcli.symbolic.common_denominator import single
 from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.node import is_number
 from vibcli.symbolic.normal_form import is_zero, textbook
 
@@ -24,6 +27,8 @@ if TYPE_CHECKING:
 FACTORS = {"M": ("acceleration", "kg", "kg·m²"), "C": ("speed", "N·s/m", "N·m·s/rad"),
            "K": ("coordinate", "N/m", "N·m/rad")}       # {matrix: what it stands before, its unit, that of a turn}
 ROUNDING = 2.0**-50         # of ζ that is 1
+AT_SIGHT = 24               # letters of a quotient that is told before it is simplified
+AS_PRINTED = 1e-5           # relative: of a difference of two numbers of six digits
 
 
 class OneDegree:
@@ -73,14 +78,22 @@ class OneDegree:
 
     def _frequency(self, square):
         omega = self.degree.root(square)
-        line = self.degree.settled([self.omega ** 2, " = ", square, Words(",  "), self.omega], omega, "rad/s",
-                             "omega[1]", self.found.lines, letters=False)
+        line = self.degree.settled([self.omega ** 2, *self._quotient(square), " = ", square, Words(",  "), self.omega],
+                                   omega, "rad/s", "omega[1]", self.found.lines, letters=False)
         if (value := self.about.known_value(omega)) is not None:
             turn, f, T = 2 * self.about.table.pi, self.sheet.letter("f"), self.sheet.letter("T")
             period = [Words(",  "), Name(T), " = ", turn / self.omega, *number(tau / value, "s")]
             self.sheet.write(Name(f), " = ", self.omega / turn, *number(value / tau, "Hz"), *period, uses=[line],
                              settles="frequency[1]", node=self.omega / turn, value=value / tau, unit="Hz", joined=True)
         return line
+
+    def _quotient(self, square):
+        """Parts of ` = K/M`, where that is not yet the square in its simplest form and no long one."""
+        halved = any(part.op == "product" and part.coefficient.denominator > 1 for part in (self.K, self.M))
+        size = letters(self.K) + letters(self.M)
+        if size > AT_SIGHT or not (halved or size > letters(square)):
+            return []
+        return [" = ", Quotient(self.K, self.M)]
 
     def _damping(self, of_omega):
         """δ = c/(2m), ζ = δ/ω, ω_d; the number of the last line."""
@@ -125,6 +138,13 @@ class OneDegree:
         known = self.about.known_value(self._zeta()) is not None or self.problem.spec.choices
         omega_d = damped_frequency(self.M, self.C, self.K, self.about.samples)
         parts = [self.omega_d, " = ", self.about.table.sqrt(self.omega ** 2 - self.delta ** 2)]
+        value = self.about.known_value(omega_d)
+        squares = [None if value is None else figure(self.about.known_value(node)) for node in (
+            self.K / self.M, delta ** 2)]
+        if value is not None and isclose(float(squares[0]) - float(squares[1]), value ** 2, rel_tol=AS_PRINTED):
+            return self.sheet.write(*parts, f" = √({squares[0]} − {squares[1]})", *number(value, "rad/s"), node=omega_d,
+                                    uses=uses, settles="omega_d[1]", value=value, unit="rad/s",
+                                    letter=self.omega_d.name)
         return self.degree.settled(parts, omega_d, "rad/s", "omega_d[1]", uses, more=[] if known else [
             Words("   (under-damped, "), self.delta, " < ", self.omega, Words(")")])
 
@@ -159,10 +179,10 @@ class OneDegree:
         return regime_at(1.0, 2.0 * zeta, 1.0)
 
     def _letters(self, start):
-        """A, B, the start and its speed: letters for these where they are more than a letter or a number."""
+        """A, B, the start and its speed: letters for these where they are no letter and not zero."""
         name = self.degree.name
         at_start = f"{name}_0" if name[-1].isdigit() else f"{name}0"
-        known = [node if (node.op == "symbol" or is_number(node)) else None for node in start]
+        known = [node if node.op == "symbol" or node.is_zero else None for node in start]
         return [node or self.about.letter(self.sheet.letter(letter)) for letter, node in zip(
             ("A", "B", at_start, "v0"), (None, None, *known), strict=True)]
 
@@ -176,7 +196,8 @@ class OneDegree:
         delta = single(self.C / (2 * self.M))
         exact = self.about.table.sqrt(self.K / self.M - delta ** 2)
         line = self._constants([*decay, Factor(wave) if decay else wave], start, (x0, ahead / rate),
-                               (start[0], (start[1] + delta * start[0]) / exact), uses)
+                               (start[0], (start[1] + delta * start[0]) / exact), uses,
+                               ((self.delta, delta), (rate, exact)))
         self.sheet.waves[self.degree.name] = ToldMotion([FreeWave(A, table.zero if start[1].is_zero and self.C.is_zero
                                                                   else B, rate, table.zero if self.C.is_zero
                                                                   else self.delta)], line)
@@ -189,7 +210,7 @@ class OneDegree:
         delta = single(self.C / (2 * self.M))
         line = self._constants([Factor(A + B * t), "·", self.about.table.call("exp", -(self.delta * t))], start,
                                (x0, v0 + self.delta * x0), (start[0], start[1] + delta * start[0]), uses,
-                               of_speed=True)
+                               ((self.delta, delta),), of_speed=True)
         wave = FreeWave(A, B, self.about.table.zero, self.delta)
         self.sheet.waves[self.degree.name] = ToldMotion([wave], line)
 
@@ -209,14 +230,16 @@ class OneDegree:
         first = (v - exact[1] * x) / (exact[0] - exact[1])
         wave = A * table.call("exp", roots[0] * t) + B * table.call("exp", roots[1] * t)
         self._constants([wave], start, ((v0 - roots[1] * x0) / (roots[0] - roots[1]), x0 - A), (first, x - first),
-                        [*uses, line])
+                        [*uses, line], zip(roots, exact, strict=True))
 
-    def _constants(self, motion, start, forms, exact, uses, of_speed=False):
-        """The form of the motion, and its constants from the start; the number of the line of these."""
+    def _constants(self, motion, start, forms, exact, uses, rates, of_speed=False):
+        """The form of the motion, its constants from the start, and it with their numbers and those of its `rates`; the
+        number of the line of the constants."""
         A, B, x0, v0 = self._letters(start)
         name, unit = self.degree.name, self.degree.unit
-        line = self.sheet.write(Name(name), " = ", *motion, settles=name, uses=uses, node=self.about.table.product(
-            *((part.node if isinstance(part, Factor) else part, 1) for part in motion if part != "·")))
+        moves = self.about.table.product(*((part.node if isinstance(part, Factor) else part, 1) for part in motion
+                                           if part != "·"))
+        line = self.sheet.write(Name(name), " = ", *motion, settles=name, uses=uses, node=moves)
         self._start([(x0, start[0], unit), (v0, start[1], unit + "/s")])
         of_start: list = []
         for which, letter, node, per in ((name, x0, start[0], ""), (name + "'", v0, start[1], "/s")):
@@ -235,6 +258,9 @@ class OneDegree:
                                 settles="free motion")
         for letter, form, known, its in found:
             self.sheet.write(settles=letter.name, node=form, value=known, unit=its, joined=True, letter=letter.name)
+        tell_motion_in_numbers(self.degree, moves, [*((letter, known) for letter, _, known, _ in found), *(
+            (letter, self.about.value(node)) for letter, node in rates)], [*uses, line])
+        return line
 
     def _start(self, known):
         """Where and how fast it starts, as far as these have letters."""

@@ -1,5 +1,5 @@
-"""Where an over-damped motion x = A e^{s₁t} + B e^{s₂t} passes zero, and where it, or its speed, turns back: the n-th
-rate of change vanishes at
+"""The roots s₁, s₂ = −δ ± √(δ² − ω²) of an over-damped motion x = A e^{s₁t} + B e^{s₂t}, where it passes zero, and
+where it, or its speed, turns back: the n-th rate of change vanishes at
 
     t = ln(−B s₂ⁿ/(A s₁ⁿ))/(s₁ − s₂)."""
 
@@ -16,6 +16,21 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 EXTREMES, INSTANTS = ("max", "min"), ("argmax", "argmin")
+
+
+def tell_root(problem: "Problem", sheet: WorkedSolution, asked: "Expression") -> bool:
+    """Is a real root of one degree of freedom, eigenvalue[1, 2], written down by the letters of its damping?"""
+    tree, table = asked.tree, problem.scene.table
+    names = [sheet.letter(letter) for letter in ("delta", "omega")]
+    told = {line.letter: line.number for line in sheet.steps if line.letter}
+    if tree.head != "eigenvalue" or len(tree.indices) != 2 or len(problem.scene.q) != 1:
+        return False
+    if not told.keys() >= set(names):
+        return False
+    delta, omega = map(table.parameter, names)
+    spread = table.sqrt(delta ** 2 - omega ** 2)
+    return tell_found(problem, sheet, asked, [(node, [node]) for node in (spread - delta, -spread - delta)],
+                      [told[name] for name in names])
 
 
 def tell_of_overdamped(problem: "Problem", sheet: WorkedSolution, asked: "Expression") -> bool:

@@ -15,6 +15,8 @@ from vibcli.notation.as_printed import as_printed
 from vibcli.notation.plain import plain
 from vibcli.quantities.expression import value_of
 from vibcli.report.blocks import Words
+from vibcli.report.steps.complex_nodes import ComplexNode, determinant_of
+from vibcli.report.steps.held_against import tell_found
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.symbolic.derivatives import gradient, substitute
@@ -43,12 +45,16 @@ class Phasors:
         self.steady, self.sheet, self.about, self.table = steady, steady.sheet, steady.about, steady.table
         self.parts = ("a",) if steady.undamped else ("a", "b")
         self.values = [part for X in values for part in ((X.real,) if steady.undamped else (X.real, X.imag))]
-        self.known = bool(values) and not steady.several and all(self.values)
+        self.found = bool(values) and not steady.several and all(self.values)
+        self.by_cramer = by_cramer(steady) if not (steady.several or steady.numeric) and steady.Z else []
+        self.known = self.found or bool(self.by_cramer)
         self.letters = [self.about.letter(self.sheet.letter(part, f"X{k + 1}"))
                         for k in range(steady.n) for part in self.parts]
 
     def parts_of(self, k: int) -> "tuple[Node, Node]":
         """a and b of a coordinate."""
+        if self.by_cramer:
+            return self.by_cramer[k].real, self.by_cramer[k].imaginary
         if self.steady.undamped:
             return self.letters[k], self.table.zero
         return self.letters[2 * k], self.letters[2 * k + 1]
@@ -79,16 +85,35 @@ class Phasors:
         return self.table.call("atan2", -b, a) if self.known and not self.steady.undamped else None
 
     def tell_asked(self, uses: "list[int]") -> None:
-        """Write down the amplitudes of other signals that a sheet asks."""
-        if self.known:
-            for asked, signal in asked_of_signals(self.about, answers=True):
-                found = self._of_signal(signal)
-                if found is not None:
-                    tell_amplitude(self.about, self.sheet, asked, *found, uses)
+        """Write down the amplitudes of other signals that a sheet asks, and phases that no line tells."""
+        settled = {line.settles for line in self.sheet.steps}
+        for asked, signal in asked_of_signals(self.about, answers=True) if self.known else ():
+            found = self._of_signal(signal) if asked.text not in settled else None
+            if found is None:
+                continue
+            S, shown = found
+            if asked.tree.head == "phase":
+                self._tell_phase(asked, S, shown, uses)
+            elif self.by_cramer:
+                size = ["|", shown, "|"] if shown is not None else [Words("the size of its complex amplitude")]
+                tell_found(self.about.problem, self.sheet, asked, [(self._abs(S), size)], uses)
+            else:
+                tell_amplitude(self.about, self.sheet, asked, self._abs(S), shown, uses)
 
-    def _of_signal(self, signal: "SignalAboutRest") -> "tuple[Node, Node | None] | None":
-        """(|S| by the parts of X, what stands between bars by X where that is short); None where it is driven
-        otherwise."""
+    def _tell_phase(self, asked, S, shown, uses):
+        """The line of the lag behind a sine of what has the complex amplitude S."""
+        lag, quarter = self.table.call("atan2", -S.imaginary, S.real), self.table.pi / 2
+        what = [Words("the lag of  "), Words("its complex amplitude") if shown is None else shown]
+        turned = [(lag - quarter, [*what, " − π/2"]), (lag + 3 * quarter, [*what, " + 3·π/2"])]
+        tell_found(self.about.problem, self.sheet, asked, [(lag, what)] if self.steady.wave == "sin" else turned, uses)
+
+    def _abs(self, S) -> "Node":
+        if self.by_cramer and S.imaginary.is_zero:
+            return self.table.call("abs", S.real)
+        return _size(S.real, S.imaginary, self.about.value)
+
+    def _of_signal(self, signal: "SignalAboutRest") -> "tuple[ComplexNode, Node | None] | None":
+        """(S by the parts of X, it by X where that is short); None where it is driven otherwise."""
         drive = self._driven(signal.drive)
         if drive is None:
             return None
@@ -101,7 +126,7 @@ class Phasors:
         plainly = drive[1].is_zero and all(rate.is_zero for rate in signal.rates)
         total = textbook(self.table.total(shown))
         whole = min(total, textbook(-total), key=lambda node: len(plain(node)))
-        return _size(self.table.total(real), self.table.total(imaginary), self.about.value), (
+        return ComplexNode(self.table.total(real), self.table.total(imaginary)), (
             whole if plainly and letters(whole) <= READABLE else None)
 
     def _driven(self, node) -> "tuple[Node, Node] | None":
@@ -129,8 +154,10 @@ def asked_of_signals(about: AboutRest, answers: bool = False) -> "Iterator[tuple
     asked = (*(rules.ask if rules is not None else ()), *(about.problem.spec.answers if answers else ()))
     for one in {one.asked.text: one for one in asked}.values():
         tree = one.asked.tree
-        if isinstance(tree, QuantityRef) and tree.head == "amplitude" and not (
-                isinstance(tree.args[0], NameRef) and tree.args[0].name in about.scene.coordinates):
+        own = isinstance(tree, QuantityRef) and tree.args and isinstance(tree.args[0], NameRef) and (
+            tree.args[0].name in about.scene.coordinates)
+        head = getattr(tree, "head", "")
+        if (head == "amplitude" and not own) or (head == "phase" and answers):
             with suppress(NotInLetters, PhysicsError, SpecError):
                 yield one.asked, _linear(about, tree.args[0])
 
@@ -165,6 +192,18 @@ def tell_of_one(about: AboutRest, sheet: WorkedSolution, X: "Node", Omega: "Node
             parts = [part for part in (alpha, Omega * beta) if not part.is_zero]
             factor = about.table.sqrt(about.table.total([part ** 2 for part in parts]))
             tell_amplitude(about, sheet, asked, root(about.tidy(factor ** 2), about.samples) * X, None, uses)
+
+
+def by_cramer(steady: "SteadyState") -> list[ComplexNode]:
+    """The complex amplitudes by determinants of Z, in the letters of its entries and of F."""
+    def entry(i, j=None):
+        return ComplexNode(*steady.told(i, j))
+
+    rows = [[entry(i, j) for j in range(steady.n)] for i in range(steady.n)]
+    below = determinant_of(rows)
+    columns = ([[entry(i) if j == k else part for j, part in enumerate(row)] for i, row in enumerate(rows)]
+               for k in range(steady.n))
+    return [determinant_of(column).over(below) for column in columns]
 
 
 def _size(a, b, value_of_node) -> "Node":

@@ -192,32 +192,11 @@ def _resonates(degree, resists):
     return degree.C.is_zero and (is_zero(resists) or degree.about.cancel([degree.K, resists - degree.K], ROUNDED))
 
 
-def _unit_wave(degree, kind, Omega, decays):
-    """The response to a wave that begins at τ = 0, Ω being None of one at the natural frequency; decays: (δ, ω_d,
-    e^{−δτ})."""
-    table, (delta, rate, decay) = degree.about.table, decays
-    if Omega is None:
-        turned = rate * degree.about.letter(degree.sheet.letter("tau"))
-        sine = table.call("sin", turned)
-        return (turned * sine if kind == "cos" else sine - turned * table.call("cos", turned)) / (2 * degree.K)
-    tau, R = (degree.about.letter(degree.sheet.letter(letter)) for letter in ("tau", "R"))
-    S = table.zero if degree.C.is_zero else degree.about.letter(degree.sheet.letter("S"))
-    sine, cosine = table.call("sin", rate * tau), table.call("cos", rate * tau)
-    of_load = {wave: table.call(wave, Omega * tau) for wave in WAVES}
-    size = R if degree.C.is_zero else R ** 2 + S ** 2
-    factor = table.one if degree.C.is_zero else R
-    if kind == "sin":
-        kept = factor * of_load["sin"] - S * of_load["cos"]
-        return (kept + decay * (S * cosine + (delta * S - Omega * factor) * sine / rate)) / size
-    kept = factor * of_load["cos"] + S * of_load["sin"]
-    return (kept - decay * (factor * cosine + (delta * factor + Omega * S) * sine / rate)) / size
-
-
 def _unit(degree, kind, Omega=None):
-    """The response to a unit of a kind as a function of τ."""
-    damped, tau = not degree.C.is_zero, degree.about.letter(degree.sheet.letter("tau"))
+    """The response to a unit of a kind as a function of τ; Ω is None of a wave at the natural frequency."""
+    damped = not degree.C.is_zero
+    tau, R, S = (degree.about.letter(degree.sheet.letter(name)) for name in ("tau", "R", "S"))
+    unit = UnitResponses(degree.M, degree.K, degree.omega, degree.delta, degree.omega_d, tau, damped)
     if kind not in WAVES:
-        return UnitResponses(degree.M, degree.K, degree.omega, degree.delta, degree.omega_d, tau, damped).of(kind)
-    rate, delta = (degree.omega_d, degree.delta) if damped else (degree.omega, degree.about.table.zero)
-    decay = degree.about.table.call("exp", -(delta * tau)) if damped else degree.about.table.one
-    return _unit_wave(degree, kind, Omega, (delta, rate, decay))
+        return unit.of(kind)
+    return unit.to_own_wave(kind) if Omega is None else unit.to_wave(kind, Omega, R, S if damped else tau.table.zero)

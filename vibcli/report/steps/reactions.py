@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import PhysicsError
 from vibcli.notation.numbers import figure
 from vibcli.report.blocks import Name, Words
-from vibcli.report.sections.statics import condition_in_numbers
+from vibcli.report.sections.statics import condition_in_numbers, normals_in_letters
 from vibcli.report.sections.too_long import brief
 from vibcli.report.steps.agreement import ALIKE, samples_of
 from vibcli.report.steps.held import HINT, UNTOLD
@@ -119,6 +119,8 @@ def tell_forces(problem: "Problem", sheet: WorkedSolution) -> None:
     wanted = [signal for signal in wanted if everything or signal not in told]
     if wanted and not found.degree:
         _tell_balance(problem, sheet, found, wanted, moves)
+        if everything and not moves:
+            _tell_normals(problem, sheet, found)
 
 
 def _forces(problem):
@@ -148,6 +150,16 @@ def _tell_balance(problem, sheet, found, wanted, moves):
     lines = [sheet.write(Words("balance along "), Name(name), Words(":  "), node, " = 0", settles=f"balance[{name}]")
              for name, node in told.items()]
     _tell_values(problem, sheet, found, wanted, lines, balances)
+
+
+def _tell_normals(problem, sheet, found):
+    """The force of its path on each body that slides or rolls on one which is neither level nor upright."""
+    lines = {line.settles: line.number for line in sheet.steps}
+    for signal, node in normals_in_letters(problem, found.values, problem.symbolic.place_of_rest):
+        value = _values(problem, found._replace(values={signal: node}), [signal])[signal]
+        sides = [lines.get(f"{signal.removesuffix('normal')}reaction.{axis}") for axis in "xy"]
+        sheet.write(Words(f"across its path  {signal}"), " = ", brief(node), *(() if value is None else number(
+            value, "N")), settles=signal, node=node, value=value, unit="N", uses=sides)
 
 
 def _names(node):

@@ -12,6 +12,7 @@ from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.notation.names import lowered
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.characteristic import determinant
+from vibcli.report.steps.complex_nodes import ComplexNode, LetteredStiffness
 from vibcli.report.steps.complex_numbers import cleared, complex_parts, complex_told
 from vibcli.report.steps.fixed_points import tell_fixed_points
 from vibcli.report.steps.held import HINT, UNTOLD, SmallEquations, Untold
@@ -53,6 +54,7 @@ class SteadyState:
             self._know()
         self.undamped = not found.C and not found.G and len(kinds) == 1
         self.parts: dict[Node, tuple] = {}      # of letters of Z and F
+        self.Z: list[list[Node]] = []
         self.numeric = not about.problem.numeric.has_free_symbols
 
     def _know(self):
@@ -72,7 +74,7 @@ class SteadyState:
             self._right_sides(line)
             return ()
         self.phasors = Phasors(self, values or ())
-        if self.phasors.known:
+        if self.phasors.found:
             self.phasors.write()
         for k, name in enumerate(self.names):
             self._amplitude(k, name, values, lines, written)
@@ -174,13 +176,16 @@ class SteadyState:
                 plain = all(is_number(part) for part in parts)
                 shown = [*([] if plain else [*shown, " = "]), complex_told(value), Words(f" {unit}")]
             joined = len(sheet.steps) > first
+            real = {"node": parts[0], "value": self.about.value(parts[0]), "letter": letter.name}
             sheet.write(*([] if joined else head), letter, more, " = ", *shown, settles=letter.name, uses=uses,
-                        joined=joined, unit=unit * (value is not None), **(
-                            {"node": parts[0], "value": self.about.value(parts[0])} if parts[1].is_zero else {}))
+                        joined=joined, unit=unit * (value is not None), **(real if parts[1].is_zero else {}))
             self.parts[letter] = tuple(self._part((letter, unit), part, name, parts[1].is_zero)
                                        for part, name in zip(parts, ("re", "im"), strict=True))
         node, value = determinant(self.Z), complex(det(self._rows(self.about.numbers())[0])) if self.numeric else None
         self.D = self.about.letter(sheet.letter("D"))
+        if not self.several and self.n == 3:
+            sheet.responses[self.given] = LetteredStiffness(self.Z, [[ComplexNode(*self.told(i, j)) for j in range(
+                self.n)] for i in range(self.n)], self.D)
         return [sheet.last, sheet.write(Words("its determinant  "), self.D, " = ", node, *(() if value is None else (
             " = " + complex_told(value), Words(f" {unit_of_determinant(self.about.problem)}"))),
                                         settles=self.D.name, uses=[sheet.last])]

@@ -17,6 +17,7 @@ from vibcli.symbolic.syntax import Call, Product, QuantityRef
 if TYPE_CHECKING:
     from vibcli.language.reader import Expression
     from vibcli.language.spec import Spec
+    from vibcli.report.steps.complex_nodes import LetteredStiffness
     from vibcli.report.steps.free_waves import ToldMotion
     from vibcli.report.steps.motion_by_pieces import MotionByModes, MotionByPieces
     from vibcli.results.problem import Problem
@@ -57,6 +58,7 @@ class WorkedSolution:
         self.drawn: dict[Problem, tuple] = {}       # scenes in numbers that were drawn of one in letters
         self.waves: dict[str, ToldMotion] = {}      # of coordinates that move freely by the letters of lines
         self.in_numbers: dict[str, float] = {}      # of letters in whose place lines have the number
+        self.responses: dict[Node, LetteredStiffness] = {}      # of K − Ω²M + iΩC by Ω
         self.by_pieces: dict[str, MotionByPieces | MotionByModes] = {}      # of coordinates under pieces of loads
 
     @property
@@ -97,6 +99,11 @@ class WorkedSolution:
         self._beside = self.steps[-1] if opens else None
         return number
 
+    def settles_too(self, line: WorkedLine, settles: str, node: "Node", value: float | None, unit: str) -> None:
+        """Let a line settle another quantity that it tells as well."""
+        found = WorkedLine(line.number, settles, line.uses, (), node, value, unit)
+        self.steps.insert(self.steps.index(line) + 1, found)
+
     def join_next(self) -> None:
         """Let the next line be joined to the last one."""
         self._beside = self.steps[-1] if self.steps else None
@@ -111,6 +118,12 @@ def _printed(name):
     """(letter, index) as a name is printed: a_1 as a1."""
     letter, below, primes = split_name(name)
     return GREEK.get(letter, letter) + primes, below.removeprefix("_")
+
+
+def indexed(name: str, index: int) -> str:
+    """A letter with an index, before its marks: Q1′ of Q′."""
+    bare = name.rstrip("′")
+    return f"{bare}{index}{name[len(bare):]}"
 
 
 def momentum(sheet: WorkedSolution, name: str, p: Any, change: Any, slope: Any) -> tuple:

@@ -26,6 +26,7 @@ from vibcli.report.steps.several_degrees import SeveralDegrees
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.small_oscillations import Derivation
 from vibcli.report.steps.step import WorkedLine, WorkedSolution
+from vibcli.report.steps.told_before import settle_told
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
@@ -38,13 +39,14 @@ def worked(problem: "Problem") -> list[WorkedLine]:
     """The steps of a scene: to its equations of motion where these are asked, or small oscillations are not told apart
     element by element; then to its small oscillations."""
     _require_told(problem)
-    problem = with_units(problem)
+    problem = problem if problem.scene.pieces else with_units(problem)
     sheet = _sheet_of(problem)
     tell_expansion(problem, sheet)
     tell_by_amplitude(problem, sheet)
     if problem.choice is not None:
         tell_chosen(problem, sheet)
         tell_chosen_motion(problem, sheet)
+    settle_told(problem, sheet)
     tell_asked(problem, sheet)
     return sheet.steps
 

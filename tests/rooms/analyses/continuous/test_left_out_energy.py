@@ -11,6 +11,7 @@ from vibcli.analyses.excitation.linear_output import FieldPoint, LinearOutput
 from vibcli.language.signals_of_places import with_places
 from vibcli.results.damped_modal_response import DampedModalResponse
 from vibcli.results.wave_response import WaveResponse
+from vibcli.results.without_bound import without_bound
 from vibcli.symbolic.parser import parse
 
 BEAM = """
@@ -21,7 +22,10 @@ points: {aside: {body: arm, at: 0.3*L}, mid: {body: arm, at: L/2}}
 STEP = "forces: {push: {at: aside, force: 1 N*step(t)}}"
 PINNED = BEAM.replace("ENDS", "left: pinned, right: pinned") % "" + "%s"
 COMMON = PINNED.replace("DAMPER", "0.7 N*s/m")
+SHAKEN = "bodies: {hand: {slide: SLIDE}}" + BEAM.replace("ENDS", "left: {ENDS: hand}, right: pinned").replace(
+    "DAMPER", "0.7 N*s/m") % ""
 ASIDE, TURN, MID, BETWEEN = FieldPoint(1, 0.0), FieldPoint(1, 0.0, 1), FieldPoint(2, 0.0), FieldPoint(2, 0.2)
+MOMENT, SHEAR, RATE = FieldPoint(2, 0.0, 2), FieldPoint(2, 0.1, 3), FieldPoint(1, 0.0, 0, 1)
 SCENES = {
     "step": (COMMON % STEP, {ASIDE: 0, MID: 0, TURN: 0}),
     "half a sine": (COMMON % "forces: {push: {at: aside, force: 1 N*sin(pi*t/(0.3 s))*step(0.3 s - t)}}",
@@ -40,10 +44,37 @@ forces: {push: {body: arm, per_length: 1 N/m*x/L*step(t), to: 0.3*L}, pull: {at:
                {ASIDE: 0.3**2 * 0.7**2 / 3}),
     "thrown in a field": (COMMON % "initial: {arm.u': 1 mm/s*x*(L - x)/L^2}", {ASIDE: 0, MID: 0}),
     "bent in a field": (COMMON % "initial: {arm.u: 1 mm*(x/L)^2*(1 - x/L)^2}", {ASIDE: 1e-3 * 0.3**2 * 0.7**2}),
+    "shaken from a velocity on": (SHAKEN.replace("SLIDE", "1 cm*sin(9*t/(1 s))").replace("ENDS", "pinned"),
+                                  {ASIDE: 0, MID: 0, TURN: 0}),
+    "shaken for a while, beside loads along it": (
+        SHAKEN.replace("SLIDE", "1 m/s*(ramp(t) - ramp(t - 0.1 s))").replace("ENDS", "clamped").replace(
+            "mass", "drag: 3 N*s/m^2, mass", 1)
+        + "forces: {push: {body: arm, per_length: 1 N/m*x/L*step(t), to: 0.3*L}}", {ASIDE: 0, BETWEEN: 0, TURN: 0}),
     "a blow and a step on a mass that nothing holds": (
         BEAM.replace("ENDS", "left: free").replace("DAMPER", "0.7 N*s/m") % ", {at: 0.3*L, mass: 0.5 kg}"
         + "bodies: {hit: {mass: 0.5 kg, slide: y}}\nsprings: {tie: {k: 9 N/m, between: [hit, mid]}}\n"
         + "forces: {push: {at: aside, force: 1 N*s*impulse(t) + 9 N*step(t)}}", {ASIDE: 0, BETWEEN: 0}),
+}
+RAMP = "forces: {push: {at: aside, force: 1 N*(ramp(t) - ramp(t - 0.2 s))/(0.2 s)}}"
+UNEVEN = "segments: [{length: 0.6*L, drag: 3 N*s/m^2}, {length: 0.4*L, drag: DRAG}]"
+SCENES |= {
+    "dragged unevenly": (COMMON.replace("length: L", UNEVEN).replace("DRAG", "1 N*s/m^2") % STEP,
+                         {ASIDE: 0, MID: 0, TURN: 0}),
+    "dragged on a part, loaded along it": (
+        PINNED.replace("length: L", UNEVEN).replace("DRAG", "0 N*s/m^2").replace("c: DAMPER", "k: 2 N/m") %
+        "forces: {push: {body: arm, per_length: 1 N/m*x/L*step(t), to: 0.45*L}}",
+        {ASIDE: 0, MID: 0, MOMENT: 0, RATE: 0}),
+    "dragged beside a mass": (PINNED.replace("mass", "drag: 3 N*s/m^2, mass", 1).replace("c: DAMPER", "mass: 0.5 kg")
+                              % STEP, {ASIDE: 0, MID: 0}),
+    "creeping": (PINNED.replace("length: L", UNEVEN).replace("DRAG", "1 N*s/m^2").replace(
+        "drag: 3", "drag: 60").replace("DAMPER", "1 N*s/m") % RAMP, {ASIDE: 0, MID: 0, MOMENT: 0}),
+    "a ramp": (COMMON % RAMP, {ASIDE: 0, MOMENT: 0, SHEAR: 0, RATE: 0, FieldPoint(0, 0.2, 3): 0}),
+    "as smooth as a rate of moments wants it": (
+        COMMON % "forces: {push: {at: aside, force: 1 N*(1 - cos(30*t/(1 s)))}}",
+        {MOMENT: 0, FieldPoint(1, 0.0, 2, 1): 0, FieldPoint(1, 0.0, 0, 2): 0}),
+    "thrown with a drag that differs": (
+        COMMON.replace("length: L", UNEVEN).replace("DRAG", "1 N*s/m^2") % "initial: {arm.u': 1 mm/s*x*(L - x)/L^2}",
+        {ASIDE: 0, MID: 0}),
 }
 FEW, MORE = 8, 24
 TIMES = np.linspace(0.0, 0.6, 25)
@@ -84,28 +115,50 @@ def test_moments_and_what_is_struck_where_nothing_has_mass_are_estimated():
     motion = DampedModalResponse(scene).motion(FEW)
     for place, estimated in ((MID, False), (FieldPoint(2, 0.0, 2), True), (FieldPoint(2, 0.0, 0, 1), True)):
         assert motion.is_estimated(LinearOutput(places={place: 1.0})) == estimated
+    torn = problem(SHAKEN.replace("SLIDE", "1 cm*step(t)").replace("ENDS", "pinned"))
+    assert DampedModalResponse(torn).motion(FEW).is_estimated(LinearOutput(places={MID: 1.0}))
     struck = problem(COMMON % "forces: {push: {at: aside, force: 1 N*s*impulse(t)}}")
     assert DampedModalResponse(struck).motion(FEW).is_estimated(LinearOutput(places={MID: 1.0}))
 
 
-@pytest.mark.parametrize(("c", "drag"), [("0.7 N*s/m", 0), ("1e-8 N*s/m", 0), ("0.7 N*s/m", 3), ("1e-8 N*s/m", 3)])
+def test_what_energies_do_not_bound_is_refused_with_a_reason():
+    """As an acceleration after a step is; it ended in a TypeError."""
+    motion = DampedModalResponse(problem(SCENES["step"][0])).motion(FEW)
+    refusal = without_bound(motion, LinearOutput(places={FieldPoint(2, 0.0, 0, 2): 1.0}), 0.3)
+    assert "too slowly or too unevenly" in refusal.message and "rise within a time" in refusal.hint
+
+
+DRAGS = {"none": "", "even": "drag: 3 N*s/m^2, ", "on a part": "drag: 3 N*s/m^2, ", "overdamped": "drag: 40 N*s/m^2, "}
+
+
+@pytest.mark.parametrize(("c", "drag"), [("0.7 N*s/m", "none"), ("1e-8 N*s/m", "none"), ("1e-8 N*s/m", "even"),
+                                         ("1e-8 N*s/m", "on a part"), ("0.7 N*s/m", "overdamped")])
 def test_energies_of_modes_are_those_of_their_fields(c, drag):
-    scene = problem(PINNED.replace("DAMPER", c).replace("mass", f"drag: {drag} N*s/m^2, mass", 1) % STEP)
-    modes = DampedModalResponse(scene).motion(FEW).modes
-    left, N, rates = modes.disturbed(()).energy, FEW, modes.states.rates[:FEW]
+    text = PINNED.replace("DAMPER", c).replace("mass", DRAGS[drag] + "mass", 1)
+    if drag == "on a part":
+        text = text.replace("length: L, EI: EI, drag: 3 N*s/m^2",
+                            "segments: [{length: 0.6*L, drag: 3 N*s/m^2}, {length: 0.4*L, drag: 1 N*s/m^2}], EI: EI")
+    modes = DampedModalResponse(problem(text % STEP)).motion(FEW).modes
+    left, N, basis = modes.disturbed(()).energy, len(modes.states.rates), modes.basis
+    rates = modes.states.rates + left.fading
     nodes, weights = np.polynomial.legendre.leggauss(48)
-    K, M = np.zeros((2, N, N), complex), np.zeros((2, N, N), complex)
-    for number, one in enumerate(modes.basis.placed):
+    K, M, C = np.zeros((2, N, N), complex), np.zeros((2, N, N), complex), np.zeros((2, N, N), complex)
+    for side in range(2):
+        other = basis.shapes.conj() if side else basis.shapes
+        C[side] = other.T @ left.transfer.matrix.polynomial[1] @ basis.shapes
+    for number, one in enumerate(basis.placed):
         x, w = one.piece.length * (1 + nodes) / 2, one.piece.length * weights / 2
-        bent, moved = (modes.basis.field(number, x, along)[:, :N] for along in (2, 0))
+        bent, moved = (basis.field(number, x, along) for along in (2, 0))
         for side in range(2):
             first = [part.conj() if side else part for part in (bent, moved)]
             K[side] += np.einsum("x,xi,xj->ij", w, first[0], bent)
-            M[side] += np.einsum("x,xi,xj->ij", w, first[1], moved)
+            own = np.einsum("x,xi,xj->ij", w, first[1], moved)
+            M[side], C[side] = M[side] + own, C[side] + one.piece.drag * own
+    K += left.fading**2 * M - left.fading * C
     expected = (K[0] + np.outer(rates, rates) * M[0], K[1] + np.outer(rates.conj(), rates) * M[1])
-    swings, own, errors = left._modes(np.zeros((N, 0)), np.arange(N))
+    swings, own = left._modes(np.zeros((N, 0)), {}, np.arange(N))
     A = np.concatenate([np.eye(N), 1j * np.eye(N)], axis=1)
-    found, off = energies(swings, A, swings, A, own, errors, left.drag)
+    found, off = energies(swings, A, swings, A, own, left._dragged.drags)
     wanted = (A.T @ expected[0] @ A + A.conj().T @ expected[1] @ A).real / 2
     assert (np.abs(found - wanted) <= off + 1e-12 * np.abs(wanted).max()).all()
     assert np.abs(off).max() <= 1e-6 * np.abs(wanted).max()

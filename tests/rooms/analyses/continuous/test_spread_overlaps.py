@@ -40,3 +40,31 @@ def test_what_a_load_bends_is_felt_by_another_as_in_closed_form(bending):
     expected = np.array([_closed(piece, kappa) for kappa in KAPPA])
     for first, second in ((ramp, whole), (whole, ramp), (ramp, halves), (halves, ramp)):
         assert np.abs(held_overlap(piece, KAPPA, first, second) / expected - 1).max() < 1e-13
+
+
+def _hanging(piece, kappa):
+    """∫ (2 + x) u dx under a unit load where the tension is N + n x: u = 1/κ + a I₀(z) + b K₀(z), z = 2 √(κ (N + n
+    x))/n."""
+    def bessel(x):
+        z = 2 * mpmath.sqrt(mpmath.mpc(kappa) * (piece.tension + piece.gradient * x)) / piece.gradient
+        return mpmath.besseli(0, z), mpmath.besselk(0, z)
+
+    nodes, weights = np.polynomial.legendre.leggauss(40)
+    with mpmath.workdps(20):
+        a = mpmath.lu_solve(mpmath.matrix([bessel(0), bessel(piece.length)]), mpmath.matrix([-1 / kappa] * 2))
+        x = piece.length * (1 + nodes) / 2
+        u = np.array([complex(1 / kappa + sum(c * f for c, f in zip(a, bessel(float(one)), strict=True))) for one in x])
+    return piece.length / 2 * (weights * (2 + x)) @ u
+
+
+def test_so_it_is_where_the_tension_varies_along_the_piece():
+    piece, kappa = Piece(LENGTH, 0.0, TENSION, 2.5, 1.0, 0.0, 0.0), np.array([30 + 3j, -200 + 50j])
+    expected = np.array([_hanging(piece, one) for one in kappa])
+    one = LoadTerm(1.0, 0, 0.0)
+    ramp = LoadForm((LoadStretch(0.0, LENGTH, 0.0, (LoadTerm(2.0, 0, 0.0), LoadTerm(1.0, 1, 0.0))),))
+    whole = LoadForm((LoadStretch(0.0, LENGTH, 0.0, (one,)),))
+    halves = LoadForm((LoadStretch(0.0, CUT, 0.0, (one,)), LoadStretch(CUT, LENGTH, CUT, (one,))))
+    for first, second in ((ramp, whole), (whole, ramp), (ramp, halves), (halves, ramp)):
+        assert np.abs(held_overlap(piece, kappa, first, second) / expected - 1).max() < 1e-11
+    beam = piece._replace(bending=2.0)
+    assert np.abs(held_overlap(beam, kappa, ramp, halves) / held_overlap(beam, kappa, whole, ramp) - 1).max() < 1e-11

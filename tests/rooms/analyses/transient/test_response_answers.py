@@ -314,7 +314,9 @@ def test_waves_are_sines_where_their_phase_is_a_right_angle():
               -math.pi: "−2·cos(3·t)", 1.0: "2·cos(3·t − 1)", -1.5708: "2·cos(3·t + 1.5708)"}
     for phase, text in phases.items():
         assert sum_of([Part(2.0, 0, 0.0, 3.0, phase, False)], "t") == text
-    assert sum_of([Part(-2.0, 0, -1.0, 3.0, -math.pi / 2, False)], "t") == "2·e^(−1·t)·sin(3·t)"
+    assert sum_of([Part(-2.0, 0, -1.0, 3.0, -math.pi / 2, False)], "t") == "2·e^(−t)·sin(3·t)"
+    assert sum_of([Part(2.0, 0, 0.0, 1.0, 0.5, False), Part(1.0, 0, 1.0, 0.0, 0.0, False)], "t") == (
+        "2·cos(t − 0.5) + e^(t)")
 
 
 @pytest.mark.parametrize("coupling", [1e-9, 1e-7, 1e-5, 1e-2, 1.0])

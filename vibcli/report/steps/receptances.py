@@ -1,0 +1,159 @@
+"""Frequency responses of three degrees of freedom at a frequency, by the determinants of
+
+    Z = K − Ω²M + iΩ(C + G),   Z X = b,   H = cᵀX + d,
+
+in letters for the entries of Z (Rao 2011, section 5.6)."""
+
+from typing import TYPE_CHECKING, Any
+
+from vibcli.mechanics.symbolic_linear import coefficients
+from vibcli.quantities.in_letters import frequency_of
+from vibcli.report.blocks import Name, Words
+from vibcli.report.steps.characteristic import determinant
+from vibcli.report.steps.complex_nodes import ComplexNode, LetteredStiffness, determinant_of
+from vibcli.report.steps.complex_numbers import complex_parts, complex_told
+from vibcli.report.steps.held_against import tell_found
+from vibcli.report.steps.matrix_units import unit_of_entry
+from vibcli.report.steps.step import WorkedSolution
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.node import is_number
+from vibcli.symbolic.normal_form import is_zero, textbook
+from vibcli.symbolic.syntax import QuantityRef
+from vibcli.symbolic.transfer_between_tables import copied
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from vibcli.language.reader import Expression
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
+
+DEGREES = 3
+PARTS = "re", "im", "arg", "phase"
+
+
+def tell_receptance(problem: "Problem", sheet: WorkedSolution, asked: "Expression") -> bool:
+    """Is the size, a part or the lag of a response at a frequency written down so?"""
+    response = response_at(asked.tree)
+    if response is None or len(problem.scene.q) != DEGREES:
+        return False
+    before, known = len(sheet.steps), dict(sheet.responses)
+    receptance = _Receptance(problem, sheet, response)
+    if tell_found(problem, sheet, asked, receptance.forms(getattr(asked.tree, "head", "abs")), [sheet.last]):
+        return True
+    del sheet.steps[before:]
+    sheet.responses = known
+    return False
+
+
+def response_at(tree: Any) -> "QuantityRef | None":
+    """The response whose size, part or lag at a frequency is asked; None of another tree."""
+    head = getattr(tree, "head", getattr(tree, "name", ""))
+    if head == "transmissibility":
+        return tree
+    first = next(iter(getattr(tree, "args", ())), None)
+    at = isinstance(first, QuantityRef) and first.head == "frf" and first.args
+    return first if at and head in ("abs", *PARTS) else None
+
+
+class _Receptance:
+    def __init__(self, problem: "Problem", sheet: WorkedSolution, response: QuantityRef):
+        self.problem, self.sheet, self.table = problem, sheet, problem.scene.table
+        self.Omega, self.numeric = frequency_of(problem, response.args[0]), not problem.numeric.has_free_symbols
+        parts = coefficients(problem.symbolic, *response.indices)
+        self.b, self.c, (self.direct, *_) = ([self._power(part, i) for i in range(DEGREES)] for part in parts)
+        if self.Omega not in sheet.responses:
+            sheet.responses[self.Omega] = self._stiffness()
+        self.Z = sheet.responses[self.Omega]
+
+    def _power(self, part, i) -> ComplexNode:
+        """Σ sᵏ of [{i: node}] at s = iΩ."""
+        zeroth, first, second = (copied([one[i]], self.table)[0] if i in one else self.table.zero for one in part)
+        return ComplexNode(textbook(zeroth - self.Omega ** 2 * second), textbook(self.Omega * first))
+
+    def _entry(self, i, j) -> ComplexNode:
+        M, C, G, K = (part.get((i, j), self.table.zero) for part in self.problem.symbolic.matrices)
+        parts = K - self.Omega ** 2 * M, self.Omega * (C + G)
+        return ComplexNode(*(self.table.zero if is_zero(part) else part for part in parts))
+
+    def _stiffness(self) -> LetteredStiffness:
+        """Write down the entries of Z and its determinant, and give them letters."""
+        sheet, zero, first = self.sheet, self.table.zero, len(self.sheet.steps)
+        letters = [[zero] * DEGREES for _ in range(DEGREES)]
+        parts = [[ComplexNode(zero, zero)] * DEGREES for _ in range(DEGREES)]
+        entries = [[self._entry(i, j) for j in range(DEGREES)] for i in range(DEGREES)]
+        fixed = not any(part.op == "symbol" for part in reachable([self.Omega]))
+        what = [self.Omega, *[Words(" rad/s")] * fixed]
+        for i, j in ((i, j) for i in range(DEGREES) for j in range(DEGREES)):
+            entry = entries[i][j]
+            alike = all(is_zero(one - other) for one, other in zip(entry, entries[j][i], strict=True))
+            if j < i and alike:
+                letters[i][j], parts[i][j] = letters[j][i], parts[j][i]
+            elif not (entry.real.is_zero and entry.imaginary.is_zero):
+                name, joined = self._fresh(f"{sheet.matrix('Z')}{i + 1}{j + 1}"), len(sheet.steps) > first
+                base = name.rstrip("′")
+                twin = [" = ", Name(f"{base[:-2]}{j + 1}{i + 1}{name[len(base):]}")] if j > i and alike else []
+                head = [] if joined else [Words("the response at  Ω = "), *what, Words("  by  ")]
+                letters[i][j] = self.table.parameter(name, positive=False)
+                sheet.write(*head, letters[i][j], *twin, " = ", *complex_parts(*entry), *self._number(entry, i, j),
+                            settles=name, joined=joined)
+                parts[i][j] = self._known(name, entry)
+        D = self.table.parameter(self._fresh("D"), positive=False)
+        sheet.write(Words("their determinant  "), D, " = ", determinant(letters), settles=D.name, uses=[sheet.last])
+        return LetteredStiffness(letters, parts, D)
+
+    def _fresh(self, name):
+        """A letter that no line has."""
+        taken = {part for line in self.sheet.steps for part in (line.letter, line.settles)}
+        found = self.sheet.letter(name)
+        while found in taken or f"{found}_re" in taken:
+            name += "′"
+            found = self.sheet.letter(name)
+        return found
+
+    def _number(self, entry, i, j):
+        if not self.numeric or all(is_number(part) for part in entry):
+            return []
+        value = complex(*evaluate(list(entry), Floats, self.problem.numeric.floats))
+        return [f" = {complex_told(value)}", Words(f" {unit_of_entry(self.problem, i, j)}")]
+
+    def _known(self, name, entry) -> ComplexNode:
+        """The real and the imaginary part by letters of their own."""
+        found = []
+        for node, part in zip(entry, ("re", "im"), strict=True):
+            if node.is_zero:
+                found.append(node)
+                continue
+            own = self.sheet.letter(name, part)
+            value = evaluate([node], Floats, self.problem.numeric.floats)[0] if self.numeric else None
+            self.sheet.write(settles=own, letter=own, node=node, value=value, joined=True)
+            found.append(self.table.parameter(own, positive=False))
+        return ComplexNode(*found)
+
+    def forms(self, part: str) -> "Iterator[tuple[Node, list[Any]]]":
+        """(what is asked of H, parts that tell it)."""
+        H, shown = self._response()
+        real, imaginary = H
+        atan2 = self.table.call("atan2", imaginary, real)
+        node = {"re": real, "im": imaginary, "arg": atan2, "phase": -atan2}.get(
+            part, self.table.sqrt(real ** 2 + imaginary ** 2))
+        words = {"re": "the real part of  ", "im": "the imaginary part of  ", "arg": "the angle of  ",
+                 "phase": "the lag of  "}
+        yield node, [Words(words[part]), shown] if part in words else ["|", shown, "|"]
+
+    def _response(self) -> "tuple[ComplexNode, Node]":
+        """(H, the same by the letters of Z and of its determinant)."""
+        below, H = determinant_of(self.Z.parts), self.direct
+        shown = self.direct.real
+        for k, factor in enumerate(self.c):
+            if factor.real.is_zero and factor.imaginary.is_zero:
+                continue
+            column = [[self.b[i] if j == k else part for j, part in enumerate(row)] for i, row in enumerate(
+                self.Z.parts)]
+            X = determinant_of(column).over(below)
+            H = ComplexNode(*(one + other for one, other in zip(H, factor.times(X), strict=True)))
+            above = determinant([[self.b[i].real if j == k else part for j, part in enumerate(row)]
+                                 for i, row in enumerate(self.Z.letters)])
+            shown = shown + factor.real * above / self.Z.determinant
+        return H, shown

@@ -1,0 +1,94 @@
+"""Whether a digit is known of what is read off a motion: none is where the bound of its error, certain or estimated, is
+as large as the signal becomes at all.
+
+A value next to a passage through zero is small beside its bound, and is known where this is small beside the motion;
+what is zero all along where it is small beside others of its kind.
+"""
+
+from math import inf
+from typing import TYPE_CHECKING
+
+from vibcli.base.errors import NoDigit, PhysicsError
+from vibcli.notation.numbers import figure, rounded_up
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.analyses.transient.linear_response import LinearMotion
+    from vibcli.results.signal import Signal
+
+SAMPLES = 65
+ROUNDING = 1e-9     # of terms: a bound as small is that of what rounds of them
+
+
+def require_digit(value: float, error: float, size: float, hint: str, what: str = "value") -> None:
+    """NoDigit of a value whose error has a bound no less than the `size` of what it is one of."""
+    if error < abs(value) or not error:
+        return
+    if not error < size:
+        told = f"may be off by {figure(rounded_up(error))}" if error < inf else "has an error without bound"
+        raise NoDigit(f"no digit of this {what} is known: it {told}, and nothing it is one of is larger than "
+                      f"{figure(size, digits=2)}", hint)
+
+
+def require_value(signal: "Signal", t: float, value: float, error: float) -> None:
+    """NoDigit of the value of a signal at an instant, or of an extreme there."""
+    if error >= abs(value) and error:
+        require_digit(value, error, size_of(signal, t), signal.MORE)
+
+
+def size_of(signal: "Signal", t: float) -> float:
+    """The largest of samples of a signal up to an instant and up to the end of its motion, or what tells its zeros."""
+    import numpy as np
+
+    signal = signal.whole
+    found = signal.told_zero(t)
+    for further in (False, True) if found < inf else ():
+        try:
+            end = max(t, signal.end or 0.0) if further else t
+            found = max(found, float(np.abs(signal.values(np.linspace(0.0, end, SAMPLES))).max()))
+        except PhysicsError:        # more than is known of it
+            pass
+    return found
+
+
+def rounding_of_terms(motion: "LinearMotion", output: "LinearOutput", t: float) -> float:
+    """A bound that rounding alone keeps below, of an output's terms were they as large as the largest of all."""
+    import numpy as np
+
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+
+    times, found = np.linspace(0.0, t, SAMPLES), 0.0
+    for order, row in enumerate((output.q, output.v, output.a)):
+        if any(row.values()):
+            sizes = [np.abs(motion.values(LinearOutput(q={i: 1.0}), times, order)).max() for i in range(len(motion.M))]
+            found += float(max(sizes)) * sum(map(abs, row.values()))
+    return ROUNDING * found
+
+
+def known_alone(signal: "Signal", times: "np.ndarray", values: "np.ndarray") -> "np.ndarray":
+    """Samples of a signal, NaN where no digit is known of those about them; NoDigit where none is known anywhere."""
+    import numpy as np
+
+    parts = signal.LOOKED
+    if not parts:
+        return values
+    at = np.linspace(float(times[0]), float(times[-1]), parts + 1)
+    errors, size = np.array([_error(signal, t) for t in at.tolist()]), float(np.abs(values).max())
+    bad = ~(errors < size) & (errors > 0)
+    if bad.any():
+        bad = ~(errors < max(size, signal.told_zero(float(at[-1])))) & (errors > 0)
+    if not bad.any():
+        return values
+    if bad.all():
+        require_digit(0.0, float(errors.min()), size, signal.MORE)
+    part = np.clip(np.searchsorted(at, times, side="right") - 1, 0, parts - 1)
+    return np.where(bad[part] | bad[part + 1], np.nan, values)
+
+
+def _error(signal, t):
+    try:
+        return signal.error(t)
+    except PhysicsError:
+        return inf
