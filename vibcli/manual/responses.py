@@ -43,7 +43,8 @@ RESPONSE = [
          "has mass, is bounded by the energy that each jump or bend of loads at places and along members, each bend of "
          "the way of a driven end, each blow on a mass, or the start leaves them, which never grows; of moments, "
          "forces and other rates too where loads begin smoothly. Else, and with driven ends that jump, blows on what "
-         "has no mass, or a start in a field beside modes that are one, it is estimated from how amplitudes fall; reports, `check` and `--json` say so. A damper of √(Nμ) beside drag is "
+         "has no mass, or a start in a field beside modes that are one, it is estimated from how "
+         "amplitudes fall; reports, `check` and `--json` say so. A damper of √(Nμ) beside drag is "
          "refused, as no wave comes back from it."),
         ("not known", "A number whose error has a bound, certain or estimated, as large as all that its signal becomes "
          "is not told: reports say `not known` and why, `--json` gives null and the reason, files leave such samples "

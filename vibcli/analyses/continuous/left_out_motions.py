@@ -111,11 +111,11 @@ class _Changes:
     def __init__(self):
         self._terms: dict[tuple[int, complex, int], list[complex]] = {}
 
-    def add(self, key, size):
+    def add(self, key: tuple[int, complex, int], size: complex) -> None:
         """To the sum of a key."""
         self._terms.setdefault(key, []).append(complex(size))
 
-    def kept(self):
+    def kept(self) -> dict[tuple[int, complex, int], complex]:
         """{key: sum}."""
         sums = {key: sum(terms) if key[-1] >= 0 else sum(terms).real + 0j for key, terms in self._terms.items()}
         return {key: c for key, c in sums.items() if abs(c) > ROUNDING * max(map(abs, self._terms[key]))}

@@ -100,7 +100,7 @@ def _signal(problem, tree) -> "Node":
     return lower(tree, problem.scene.table, at)
 
 
-class Swing(NamedTuple):
+class MotionsByWaves(NamedTuple):
     """sin τ and cos τ, and {symbol of the motion or wave of the load: what it is by these}."""
 
     sine: Any
@@ -156,7 +156,7 @@ def _of_harmonics(problem, sheet, tree) -> "Iterator[tuple[Node, list[Any]]]":
     yield (node if square else table.sqrt(node)), [node if square else table.sqrt(node)]
 
 
-def _of_one(problem, sheet) -> Swing | None:
+def _of_one(problem, sheet) -> MotionsByWaves | None:
     """Of the only coordinate, by the letter of its amplitude."""
     (name,), table, load = problem.scene.coordinates, problem.scene.table, _load(problem)
     line = next((line for line in sheet.steps if line.settles == f"amplitude({name})" and line.letter), None)
@@ -172,7 +172,7 @@ def _of_one(problem, sheet) -> Swing | None:
     return _swing(problem, [(X * sine, X * cosine)], (argument, Omega), (p * sine + q * cosine, p * cosine - q * sine))
 
 
-def _of_several(problem, sheet) -> Swing | None:
+def _of_several(problem, sheet) -> MotionsByWaves | None:
     """Of several by the letters of the parts of their complex amplitudes."""
     table, load, told = problem.scene.table, _load(problem), {line.letter for line in sheet.steps if line.letter}
     if load is None:
@@ -191,13 +191,13 @@ def _of_several(problem, sheet) -> Swing | None:
     return _swing(problem, places, (argument, gradient(argument)[problem.scene.time]), (sine, cosine))
 
 
-def _swing(problem, places, frequency, waves) -> Swing:
+def _swing(problem, places, frequency, waves) -> MotionsByWaves:
     """By [(of a coordinate, of its rate over Ω)], (Ωt + φ, Ω), and what the sine and the cosine of that are."""
     scene, table, (argument, Omega) = problem.scene, problem.scene.table, frequency
     motions = {table.call(kind, argument): node for kind, node in zip(("sin", "cos"), waves, strict=True)}
     for name, q, v, a, (place, rate) in zip(scene.coordinates, scene.q, scene.v, scene.a, places, strict=True):
         motions.update({q: at_rest(problem, name, 0) + place, v: Omega * rate, a: -(Omega ** 2) * place})
-    return Swing(*(table.parameter(wave, positive=False) for wave in (SINE, COSINE)), motions)
+    return MotionsByWaves(*(table.parameter(wave, positive=False) for wave in (SINE, COSINE)), motions)
 
 
 def _odd(n):

@@ -38,12 +38,13 @@ def tell_receptance(problem: "Problem", sheet: WorkedSolution, asked: "Expressio
     response = response_at(asked.tree)
     if response is None or len(problem.scene.q) != DEGREES:
         return False
-    before, known = len(sheet.steps), dict(sheet.responses)
+    before, known = len(sheet.steps), set(sheet.responses)
     receptance = _Receptance(problem, sheet, response)
     if tell_found(problem, sheet, asked, receptance.forms(getattr(asked.tree, "head", "abs")), [sheet.last]):
         return True
     del sheet.steps[before:]
-    sheet.responses = known
+    for Omega in sheet.responses.keys() - known:
+        del sheet.responses[Omega]
     return False
 
 
