@@ -84,7 +84,7 @@ class Space:
         for i, column in _columns((box[0] - side, box[1], box[2] + side, box[3])):
             within = left <= i <= right
             for key in column:
-                cost = get(key, 0.0)
+                cost: float = get(key, 0.0)
                 if cost == INKED:
                     cost = WORDED
                 elif within and cost < NEAR and key in beside:

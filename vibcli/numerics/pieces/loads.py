@@ -148,7 +148,8 @@ def _by_ends(piece: "Piece", kappa: np.ndarray, one: LoadStretch, numbers: "Arit
     unit = np.eye(piece.order)
     end, start = (bracket(piece, kappa[:, None], fields(piece, kappa[:, None], unit, x), one, x)
                   for x in (one.end, one.start))
-    return end - start
+    found: np.ndarray = end - start
+    return found
 
 
 def bracket(piece: "Piece", kappa: np.ndarray, phi: np.ndarray, one: LoadStretch, x: Any) -> np.ndarray:
