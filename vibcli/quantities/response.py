@@ -149,7 +149,7 @@ def _of_what_changes(tree: QuantityRef, signal: Any, until: float, instant: floa
     """The bound of an instant, if the signal has one that stands out."""
     from vibcli.results.escalation import is_constant
 
-    error = signal.error_of_time(instant)
+    error: float = signal.error_of_time(instant)
     at_an_end = instant in (0.0, until)     # exact; of what does not change rounding may tell one
     still = _looks_still(signal, until) if at_an_end else error >= until
     if still and is_constant(*(signal.bounded_extreme(0.0, until, sense) for sense in (1, -1))):
@@ -200,7 +200,7 @@ def _overshoot(problem: "Problem", tree: QuantityRef, args: Sequence[Any]) -> tu
 
     def off() -> float:
         last, high = error_of_final(), signal.error_of_extreme(0.0, until, (instant, top), sense)
-        return cast("float", (high + last + found * (signal.error(0.0) + last)) / abs(final - start))
+        return (high + last + found * (signal.error(0.0) + last)) / abs(final - start)
 
     return found, off
 

@@ -7,6 +7,7 @@ and at the ends of what is looked at, the instant itself is known, and both side
 import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
+from weakref import WeakKeyDictionary
 
 from mpmath import mp
 
@@ -26,6 +27,7 @@ ROUNDING = 1e-14        # relative: values that floats do not tell apart
 NEAR = 2.0**-48         # relative: instants that floats do not tell apart
 SIMPLE = 1e-3           # y ÿ/ẏ² beside a single zero; 1/2 beside a double one
 STEPS, LOST = 40, 8     # of Newton's method; digits that its last step may lack
+EXTREMES: "WeakKeyDictionary[Signal, dict[tuple, tuple[mpmath.mpf, mpmath.mpf]]]" = WeakKeyDictionary()
 
 
 def value_to(signal: "Signal", t: "Fraction | int", digits: int) -> "mpmath.mpf":
@@ -44,7 +46,14 @@ def value_when(signal: "Signal", when: "Callable[[], mpmath.mpf]", digits: int, 
 def extreme_to(signal: "Signal", start: float, end: float, sense: int, digits: int, size: float = 0.0,
                most: float = MOST) -> "tuple[mpmath.mpf, mpmath.mpf]":
     """(instant, value) of the largest (sense 1) or smallest (−1) value between two instants, the earliest of equals, of
-    whatever the floats do not tell apart. most: steps of a million products that it may take."""
+    whatever the floats do not tell apart, found once. most: steps of a million products that it may take."""
+    known, asked = EXTREMES.setdefault(signal, {}), (start, end, sense, digits, size)
+    if asked not in known:
+        known[asked] = _extreme_to(signal, start, end, sense, digits, size, most)
+    return known[asked]
+
+
+def _extreme_to(signal, start, end, sense, digits, size, most):
     source = required(signal)
 
     def one_near(t):

@@ -49,6 +49,7 @@ class SmallResponse(Response):
         self.configuration, self.finely, self.finer = problem.configuration, finely, {}
         self._moved: dict[tuple[Node, ...], LinearMotion] = {}      # by what of them depends on the time alone
         self._outputs: dict[str, tuple[LinearOutput, Node | None]] = {}
+        self._signals: dict[Node, LinearSignal | ComposedSignal] = {}
 
     @cached_property
     def values(self) -> dict[str, Any]:
@@ -164,9 +165,14 @@ class SmallResponse(Response):
         return duration(modes, damped, last, sorted(forcing.speeds), fading(forcing))
 
     def signal(self, tree: NameRef | Power | Sum) -> LinearSignal | ComposedSignal:
-        """The signal of a tree."""
+        """The signal of a tree, one for all that is asked of it."""
         parts = {}
-        node, source = lower(tree, self.problem.scene.table, lambda *named: self._part(parts, *named)), (self, tree)
+        node = lower(tree, self.problem.scene.table, lambda *named: self._part(parts, *named))
+        if node not in self._signals:
+            self._signals[node] = self._of_node(node, parts, (self, tree))
+        return self._signals[node]
+
+    def _of_node(self, node, parts, source):
         if node in parts:
             return self._one(parts[node], source)
         slopes = gradient(node)

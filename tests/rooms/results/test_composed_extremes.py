@@ -1,6 +1,8 @@
 """Extremes and zeros of functions of linear outputs: what dense samples of a formula by hand show is found, however
 long the time that is looked at."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 from support.scenes import problem, value
@@ -9,6 +11,7 @@ from vibcli.analyses.transient.composition import Composition
 from vibcli.analyses.transient.sampled_extremes import SampledSearch
 from vibcli.base.errors import PhysicsError
 from vibcli.base.work import Work
+from vibcli.results import precise_instants
 
 M, K, X0 = 1.0, 100.0, 0.5
 FUNCTIONS = {        # of x [m], x' [m/s] and x'' [m/s^2]
@@ -47,10 +50,17 @@ def by_hand(c, t):
     return x, v, -K * x - c * v
 
 
-def peaks(function, c, sense):
-    """The largest of dense samples of the first seconds, all that a damped motion has."""
+@cache
+def dense(c):
+    """(instants, the motion at them) of the first seconds, all that a damped motion has."""
     t = np.linspace(0, 6, 600_001)
-    y = sense * function(*by_hand(c, t))
+    return t, by_hand(c, t)
+
+
+def peaks(function, c, sense):
+    """The largest of dense samples."""
+    t, motion = dense(c)
+    y = sense * function(*motion)
     return sense * y.max(), t[y.argmax()]
 
 
@@ -66,6 +76,14 @@ def test_extremes_are_those_of_dense_samples(name):
             assert found == pytest.approx(best, rel=5e-6, abs=1e-4 if "sign" in name or "abs" in name else 1e-9)
         if abs(found) > 1e-9:
             assert instant == pytest.approx(at, abs=2e-5)
+
+
+def test_an_extreme_and_its_instant_are_found_to_more_digits_once(monkeypatch):
+    searched, rivals = [], precise_instants._rivals
+    monkeypatch.setattr(precise_instants, "_rivals", lambda *asked: searched.append(asked[5]) or rivals(*asked))
+    one = scene(1, 1)
+    assert [value(one, f"{head}(T)") for head in ("min", "argmin")] == [0.0, 0.0]
+    assert searched == [-1]
 
 
 @pytest.mark.parametrize("name", ["x*x'", "x*x''", "abs(x)-abs(x'*0.1 s)", "ramp(x)*x'-0.01 m^2/s"])

@@ -6,7 +6,7 @@ of V, which stands powers that are broken at a kink; of the two each value takes
 
 from collections.abc import Mapping
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.polynomial.legendre import leggauss
@@ -154,7 +154,10 @@ class Well:
             found += [float(q) for q in places[sign == 0]]
             changes = np.flatnonzero(sign[1:] * sign[:-1] < 0)
             if changes.size:
-                found += map(float, zeros_between(lambda q, k=k: functions(q)[k], places[changes], places[changes + 1]))
+                def one(q: Any, k: int = k) -> Any:
+                    return functions(q)[k]
+
+                found += map(float, zeros_between(one, places[changes], places[changes + 1]))
         return found
 
     def _values(self, compiled, q):

@@ -133,8 +133,8 @@ def draw(bunch: Bunch, sketch: Sketch) -> tuple[list[Any], dict[str, tuple[Any, 
         start, end = at(bridge, t), at(length - bridge, t)
         found += between(record, start, end, drawn - 2 * bridge, sketch.gap(record, sketch.scale))
         where |= named(record, start, end, plane.left(plane.unit(plane.minus(b, a))), *parts.sides(t, sides))
-    for end, place in ((bunch.one, a), (bunch.two, b)):
-        if end.carrier is not None and end.carrier not in sketch.moving_points and not end.loose:
+    for held, place in ((bunch.one, a), (bunch.two, b)):
+        if held.carrier is not None and held.carrier not in sketch.moving_points and not held.loose:
             found += support.dot(place)
     if count > 1 or bunch.aside:
         low, high = max(sides[0], 0.0), min(sides[-1], 0.0)

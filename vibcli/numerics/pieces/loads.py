@@ -55,10 +55,9 @@ class LoadStretch(NamedTuple):
         found: np.ndarray = np.abs(kappa) > FAR * (abs(piece.bending) * rate**4 + abs(piece.tension) * rate**2)
         return found
 
-    def at(self, x: Any, numbers: "Arithmetic") -> np.ndarray:
-        """f(x)."""
-        y = x - self.origin
-        found: np.ndarray = 0 * x
+    def at(self, x: Any, numbers: "Arithmetic") -> Any:
+        """f(x) of a number or an array."""
+        y, found = x - self.origin, 0 * x
         for coefficient, power, rate in self.terms:
             wave = numbers.array(coefficient) * y**power
             found = found + numbers.real(wave * numbers.exp(numbers.array(rate) * y) if rate else wave)
