@@ -86,7 +86,7 @@ class Signal:
         """Its value before an instant at which it leaps; None where it does not."""
         return None
 
-    def precise(self, t: "Fraction", digits: int) -> "mpmath.mpf":
+    def precise(self, t: "Fraction | int", digits: int) -> "mpmath.mpf":
         """Its value at an instant, correct to so many digits."""
         from vibcli.results.precise_instants import value_to
 
