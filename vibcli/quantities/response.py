@@ -159,11 +159,11 @@ def _of_what_changes(tree: QuantityRef, signal: Any, until: float, instant: floa
 
 
 def _looks_still(signal: Any, until: float) -> bool:
-    """Is it the same but for rounding at several instants?"""
+    """Is it the same at several instants but for rounding, which sets one apart?"""
     from vibcli.results.escalation import FLAT
 
     seen = [at_instant(signal, until * k / LOOKS) for k in range(LOOKS + 1)]
-    return max(seen) - min(seen) <= FLAT * max(map(abs, seen))
+    return 0.0 < max(seen) - min(seen) <= FLAT * max(map(abs, seen))
 
 
 def _final(problem: "Problem", tree: QuantityRef, args: Sequence[Any]) -> tuple[float, Callable[[], float]]:
