@@ -14,6 +14,7 @@ from vibcli.quantities.quantity import (
     ROUNDING,
     SIGNAL,
     Declaration,
+    ErrorOfZero,
     declared,
     one,
 )
@@ -69,8 +70,10 @@ def _require_digit(problem: "Problem", tree: QuantityRef, args: Sequence[Any], f
 
 def relative(value: float, off: float) -> float:
     """The relative error bound of a value that may be off by so much; of 0, if it may be off at all, 1."""
-    if not value or not isfinite(off):
-        return 1.0 if off else ROUNDING
+    if not value:
+        return ErrorOfZero(off)
+    if not isfinite(off):
+        return 1.0
     return max(ROUNDING, off / abs(value))
 
 
