@@ -79,7 +79,7 @@ class ModalSignal(Signal):
     def why_estimated(self) -> str:
         disturbed = self.modal.modes.disturbed
         known = disturbed and disturbed(self.modal.forcing.pieces)
-        return "" if not known or known.ALONE else known.reason(self.reads)
+        return known.reason(self.reads) if known else ""
 
     def told_zero(self, t: float) -> float:
         """A share of what is alike elsewhere on the members."""
