@@ -162,7 +162,8 @@ def of_unit(text):
 
 def told_later(problem, lines):
     """[(number of a line, letter)] of letters that stand in it and that neither the scene has nor lines up to it tell:
-    by what they settle, alone before an equality, or alone among words; but for UNKNOWNS of a form that is tried."""
+    by what they settle, alone before an equality, or alone among words, those of modes by the one of mode k; but for
+    UNKNOWNS of a form that is tried."""
     scenes = [problem.scene, problem.system.scene_with_multipliers]
     known = {*UNITS.values(), *problem.spec.parameters, *problem.scene.parameters.nodes, *problem.spec.coordinates}
     known |= {node.name for one in scenes for node in (*one.q, *one.v, *one.a, one.time)}
@@ -174,7 +175,8 @@ def told_later(problem, lines):
         known |= {name for line in here for name in (line.letter, line.settles)}
         known |= {name for line in here for name in _alone(line.parts)}
         found += [(number, name) for name in dict.fromkeys(name for line in here for name in _names(line.parts))
-                  if name.rstrip("'") not in known and name not in known and not UNKNOWNS.fullmatch(name)]
+                  if known.isdisjoint((name, name.rstrip("'"), re.sub(r"\d+$", "_k", name)))
+                  and not UNKNOWNS.fullmatch(name)]
     return found
 
 

@@ -9,6 +9,7 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 from support.scenes import problem, problem_of
+from support.worked_lines import told_later
 
 from vibcli.notation.plain import plain
 from vibcli.report.formats.formula import formula
@@ -179,7 +180,10 @@ def test_pieces_and_a_start_where_damping_couples_the_modes(damping, c, start, l
 
 def test_lines_of_complex_modes_have_the_numbers_of_their_matrices():
     """By hand: λ by numpy of the companion matrix, u·Q over u·(2λM + C)·u."""
-    of = {line.settles: line for line in worked(problem(ONE.format(damping=COUPLED, load="F*step(t)")))}
+    scene = problem(ONE.format(damping=COUPLED, load="F*step(t)"))
+    lines = worked(scene)
+    of = {line.settles: line for line in lines}
+    assert not told_later(scene, lines)
     A = np.block([[np.zeros((2, 2)), np.eye(2)], [np.array([[-250.0, 100], [200, -200]]), np.diag([-3.0, 0])]])
     roots, shapes = np.linalg.eig(A)
     k = min((i for i in range(4) if roots[i].imag > 0), key=lambda i: roots[i].imag)
@@ -188,8 +192,8 @@ def test_lines_of_complex_modes_have_the_numbers_of_their_matrices():
     line = shown(of["equation of complex mode 1"])
     for value in (roots[k].real, roots[k].imag, u[1].real, u[1].imag, g.real, g.imag):
         assert f"{abs(value):.6g}".rstrip("0") in line
-    unit = shown(of["s"])
-    assert unit.startswith("a unit step at τ = 0 has the particular part  −1/λ,  and as z = 0 at its start")
+    unit = shown(of["s_k"])
+    assert unit.startswith("a unit step at τ = 0 has in mode k the particular part  −1/λ,  and as z = 0 at its start")
     assert f"1/λ₁ = −{abs((1 / roots[k]).real):.6g}" in unit
     assert shown(of["z1"]).endswith("·F·s₁(t)   (each from when its argument is positive)")
 
@@ -210,7 +214,7 @@ def test_a_root_that_is_zero_under_pieces():
         "r: {k: k, between: [ground, a]}, ", "").replace("x(t1): 0 m", "x(40 s): 0 m")
     of = {line.settles: line for line in worked(problem(scene.replace("k: 300 N/m, ", "")))}
     assert of["x(40 s)"].value == pytest.approx(5 * 0.12 / 6, rel=1e-6) and of["x(40 s)"].node is not None
-    assert "but as λ₁ = 0  s₁(τ) = τ" in shown(of["s"])
+    assert "but as λ₁ = 0  s₁(τ) = τ" in shown(of["s_k"])
 
 
 @pytest.mark.parametrize("damping", [COUPLED, STARTED, ""])

@@ -14,7 +14,8 @@ parameters: {m: MASS, k: STIFF, h: SOFT, c: DAMP}
 bodies: {a: {mass: m, slide: x}, b: {mass: 2*m, slide: y}}
 springs: {r: {k: k, between: [ground, a]}, s: {k: h, between: [a, b]}}
 dampers: {d: {c: c, between: [ground, a]}}
-answers: {"K[x,x]": 1 N/m, "K[x,y]": 1 N/m, "M[y,y]": 1 kg, "C[x,x]": 1 N*s/m, "M[x,y]": 0 kg, "period[1]": 1 s}
+answers: {"K[x,x]": 1 N/m, "K[x,y]": 1 N/m, "M[y,y]": 1 kg, "C[x,x]": 1 N*s/m, "M[x,y]": 0 kg, "period[1]": 1 s,
+          "frequency[2]": 1 Hz}
 """
 VALUES = {"MASS": "2 kg", "STIFF": "300 N/m", "SOFT": "200 N/m", "DAMP": "7 N*s/m"}
 ONE = """
@@ -46,6 +47,10 @@ def test_entries_of_matrices(values):
             "K": "N/m", "M": "kg", "C": "N·s/m"}[matrix])
     if values["MASS"]:
         assert of["period[1]"].value == pytest.approx(2 * math.pi / of["omega[1]"].value, rel=1e-12)
+        assert of["frequency[2]"].value == pytest.approx(of["omega[2]"].value / 2 / math.pi, rel=1e-12)
+        assert not of["period[1]"].parts and not of["frequency[2]"].parts
+    else:       # no line tells T; by hand 2m²ω⁴ − m(2k + 3h)ω² + kh = 0
+        assert formula(of["period[1]"].parts, plain) == "period[1]:  4·π·√(m/(2·k + 3·h − √(4·k·(k + h) + 9·h²)))"
 
 
 def test_roots_and_forces_at_rest():

@@ -43,7 +43,7 @@ OF_EXPRESSIONS = tell_average, tell_receptance
 CLOSE = 1e-9        # relative: of an expression and the engine's number
 OF_SPRINGS = "stiffness", "damping", "law", "stiffness_correction"       # of springs, dashpots, and what these hold
 ENERGIES = "V", "T", "Phi"      # of expansions, told by the factor of a power
-OF_LETTERS = "period", "decay", "zeta"      # told in letters, where no line settles them
+OF_LETTERS = "period", "frequency", "decay", "zeta"      # told in letters, where no line settles them
 BESIDE = "frequency", "period", "period_d", "eigenvalue"      # told beside another number of the mode
 
 
@@ -83,14 +83,14 @@ def _tell_in_letters(problem, sheet):
 
 
 def _by_frequency(problem, sheet, asked):
-    """Is a period told by the letter of its frequency?"""
+    """Is a period, or a frequency in Hz, told by the letter of its angular frequency?"""
     tree = asked.tree
-    line = next((one for one in sheet.steps if tree.head == "period" and not tree.args and one.letter
+    line = next((one for one in sheet.steps if tree.head in ("period", "frequency") and not tree.args and one.letter
                  and one.settles == f"omega[{', '.join(tree.indices)}]" and one.node is not None), None)
     if line is None:
         return False
-    table = problem.scene.table
-    node = 2 * table.pi / table.parameter(line.letter)
+    turn, omega = 2 * problem.scene.table.pi, problem.scene.table.parameter(line.letter)
+    node = turn / omega if tree.head == "period" else omega / turn
     sheet.write(Words(f"{as_printed(asked.text)}:  "), node, settles=asked.text, node=node, uses=[line.number])
     return True
 

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
 LETTERS = {"impulse": "h", "step": "s", "ramp": "r", "sin": "v", "cos": "w"}       # of unit responses
-RULE = "the motion is the sum of complex modes, of the shape u times z"
+RULE = "the motion is the sum of complex modes, of the shape  "
 PAIRS = ", a pair of roots adding twice the real part of one"
 WEIGHTS = "s/kg", "s/(kg·m)", "s/(kg·m²)"      # units of what a mode takes of loads, by how many coordinates turn
 NOTHING = 1e-9          # of a part of a shape beside others: rounding
@@ -87,8 +87,9 @@ class ComplexModesUnderPieces:
             Name(self.sheet.letter(letter)) for letter in ("u", "z", "Q", "lambda"))
         pairs = any(mode.root.imag for mode in self.modes)
         first = self.sheet.write(
-            Words(RULE + PAIRS * pairs + ":  "), u, "·(2·", root, "·", M, " + ", C, ")·", u, "·(", Name(z.text + "'"),
-            " − ", root, "·", z, ") = ", u, "·", Q, settles="equations of complex modes", uses=self.found.lines)
+            Words(RULE), u, Words("  times  "), z, Words(PAIRS * pairs + ":  "), u, "·(2·", root, "·", M, " + ", C,
+            ")·", u, "·(", Name(z.text + "'"), " − ", root, "·", z, ") = ", u, "·", Q,
+            settles="equations of complex modes", uses=self.found.lines)
         return [first, *(self._equation(k, mode, [first]) for k, mode in enumerate(self.modes))]
 
     def _equation(self, k, mode, uses):
@@ -139,14 +140,15 @@ class ComplexModesUnderPieces:
     def _unit(self, kind, uses):
         """The line of what a unit of a kind brings about: its particular part, and the constant at its start."""
         root, tau = self.about.letter(self.sheet.letter("lambda")), self.tau
-        name, of = Name(self.sheet.letter(LETTERS[kind])), Words(f"{KINDS[kind]} at τ = 0{',' * (kind in WAVES)} ")
+        name = Name(self.sheet.letter(LETTERS[kind], "k"))
+        of = Words(f"{KINDS[kind]} at τ = 0{',' * (kind in WAVES)} ")
         kept, constant = particular_and_constant(kind, root, tau, self.Omega)
         free = self.table.call("exp", root * tau)
         if kept.is_zero:
-            return self.sheet.write(of, Words("makes z = 1, which dies out:  "), name, "(τ) = ", free,
+            return self.sheet.write(of, Words("makes z = 1 in mode k, which dies out:  "), name, "(τ) = ", free,
                                     settles=name.text, uses=uses)
         known = [part for k in range(len(self.modes)) for part in self._constant(kind, k, root, constant)]
-        return self.sheet.write(of, Words("has the particular part  "), kept, Words(
+        return self.sheet.write(of, Words("has in mode k the particular part  "), kept, Words(
             ",  and as z = 0 at its start the constant  "), constant, Words("  of  "), free, Words(":  "), name,
             "(τ) = ", constant * free + kept, *known, settles=name.text, uses=uses)
 

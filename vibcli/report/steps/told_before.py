@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.quantities.expression import value_of
+from vibcli.report.blocks import Name
 from vibcli.report.steps.instances import found_at, is_found
 from vibcli.report.steps.step import WorkedLine, WorkedSolution, unit_told
 from vibcli.symbolic.syntax import QuantityRef
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
 
 MATRICES = "M", "C", "G", "K"
 CHECKED = "J", "eigenvalue"         # quantities that several lines may tell
+BESIDE = {"period": "T", "frequency": "f"}      # letters of what the line of an angular frequency may tell as well
 
 
 def settle_told(problem: "Problem", sheet: WorkedSolution) -> None:
@@ -59,9 +61,16 @@ def _told(problem, sheet, tree: Any) -> "Iterator[tuple[WorkedLine, Node]]":
             yield line, line.node
         elif tree.head == "eigenvalue" and line.letter in roots:
             yield line, table.parameter(line.letter, positive=False)
-        elif tree.head in ("period", "frequency") and line.settles == f"omega[{indices[0]}]":
+        elif tree.head in BESIDE and line.settles == f"omega[{indices[0]}]" and _stands_in(
+                sheet, line.number, Name(sheet.letter(BESIDE[tree.head]))):
             omega = table.parameter(line.letter) if line.letter else line.node
             yield line, 2 * table.pi / omega if tree.head == "period" else omega / (2 * table.pi)
+
+
+def _stands_in(sheet, number, letter):
+    """Has a numbered line that letter?"""
+    return any(isinstance(part, Name) and part == letter for line in sheet.steps if line.number == number
+               for part in line.parts)
 
 
 def _entry(problem, tree) -> "Node":
