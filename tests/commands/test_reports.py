@@ -640,7 +640,8 @@ def test_formats_import_nothing_heavy(scene, kind):
 @pytest.mark.skipif(which("pdflatex") is None, reason="no LaTeX here")
 @pytest.mark.parametrize("scene", ["problems/7_forced_two_degrees/washing_machine_on_a_bench.yaml",
                                    "problems/5_forced/motor_raised_on_a_hinged_beam.yaml",
-                                   "vibcli/examples/double_pendulum.yaml", "vibcli/examples/frequency_response.yaml"])
+                                   "vibcli/examples/double_pendulum.yaml", "vibcli/examples/frequency_response.yaml",
+                                   "vibcli/examples/arm_on_a_hub.yaml"])
 def test_latex_compiles(scene, tmp_path):
     path = tmp_path / "report.tex"
     assert run(["solve", str(PROBLEMS.parent / scene), "-o", str(path), "--pictures"]) == 0

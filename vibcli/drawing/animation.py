@@ -1,15 +1,22 @@
 """The frames of a mode, or of any motion given in time, as a GIF, an SVG or a page."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from math import ceil, tau
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
-from vibcli.drawing.canvas.primitives import extent
+from vibcli.drawing.canvas.primitives import Primitive, extent
 from vibcli.drawing.layout import compose, lettering
 from vibcli.drawing.member_motion import MemberMotion
 from vibcli.drawing.symbols import mode_shape, path
 from vibcli.drawing.vibration import Vibration, caption, magnification, mode, phases, response
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.analyses.modal.undamped import Mode
+    from vibcli.drawing.layout.compose import Scenery
+    from vibcli.results.problem import Problem
 
 FRAMES, PACE = 36, 45               # of one period; milliseconds
 PERIODS, SEEN, MOST = 8, 12, 240    # of the slowest mode; frames in a period of the fastest; frames
@@ -52,12 +59,13 @@ def at_instant(problem: Any, instant: float) -> list[Any]:
     return _with_members(problem, np.array([instant]))[0][0]
 
 
-def _with_members(problem, times):
+def _with_members(problem: "Problem", times: "np.ndarray") -> "tuple[list[list[Primitive]], str, list[str]]":
     """The same of a scene with members, which are bent as the signals of their places tell."""
     from vibcli.symbolic.syntax import NameRef
 
-    def values(name):
-        return problem.response.signal(NameRef(0, len(name), name, 0)).values(times).tolist()
+    def values(name: str) -> "list[float]":
+        found: list[float] = problem.response.signal(NameRef(0, len(name), name, 0)).values(times).tolist()
+        return found
 
     stage = compose.Scenery(problem.scene)
     told = problem.scene.coordinates
@@ -97,18 +105,19 @@ def of_positions(problem: Any, positions: Sequence[dict[str, float]],
     return frames, words, [f"{t:.4g} s" for t in times]
 
 
-def _at_rest():
+def _at_rest() -> PhysicsError:
     return PhysicsError("this scene stays at rest", "say under `initial` how it starts, or give it a load")
 
 
-def _middle(problem, stage, positions):
+def _middle(problem: "Problem", stage: "Scenery", positions: Sequence[dict[str, float]]) -> dict[str, float]:
     """The position about which a motion is magnified: its mean, of what has gaps that from which these count."""
     if any("gap" in record for record in problem.scene.spec.connections):
         return {name: stage.sketch.values[name] for name in positions[0]}
     return {name: sum(one[name] for one in positions) / len(positions) for name in positions[0]}
 
 
-def _drawn(problem, count, frame):
+def _drawn(problem: "Problem", count: int,
+           frame: Callable[..., Any]) -> "list[list[Primitive]]":
     """frame(i) of each frame; a terminal is told how far they have come."""
     found = []
     with problem.work.task("the frames") as task:
@@ -118,7 +127,7 @@ def _drawn(problem, count, frame):
     return found
 
 
-def _span(problem, until):
+def _span(problem: "Problem", until: float) -> tuple[float, int]:
     """(the end, the number of frames): some periods of the slowest mode, each of the fastest seen in some frames."""
     speeds = [float(mode.omega) for mode in _modes(problem) if mode.omega]
     if not speeds:
@@ -128,9 +137,10 @@ def _span(problem, until):
     return until, max(FRAMES, min(MOST, ceil(SEEN * until * max(speeds) / tau)))
 
 
-def _modes(problem):
+def _modes(problem: "Problem") -> "Sequence[Mode]":
     try:
-        return problem.modal.modes.shown()
+        found: list[Mode] = problem.modal.modes.shown()
+        return found
     except PhysicsError:
         return ()
 

@@ -1,14 +1,22 @@
 """A problem as a drawing in the style of a textbook figure."""
 
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
-from vibcli.drawing.canvas.primitives import extent
+from vibcli.drawing.canvas.primitives import Primitive, extent
 from vibcli.drawing.layout import captions, compose, lettering, notes, plane
 from vibcli.drawing.layout.space import Space
 from vibcli.drawing.symbols import arrow, connection, coordinate, dimension
 from vibcli.drawing.symbols.bodies import carried
 from vibcli.drawing.symbols.support import HINGE
+
+if TYPE_CHECKING:
+    from vibcli.drawing.canvas.primitives import LetterRuns, Run
+    from vibcli.drawing.layout.compose import Scenery
+    from vibcli.drawing.layout.sketch import Sketch
+    from vibcli.drawing.symbols.dimension import Length
+    from vibcli.drawing.symbols.look import Look
+    from vibcli.results.problem import Problem
 
 GRAVITY, ROOMY = 30.0, 28.0     # points; the least width and height of what has room for a name beside its middle
 COLUMN, FEW = 340.0, 8          # points of a column of text less what is written beside a scene; bodies
@@ -36,7 +44,7 @@ def draw(problem: Any) -> list[Any]:
     return found + annotations(stage, found, where)
 
 
-def _pleasing(problem):
+def _pleasing(problem: "Problem") -> "Scenery":
     """The stage of a scene with parameters that may be letters."""
     from vibcli.drawing.layout.letters import pleasing
 
@@ -46,11 +54,12 @@ def _pleasing(problem):
 def annotations(stage: Any, found: Any,
                 where: Mapping[str, tuple[Any, ...]]) -> list[Any]:
     """Arrows of coordinates, motions and loads, the names of everything, gravity and notes."""
-    sketch, space, made = stage.sketch, Space(found), []
+    sketch, space = stage.sketch, Space(found)
+    made: list[Any] = []
     for bunch in stage.bunches:
         space.bar(connection.outline(bunch, sketch))
 
-    def put(parts):
+    def put(parts: "Sequence[LetterRuns | Primitive]") -> None:
         made.extend(parts)
         space.add(parts)
 
@@ -88,7 +97,8 @@ def annotations(stage: Any, found: Any,
     return made + notes.lines(stage, found + made)
 
 
-def _loads(stage, space):
+def _loads(stage: "Scenery",
+           space: Space) -> "Iterator[tuple[list[Primitive], tuple[Run, ...], list[tuple[float, float]], str]]":
     """(primitives, runs, places, role) of loads on what has a place, and of all that moves and drives rows."""
     if stage.sketch.spec.get("forces"):
         from vibcli.drawing.symbols import load
@@ -104,7 +114,8 @@ def _loads(stage, space):
             yield from lumped.arrows(layout, stage.scene, stage.sketch)
 
 
-def _of_members(stage, space):
+def _of_members(stage: "Scenery",
+                space: Space) -> "Iterator[tuple[list[Any], tuple[Run, ...] | None, list[plane.Place], str]]":
     """The same of what is written on members."""
     if stage.strips:
         from vibcli.drawing.symbols import member_words
@@ -118,7 +129,7 @@ def contents(spec: Any) -> str:
     return "; ".join(f"{section}: {', '.join(names)}" for section in SHOWN if (names := spec.named.get(section)))
 
 
-def _lengths(stage, space, box):
+def _lengths(stage: "Scenery", space: Space, box: tuple[float, float, float, float]) -> "list[LetterRuns | Primitive]":
     """Those that have room for their label, the shorter ones nearer to what they measure."""
     found, wanted = [], [*dimension.lengths(stage.sketch), *_lengths_of_members(stage)]
     for length in sorted(wanted, key=lambda length: round(plane.distance(length.one, length.two))):
@@ -131,7 +142,7 @@ def _lengths(stage, space, box):
     return found
 
 
-def _lengths_of_members(stage):
+def _lengths_of_members(stage: "Scenery") -> "list[Length]":
     if not stage.strips:
         return []
     from vibcli.drawing.symbols.member_words import lengths
@@ -139,7 +150,7 @@ def _lengths_of_members(stage):
     return lengths(stage.strips, stage.sketch)
 
 
-def _shaken(stage):
+def _shaken(stage: "Scenery") -> "list[tuple[list[Primitive], tuple[Run, ...] | None, list[tuple[float, float]]]]":
     """[(primitives, runs, places)] of driven supports; those with the same motion are named once."""
     found, named = [], set()
     for name, record in stage.sketch.moving_points.items():
@@ -157,21 +168,21 @@ def _shaken(stage):
     return found
 
 
-def _element(name, sketch):
+def _element(name: str, sketch: "Sketch") -> "tuple[Run, ...]":
     record = sketch.spec.connection(name)
     if record is None:
         return lettering.named(name)
     return captions.quantity(record, connection.symbol(record).NAMED_BY, sketch)
 
 
-def _gap(name, key, sketch):
+def _gap(name: str, key: str, sketch: "Sketch") -> "tuple[tuple[Run, ...], str]":
     """The runs and the role of what is written beside a gap: none where it is zero or too long a formula."""
     field = sketch.spec.connection(name)[key]
     none = captions.raw(field, sketch.scene).is_zero
     return () if none else captions.expression(field, sketch) or (), "measure"
 
 
-def _bodies(stage):
+def _bodies(stage: "Scenery") -> "list[tuple[tuple[Run, ...], list[plane.Place], bool, list[Primitive] | None]]":
     """[(runs, places, is there no room within, outlines)] of the masses."""
     found = []
     outlines = [carried(part, stage.sketch.frames[name])
@@ -193,7 +204,7 @@ def _bodies(stage):
     return found
 
 
-def _parts(name, sketch):
+def _parts(name: str, sketch: "Sketch") -> "list[tuple[tuple[Run, ...], list[tuple[float, float]], bool]]":
     """The same of the parts of a body that have masses of their own."""
     found = []
     for part in sketch.scene.bodies[name].record.get("parts", ()):
@@ -208,7 +219,7 @@ def _parts(name, sketch):
     return found
 
 
-def _spots(name, look, sketch):
+def _spots(name: str, look: "Look", sketch: "Sketch") -> list[tuple[float, float]]:
     """Where the name of a body belongs: the middle of its largest part; along a rod."""
     if look.kind == "rod":
         record = sketch.scene.bodies[name].record
@@ -228,12 +239,12 @@ def _spots(name, look, sketch):
         points = [sketch.frames[name].point(p) for part in look.pieces[-2:] for p in part.points]
         half = len(points) // 2
         return [plane.middle(points[half * i // 8], points[half + half * i // 8]) for i in (6, 2, 7, 5, 1, 3)]
-    part = max((part for part in look.outlines if part.fill != "paper"), default=look.pieces[-1],
-               key=lambda part: plane.distance(*plane.corners(part.points)))
+    part: Any = max((part for part in look.outlines if part.fill != "paper"), default=look.pieces[-1],
+                    key=lambda part: plane.distance(*plane.corners(part.points)))
     return _within(part.points)
 
 
-def _within(points):
+def _within(points: Sequence[plane.Place]) -> list[tuple[float, float]]:
     """The middle of an outline, or of what is left of it where that is hollow; beside what lies in a large one."""
     low, high = plane.corners(points)
     width, height = plane.minus(high, low)
@@ -245,7 +256,8 @@ def _within(points):
     return found + [spot for spot in aside if min(width, height) > ROOMY and plane.inside(spot, list(points))]
 
 
-def _gravity(sketch, drawn):
+def _gravity(sketch: "Sketch",
+             drawn: "list[LetterRuns | Primitive]") -> "list[LetterRuns | Primitive]":
     """An arrow beside the upper right corner of what is drawn; in it, or above it, where that is wide."""
     gravity = sketch.scene.gravity
     if gravity is None:
@@ -260,7 +272,7 @@ def _gravity(sketch, drawn):
     return [*arrow.straight(start, tip, "ink"), lettering.text(runs, x + 5, y - 4)]
 
 
-def _corner(drawn, room):
+def _corner(drawn: "list[LetterRuns | Primitive]", room: float) -> tuple[float, float]:
     """The middle of the arrow of gravity, beside which a name has room."""
     left, _, right, top = extent(drawn)
     if right - left < COLUMN:

@@ -14,7 +14,17 @@ import numpy as np
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.drawing.canvas import primitives
-from vibcli.drawing.canvas.primitives import BEHIND, ELEMENT, JOINT, SURFACE, Circle, Polygon, Polyline, extent
+from vibcli.drawing.canvas.primitives import (
+    BEHIND,
+    ELEMENT,
+    JOINT,
+    SURFACE,
+    Circle,
+    Polygon,
+    Polyline,
+    Primitive,
+    extent,
+)
 from vibcli.drawing.layout import lettering, plane
 from vibcli.drawing.layout.compose import Scenery
 from vibcli.drawing.layout.diagram_values import error_of_zero, told, zeros
@@ -26,7 +36,10 @@ from vibcli.notation.numbers import supported, wrapped
 from vibcli.plots.prefixes import readable
 
 if TYPE_CHECKING:
+    from vibcli.drawing.canvas.primitives import LetterRuns
+    from vibcli.drawing.layout.sketch import Sketch
     from vibcli.mechanics.internal_forces import InternalForce
+    from vibcli.numerics.stretches import CurveStretch
 
 HIGH, GAP, HEAD, ORDINATES, DOT = 40.0, 18.0, 7.0, 7.0, 2.0     # points: of the largest value, between panels, …
 SMALL_SIZE, DIGITS, NOTHING = 10.0, 4, 1e-9                     # the last: of the largest value
@@ -80,21 +93,21 @@ def draw(scene: Any, forces: "Sequence[InternalForce]", top: Sequence[Any], note
                       for number, line in enumerate(lines))]
 
 
-def _panels(stage, forces, amplitudes):
+def _panels(stage: Scenery, forces: "Sequence[InternalForce]", amplitudes: bool) -> list[DiagramPanel]:
     """The Panels of all that is not zero; PhysicsError where everything is."""
     strips = {strip.name: strip for strip in stage.strips}
-    groups: dict = {}
+    groups: dict[tuple[str, str, str], list[tuple[Strip, InternalForce]]] = {}
     for force in forces:
         strip = strips[force.member]
         kind = strip.member.kind.name, force.part
         groups.setdefault(("", *kind) if strip.placed else (force.member, *kind), []).append((strip, force))
     found = []
-    for (_, *kind), drawn in groups.items():
+    for (_, element, part), drawn in groups.items():
         largest = max(force.largest for _, force in drawn)
         if largest:
             level = all(abs(strip.e[1]) < 1e-9 and strip.e[0] > 0 for strip, _ in drawn)
-            side = TENSION if tuple(kind) == ("beam", "moment") else ALONG[level]
-            title = NAMES[tuple(kind)] + (f" of {drawn[0][0].name}" if len(drawn) == 1 else "")
+            side = TENSION if (element, part) == ("beam", "moment") else ALONG[level]
+            title = NAMES[element, part] + (f" of {drawn[0][0].name}" if len(drawn) == 1 else "")
             found.append(DiagramPanel(f"amplitude of {title}" if amplitudes else f"{title}, {side}", drawn, largest,
                                *readable(largest, drawn[0][1].unit), amplitudes))
     if not found:
@@ -106,13 +119,13 @@ def _panels(stage, forces, amplitudes):
     return found
 
 
-def _panel(panel, sketch):
+def _panel(panel: DiagramPanel, sketch: "Sketch") -> "list[LetterRuns | Primitive]":
     """The primitives of a DiagramPanel."""
-    found: list = []
+    found: list[LetterRuns | Primitive] = []
     for strip, _ in panel.drawn:
         bend = Bend(resting(strip, sketch.values), 0.0)
         found += primitives.ghost(iter(member_ends.supports(strip, bend, sketch)))
-    labels: list = []
+    labels: list[Any] = []
     for strip, force in panel.drawn:
         found += _diagram(panel, strip, force)
         labels += _labels(panel, strip, force)
@@ -123,10 +136,10 @@ def _panel(panel, sketch):
     return [*found, lettering.text(lettering.words(panel.title), box[0], box[3] + HEAD, "note")]
 
 
-def _diagram(panel, strip, force):
+def _diagram(panel: DiagramPanel, strip: Strip, force: "InternalForce") -> list[Primitive]:
     """The areas between base line and curve, light and with ordinates, both in outline; where they change their
     sides."""
-    found: list = [Polyline((strip.at(0.0), strip.end), "ink", 1.4, layer=ELEMENT)]
+    found: list[Primitive] = [Polyline((strip.at(0.0), strip.end), "ink", 1.4, layer=ELEMENT)]
     outline = [strip.at(force.stretches[0].start)]
     for stretch in force.stretches:
         cuts = [stretch.start, *stretch.zeros(force.largest), stretch.end]
@@ -145,7 +158,8 @@ def _diagram(panel, strip, force):
     return [*found, Polyline((*outline, strip.at(force.stretches[-1].end)), "diagram", 1.4, layer=ELEMENT)]
 
 
-def _ordinates(panel, strip, force, stretch, low, high):
+def _ordinates(panel: DiagramPanel, strip: Strip, force: "InternalForce", stretch: "CurveStretch", low: float,
+               high: float) -> list[Primitive]:
     count = int((high - low) * strip.scale / ORDINATES)
     places = [low + (high - low) * i / count for i in range(1, count)]
     values = stretch.values(np.array(places)).tolist() if places else []
@@ -153,7 +167,8 @@ def _ordinates(panel, strip, force, stretch, low, high):
             for x, y in zip(places, values, strict=True)]
 
 
-def _labels(panel, strip, force):
+def _labels(panel: DiagramPanel, strip: Strip,
+            force: "InternalForce") -> list[tuple[str, list[tuple[float, float]], str]]:
     """[(text, places for it, role)] of the values at ends, jumps and extremes, and of where the curve crosses zero."""
     found = []
     for x, value in told(force):

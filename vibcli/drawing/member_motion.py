@@ -1,6 +1,7 @@
 """Modes along members, from their exact fields."""
 
 from bisect import bisect_right
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
@@ -9,6 +10,7 @@ from vibcli.drawing.symbols.member import LEAST, Bend
 from vibcli.drawing.symbols.member_ends import hanging
 
 if TYPE_CHECKING:
+    from vibcli.analyses.continuous.mode_fields import ModeFields
     from vibcli.drawing.layout.compose import Scenery
     from vibcli.drawing.layout.sketch import Sketch
 
@@ -27,7 +29,7 @@ class MemberMode(NamedTuple):
     strip: Strip
     fields: Any
     factor: complex
-    nodes: list
+    nodes: list[float]
     top: float
     stretch: float | None = None
     hung: float = 0.0
@@ -42,10 +44,11 @@ class MemberMode(NamedTuple):
         strip, still, now = self.strip, resting(self.strip, rest.values), resting(self.strip, moved.values)
         bar = strip.placed and not strip.sideways
 
-        def of(name, places):
-            return (self.fields.displacements(name, places) * (self.factor * factor)).real.tolist()
+        def of(name: str, places: "list[float]") -> "list[float]":
+            found: list[float] = (self.fields.displacements(name, places) * (self.factor * factor)).real.tolist()
+            return found
 
-        def at(places):
+        def at(places: "list[float]") -> "list[tuple[float, float]]":
             u = of(strip.name, places)
             if self.stretch is not None:
                 w = of(f"{strip.name}.along", places)
@@ -74,7 +77,7 @@ def mode_along_members(problem: Any, mode: Any, stage: "Scenery", normalise: str
     return [one if one.top > RESTS * most[one.kind] else one._replace(nodes=[], top=0.0) for one in found]
 
 
-def _with_nodes(strip, fields, factor):
+def _with_nodes(strip: Strip, fields: "ModeFields", factor: complex) -> MemberMode:
     """The MemberMode of a member; a beam that moves both ways rests nowhere."""
     top = abs(complex(fields.largest(strip.name)[1]) * factor)
     moving, stretch = strip.name if top else None, None
@@ -93,7 +96,7 @@ class MemberMotion:
     the signals of places, `values(name)` being those of one at all instants; `laid_out(stage, positions)`: their
     Sketches, unit and room."""
 
-    def __init__(self, problem: Any, stage: "Scenery", positions: Any, values: Any, laid_out: Any):
+    def __init__(self, problem: Any, stage: "Scenery", positions: Any, values: Any, laid_out: Any) -> None:
         self.placed = any(strip.placed for strip in stage.strips)
         self.curves = {strip.name: (strip, *_curve(strip, strip.member.signal_stem, values)) for strip in stage.strips}
         self.stretches = {strip.name: _curve(strip, f"{strip.name}.along", values)[1] for strip in stage.strips
@@ -128,22 +131,25 @@ class MemberMotion:
         return found
 
 
-def _kind(strip):
+def _kind(strip: Strip) -> str:
     return "placed" if strip.placed else "turns" if strip.member.kind.torsional else "slides"
 
 
-def _curve(strip, stem, values):
+def _curve(strip: Strip, stem: str,
+           values: Callable[[str], list[float]]) -> tuple[list[float], list[tuple[float, ...]]]:
     """(places, a signal at them at each instant) of a member."""
     places = [strip.metres * i / PLACES for i in range(PLACES + 1)]
     columns = [values(f"{stem}({x!r} m)") for x in places]
     return places, list(zip(*columns, strict=True))
 
 
-def _interpolated(strip, places, row, stretch, still, factor):
+def _interpolated(strip: Strip, places: list[float], row: tuple[float, ...], stretch: Sequence[float] | None,
+                  still: Callable[[list[float]], list[tuple[float, float]]],
+                  factor: float) -> Callable[[list[float]], list[tuple[float, float]]]:
     """[(along, u)] between places at which u is known, and of a beam that stretches what it does along."""
     bar = strip.placed and not strip.sideways
 
-    def at(xs):
+    def at(xs: "list[float]") -> "list[tuple[float, float]]":
         found = []
         for x, (along, across) in zip(xs, still(xs), strict=True):
             i = min(max(bisect_right(places, x) - 1, 0), len(places) - 2)

@@ -57,7 +57,7 @@ class Vibration:
     """A mode about the equilibrium: `at(theta)` is the Sketch at a phase, `unit` the points for one metre of lumped
     bodies, `room` that in which bodies slide on the ground, `rest` the equilibrium."""
 
-    def __init__(self, problem: Any, index: int, stage: "Scenery", normalise: str = "first"):
+    def __init__(self, problem: Any, index: int, stage: "Scenery", normalise: str = "first") -> None:
         if not stage.scene.bodies and not stage.scene.members:
             raise PhysicsError("this scene has no bodies, so no mode can be drawn on it",
                                "`vibcli frequencies` prints the shapes in numbers")
@@ -81,26 +81,26 @@ class Vibration:
         return {field.strip.name: field.bend(self.rest, self.at(theta) if theta is not None else self.rest, factor,
                                              self.unit, self.turn_unit) for field in self.fields}
 
-    def _required(self, amplitude, theta):
+    def _required(self, amplitude: float, theta: float) -> "Sketch":
         found = self._sketch(amplitude, theta)
         if found is None:
             raise PhysicsError("the loops of this scene cannot close in the displaced position", "ask for another mode")
         return found
 
-    def _sketch(self, amplitude, theta):
+    def _sketch(self, amplitude: float, theta: float) -> "Sketch":
         factor = exp(1j * theta) if theta else 1.0
         position = {name: self.base[name] + amplitude * (value * factor).real
                     for name, value in zip(self.names, self.shape, strict=True)}
         return self.stage.at({**self.base, **position} if amplitude else self.base)
 
-    def _unit(self, farthest):
+    def _unit(self, farthest: float) -> float:
         """Points for one metre of lumped bodies, of which one goes so far."""
         if not farthest:
             return 1.0
         moved = [self._sketch(self.amplitude, theta) for theta in QUARTERS] if self.stage.rows else []
         return min(LUMPED / farthest, most(self.stage.rows, [sketch.lumped for sketch in moved if sketch]))
 
-    def _scale(self):
+    def _scale(self) -> None:
         """Set the amplitude and the unit."""
         tops = {kind: max((max(field.top, field.hung) for field in self.fields if field.kind == kind), default=0.0)
                 for kind in ("placed", "slides", "turns")}
@@ -126,7 +126,7 @@ class Vibration:
         raise PhysicsError("the loops of this scene cannot follow this mode", "ask for another mode")
 
 
-def _lead(amplitude):
+def _lead(amplitude: complex) -> float:
     """By how much of a period an amplitude leads its largest displacement to either side, at most a quarter: what is
     in phase with it moves as its sign in the table says."""
     lead = phase(amplitude)
@@ -170,7 +170,7 @@ def sliding_room(stage: "Scenery", sketches: "Sequence[Sketch]") -> dict[str, tu
     return found
 
 
-def _along(name, carrier, sketch):
+def _along(name: str, carrier: str, sketch: "Sketch") -> float:
     """How far a body has slid along the rod that carries it."""
     centre, rod = sketch.centre(name), sketch.frames[carrier]
     moved = plane.minus(sketch.frames[name].point(centre), rod.point(centre))

@@ -15,7 +15,7 @@ SHORT, FARTHER = 4, 8        # of least steps, and how much farther the next one
 SECTIONS, GOLDEN = 90, 0.3819660112501051
 
 
-def zeros_between(function: Callable[[np.ndarray], np.ndarray], low: np.ndarray, high: np.ndarray, level: Any = 0.0,
+def zeros_between(function: Callable[..., np.ndarray], low: np.ndarray, high: np.ndarray, level: Any = 0.0,
                   known: Any = None) -> np.ndarray:
     """The zero of a function in each of the intervals at whose ends its signs differ, to rounding; or where it is at
     the level of each interval. known: its values at the ends, where they are.

@@ -26,7 +26,7 @@ class ManyScenes:
 
     many, digits, choice = True, None, None
 
-    def __init__(self, base: "Problem", solutions: "SharedSolutions"):
+    def __init__(self, base: "Problem", solutions: "SharedSolutions") -> None:
         self.spec, self.scene, self.floats, self.modal = base.spec, base.scene, solutions.values, self
         self.known, self.modes = solutions.known, solutions.natural.swinging()
         self.damped = None if solutions.undamped else solutions.damped.swinging()
@@ -34,7 +34,8 @@ class ManyScenes:
     def oscillates(self) -> np.ndarray:
         """Where all modes do, those with dampers too: truths."""
         modes = [*self.modes, *(self.damped or ())]
-        return self.known & np.all([np.isfinite(mode.omega) for mode in modes], axis=0)
+        found: np.ndarray = self.known & np.all([np.isfinite(mode.omega) for mode in modes], axis=0)
+        return found
 
     def value_of(self, expression: "Expression") -> "tuple[np.ndarray, np.ndarray] | PhysicsError | None":
         """(values, relative error bounds), NaN where they are not known, of an expression of parameters and quantities;
@@ -54,7 +55,7 @@ class ManyScenes:
             value, = evaluate([lowered_in(self.scene, expression)], Arrays, {**self.floats, **numbers})
             return np.broadcast_to(value, self.known.shape), worst
 
-    def _at_once(self, tree):
+    def _at_once(self, tree: QuantityRef) -> bool:
         if tree.args or is_choice(self.spec, tree) or about_which(tree)[1] is not None:
             return False
         return declared(tree).at_once
@@ -63,7 +64,7 @@ class ManyScenes:
 class AnswersAtOnce:
     """What arrays tell of expressions at the places of Variants, those apart that were drawn by themselves."""
 
-    def __init__(self, variants: "Variants"):
+    def __init__(self, variants: "Variants") -> None:
         groups = [(solutions, ManyScenes(base, solutions)) for base, solutions in variants.groups
                   if solutions is not None]
         self._groups = [({place: i for place, i in solutions.numbers.items() if not variants.is_drawn(place)}, scenes)
@@ -96,7 +97,8 @@ class AnswersAtOnce:
         return found
 
 
-def _told(scenes, found):
+def _told(scenes: ManyScenes,
+          found: PhysicsError | tuple[np.ndarray, np.ndarray] | None) -> tuple[list[Any], list[Any]]:
     """(values, error bounds) of all, the bound being None where they are not known, and why there is no value."""
     known = scenes.known
     if found is None or isinstance(found, PhysicsError):

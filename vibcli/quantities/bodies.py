@@ -1,9 +1,18 @@
 """Masses, moments of inertia and mass centres of bodies."""
 
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
 from vibcli.quantities.quantity import Declaration, measured, unit
 
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import QuantityRef
 
-def _inertia(problem, tree):
+
+def _inertia(problem: "Problem", tree: "QuantityRef") -> "Node":
     """J about the mass centre, or by the parallel axis theorem about a point as drawn."""
     scene, indices = problem.scene, tree.indices
     body = scene.bodies[indices[0]]
@@ -15,22 +24,22 @@ def _inertia(problem, tree):
     return scene.at_drawn(node)[0]
 
 
-def _mass(problem, tree):
+def _mass(problem: "Problem", tree: "QuantityRef") -> "Node":
     return problem.scene.bodies[tree.indices[0]].mass
 
 
-def _drawn(scene, name):
+def _drawn(scene: "Scene", name: str) -> "tuple[Node, Node]":
     if name in scene.bodies:
         return scene.bodies[name].centre
     return scene.pair(scene.spec.get("points")[name]["at"])
 
 
-def _centre(problem, tree):
+def _centre(problem: "Problem", tree: "QuantityRef") -> "Node":
     return problem.scene.bodies[tree.indices[0]].centre["xy".index(tree.component)]
 
 
-def _value(symbolic):
-    def value(problem, tree, args):
+def _value(symbolic: "Callable[..., Node]") -> "Callable[[Problem, QuantityRef, Sequence[Any]], tuple[Any, float]]":
+    def value(problem: "Problem", tree: "QuantityRef", args: "Sequence[Any]") -> "tuple[Any, float]":
         from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
         from vibcli.symbolic.running_errors import RunningErrors
 
@@ -40,7 +49,7 @@ def _value(symbolic):
     return value
 
 
-def _turned(problem, tree):
+def _turned(problem: "Problem", tree: "QuantityRef") -> float:
     body, size = problem.scene.bodies[tree.indices[0]], problem.numeric.figure_size
     return (problem.scene.number(body.mass) if body.mass is not None else 1.0) * size * size
 

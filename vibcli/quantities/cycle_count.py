@@ -16,8 +16,10 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
     from fractions import Fraction
 
-    from vibcli.language.reader import Record
+    from vibcli.base.units import Unit
+    from vibcli.language.reader import Expression, Record
     from vibcli.language.spec import Spec
+    from vibcli.symbolic.syntax import QuantityRef
 
 
 def cycles(spec: "Spec", text: str = "") -> Cycles:
@@ -27,17 +29,18 @@ def cycles(spec: "Spec", text: str = "") -> Cycles:
     return _counter(spec, text)
 
 
-def _counter(spec, text=""):
+def _counter(spec: "Spec", text: str = "") -> Cycles:
     return Cycles(lambda name: spec.counts.get(name, NEITHER), lambda tree: _quantity(spec, tree),
                   lambda tree: known_dimension(spec, tree), text)
 
 
 def counts_cycles(spec: "Spec", tree: Any) -> bool:
     """Does a frequency count cycles (Hz), and not radians?"""
-    return left_over(cycles(spec).count(tree)) == 1
+    found: bool = left_over(cycles(spec).count(tree)) == 1
+    return found
 
 
-def _count_names(spec):
+def _count_names(spec: "Spec") -> None:
     """spec.counts of the records and parameters, in an order in which each comes after those it is defined by."""
     for name, record in (spec.get("records") or {}).items():
         spec.counts[own(name)] = count_of_unit(record)
@@ -61,7 +64,7 @@ def count_of_unit(record: "Record") -> dict[Any, Any]:
     return count_of(literal_unit(parse("1 " + record["unit"]).units))
 
 
-def _of_condition(counter, name, sides):
+def _of_condition(counter: Cycles, name: str, sides: "tuple[Expression, Expression]") -> dict[Any, Any]:
     """What a chosen parameter counts that is one side of its condition, perhaps times a number."""
     for side, other in (sides, sides[::-1]) if sides else ():
         factors = [part for _, part in side.tree.parts] if isinstance(side.tree, Product) else [side.tree]
@@ -75,7 +78,7 @@ def _of_condition(counter, name, sides):
     return NEITHER
 
 
-def _quantity(spec, tree):
+def _quantity(spec: "Spec", tree: "QuantityRef") -> "Mapping[str, Fraction | int]":
     """omega[1] counts radians, frequency[1] cycles, and a period is the time of one."""
     asked = declared(tree)
     if tree.head in spec.choices and (asked is None or len(tree.indices) == 1):
@@ -88,7 +91,7 @@ def _quantity(spec, tree):
     return NEITHER if unit is None else count_of(unit)
 
 
-def _unit_of(tree):
+def _unit_of(tree: "QuantityRef") -> "Unit | None":
     """The Unit of a quantity; None where its indices or arguments settle it."""
     asked = declared(tree)
     return None if asked is None or asked.own_unit is None else units.parse_unit(asked.unit)
@@ -96,10 +99,10 @@ def _unit_of(tree):
 
 def known_dimension(spec: "Spec", tree: Any) -> "Mapping[str, Fraction | int] | None":
     """The dimension of a tree, as far as it is known."""
-    def of(name, primes):
+    def of(name: str, primes: int) -> "Mapping[str, Fraction | int]":
         return units.times(spec.dimensions.of(name), units.TIME, -primes)
 
-    def quantity(part):
+    def quantity(part: "QuantityRef") -> "Mapping[str, Fraction | int] | None":
         if spec.asked_dimension:
             return spec.asked_dimension(spec, part)
         unit = _unit_of(part)

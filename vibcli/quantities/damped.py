@@ -1,25 +1,28 @@
 """Quantities of damped modes: eigenvalues and what is read off them, and complex shapes."""
 
+from collections.abc import Callable, Sequence
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.quantities.modal import (
     CLOSE,
     along,
     amplitude_as_asked,
-    counted,
     in_letters,
     largest,
     of_shape,
     one_degree,
     ten,
 )
-from vibcli.quantities.quantity import COMPLEX, PERIOD, Declaration, as_asked, full_turn, in_floats, rounded
+from vibcli.quantities.quantity import COMPLEX, PERIOD, Declaration, as_asked, counted, full_turn, in_floats, rounded
 
 if TYPE_CHECKING:
+
     from vibcli.analyses.modal.damped_modes import DampedMode
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.expression import Table
+    from vibcli.symbolic.node import Node
     from vibcli.symbolic.syntax import QuantityRef
 
 TINY = 1e-5                         # of the largest amplitude
@@ -42,8 +45,9 @@ def _pair(problem: "Problem", tree: "QuantityRef") -> "list[DampedMode]":
     return found
 
 
-def _of_damped(attribute, words):
-    def value(problem, tree, args):
+def _of_damped(attribute: str,
+               words: str) -> "Callable[[Problem, QuantityRef, Sequence[Any]], tuple[Any, Any]]":
+    def value(problem: "Problem", tree: "QuantityRef", args: "Sequence[Any]") -> "tuple[Any, Any]":
         pair = _pair(problem, tree)
         number = getattr(pair[0], attribute)
         if number is None:
@@ -57,7 +61,7 @@ def _of_damped(attribute, words):
 _zeta = _of_damped("zeta", "damping ratio")
 
 
-def _decrement(problem, tree, args):
+def _decrement(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> tuple[Any, Any]:
     zeta, error = _zeta(problem, tree, args)
     if _pair(problem, tree)[0].omega_d is None:
         raise PhysicsError(f"damped mode {tree.indices[0]} does not oscillate: it has no logarithmic decrement",
@@ -66,7 +70,7 @@ def _decrement(problem, tree, args):
     return full_turn(problem) * zeta / left**0.5, 2 * error / in_floats(problem, left)
 
 
-def _period(problem, tree, args):
+def _period(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> tuple[Any, Any]:
     mode, number = _pair(problem, tree)[0], tree.indices[0]
     if mode.omega_d is None:
         raise PhysicsError(f"damped mode {number} does not oscillate: it has no period", f"ask for decay[{number}]")
@@ -74,7 +78,7 @@ def _period(problem, tree, args):
     return full_turn(problem) / omega_d, rounded(problem, error)
 
 
-def _root(problem, tree):
+def _root(problem: "Problem", tree: "QuantityRef") -> "DampedMode":
     """The DampedMode of an eigenvalue, of two real ones the first or that which is asked for."""
     modes = _pair(problem, tree)
     i, which = tree.indices[0], int(tree.indices[1]) if tree.indices[1:] else 1
@@ -87,17 +91,18 @@ def _root(problem, tree):
 
 def bound_of_part(problem: "Problem", tree: "QuantityRef", place: int) -> float:
     """The relative bound of Re λ (0) or Im λ (1)."""
-    return in_floats(problem, _root(problem, tree).bounds[place])
+    found: float = in_floats(problem, _root(problem, tree).bounds[place])
+    return found
 
 
-def _eigenvalue(problem, tree, args):
+def _eigenvalue(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> tuple[Any, float]:
     mode = _root(problem, tree)
     if problem.digits is not None:
         return mode.eigenvalue if mode.omega_d else mode.eigenvalue.real, mode.error
     return complex(mode.eigenvalue) if mode.omega_d else float(mode.eigenvalue.real), mode.error
 
 
-def _shape(problem, tree, args):
+def _shape(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> tuple[Any, float]:
     """In more digits, if there are any, where another eigenvalue is close: the error grows with 1/gap. An amplitude
     that is tiny beside the largest has a larger part of that one's error."""
     signal = problem.spec.coordinate_name(tree.indices[1]) or tree.indices[1]
@@ -112,13 +117,13 @@ def _shape(problem, tree, args):
     return amplitude, min(1.0, known + error * max(lost, TINY * most / (float(abs(amplitude)) or most)))
 
 
-def _omega_d(m, c, k, omega, table):
+def _omega_d(m: "Node", c: "Node", k: "Node", omega: "Node", table: "Table") -> "Node":
     from vibcli.symbolic.normal_form import textbook
 
     return table.sqrt(textbook(k / m - c * c / (4 * m * m)))
 
 
-def _eigenvalue_in_letters(problem, tree):
+def _eigenvalue_in_letters(problem: "Problem", tree: "QuantityRef") -> "Node":
     """−δ ± √(δ² − ω²), −K/C without inertia."""
     from vibcli.symbolic.normal_form import textbook
 

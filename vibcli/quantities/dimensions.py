@@ -64,7 +64,7 @@ def checker(spec: "Spec", text: str = "") -> DimensionCheck:
     """What finds the dimensions of signals; ExpressionError of a misfit."""
     from vibcli.quantities.signal_dimensions import output_dimension
 
-    def of(name, primes):
+    def of(name: str, primes: int) -> "Mapping[str, Fraction | int]":
         found = spec.dimensions.of(name) if name in spec.parameters else output_dimension(spec, name + "'" * primes)
         return units.times(found, units.TIME, 0)
 

@@ -8,9 +8,11 @@ from vibcli.quantities.quantity import EQUATION, FUNCTION, Declaration
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import QuantityRef
 
 
-def _require_no_damping(problem):
+def _require_no_damping(problem: "Problem") -> None:
     if problem.spec.get("damping") is not None:
         raise PhysicsError("`damping` of a scene acts in its small oscillations: the full equations are without it",
                            "ask for equation[…] or C[…]")
@@ -26,7 +28,7 @@ def equation_number(problem: "Problem", name: str) -> int:
     return i
 
 
-def _motion(problem, tree):
+def _motion(problem: "Problem", tree: "QuantityRef") -> "Node":
     from vibcli.mechanics.lagrange import equation_of
 
     _require_no_damping(problem)
@@ -45,14 +47,14 @@ def require_sum(problem: "Problem", head: str) -> None:
                            "ask for frequencies, modes or frequency responses")
 
 
-def _energy(problem, tree):
+def _energy(problem: "Problem", tree: "QuantityRef") -> "Node":
     from vibcli.mechanics.energies import dissipation, kinetic, potential
 
     require_sum(problem, tree.head)
     return {"T": kinetic, "V": potential, "Phi": dissipation}[tree.head](problem.scene)
 
 
-def _scalar(about, unit):
+def _scalar(about: str, unit: str) -> Declaration:
     return Declaration(about, unit, kind=FUNCTION, symbolic=_energy)
 
 

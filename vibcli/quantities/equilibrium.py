@@ -1,6 +1,7 @@
 """Quantities of equilibria: where they are, how many there are, whether they are stable."""
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.base.units import LENGTH
@@ -11,9 +12,11 @@ from vibcli.quantities.quantity import COUNT, FUNCTION, ROUNDING, TRUTH, Declara
 from vibcli.quantities.signal_dimensions import generalised_dimension, name_dimension
 
 if TYPE_CHECKING:
+    from vibcli.mechanics.equilibrium.rest_at_jumps import JumpsAtRest
     from vibcli.results.problem import Problem
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import QuantityRef
 
 
 def about(problem: "Problem", number: int) -> "Problem":
@@ -48,7 +51,7 @@ def at_rest(problem: "Problem", scene: "Scene", signal: str) -> "Node | None":
     return node
 
 
-def _equilibrium(problem, tree, args):
+def _equilibrium(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> tuple[float, float]:
     from vibcli.symbolic.evaluation import evaluate
     from vibcli.symbolic.running_errors import RunningErrors
 
@@ -68,7 +71,7 @@ def _equilibrium(problem, tree, args):
     return measured(evaluate([node], RunningErrors(inner, unit(problem)), values)[0], 10.0**-problem.digits)
 
 
-def _force(problem, signal):
+def _force(problem: "Problem", signal: str) -> tuple[float, float]:
     from vibcli.mechanics.signals import force, reaction_error
 
     found = force(problem.configuration, signal)
@@ -77,7 +80,7 @@ def _force(problem, signal):
     return found, min(1.0, max(ROUNDING, reaction_error(problem.configuration, signal) / abs(found)))
 
 
-def _opened(problem, jumps, node, signal):
+def _opened(problem: "Problem", jumps: "JumpsAtRest", node: "Node", signal: str) -> "Node":
     """An expression with what stands for the jumps at rest; refused where several laws jump there at once."""
     from vibcli.symbolic.expression_graph import reachable
 
@@ -90,7 +93,7 @@ def _opened(problem, jumps, node, signal):
     return jumps.opened(node)
 
 
-def _in_letters(problem, tree):
+def _in_letters(problem: "Problem", tree: "QuantityRef") -> "Node":
     """A coordinate, place, turn, stretch or tension in equilibrium."""
     from vibcli.symbolic.derivatives import substitute
     from vibcli.symbolic.normal_form import textbook
@@ -110,7 +113,7 @@ def _in_letters(problem, tree):
     return textbook(found)
 
 
-def _force_in_letters(problem, text):
+def _force_in_letters(problem: "Problem", text: str) -> "Node":
     """The force of a constraint or support."""
     from vibcli.mechanics.signals import not_fixed, reaction_of
 
@@ -118,10 +121,11 @@ def _force_in_letters(problem, text):
     text = reaction_of(problem.system, text, known)
     if known[text] is None:
         raise not_fixed(text, known)
-    return known[text]
+    found: Node = known[text]
+    return found
 
 
-def _size(problem, tree):
+def _size(problem: "Problem", tree: "QuantityRef") -> float:
     """Of a coordinate, place, turn or force in equilibrium; forces lose a digit more."""
     from vibcli.results.random_states import reach
 
@@ -136,13 +140,13 @@ def _size(problem, tree):
     return 10.0 * max((abs(reaction.value) for reaction in reactions if reaction.value), default=0.0)
 
 
-def _generalised_force(problem, tree):
+def _generalised_force(problem: "Problem", tree: "QuantityRef") -> "Node":
     from vibcli.mechanics.virtual_work import generalised_force_at_rest
 
     return generalised_force_at_rest(problem.system, coordinate_number(problem, tree.indices[0]))
 
 
-def _stable(problem, tree, args):
+def _stable(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> tuple[bool, float]:
     found = problem.modal.stability.stable
     if found is None:
         raise PhysicsError("loads without a potential act on what has no inertia: masses or dampers would decide "

@@ -1,5 +1,6 @@
 """What springs and dampers resist with where they end together: `stiffness[P].max`, `damping[P].angle`."""
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters, PhysicsError
@@ -7,9 +8,12 @@ from vibcli.base.units import parse_unit
 from vibcli.quantities.quantity import Declaration, measured, unit
 
 if TYPE_CHECKING:
+    import mpmath
+
     from vibcli.language.spec import Spec
     from vibcli.mechanics.concurrent import Concurrent
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
     from vibcli.symbolic.syntax import QuantityRef
 
 SECTIONS = {"stiffness": "springs", "damping": "dampers"}
@@ -30,11 +34,11 @@ def elements_at(problem: "Problem", place: str, section: str) -> "list[Concurren
     return concurrent(problem.spec, problem.scene.resting, place, section)
 
 
-def _elements(problem, tree):
+def _elements(problem: "Problem", tree: "QuantityRef") -> "list[Concurrent]":
     return elements_at(problem, tree.indices[0], SECTIONS[tree.head])
 
 
-def _value(problem, tree, args):
+def _value(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> "tuple[float | mpmath.mpf, float]":
     from vibcli.mechanics.equivalents import equivalent
 
     found = equivalent(problem.configuration, _elements(problem, tree), problem.digits, unit(problem))
@@ -63,7 +67,7 @@ def elements_in_letters(problem: "Problem", place: str, section: str) -> "list[C
     return elements
 
 
-def _in_letters(problem, tree):
+def _in_letters(problem: "Problem", tree: "QuantityRef") -> "Node":
     from vibcli.mechanics.concurrent import in_letters
 
     return in_letters(elements_in_letters(problem, tree.indices[0], SECTIONS[tree.head]), tree.component)
@@ -73,7 +77,7 @@ def _dimension(spec: "Spec", tree: "QuantityRef") -> Any:
     return parse_unit("rad" if tree.component == "angle" else UNITS[tree.head]).dimension
 
 
-def _size(problem, tree):
+def _size(problem: "Problem", tree: "QuantityRef") -> float:
     """The sum of what the elements resist with."""
     if tree.component == "angle":
         return 1.0
@@ -82,7 +86,7 @@ def _size(problem, tree):
     return size(problem.configuration, _elements(problem, tree))
 
 
-def _of(what, word):
+def _of(what: str, word: str) -> Declaration:
     about = (f"{word} of the {what} that end at a place, without torsion, there in equilibrium, other ends held"
              + (", tensions included" if word == "stiffness" else "")
              + ": .max and .min of all directions, .angle of the largest in (−π/2, π/2] from +x, entries .xx, .xy, .yy")

@@ -1,5 +1,6 @@
 """Coefficients of the energies expanded about the equilibrium: `V[x^2]`, `V[x^2*y^2]`, `T[x^2*x'^2]`."""
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
@@ -9,10 +10,12 @@ from vibcli.quantities.quantity import Declaration, measured, unit
 
 if TYPE_CHECKING:
     from vibcli.language.spec import Spec
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
     from vibcli.symbolic.syntax import QuantityRef
 
 
-def _asked(problem, tree):
+def _asked(problem: "Problem", tree: "QuantityRef") -> "tuple[list[Node], tuple[int, ...]]":
     """(variables, powers) of the product asked for."""
     from vibcli.base.errors import PhysicsError
     from vibcli.mechanics.expansion import require_expandable
@@ -27,7 +30,7 @@ def _asked(problem, tree):
     return [scene.symbol(*each) for each in found], tuple(found.values())
 
 
-def _value(problem, tree, args):
+def _value(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> tuple[float, float]:
     from vibcli.mechanics.expansion import in_numbers, within
 
     variables, powers = _asked(problem, tree)
@@ -36,7 +39,7 @@ def _value(problem, tree, args):
     return measured(found.get(powers, 0.0), 10.0**-problem.digits if problem.digits else 0.0)
 
 
-def _in_letters(problem, tree):
+def _in_letters(problem: "Problem", tree: "QuantityRef") -> "Node":
     from vibcli.mechanics.expansion import in_letters, within
 
     variables, powers = _asked(problem, tree)
@@ -52,7 +55,7 @@ def _dimension(spec: "Spec", tree: "QuantityRef") -> Any:
     return found
 
 
-def _size(problem, tree):
+def _size(problem: "Problem", tree: "QuantityRef") -> float:
     """The sum of what its terms contribute, which is what is rounded."""
     from vibcli.mechanics.expansion import sizes, within
 
@@ -60,7 +63,7 @@ def _size(problem, tree):
     return sizes(problem.configuration, tree.head, variables, within(powers), sum(powers)).get(powers, 0.0)
 
 
-def _of(what, sample, kind):
+def _of(what: str, sample: str, kind: str) -> Declaration:
     return Declaration(f"factor of a product, such as {sample}, in the {what} energy expanded by the deviations of the "
                        "coordinates from equilibrium" + ("; loads are left out of it, so that V[x] balances them"
                                                          if kind == "product" else ""),

@@ -14,11 +14,13 @@ from vibcli.symbolic.semantics import lower, lower_measured
 from vibcli.symbolic.syntax import ExpressionError, QuantityRef, parts_of
 
 if TYPE_CHECKING:
+
     from vibcli.language.reader import Expression
     from vibcli.results.problem import Problem
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import NameRef
 
 
 SLACK = 2.0     # of what is known to first order
@@ -27,7 +29,7 @@ GUARD = 15      # digits beyond those asked, for what cancels in an expression
 NODES: "WeakKeyDictionary[Scene, dict[Any, Node]]" = WeakKeyDictionary()    # of expressions that were asked of a scene
 
 
-def measure(problem: "Problem", tree: QuantityRef) -> tuple[float, float]:
+def measure(problem: "Problem", tree: QuantityRef) -> tuple[Any, float]:
     """(value, relative error bound) of a quantity tree; what has no arguments is found once."""
     if tree.args:
         return _found(problem, tree)
@@ -36,7 +38,7 @@ def measure(problem: "Problem", tree: QuantityRef) -> tuple[float, float]:
     return problem.measured[tree.text]
 
 
-def _found(problem, tree):
+def _found(problem: "Problem", tree: QuantityRef) -> tuple[Any, float]:
     if not tree.args and is_choice(problem.spec, tree) and problem.choice is not None:
         value = problem.choice.value(tree.head, number := int(tree.indices[0]))
         return value, problem.choice.error(tree.head, number) / abs(value) if value else 0.0
@@ -52,7 +54,7 @@ def _found(problem, tree):
     return quantity.value(problem, tree, [_argument(problem, kind, arg) for kind, arg in kinds])
 
 
-def _argument(problem, kind, arg):
+def _argument(problem: "Problem", kind: str, arg: Any) -> Any:
     """The value of an argument that is a number, of a complex one with its error; None of what is a function."""
     if kind == "complex":
         return measure(problem, arg)
@@ -83,7 +85,8 @@ def bounded(problem: "Problem", expression: "Expression") -> tuple[float, float]
         return _bounded(problem, expression, arithmetic, problem.numeric.values(arithmetic))
 
 
-def _bounded(problem, expression, arithmetic, values):
+def _bounded(problem: "Problem", expression: "Expression", arithmetic: RunningErrors,
+             values: Mapping[str, Rounded]) -> tuple[float, float]:
     if isinstance(expression.tree, QuantityRef):
         found = _rounded(problem, expression.tree, arithmetic)
     else:
@@ -92,7 +95,8 @@ def _bounded(problem, expression, arithmetic, values):
     return _real(number_in(found), expression, arithmetic.inner.isfinite), error if error >= 0 else inf
 
 
-def _evaluated(problem, expression, arithmetic, values):
+def _evaluated(problem: "Problem", expression: "Expression", arithmetic: RunningErrors,
+               values: dict[str, Rounded]) -> Rounded:
     """An expression in numbers with bounds, the parameters being `values`."""
     searched = problem.choice.conditions if problem.choice is not None and not problem.choice.exact else ()
     for name in searched:
@@ -100,15 +104,17 @@ def _evaluated(problem, expression, arithmetic, values):
         values[name] = Rounded(found, problem.choice.error(name), arithmetic.unit)
     for quantity in expression.parts.quantities:
         values[quantity.text] = _rounded(problem, quantity, arithmetic)
-    return evaluate([lowered(expression, problem.scene.table, _symbols(problem.scene))], arithmetic, values)[0]
+    node = lowered(expression, problem.scene.table, _symbols(problem.scene))
+    total: Rounded = evaluate([node], arithmetic, values)[0]
+    return total
 
 
-def _rounded(problem, quantity, arithmetic):
+def _rounded(problem: "Problem", quantity: QuantityRef, arithmetic: RunningErrors) -> Rounded:
     value, error = measure(problem, quantity)
     return Rounded(value, (error * abs(value) if value else 0.0) + _searched(problem, quantity, value), arithmetic.unit)
 
 
-def _searched(problem, quantity, value):
+def _searched(problem: "Problem", quantity: QuantityRef, value: complex) -> float:
     """By how much the errors of the numbers that were searched for may move a quantity, to first order."""
     if problem.choice is None or is_choice(problem.spec, quantity):
         return 0.0
@@ -120,7 +126,7 @@ def _searched(problem, quantity, value):
     return total
 
 
-def _measured_there(problem, quantity):
+def _measured_there(problem: "Problem", quantity: QuantityRef) -> Any:
     """A quantity of another scene; None where there is none."""
     try:
         return measure(problem, quantity)[0]
@@ -128,7 +134,7 @@ def _measured_there(problem, quantity):
         return None
 
 
-def _real(value, expression, finite):
+def _real(value: float, expression: "Expression", finite: Callable[..., bool]) -> float:
     """The value; refused where it is complex, be its imaginary part 0, or not finite."""
     is_complex = isinstance(value, complex) or hasattr(value, "_mpc_")
     if is_complex and finite(abs(value)):
@@ -141,7 +147,8 @@ def _real(value, expression, finite):
 
 def evaluated(problem: "Problem", expression: "Expression", values: Mapping[str, float]) -> float:
     """An expression, given {parameter, or quantity as it is written: value}."""
-    return evaluate([lowered_in(problem.scene, expression)], Floats, values)[0]
+    found: float = evaluate([lowered_in(problem.scene, expression)], Floats, values)[0]
+    return found
 
 
 def lowered_in(scene: "Scene", expression: "Expression") -> "Node":
@@ -170,9 +177,9 @@ def argument_in_letters(problem: "Problem", tree: Any) -> "Node":
     return lower_measured(tree, problem.scene.table, _symbols(problem.scene))
 
 
-def _symbols(scene):
+def _symbols(scene: "Scene") -> "Callable[[str, int, NameRef | QuantityRef], Node]":
     """Gives the node of a parameter, or of a quantity as it is written."""
-    def symbol(name, primes, part):
+    def symbol(name: str, primes: int, part: "NameRef | QuantityRef") -> "Node":
         if isinstance(part, QuantityRef):
             return scene.table.parameter(name, positive=False)
         return scene.parameters.nodes[name]
@@ -180,7 +187,7 @@ def _symbols(scene):
     return symbol
 
 
-def lowered(expression: "Expression", table: "Table", symbol: Callable) -> "Node":
+def lowered(expression: "Expression", table: "Table", symbol: "Callable[..., Node]") -> "Node":
     """The node of a parsed expression; SpecError where it divides by zero."""
     try:
         return lower(expression.tree, table, symbol)
@@ -198,4 +205,5 @@ def number_of(problem: "Problem", tree: Any) -> float:
     value = evaluate([lower(tree, problem.scene.table, _symbols(problem.scene))], Floats, values)[0]
     if isinstance(value, complex) or not isfinite(value):
         raise PhysicsError("its argument is not a finite real number", VANISHING)
-    return value * tau if counts_cycles(problem.spec, tree) else value
+    found: float = value * tau if counts_cycles(problem.spec, tree) else value
+    return found

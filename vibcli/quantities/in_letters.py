@@ -39,12 +39,14 @@ def response_of(problem: Any, tree: Any) -> "Formula | None":
         return _steady(problem, tree.args[0])
     elif asked != "transmissibility":
         return None
-    return problem.symbolic_frequency_response(*tree.indices, frequency_of(problem, tree.args[0]))
+    found: Formula | None = problem.symbolic_frequency_response(*tree.indices, frequency_of(problem, tree.args[0]))
+    return found
 
 
-def _steady(problem, signal):
+def _steady(problem: "Problem", signal: NameRef | str) -> "Formula":
     asked = signal.name + "'" * signal.primes if isinstance(signal, NameRef) else signal
-    return problem.symbolic_steady_state(asked).formula
+    found: Formula = problem.symbolic_steady_state(asked).formula
+    return found
 
 
 def frequency_of(problem: "Problem", tree: Any) -> "Node":

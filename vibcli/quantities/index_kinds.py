@@ -1,9 +1,13 @@
 """What may stand in the square brackets of a quantity, by its kind: a mode, a coordinate, a body …"""
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
+from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.language.spec import MEMBERS
+
+if TYPE_CHECKING:
+    from vibcli.language.spec import Spec
 
 MOST_COUNTED = 1000
 
@@ -12,10 +16,10 @@ class IndexKind(NamedTuple):
     """`names(spec, index)`: those of the scene, or like the index; `fits(spec, index)`: is it one of the kind? `sample`
     stands for any, and so do `letters` in the manual; `wants`: what is expected where it is no name of the scene."""
 
-    names: Callable
-    fits: Callable
+    names: "Callable[[Spec, str], Collection[str]]"
+    fits: "Callable[[Spec, str], bool]"
     sample: str
-    letters: tuple = ()
+    letters: tuple[str, ...] = ()
     noun: str = ""
     wants: str = ""
 
@@ -25,63 +29,63 @@ class IndexKind(NamedTuple):
         return self.names is _near_signals
 
 
-def _whole(index):
+def _whole(index: str) -> bool:
     return index.isdecimal() and index.isascii() and int(index) > 0
 
 
-def _fraction(index):
+def _fraction(index: str) -> bool:
     try:
         return 0 < float(index) < 1
     except ValueError:
         return False
 
 
-def _free(wants, fits, sample):
+def _free(wants: str, fits: Callable[..., bool] | type[bool], sample: str) -> IndexKind:
     """The kind of numbers that no scene limits."""
     return IndexKind(lambda spec, index: (), lambda spec, index: fits(index), sample, wants=wants)
 
 
-def _named(noun, letters, *sections):
+def _named(noun: str, letters: tuple[str, ...], *sections: str) -> IndexKind:
     """The kind of the names in some sections."""
-    def names(spec, index):
+    def names(spec: "Spec", index: str) -> "list[str]":
         return [name for section in sections for name in spec.get(section) or ()]
 
     return IndexKind(names, lambda spec, index: index in names(spec, index), noun, letters, noun)
 
 
-def _modes(spec, index):
+def _modes(spec: "Spec", index: str) -> list[str]:
     return ["1", "2", "3", "…"] if spec.members else [str(i + 1) for i in range(len(spec.coordinates))]
 
 
-def _is_mode(spec, index):
+def _is_mode(spec: "Spec", index: str) -> bool:
     return _whole(index) and (bool(spec.members) or int(index) <= 2 * len(spec.coordinates))
 
 
-def _near_signals(spec, index):
+def _near_signals(spec: "Spec", index: str) -> Collection[str]:
     from vibcli.language.signals import near_signals
 
     return near_signals(spec, index)
 
 
-def _is_signal(spec, index):
+def _is_signal(spec: "Spec", index: str) -> bool:
     from vibcli.language.signals import signal_dimension
 
     return spec.coordinate_name(index) is not None or signal_dimension(spec, index) is not None
 
 
-def _is_output(spec, index):
+def _is_output(spec: "Spec", index: str) -> bool:
     from vibcli.quantities.signal_dimensions import output_dimension
 
     return output_dimension(spec, index) is not None
 
 
-def _inputs(spec, index):
+def _inputs(spec: "Spec", index: str) -> Collection[str]:
     from vibcli.quantities.signal_dimensions import inputs
 
     return inputs(spec)
 
 
-def _is_input(spec, index):
+def _is_input(spec: "Spec", index: str) -> bool:
     from vibcli.quantities.signal_dimensions import input_dimension
 
     return input_dimension(spec, index) is not None
@@ -90,13 +94,13 @@ def _is_input(spec, index):
 HIGHEST = 8         # order of a product
 HIGHEST_POWER = 12  # of a deflection
 _PRODUCT = f"a product of order 1 to {HIGHEST} of coordinates"
-def _is_product(spec, index, rates):
+def _is_product(spec: "Spec", index: str, rates: bool) -> bool:
     from vibcli.quantities.products import is_product
 
     return is_product(spec, index, HIGHEST, rates)
 
 
-def _is_square(spec, index):
+def _is_square(spec: "Spec", index: str) -> bool:
     from vibcli.quantities.products import powers_in
 
     return [*(powers_in(spec, index, 2) or {}).items()][-1:] == [((index.partition("^")[0].strip(), 0), 2)]

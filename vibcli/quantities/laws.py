@@ -1,6 +1,7 @@
 """The law of a spring or damper as a whole: its force at a deflection, `law[s](D)`, and the coefficients of its series,
 `law[s, d^3]`."""
 
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
@@ -11,16 +12,20 @@ from vibcli.quantities.signal_dimensions import deflection_dimension, output_dim
 
 if TYPE_CHECKING:
     from vibcli.language.spec import Spec
+    from vibcli.mechanics.characteristics import ForceLaw
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
+    from vibcli.symbolic.running_errors import Rounded, RunningErrors
     from vibcli.symbolic.syntax import QuantityRef
 
 
-def _characteristic(problem, tree):
+def _characteristic(problem: "Problem", tree: "QuantityRef") -> "ForceLaw":
     from vibcli.mechanics.characteristics import characteristic
 
     return characteristic(problem.scene, tree.indices[0])
 
 
-def _numbers(problem):
+def _numbers(problem: "Problem") -> "tuple[RunningErrors, dict[str, Rounded]]":
     """(arithmetic of numbers with bounds, {parameter: number})."""
     from vibcli.symbolic.evaluation import Floats, multiprecision
     from vibcli.symbolic.running_errors import RunningErrors
@@ -30,7 +35,7 @@ def _numbers(problem):
     return arithmetic, problem.numeric.values(arithmetic)
 
 
-def _in_digits(problem, find):
+def _in_digits(problem: "Problem", find: "Callable[..., Rounded]") -> tuple[float, float]:
     """What is found, in as many digits as the problem is asked for."""
     if problem.digits is None:
         return measured(find())
@@ -40,15 +45,15 @@ def _in_digits(problem, find):
         return measured(find(), 10.0**-problem.digits)
 
 
-def _force(problem, tree, args):
+def _force(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> tuple[float, float]:
     from vibcli.quantities.expression import argument_in
     from vibcli.symbolic.running_errors import number_in
 
     law = _characteristic(problem, tree)
 
-    def find():
+    def find() -> "Rounded":
         arithmetic, values = _numbers(problem)
-        force = law.at(arithmetic, values, argument_in(problem, tree.args[0], arithmetic, values))
+        force: Rounded = law.at(arithmetic, values, argument_in(problem, tree.args[0], arithmetic, values))
         if not abs(number_in(force)) < float("inf"):
             ending = problem.scene.endings(problem.numeric.floats)
             raise PhysicsError(f"'{tree.indices[0]}' has no force at this deflection: " + (
@@ -58,7 +63,7 @@ def _force(problem, tree, args):
     return _in_digits(problem, find)
 
 
-def _force_in_letters(problem, tree):
+def _force_in_letters(problem: "Problem", tree: "QuantityRef") -> "Node":
     from vibcli.quantities.expression import argument_in_letters
     from vibcli.symbolic.expression_graph import called_functions
 
@@ -69,12 +74,12 @@ def _force_in_letters(problem, tree):
     return found
 
 
-def _coefficient(problem, tree, args):
+def _coefficient(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> tuple[float, float]:
     law, (_, n) = _characteristic(problem, tree), power_of_deflection(tree.indices[1])
     return _in_digits(problem, lambda: law.coefficient(n, *_numbers(problem)))
 
 
-def _coefficient_in_letters(problem, tree):
+def _coefficient_in_letters(problem: "Problem", tree: "QuantityRef") -> "Node":
     return _characteristic(problem, tree).coefficient_in_letters(power_of_deflection(tree.indices[1])[1])
 
 

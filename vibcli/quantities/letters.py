@@ -1,5 +1,6 @@
 """Quantities of scenes in letters: modes of several degrees by their closed forms, others as conditions take them."""
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters, PhysicsError
@@ -12,6 +13,7 @@ from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.syntax import QuantityRef, parts_of
 
 if TYPE_CHECKING:
+
     from vibcli.analyses.closed_form.closed_forms import ClosedMode
     from vibcli.language.reader import Expression
     from vibcli.results.problem import Problem
@@ -36,7 +38,8 @@ def state_function(problem: "Problem", tree: QuantityRef) -> "Node":
     """T, V, Phi or Q[q], or the left side of an equation of motion, as a function of coordinates and velocities."""
     if tree.head in ("T", "V", "Phi"):
         require_sum(problem, tree.head)
-        return problem.symbolic.energies[tree.head]
+        found: Node = problem.symbolic.energies[tree.head]
+        return found
     if tree.head == "Q":
         return declared(tree).symbolic(problem, tree)
     if tree.head == "motion" and problem.spec.expanded:
@@ -44,11 +47,13 @@ def state_function(problem: "Problem", tree: QuantityRef) -> "Node":
     i = equation_number(problem, tree.indices[0])
     equations, name = problem.symbolic.equations, problem.scene.coordinates[i]
     if tree.head == "motion" and equations.full:
-        return equations.full[equations.names.index(name)]
+        result: Node = equations.full[equations.names.index(name)]
+        return result
     if tree.head == "equation" and equations.refusal is not None:
         raise equations.refusal
     if tree.head == "equation" and equations.in_letters:
-        return equations.linear[i] - equations.drive.get(i, problem.scene.table.zero)
+        value: Node = equations.linear[i] - equations.drive.get(i, problem.scene.table.zero)
+        return value
     raise NotInLetters(f"'{tree.text}' is not found in letters", "matrices of numbers are M[x, x], C[x, x], K[x, x]")
 
 
@@ -76,7 +81,7 @@ def any_quantity(problem: "Problem", tree: Any) -> "Node":
     return _of_mode(problem, tree, modes[number - 1])
 
 
-def _amplitude(problem, shape, name):
+def _amplitude(problem: "Problem", shape: "Sequence[Node]", name: str) -> "Node | None":
     """Of a coordinate, or Σ (∂s/∂qᵢ) φᵢ at rest of one that follows others; None of other signals, and of closed loops
     whose rest is not as drawn."""
     scene = problem.scene
@@ -93,7 +98,7 @@ def _amplitude(problem, shape, name):
     return None if found.mask else textbook(found)
 
 
-def _of_mode(problem, tree, mode):
+def _of_mode(problem: "Problem", tree: QuantityRef, mode: "ClosedMode") -> "Node":
     table, head = problem.scene.table, tree.head
     if head == "mode":
         found = None if mode.shape is None else _amplitude(problem, mode.shape, tree.indices[1])
@@ -104,7 +109,8 @@ def _of_mode(problem, tree, mode):
         if head != "growth_rate" or not mode.unstable:
             raise PhysicsError(f"mode {mode.index} is {'un' * mode.unstable}stable: it has no such number",
                                f"ask for {'growth_rate' if mode.unstable else 'omega'}[{mode.index}]")
-        return mode.omega
+        result: Node = mode.omega
+        return result
     if head in ("zeta", "omega_d", "period_d", "decay") and mode.zeta is None:
         return quantity_in_letters(problem, tree)
     if head == "period" and mode.omega.is_zero:
@@ -113,4 +119,5 @@ def _of_mode(problem, tree, mode):
              "period": lambda: mode.period, "zeta": lambda: mode.zeta, "omega_d": lambda: mode.omega_d,
              "period_d": lambda: 2 * table.pi / mode.omega_d,
              "decay": lambda: mode.zeta * mode.omega}
-    return forms[head]()
+    value: Node = forms[head]()
+    return value

@@ -1,6 +1,6 @@
 """Entries of M, C, G and K."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
@@ -12,6 +12,7 @@ if TYPE_CHECKING:
 
     from vibcli.language.spec import Spec
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
     from vibcli.symbolic.syntax import QuantityRef
 
 POWERS = {"M": 2, "C": 1, "G": 1, "K": 0}       # of the time in an entry, which times two coordinates is an energy
@@ -29,17 +30,18 @@ def coordinate_number(problem: "Problem", index: str) -> int:
     return problem.scene.coordinates.index(name)
 
 
-def _matrix(problem, which):
+def _matrix(problem: "Problem", which: str) -> dict[tuple[int, int], float]:
     if problem.scene.pieces:
         raise PhysicsError("what vibrates with distributed inertia has no matrices of finite size",
                            "ask for its frequencies and modes, or leave out its density: K is then that at rest")
     return dict(zip("MCGK", problem.configuration.element_data.matrices(), strict=True))[which]
 
 
-def _entry(problem, tree, args):
+def _entry(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> tuple[float, float]:
     from vibcli.symbolic.running_errors import error_in
 
-    pair = tuple(coordinate_number(problem, index) for index in tree.indices)
+    i, j = (coordinate_number(problem, index) for index in tree.indices)
+    pair = i, j
     if problem.digits is not None:
         precise = problem.configuration.precise_system(problem.digits).matrices()["MCGK".index(tree.head)]
         return precise.get(pair, 0.0), 10.0**-problem.digits
@@ -53,12 +55,13 @@ def largest(problem: "Problem", tree: "QuantityRef") -> float:
     return max((abs(float(value)) for value in _matrix(problem, tree.head).values()), default=0.0)
 
 
-def _symbolic(problem, tree):
+def _symbolic(problem: "Problem", tree: "QuantityRef") -> "Node":
     matrix = dict(zip("MCGK", problem.symbolic.matrices, strict=True))[tree.head]
     names, coordinates = [problem.spec.coordinate_name(index) for index in tree.indices], problem.scene.coordinates
     if not set(names) <= set(coordinates):
         raise NotInLetters(f"'{tree.text}' is found in numbers")
-    return matrix.get(tuple(map(coordinates.index, names)), problem.scene.table.zero)
+    found: Node = matrix.get(tuple(map(coordinates.index, names)), problem.scene.table.zero)
+    return found
 
 
 def entry_dimension(which: str, q: Any, r: Mapping[str, Any]) -> "dict[str, Fraction | int]":
@@ -71,7 +74,7 @@ def dimension(spec: "Spec", tree: "QuantityRef") -> "dict[str, Fraction | int]":
     return entry_dimension(tree.head, *(spec.dimensions.of(spec.coordinate_name(index)) for index in tree.indices))
 
 
-def _of_matrix(word):
+def _of_matrix(word: str) -> Declaration:
     return Declaration(f"entry of the {word} matrix", None, _entry, ("coordinate", "coordinate"), dimension=dimension,
                        size=largest, symbolic=_symbolic, several=True)
 

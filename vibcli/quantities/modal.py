@@ -1,16 +1,21 @@
 """Quantities of modes: frequencies, shapes, damping, sensitivities and estimates."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.quantities.matrices import entry_dimension
-from vibcli.quantities.quantity import COMPLEX, PERIOD, ROUNDING, Declaration, as_asked, full_turn, rounded
+from vibcli.quantities.quantity import COMPLEX, PERIOD, ROUNDING, Declaration, as_asked, counted, full_turn, rounded
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
     import mpmath
 
+    from vibcli.analyses.modal.stacked_modes import SwingingModes
+    from vibcli.analyses.modal.undamped import Mode
+    from vibcli.language.signal_names import SignalName
     from vibcli.language.spec import Spec
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
@@ -20,25 +25,20 @@ if TYPE_CHECKING:
 CLOSE, SHAPE, LOST = 1e-4, 1e-11, 6     # relative gap of eigenvalues below which shapes lose digits; their error; these
 
 
-def _mode(problem, tree):
+def _mode(problem: "Problem", tree: "QuantityRef") -> "Mode | SwingingModes":
     modes = problem.modal.modes if problem.digits is None else problem.modal.modes_to(problem.digits)
     number = int(tree.indices[0])
     if not modes:
         raise PhysicsError(f"there is no mode {number}: {problem.configuration.linear_system.why_modeless}",
                            "ask for decay[1] or eigenvalue[1]")
-    found = modes.numbered(number, number)
+    found: Sequence[Mode | SwingingModes] = modes.numbered(number, number)
     if not found:
         raise PhysicsError(f"there is no mode {number}: this scene has {counted(len(modes), 'mode')}",
                            "ask for one that it has")
     return found[0]
 
 
-def counted(count: int, noun: str) -> str:
-    """A number of things in words: one mode, 2 modes."""
-    return f"one {noun}" if count == 1 else f"{count} {noun}s"
-
-
-def _oscillating(problem, tree, what):
+def _oscillating(problem: "Problem", tree: "QuantityRef", what: str) -> "Mode | SwingingModes":
     mode, number = _mode(problem, tree), tree.indices[0]
     if mode.omega is None:
         raise PhysicsError(f"mode {number} is unstable: it has a growth rate, no {what}",
@@ -46,24 +46,24 @@ def _oscillating(problem, tree, what):
     return mode
 
 
-def _omega(problem, tree, args):
+def _omega(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> tuple[Any, Any]:
     mode = _oscillating(problem, tree, "frequency")
     return as_asked(problem, mode.omega), mode.error
 
 
-def _frequency(problem, tree, args):
+def _frequency(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> tuple[Any, Any]:
     omega, error = _omega(problem, tree, args)
     return omega / full_turn(problem), rounded(problem, error)
 
 
-def _period(problem, tree, args):
+def _period(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> tuple[Any, Any]:
     mode, number = _oscillating(problem, tree, "period"), tree.indices[0]
     if mode.rigid:
         raise PhysicsError(f"mode {number} is a rigid-body mode: it has no period", f"ask for omega[{number}]: 0 rad/s")
     return full_turn(problem) / as_asked(problem, mode.omega), rounded(problem, mode.error)
 
 
-def _growth_rate(problem, tree, args):
+def _growth_rate(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> tuple[Any, Any]:
     mode, number = _mode(problem, tree), tree.indices[0]
     if mode.growth_rate is None:
         raise PhysicsError(f"mode {number} does not grow: it is not unstable", f"ask for omega[{number}]")
@@ -80,7 +80,7 @@ def ten(problem: "Problem", tree: "QuantityRef") -> float:
     return 10.0
 
 
-def _shape(problem, tree, args):
+def _shape(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> tuple[Any, float]:
     from vibcli.language.member_signals import OF_COORDINATES
     from vibcli.language.signal_names import signal_name
 
@@ -93,7 +93,7 @@ def _shape(problem, tree, args):
     return amplitude, min(1.0, error * max(1.0, CLOSE / problem.modal.apart(mode)))
 
 
-def _along_member(problem, mode, signal):
+def _along_member(problem: "Problem", mode: "Mode", signal: "SignalName") -> tuple[float, list[float]]:
     """(amplitude of a signal of a place on a member, [how large it is elsewhere on the member])."""
     from vibcli.mechanics.inputs_outputs.displacements import signal_of_place
     from vibcli.symbolic.evaluation import Floats, evaluate
@@ -108,7 +108,7 @@ def _along_member(problem, mode, signal):
     return fields.at(member, place)[found.order] * unit, [fields.size(member, found.order) * unit]
 
 
-def _node(problem, tree, args):
+def _node(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> tuple[Any, float]:
     number, member, count = int(tree.indices[0]), tree.indices[1], int(tree.indices[2])
     mode = problem.modal.told_apart(_mode(problem, tree))
     fields = problem.modal.fields(mode)
@@ -133,7 +133,7 @@ def amplitude_as_asked(problem: "Problem", amplitude: "complex | mpmath.mpc",
     return complex(amplitude) if amplitude.imag else float(amplitude.real), beside * SHAPE
 
 
-def _modal_mass(problem, tree, args):
+def _modal_mass(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> tuple[Any, float]:
     from vibcli.mechanics.inner_products import inner
 
     configuration, digits, mode = problem.configuration, problem.digits, problem.modal.told_apart(_mode(problem, tree))
@@ -149,13 +149,13 @@ def _modal_mass(problem, tree, args):
     return as_asked(problem, found), 2 * (SHAPE if digits is None else 10.0 ** (LOST - digits))
 
 
-def _of_coordinates(spec, tree):
+def _of_coordinates(spec: "Spec", tree: "QuantityRef") -> "Mapping[str, Fraction | int] | None":
     """Of an entry of M on its diagonal, where all coordinates measure the same."""
     measured = _measured(spec)
     return None if measured is None else entry_dimension("M", measured, measured)
 
 
-def _measured(spec, slopes=False):
+def _measured(spec: "Spec", slopes: bool = False) -> "Mapping[str, Fraction | int] | None":
     """The dimension of all motions that may be 1, of natural modes no slopes of beams; None where they differ."""
     found = [spec.dimensions.of(name) for name in spec.coordinates]
     for section in spec.members.values():
@@ -197,7 +197,7 @@ def along(problem: "Problem", shape: "Sequence[complex | mpmath.mpf]", signal: s
     return sum(slope * x for slope, x in zip(values, shape, strict=True))
 
 
-def _sensitivity(problem, tree, args):
+def _sensitivity(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> tuple[float, float]:
     mode, (number, name) = _oscillating(problem, tree, "sensitivity"), tree.indices
     if mode.rigid:
         raise PhysicsError(f"mode {number} is a rigid-body mode: its frequency has no sensitivity",
@@ -212,19 +212,19 @@ def _sensitivity(problem, tree, args):
     return rate, ROUNDING
 
 
-def _estimate(which):
-    def value(problem, tree, args):
+def _estimate(which: str) -> Callable[..., Any]:
+    def value(problem: "Problem", tree: "QuantityRef", args: "Sequence[Any]") -> "tuple[float, float]":
         found = problem.modal.result("estimates")
         return getattr(found, which), found.error
     return value
 
 
-def _of_deflection(problem, tree, args):
+def _of_deflection(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> tuple[Any, float]:
     found = problem.modal.rayleigh_quotient(tree.indices[0], problem.digits)
     return as_asked(problem, found), ROUNDING if problem.digits is None else 10.0 ** (LOST - problem.digits)
 
 
-def _ritz(problem, tree, args):
+def _ritz(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> tuple[float, float]:
     modes, number = problem.modal.result("ritz").modes, int(tree.indices[0])
     if number > len(modes):
         raise PhysicsError(f"there is no Ritz estimate {number}: `find` assumes {counted(len(modes), 'shape')}",
@@ -245,9 +245,9 @@ def one_degree(problem: "Problem") -> "list[Node]":
     return [matrix.get((0, 0), zero) for matrix in (M, C, K)]
 
 
-def in_letters(form: Callable) -> Callable:
+def in_letters(form: "Callable[..., Node]") -> "Callable[[Problem, QuantityRef], Node]":
     """`form(m, c, k, omega, table)` of a scene with one coordinate."""
-    def symbolic(problem, tree):
+    def symbolic(problem: "Problem", tree: "QuantityRef") -> "Node":
         from vibcli.symbolic.normal_form import textbook
         from vibcli.symbolic.radicals import root
 

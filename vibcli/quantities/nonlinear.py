@@ -1,5 +1,6 @@
 """How the frequency of free motions hangs on their amplitude, and where two equilibria meet as a parameter changes."""
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
@@ -8,30 +9,32 @@ from vibcli.quantities.quantity import SIGNAL, Declaration, as_asked, measured, 
 
 if TYPE_CHECKING:
     from vibcli.language.spec import Spec
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
     from vibcli.symbolic.syntax import QuantityRef
 
 
-def _backbone(problem, tree, args):
+def _backbone(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> tuple[float, float]:
     return problem.free_motions.omega(int(tree.indices[0]), tree.args[0], args[1])
 
 
-def _fold(problem, tree, args):
+def _fold(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> tuple[float, float]:
     found = problem.limit_loads(tree.indices[1]).limit_point(int(tree.indices[0]))
     return as_asked(problem, found.value), rounded(problem, found.error)
 
 
-def _at_fold(problem, tree, args):
+def _at_fold(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> tuple[float, float]:
     value, error = problem.limit_loads(tree.indices[1]).at_limit_point(int(tree.indices[0]), tree.args[0])
     return as_asked(problem, value), rounded(problem, error)
 
 
-def _kappa(problem, tree, args):
+def _kappa(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> tuple[Any, float]:
     digits, ((name, _),) = problem.digits, powers_in(problem.spec, tree.indices[1], 2)
     return measured(problem.free_motions.kappa(int(tree.indices[0]), name, digits, unit(problem)),
                     10.0**-digits if digits else 0.0)
 
 
-def _kappa_in_letters(problem, tree):
+def _kappa_in_letters(problem: "Problem", tree: "QuantityRef") -> "Node":
     return problem.free_motions.kappa_in_letters(int(tree.indices[0]))
 
 

@@ -68,7 +68,7 @@ def settled_on_curve(problem: "Problem", tree: "QuantityRef", found: float, erro
     return (found, error) if value is None else (float(value) if problem.digits is None else value, error)
 
 
-def _on_curve(word, problem, tree, error):
+def _on_curve(word: str, problem: "Problem", tree: "QuantityRef", error: float) -> tuple[None, float]:
     """(the number in more digits, its relative error); None and the error in floats where that is enough or refused."""
     if problem.digits is None and error <= ASKED:
         return None, error
@@ -82,7 +82,7 @@ def _on_curve(word, problem, tree, error):
     return value, 2 * ROUNDED if problem.digits is None else 10.0 ** (1 - digits)
 
 
-def _exceeds(problem, tree, args, found, error):
+def _exceeds(problem: "Problem", tree: "QuantityRef", args: Sequence[Any], found: float, error: float) -> bool:
     """Does a relative bound exceed what is asked? What has the unit of its signal is measured by the signal's largest.
     """
     if error <= ASKED:

@@ -7,6 +7,7 @@ from vibcli.symbolic.syntax import ExpressionError, NameRef, Number, Power, Prod
 
 if TYPE_CHECKING:
     from vibcli.language.spec import Spec
+    from vibcli.symbolic.syntax import SyntaxTree
 
 
 def powers_in(spec: "Spec", text: str, highest: int) -> "dict[tuple[str, int], int] | None":
@@ -26,10 +27,11 @@ def powers_in(spec: "Spec", text: str, highest: int) -> "dict[tuple[str, int], i
     return found if sum(found.values()) <= highest else None
 
 
-def _whole(tree):
+def _whole(tree: "SyntaxTree") -> int | None:
     """A whole number from 1; None of anything else."""
-    good = isinstance(tree, Number) and not tree.units and tree.value.denominator == 1 and tree.value > 0
-    return int(tree.value) if good else None
+    if isinstance(tree, Number) and not tree.units and tree.value.denominator == 1 and tree.value > 0:
+        return int(tree.value)
+    return None
 
 
 def is_product(spec: "Spec", text: str, highest: int, rates: bool = False) -> bool:

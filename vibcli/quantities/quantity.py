@@ -3,7 +3,7 @@
 Reading a scene loads declarations alone: what values are found by is imported where they are found.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache
 from importlib import import_module
 from math import tau
@@ -15,8 +15,11 @@ from vibcli.symbolic.parser import IN_TWO_BRACKETS
 from vibcli.symbolic.syntax import NameRef, QuantityRef, Sum, parts_of
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
     from vibcli.language.spec import Spec
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 ALL = "all of them: vibcli explain quantities"
 ROUNDING = 1e-14        # relative, of what is evaluated in floats
@@ -49,7 +52,7 @@ def full_turn(problem: "Problem") -> Any:
     return 2 * mpmath.pi
 
 
-def rounded(problem: "Problem", error: float) -> float:
+def rounded(problem: "Problem", error: Any) -> Any:
     """A relative bound and the rounding of one more quotient."""
     return error + 2.0**-52 if problem.digits is None else error
 
@@ -69,6 +72,11 @@ def measured(found: Any, least: float = 0.0) -> tuple[Any, float]:
     return value, max(least, float(error / abs(value))) if value else ROUNDING
 
 
+def counted(count: int, noun: str) -> str:
+    """A number of things in words: one mode, 2 modes."""
+    return f"one {noun}" if count == 1 else f"{count} {noun}s"
+
+
 class Declaration(NamedTuple):
     """`unit`: of the value; None where `dimension(spec, tree)` gives its dimension, or any fits.
     `value(problem, tree, args)`: (value, relative error bound), given the numbers of its arguments (None of a signal or
@@ -80,13 +88,13 @@ class Declaration(NamedTuple):
 
     about: str
     unit: str | None = None
-    value: Callable | None = None
-    indices: tuple = ()
-    args: tuple = ()
-    components: tuple = ("",)
-    dimension: Callable | None = None
-    size: Callable | None = None
-    symbolic: Callable | None = None
+    value: Callable[..., tuple[Any, Any]] | None = None
+    indices: tuple[str, ...] = ()
+    args: tuple[str, ...] = ()
+    components: tuple[str, ...] = ("",)
+    dimension: "Callable[[Spec, QuantityRef], Mapping[str, Fraction | int] | None] | None" = None
+    size: "Callable[[Problem, QuantityRef], float] | None" = None
+    symbolic: "Callable[[Problem, QuantityRef], Node] | None" = None
     kind: str = NUMBER
     optional: bool = False
     several: bool = False
@@ -127,7 +135,8 @@ def about_which(tree: QuantityRef) -> tuple[QuantityRef, str | None]:
 def named(form: str) -> Declaration:
     """The Declaration of a word, or of one of its forms; None where there is none."""
     family = FAMILIES.get(form) or FORMS.get(form)
-    return None if family is None else import_module(f"vibcli.quantities.{family}").QUANTITIES[form]
+    found: Declaration = None if family is None else import_module(f"vibcli.quantities.{family}").QUANTITIES[form]
+    return found
 
 
 def declared(tree: QuantityRef) -> Declaration:
@@ -137,7 +146,7 @@ def declared(tree: QuantityRef) -> Declaration:
 
 
 @lru_cache(maxsize=1000)
-def _of_form(head, indexed, called, within):
+def _of_form(head: str, indexed: bool, called: bool, within: tuple[str, ...]) -> Declaration:
     forms = [head + "[]" * indexed, head + "()" * called, *(f"{head}({arg})" for arg in within)]
     return named(next((form for form in forms if form in FORMS), head))
 
@@ -180,7 +189,7 @@ def usage(head: str, spec: "Spec | None" = None) -> str:
 def usage_of(head: str, quantity: Declaration, spec: "Spec | None" = None) -> str:
     from vibcli.quantities.index_kinds import INDICES
 
-    def sample(kind):
+    def sample(kind: str) -> str:
         return next(iter(INDICES[kind].names(spec, "") if spec is not None else ()), INDICES[kind].sample)
 
     indices = ", ".join(map(sample, quantity.indices))

@@ -1,7 +1,8 @@
 """Numbers of responses: values in time, extremes, steady amplitudes, decrements, and frequency responses."""
 
+from collections.abc import Callable, Sequence
 from math import isfinite
-from typing import Any
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.base.errors import PhysicsError
 from vibcli.quantities.quantity import (
@@ -18,14 +19,20 @@ from vibcli.quantities.quantity import (
 )
 from vibcli.symbolic.syntax import QuantityRef
 
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+    from vibcli.results.signal import Signal
+    from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import SyntaxTree
+
 ALONG = ("value", "max", "min", "argmax", "argmin", "zero")     # along motions that are integrated
 LOOKS = 4       # at a signal that may be constant
 
 
-def _measured(number):
+def _measured(number: Callable[..., Any]) -> "Callable[[Problem, QuantityRef, Sequence[Any]], tuple[float, float]]":
     """(value, relative error bound) of a number of a signal, which comes with a function that gives its absolute error;
     hints speak of that signal."""
-    def value(problem, tree, args):
+    def value(problem: "Problem", tree: QuantityRef, args: "Sequence[Any]") -> "tuple[float, float]":
         from vibcli.quantities.precise_numbers import settled
 
         try:
@@ -47,7 +54,7 @@ def _measured(number):
     return value
 
 
-def _require_digit(problem, tree, args, found, off):
+def _require_digit(problem: "Problem", tree: QuantityRef, args: Sequence[Any], found: float, off: float) -> None:
     """NoDigit of a number that may be off by as much as numbers of its kind become."""
     from vibcli.results.known_digits import require_digit, size_of
 
@@ -67,21 +74,21 @@ def relative(value: float, off: float) -> float:
     return max(ROUNDING, off / abs(value))
 
 
-def _doubt(problem, tree, value, off):
+def _doubt(problem: "Problem", tree: QuantityRef, value: float, off: Callable[..., float]) -> float:
     """The relative error of a number of a motion that was integrated: of a value in time, of an extreme, of an instant
     and of a period its own, of others that of the motion up to its end."""
     if problem.response.KIND != "full":
         return 0.0
     if tree.head == "period":
-        return problem.response.period(tree.args[0])[1]
+        return cast("float", problem.response.period(tree.args[0])[1])
     if not problem.response.integrated:
         return 0.0
     if tree.head in ALONG:
         return off() / (abs(value) or 1e-300)
-    return problem.response.reaching(problem.response.known).shared.of_state(problem.response.known)
+    return cast("float", problem.response.reaching(problem.response.known).shared.of_state(problem.response.known))
 
 
-def _found(problem, tree):
+def _found(problem: "Problem", tree: QuantityRef) -> str:
     """The text of the signal that a quantity is asked of, steady or not, or of that within it which is found: hints
     speak of x."""
     arg = tree.args[0]
@@ -91,7 +98,7 @@ def _found(problem, tree):
     return tree.text[arg.start - tree.start:arg.end - tree.start]
 
 
-def _is_found(problem, arg):
+def _is_found(problem: "Problem", arg: "SyntaxTree") -> bool:
     import numpy as np
 
     try:
@@ -101,8 +108,8 @@ def _is_found(problem, arg):
     return True
 
 
-def _signal(problem, tree):
-    return problem.response_of(tree).signal(tree.args[0])
+def _signal(problem: "Problem", tree: QuantityRef) -> "Signal":
+    return cast("Signal", problem.response_of(tree).signal(tree.args[0]))
 
 
 def at_instant(signal: Any, time: float) -> float:
@@ -114,14 +121,14 @@ def at_instant(signal: Any, time: float) -> float:
     return float(signal.values(np.array([time]))[0])
 
 
-def _value(problem, tree, args):
+def _value(problem: "Problem", tree: QuantityRef, args: Sequence[Any]) -> tuple[float, Callable[..., float]]:
     signal = _signal(problem, tree).read_at(args[1])
     return at_instant(signal, args[1]), lambda: signal.error(args[1])
 
 
-def _extreme(sense):
+def _extreme(sense: int) -> "Callable[[Problem, QuantityRef, Sequence[Any]], tuple[float, Callable[..., float]]]":
     """The value of an extreme."""
-    def value(problem, tree, args):
+    def value(problem: "Problem", tree: QuantityRef, args: "Sequence[Any]") -> "tuple[float, Callable[..., float]]":
         signal = _signal(problem, tree)
         until = problem.response_of(tree).until
         instant, found = signal.extreme(0.0, until, sense)
@@ -129,20 +136,20 @@ def _extreme(sense):
     return value
 
 
-def _instant(sense):
+def _instant(sense: int) -> "Callable[[Problem, QuantityRef, Sequence[Any]], tuple[float, Callable[..., float]]]":
     """The instant of an extreme."""
-    def value(problem, tree, args):
+    def value(problem: "Problem", tree: QuantityRef, args: "Sequence[Any]") -> "tuple[float, Callable[..., float]]":
         signal, until = _signal(problem, tree), problem.response_of(tree).until
         instant = signal.extreme(0.0, until, sense)[0]
         return instant, lambda: _of_what_changes(tree, signal, until, instant)
     return value
 
 
-def _of_what_changes(tree, signal, until, instant):
+def _of_what_changes(tree: QuantityRef, signal: Any, until: float, instant: float) -> float:
     """The bound of an instant, if the signal has one that stands out."""
     from vibcli.results.escalation import is_constant
 
-    error = signal.error_of_time(instant)
+    error: float = signal.error_of_time(instant)
     at_an_end = instant in (0.0, until)     # exact; of what does not change rounding may tell one
     still = _looks_still(signal, until) if at_an_end else error >= until
     if still and is_constant(*(signal.bounded_extreme(0.0, until, sense) for sense in (1, -1))):
@@ -151,7 +158,7 @@ def _of_what_changes(tree, signal, until, instant):
     return error
 
 
-def _looks_still(signal, until):
+def _looks_still(signal: Any, until: float) -> bool:
     """Is it the same but for rounding at several instants?"""
     from vibcli.results.escalation import FLAT
 
@@ -159,11 +166,11 @@ def _looks_still(signal, until):
     return max(seen) - min(seen) <= FLAT * max(map(abs, seen))
 
 
-def _final(problem, tree, args):
+def _final(problem: "Problem", tree: QuantityRef, args: Sequence[Any]) -> tuple[float, Callable[[], float]]:
     return _limit(problem, tree, _signal(problem, tree))
 
 
-def _limit(problem, tree, signal):
+def _limit(problem: "Problem", tree: QuantityRef, signal: Any) -> tuple[float, Callable[[], float]]:
     """(the limit of a signal, what gives its absolute error); of motions of members it is seen to."""
     response = problem.response_of(tree)
     if hasattr(response, "long_after"):
@@ -172,20 +179,18 @@ def _limit(problem, tree, signal):
     return signal.final(), signal.error_of_final
 
 
-def _small(name):
+def _small(name: str) -> "Callable[[Problem, QuantityRef, Sequence[Any]], tuple[float, Callable[..., float]]]":
     """Of a small motion."""
-    def number(problem, tree, args):
+    def number(problem: "Problem", tree: QuantityRef, args: "Sequence[Any]") -> "tuple[float, Callable[..., float]]":
         from vibcli.quantities import small_motion
 
-        return getattr(small_motion, name)(problem, tree, args)
+        return cast("tuple[float, Callable[..., float]]", getattr(small_motion, name)(problem, tree, args))
     return number
 
 
-def _overshoot(problem, tree, args):
-    import numpy as np
-
+def _overshoot(problem: "Problem", tree: QuantityRef, args: Sequence[Any]) -> tuple[float, Callable[[], float]]:
     signal = _signal(problem, tree)
-    start, (final, error_of_final) = signal.values(np.array([0.0]))[0], _limit(problem, tree, signal)
+    start, (final, error_of_final) = at_instant(signal, 0.0), _limit(problem, tree, signal)
     if final == start:
         raise PhysicsError("the signal ends where it starts: it has no overshoot", "ask for max(x)")
     sense = 1 if final > start else -1
@@ -193,14 +198,14 @@ def _overshoot(problem, tree, args):
     instant, top = signal.extreme(0.0, until, sense)
     found = max(0.0, float((top - final) / (final - start)))
 
-    def off():
+    def off() -> float:
         last, high = error_of_final(), signal.error_of_extreme(0.0, until, (instant, top), sense)
         return (high + last + found * (signal.error(0.0) + last)) / abs(final - start)
 
     return found, off
 
 
-def _zero(problem, tree, args):
+def _zero(problem: "Problem", tree: QuantityRef, args: Sequence[Any]) -> tuple[float, Callable[[], float]]:
     number, signal = int(tree.indices[0]), _signal(problem, tree)
     until = problem.response_of(tree).until
     found = signal.first_zeros(until, number)
@@ -214,11 +219,11 @@ def _zero(problem, tree, args):
     return instant, lambda: signal.error_of_zero(instant)
 
 
-def _end(problem, tree):
-    return problem.response_of(tree).until
+def _end(problem: "Problem", tree: QuantityRef) -> float:
+    return cast("float", problem.response_of(tree).until)
 
 
-def _size(problem, tree):
+def _size(problem: "Problem", tree: QuantityRef) -> float:
     """The largest value of the signal; of a value whose motion has no known end, until its instant and for a second.
     Of members under loads with harmonics without end that of the first one."""
     response = problem.response_of(tree)
@@ -234,22 +239,24 @@ def _size(problem, tree):
         end = max(number_of(problem, tree.args[1]), 1.0)
     signal = response.signal(tree.args[0])
     signal = signal.steady if response.KIND == "steady" else signal
-    return max(abs(signal.extreme(0.0, end, sense)[1]) for sense in (1, -1))
+    return cast("float", max(abs(signal.extreme(0.0, end, sense)[1]) for sense in (1, -1)))
 
 
-def _in_letters(name):
-    def symbolic(problem, tree):
+def _in_letters(name: str) -> "Callable[[Problem, QuantityRef], Node]":
+    def symbolic(problem: "Problem", tree: QuantityRef) -> "Node":
         from vibcli.quantities import responses_in_letters
 
-        return getattr(responses_in_letters, name)(problem, tree)
+        return cast("Node", getattr(responses_in_letters, name)(problem, tree))
     return symbolic
 
 
-def _of_signal(about, unit, number, indices=(), size=_size, kind=NUMBER, symbolic=None):
+def _of_signal(about: str, unit: str, number: Callable[..., Any], indices: tuple[str, ...] = (),
+               size: Callable[..., float] = _size, kind: str = NUMBER,
+               symbolic: Callable[..., Any] | None = None) -> Declaration:
     return Declaration(about, unit, _measured(number), indices, ("signal",), size=size, kind=kind, symbolic=symbolic)
 
 
-def _part(about):
+def _part(about: str) -> Declaration:
     return Declaration(about, SIGNAL, args=("signal",), kind=OF_SIGNAL)
 
 

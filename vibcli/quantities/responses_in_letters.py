@@ -13,6 +13,7 @@ from vibcli.symbolic.transfer_between_tables import copied
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import SyntaxTree
 
 GIVE_NUMBERS = "give numbers with --set"
 
@@ -21,7 +22,7 @@ def final(problem: "Problem", tree: QuantityRef) -> "Node":
     """What of a function of signals is left where all follow loads that are powers of the time."""
     scene = problem.scene
 
-    def signal(name, primes, part):
+    def signal(name: str, primes: int, part: "SyntaxTree") -> "Node":
         if isinstance(part, QuantityRef):
             raise NotInLetters("limits of parts of signals are found in numbers", GIVE_NUMBERS)
         if name in scene.parameters.nodes and not primes:
@@ -53,7 +54,7 @@ def rms(problem: "Problem", tree: QuantityRef) -> "Node":
     return problem.scene.table.sqrt(_of_one(problem, tree.args[0])[1])
 
 
-def _of_one(problem: Any, signal: Any):
+def _of_one(problem: "Problem", signal: Any) -> "tuple[Node, Node]":
     """(mean, mean square) of a signal with one harmonic."""
     if not isinstance(signal, NameRef):
         raise NotInLetters("means of sums and products are found in numbers", GIVE_NUMBERS)

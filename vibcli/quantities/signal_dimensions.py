@@ -10,7 +10,9 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
     from fractions import Fraction
 
+    from vibcli.language.reader import Record
     from vibcli.language.spec import Spec
+    from vibcli.symbolic.syntax import QuantityRef
 
 
 def name_dimension(spec: "Spec", name: str) -> "Mapping[str, Fraction | int] | None":
@@ -43,13 +45,13 @@ def inputs(spec: "Spec") -> list[str]:
     return [*loads, *driven, *bodies, *spec.coordinates]
 
 
-def _one_drive(spec, record):
+def _one_drive(spec: "Spec", record: "Record") -> str | None:
     """The unit of the force along what is driven of a body, to and fro in one way; None of others."""
     driven = list(prescribed(spec, record).values())
     return driven[0][0] if len(driven) == 1 and _within_functions(driven[0][1].tree) else None
 
 
-def _within_functions(tree):
+def _within_functions(tree: "QuantityRef") -> bool:
     """Does the time stand within functions alone, as in Y*sin(Omega*t) and not in v*t?"""
     if tree.kind in ("name", "call"):
         return tree.kind == "call" or tree.name != "t"

@@ -14,14 +14,17 @@ from vibcli.results.signals import ComposedSignal, LinearSignal
 from vibcli.symbolic.syntax import QuantityRef
 
 if TYPE_CHECKING:
+    from vibcli.results.long_after import LongAfter
     from vibcli.results.problem import Problem
+    from vibcli.results.responses import SmallResponse
+    from vibcli.results.steady_response import SteadyResponse
 
     Measured = tuple[float, Callable[[], float]]
 
 ANGLE = 0.7     # no phasor of an undamped scene is at right angles to it
 
 
-def _linear(problem, tree, harmonic=None):
+def _linear(problem: "Problem", tree: QuantityRef, harmonic: int | None = None) -> LinearSignal:
     """The signal as a linear output of a small motion; of members under loads with harmonics without end of one."""
     response = problem.response_of(tree)
     response = getattr(response, "kept_up", response)
@@ -34,7 +37,7 @@ def _linear(problem, tree, harmonic=None):
     return signal
 
 
-def _repeating(problem, tree):
+def _repeating(problem: "Problem", tree: QuantityRef) -> Any:
     """The steady state of members under loads with harmonics without end; None of others."""
     response, asked = problem.response_of(tree), tree.args[0]
     if response.KIND != "steady" or response.input_forcing.period is None:
@@ -44,23 +47,24 @@ def _repeating(problem, tree):
     return response.signal(asked)
 
 
-def _long_after(problem, tree):
+def _long_after(problem: "Problem", tree: QuantityRef) -> "LongAfter | None":
     """What motions of members come to whose loads do not keep them up; None of others."""
     response = problem.response_of(tree)
-    return response.long_after(tree.args[0]) if hasattr(response, "long_after") else None
+    found: LongAfter | None = response.long_after(tree.args[0]) if hasattr(response, "long_after") else None
+    return found
 
 
-def _told(measured):
+def _told(measured: tuple[float, float]) -> tuple[float, Callable[..., float]]:
     found, error = measured
     return found, lambda: error
 
 
-def _repeating_part(response, tree):
+def _repeating_part(response: "SmallResponse", tree: QuantityRef) -> bool:
     """Is a quantity asked of the steady state of members by that name?"""
     return response.KIND == "steady" and getattr(tree.args[0], "head", "") == "steady"
 
 
-def _of_harmonic(response, number):
+def _of_harmonic(response: "SteadyResponse", number: int) -> "SteadyResponse":
     return response.of_harmonic(number) if response.KIND == "steady" else response
 
 
@@ -82,7 +86,7 @@ def amplitude(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> "
     return found, lambda: feature_errors.amplitude(signal)
 
 
-def _signed(X):
+def _signed(X: complex) -> float:
     """Re X e^{−iψ}: of a phasor that passes through zero along a line it changes its sign there."""
     return X.real * cos(ANGLE) + X.imag * sin(ANGLE)
 
@@ -107,9 +111,9 @@ def harmonic(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> "M
     return abs(steady_features.harmonic(signal, number)), lambda: feature_errors.harmonic(signal, number)
 
 
-def _over_a_period(which):
+def _over_a_period(which: str) -> "Callable[[Problem, QuantityRef, Sequence[Any]], tuple[float, Callable[..., float]]]":
     """The mean or the rms of the steady state that loads keep up, else of the free vibrations that last."""
-    def value(problem, tree, args):
+    def value(problem: "Problem", tree: QuantityRef, args: "Sequence[Any]") -> "tuple[float, Callable[..., float]]":
         repeats = _repeating(problem, tree) if which == "rms" else None
         if repeats is not None:
             return _told(repeats.rms)
@@ -132,9 +136,10 @@ def _over_a_period(which):
     return value
 
 
-def _free(find, relative):
+def _free(find: Callable[..., float],
+          relative: Callable[..., float]) -> "Callable[[Problem, QuantityRef, Sequence[Any]], Any]":
     """Of a free vibration, the fractions in square brackets after the signal; `relative`: its error over its size."""
-    def value(problem, tree, args):
+    def value(problem: "Problem", tree: QuantityRef, args: "Sequence[Any]") -> "tuple[float, Callable[[], float]]":
         signal, fractions = _linear(problem, tree), list(map(float, tree.indices))
         found = find(signal, *fractions)
         return found, lambda: abs(found) * relative(signal, *fractions)

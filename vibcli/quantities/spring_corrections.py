@@ -1,5 +1,6 @@
 """What the geometry of a spring adds to the coefficients of the restoring force: `stiffness_correction[s, x^3]`."""
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
@@ -9,10 +10,13 @@ from vibcli.quantities.quantity import Declaration, measured, unit
 
 if TYPE_CHECKING:
     from vibcli.language.spec import Spec
+    from vibcli.mechanics.spring_shares import SpringShares
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
     from vibcli.symbolic.syntax import QuantityRef
 
 
-def _asked(problem, tree):
+def _asked(problem: "Problem", tree: "QuantityRef") -> tuple[tuple[int, ...], int]:
     """(powers of all coordinates in V, that of the first one named): the force along it is ∂V/∂x."""
     from vibcli.base.errors import PhysicsError
     from vibcli.mechanics.expansion import require_expandable
@@ -29,7 +33,7 @@ def _asked(problem, tree):
     return tuple(found.get(name, 0) for name in coordinates), found[first]
 
 
-def _shares(problem, tree):
+def _shares(problem: "Problem", tree: "QuantityRef") -> "tuple[SpringShares, tuple[int, ...], int]":
     """(SpringShares, the powers, that of the first coordinate)."""
     from vibcli.mechanics.expansion import within
     from vibcli.mechanics.spring_shares import shares_in_numbers
@@ -40,13 +44,13 @@ def _shares(problem, tree):
     return found, powers, n
 
 
-def _value(problem, tree, args):
+def _value(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> tuple[Any, float]:
     found, powers, n = _shares(problem, tree)
     return measured(found.geometric[powers] * n if powers in found.geometric else 0.0,
                     10.0**-problem.digits if problem.digits else 0.0)
 
 
-def _in_letters(problem, tree):
+def _in_letters(problem: "Problem", tree: "QuantityRef") -> "Node":
     from vibcli.mechanics.expansion import within
     from vibcli.mechanics.spring_shares import shares_in_letters
     from vibcli.symbolic.normal_form import textbook
@@ -65,7 +69,7 @@ def _dimension(spec: "Spec", tree: "QuantityRef") -> Any:
     return found
 
 
-def _size(problem, tree):
+def _size(problem: "Problem", tree: "QuantityRef") -> float:
     """What its parts add up from."""
     from vibcli.symbolic.running_errors import number_in
 

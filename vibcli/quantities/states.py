@@ -1,6 +1,8 @@
 """Matrices and generalised forces at an instant of a motion (mechanics/state_functions.py)."""
 
+from collections.abc import Sequence
 from math import isfinite
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.language.spec import RELEASED
@@ -11,20 +13,26 @@ from vibcli.quantities.response import at_instant
 from vibcli.quantities.signal_dimensions import generalised_dimension
 from vibcli.symbolic.syntax import Number
 
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import QuantityRef
 
-def _node(problem, tree):
+
+def _node(problem: "Problem", tree: "QuantityRef") -> "Node":
     from vibcli.mechanics.state_functions import entry, force
 
     numbers = [coordinate_number(problem, index) for index in tree.indices]
     return force(problem.scene, *numbers) if tree.head == "Q" else entry(problem.scene, tree.head, *numbers)
 
 
-def _value(problem, tree, args):
+def _value(problem: "Problem", tree: "QuantityRef", args: Sequence[float]) -> tuple[float, float]:
     found, error = _at(problem, _node(problem, tree), args[0])
     return float(found), min(1.0, max(ERROR if args[0] else ROUNDING, error / (abs(found) or 1e-300)))
 
 
-def _at(problem, node, time):
+def _at(problem: "Problem", node: "Node", time: float) -> tuple[float, float]:
     """(value, absolute error bound) of a function of the state at an instant; no motion is followed to its start."""
     from vibcli.symbolic.evaluation import Floats, evaluate
     from vibcli.symbolic.expression_graph import reachable
@@ -38,7 +46,7 @@ def _at(problem, node, time):
     return at_instant(signal, time), signal.error(time)
 
 
-def _start(problem):
+def _start(problem: "Problem") -> dict[str, float]:
     """{symbol: float} of the state at t = 0."""
     numeric, (places, speeds) = problem.numeric, problem.response.start
     drawn = numeric.drawn_floats
@@ -47,7 +55,7 @@ def _start(problem):
     return {**numeric.floats, problem.scene.time.name: 0.0, **closed, **rates}
 
 
-def _in_letters(problem, tree):
+def _in_letters(problem: "Problem", tree: "QuantityRef") -> "Node":
     """At t = 0, where the motion starts in letters: as `initial` says, else from the equilibrium."""
     from vibcli.symbolic.derivatives import substitute
     from vibcli.symbolic.normal_form import textbook
@@ -65,7 +73,7 @@ def _in_letters(problem, tree):
     return textbook(found)
 
 
-def _all_have_inertia(scene):
+def _all_have_inertia(scene: "Scene") -> bool:
     """Does something of inertia move with each coordinate, and does none follow from loops: may all starts be given?"""
     from vibcli.mechanics.energies import kinetic
     from vibcli.symbolic.derivatives import gradient
@@ -74,7 +82,7 @@ def _all_have_inertia(scene):
     return scene.loops is None and all(v in slopes for v in scene.v)
 
 
-def _size(problem, tree):
+def _size(problem: "Problem", tree: "QuantityRef") -> float:
     """The sum of the magnitudes of its terms."""
     from vibcli.quantities.expression import number_of
     from vibcli.symbolic.rationals import ONE
@@ -84,7 +92,7 @@ def _size(problem, tree):
     return sum(abs(float(c) * _at(problem, part, time)[0]) for part, c in parts)
 
 
-def _entry(about):
+def _entry(about: str) -> Declaration:
     return Declaration(about, None, _value, ("coordinate", "coordinate"), ("time",), dimension=entry_dimension,
                        size=_size, symbolic=_in_letters)
 

@@ -64,7 +64,7 @@ class Sweep:
     to what is chosen."""
 
     def __init__(self, problem: "Problem", axes: Sequence[SweptAxis], asked: "Sequence[Expression]",
-                 units: Sequence[str], settle: "Callable[[Problem], Problem]"):
+                 units: Sequence[str], settle: "Callable[[Problem], Problem]") -> None:
         self.problem, self.axes, self.asked, self.units = problem, list(axes), list(asked), list(units)
         self._variants = Variants(problem, [{axis.name: axis.values} for axis in axes], settle)
 
@@ -91,10 +91,10 @@ class Sweep:
     @cached_property
     def gaps(self) -> list[Gap]:
         """Why there are none, one entry to each reason."""
-        texts: dict = {}
+        texts: dict[tuple[str, Any], list[str]] = {}
         for text, reason, place in self._found[1]:
             texts.setdefault((reason, place), []).append(text)
-        found: dict = {}
+        found: dict[tuple[tuple[str, ...], str], list[Any]] = {}
         for (reason, place), names in texts.items():
             found.setdefault((tuple(names), reason), []).append(place)
         return [Gap(names, places, reason) for (names, reason), places in found.items()]
@@ -148,7 +148,7 @@ class Sweep:
         return found
 
     @cached_property
-    def _found(self):
+    def _found(self) -> "tuple[list[np.ndarray], list[Any], int, list[Any], list[Any]]":
         """(arrays, [(text, reason, place)], places reached, NaturalModesAt or None of each, numbers of modes)."""
         import numpy as np
 
@@ -171,7 +171,7 @@ class Sweep:
                 self.problem.work.interrupt()
         return arrays, gaps, done, spectra, counts
 
-    def _between(self, value):
+    def _between(self, value: float) -> Any:
         axis = self.axes[0]
         return _spectrum(self._variants.at({axis.name: axis.given(value)}), value)
 
@@ -179,7 +179,7 @@ class Sweep:
 OF_NATURAL_MODES = ("omega", "frequency", "period", "growth_rate", "mode", "modal_mass")
 
 
-def _value(problem, expression) -> tuple[float, str]:
+def _value(problem: "Problem | SpecError | PhysicsError", expression: "Expression") -> tuple[float, str]:
     """(the value of an expression, '') or (NaN, why there is none)."""
     try:
         if isinstance(problem, Exception):

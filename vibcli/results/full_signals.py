@@ -44,7 +44,7 @@ class FullSignal(Signal):
         times = np.asarray(times, dtype=float)
         return self._along(self.motion.reaching(times.max(initial=0.0)), times)
 
-    def precise(self, t: "Fraction", digits: int) -> "mpmath.mpf":
+    def precise(self, t: "Fraction | int", digits: int) -> "mpmath.mpf":
         """The value at an instant, correct to so many digits."""
         if self.forces:
             raise PhysicsError("more digits of forces of constraints, supports and drives are not found along a motion",

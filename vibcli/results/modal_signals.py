@@ -75,6 +75,12 @@ class ModalSignal(Signal):
     def is_estimated(self) -> bool:
         return self.modal.is_estimated(self.reads)
 
+    @property
+    def why_estimated(self) -> str:
+        disturbed = self.modal.modes.disturbed
+        known = disturbed and disturbed(self.modal.forcing.pieces)
+        return known.reason(self.reads) if known else ""
+
     def told_zero(self, t: float) -> float:
         """A share of what is alike elsewhere on the members."""
         import numpy as np

@@ -30,7 +30,7 @@ STEPS, LOST = 40, 8     # of Newton's method; digits that its last step may lack
 EXTREMES: "WeakKeyDictionary[Signal, dict[tuple, tuple[mpmath.mpf, mpmath.mpf]]]" = WeakKeyDictionary()
 
 
-def value_to(signal: "Signal", t: "Fraction", digits: int) -> "mpmath.mpf":
+def value_to(signal: "Signal", t: "Fraction | int", digits: int) -> "mpmath.mpf":
     """The value of a signal at an instant, correct to `digits`."""
     return value_when(signal, lambda: real(t), digits)
 

@@ -86,7 +86,7 @@ class Signal:
         """Its value before an instant at which it leaps; None where it does not."""
         return None
 
-    def precise(self, t: "Fraction", digits: int) -> "mpmath.mpf":
+    def precise(self, t: "Fraction | int", digits: int) -> "mpmath.mpf":
         """Its value at an instant, correct to so many digits."""
         from vibcli.results.precise_instants import value_to
 
@@ -156,6 +156,11 @@ class Signal:
     def is_estimated(self) -> bool:
         """Is that an estimate of what modes left out add, and no bound?"""
         return False
+
+    @property
+    def why_estimated(self) -> str:
+        """Why it is, in words, where that is known."""
+        return ""
 
     def error_of_extreme(self, start: float, end: float, top: tuple[float, float], sense: int) -> float:
         """How far the largest (sense 1) or smallest (−1) value between two instants may be off, `top` being (t, value)

@@ -100,6 +100,10 @@ class Disturbances:
         """Is that bound finite, as what places show tells that has no sum?"""
         return self._total(output, t, order, self.modes.reaches) < inf
 
+    def reason(self, _: "LinearOutput") -> str:
+        """Why it is estimated: none, what has no bound is refused."""
+        return ""
+
     def obstacle(self, output: "LinearOutput", t: float) -> str:
         """Why it is not, where it is not: an end without TENSION is read; a load's PACE is too fast; the series after a
         start in a FIELD, or after loads, or BOTH does not converge absolutely; how amplitudes FALL tells too little."""

@@ -15,6 +15,9 @@ if TYPE_CHECKING:
     from vibcli.analyses.excitation.forcing import Segment
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
+AT_ONCE = "as a load, or a rate of it, sets in or lets go at once where nothing has mass"
+IN_FIELD = "as it is a force, or a rate, after a start in a field"
+
 
 class LeftOutMotions:
     """What modes that a LeftOutEnergy is of leave out of a motion by segments of a load: `bound` of it. ALONE: as
@@ -38,6 +41,16 @@ class LeftOutMotions:
     def bounds(self, output: "LinearOutput", _: float, order: int = 0) -> bool:
         """Is that bound finite?"""
         return self.energy.valid and all(self._is_finite(k) for k in self.energy.levels(output, order))
+
+    def reason(self, output: "LinearOutput") -> str:
+        """Why no bound is known of it, in words, where the energy that something leaves is infinite or not known; "" of
+        all else."""
+        levels = self.energy.levels(output, 0) if self.energy.valid else []
+        beyond = {key for k in levels for part in self._rated(k) for key in part if not self.energy.takes(*key)}
+        if beyond:
+            moved = range(self.energy.n, self.energy.n + len(self.energy.transfer.driven))
+            return AT_ONCE if all(power < 0 and channel not in moved for channel, _, power in beyond) else ""
+        return IN_FIELD if self.energy.in_fields and any(levels) else ""
 
     def obstacle(self, _: "LinearOutput", __: float) -> str:
         """Why it is not, where amplitudes tell nothing either."""

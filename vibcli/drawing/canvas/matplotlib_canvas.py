@@ -2,11 +2,14 @@
 
 import io
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from vibcli.drawing.canvas.primitives import COLOURS, Circle, LetterRuns, Polygon, extent
+from vibcli.drawing.canvas.primitives import COLOURS, Circle, LetterRuns, Polygon, Primitive, extent
 from vibcli.drawing.layout import lettering
 from vibcli.plots.picture import library
+
+if TYPE_CHECKING:
+    pass
 
 MARGIN, DPI, WIDEST = 10.0, 150, 6000
 SETTINGS = ("savefig.", "pdf.", "path.", "text.", "agg.", "font.", "patch.")
@@ -32,7 +35,7 @@ def figure(primitives: Sequence[Any], dpi: float) -> Any:
     return made
 
 
-def _patch(part):
+def _patch(part: "Primitive") -> Any:
     """The patch of strokes, filled where the primitive is."""
     from matplotlib.patches import PathPatch
     from matplotlib.path import Path
@@ -50,7 +53,7 @@ def _patch(part):
                      joinstyle="round")
 
 
-def _letters(part):
+def _letters(part: LetterRuns) -> list[Any]:
     """One artist for each run; text is never taken for mathematics."""
     import matplotlib
     from matplotlib.font_manager import FontProperties

@@ -1,12 +1,15 @@
 """Frames of a drawing as an animated GIF, by Pillow: bounded in pixels and in frames, the same bytes each time."""
 
 import io
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from itertools import combinations
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.work import under_way
-from vibcli.drawing.canvas.primitives import COLOURS, Circle, LetterRuns, Polygon, extent
+from vibcli.drawing.canvas.primitives import COLOURS, Circle, LetterRuns, Polygon, Primitive, extent
+
+if TYPE_CHECKING:
+    pass
 
 WIDEST, HIGHEST, MARGIN, FINER, MOST = 560, 420, 10.0, 2, 240
 SHADES, FOOT, NARROW, LARGEST = 256, 26.0, 230.0, 2_000_000      # the last: bytes
@@ -37,14 +40,14 @@ def gif(frames: Sequence[list[Any]], caption: str, milliseconds: int = 40) -> by
     return data
 
 
-def _animated(pages, milliseconds):
+def _animated(pages: list[Any], milliseconds: int) -> bytes:
     data = io.BytesIO()
     pages[0].save(data, format="GIF", save_all=True, append_images=pages[1:], duration=milliseconds, loop=0,
                   optimize=False, disposal=1)
     return data.getvalue()
 
 
-def _palette(frames):
+def _palette(frames: "Sequence[list[Primitive]]") -> Any:
     """The colours of the roles that occur, and of edges between any two of them."""
     from PIL import Image, ImageColor
 
@@ -59,7 +62,8 @@ def _palette(frames):
     return found
 
 
-def _page(frame, caption, box, scale, size):
+def _page(frame: "Sequence[Primitive]", caption: str, box: tuple[float, float, float, float],
+          scale: float, size: tuple[int, int]) -> Any:
     from PIL import Image, ImageDraw
 
     fine = scale * FINER
@@ -73,17 +77,18 @@ def _page(frame, caption, box, scale, size):
     return page.resize(size, Image.Resampling.BOX)
 
 
-def _draw(part, pen, place, fine):
+def _draw(part: "Primitive", pen: Any, place: Callable[..., int | tuple[float, float]],
+          fine: float) -> None:
     width = max(1, round(part.width * fine))
-    closed = isinstance(part, (Polygon, Circle))
+    fill = part.fill if isinstance(part, (Polygon, Circle)) else None
     for stroke in part.strokes():
         points = [place(p) for p in stroke]
-        if closed and part.fill:
-            pen.polygon(points, fill=COLOURS[part.fill])
+        if fill:
+            pen.polygon(points, fill=COLOURS[fill])
         pen.line(points, fill=COLOURS[part.role], width=width, joint="curve")
 
 
-def _letters(text, pen, place, fine):
+def _letters(text: str, pen: Any, place: tuple[float, float], fine: float) -> None:
     from PIL import ImageFont
 
     from vibcli.drawing.layout import fonts, lettering

@@ -4,7 +4,7 @@ A role names what a line is: ink for what is there, blue for coordinates, red fo
 Layers are drawn in ascending order.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from vibcli.base.named_tuple import NamedTuple
@@ -23,7 +23,7 @@ COLOURS = {
 class Polyline(NamedTuple):
     """An open polyline."""
 
-    points: tuple
+    points: tuple[tuple[float, float], ...]
     role: str = "ink"
     width: float = 1.1
     dashed: bool = False
@@ -36,7 +36,7 @@ class Polyline(NamedTuple):
 class Polygon(NamedTuple):
     """A closed outline, filled unless `fill` is None."""
 
-    points: tuple
+    points: tuple[tuple[float, float], ...]
     fill: str | None = "body"
     role: str = "ink"
     width: float = 1.1
@@ -50,7 +50,7 @@ class Polygon(NamedTuple):
 class Circle(NamedTuple):
     """A circle, filled unless `fill` is None."""
 
-    centre: tuple
+    centre: tuple[float, float]
     radius: float
     fill: str | None = None
     role: str = "ink"
@@ -70,7 +70,7 @@ class Circle(NamedTuple):
 class Hatch(NamedTuple):
     """A line of the ground, hatched on its left (side 1) or right (−1)."""
 
-    points: tuple
+    points: tuple[tuple[float, float], ...]
     side: int = 1
     role: str = "ground"
     width: float = 1.1
@@ -88,6 +88,9 @@ class Hatch(NamedTuple):
         return found
 
 
+Primitive = Polyline | Polygon | Circle | Hatch
+
+
 class Run(NamedTuple):
     """Letters of one size: `rise` is that of their baseline; slanted are the names of quantities."""
 
@@ -100,9 +103,9 @@ class Run(NamedTuple):
 class LetterRuns(NamedTuple):
     """Runs of letters from the left end of their baseline on."""
 
-    place: tuple
-    runs: tuple
-    box: tuple              # (left, bottom, right, top) as measured
+    place: tuple[float, float]
+    runs: tuple[Run, ...]
+    box: tuple[float, float, float, float]              # (left, bottom, right, top) as measured
     role: str = "ink"
     layer: int = ARROW
 
@@ -117,7 +120,7 @@ def extent(primitives: Sequence[Any]) -> tuple[float, float, float, float] | Non
     return plane.bounds(points) if points else None
 
 
-def ghost(primitives: Iterator) -> list[Any]:
+def ghost(primitives: Iterable[Any]) -> list[Any]:
     """The same in grey and without its texts: the position from which something moves."""
     found = []
     for part in primitives:

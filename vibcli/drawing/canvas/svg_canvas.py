@@ -71,18 +71,18 @@ def outline(part: Any) -> str:
     return "".join(map(_line, part.strokes()))
 
 
-def _line(points):
+def _line(points: tuple[tuple[float, float], ...]) -> str:
     return "M" + " ".join(f"{number(x)},{number(-y)}" for x, y in points)
 
 
-def _held(text):
+def _held(text: str) -> str:
     """The letters with what is blank before and after them, which browsers leave out, as blanks that stay."""
     inner = text.strip(" ")
     first = text.find(inner)
     return "\u00a0" * first + inner + "\u00a0" * (len(text) - first - len(inner))
 
 
-def _letters(part, children, attributes):
+def _letters(part: LetterRuns, children: str, attributes: str) -> str:
     """A text for each run, since Firefox gives no width to parts of one."""
     from vibcli.drawing.layout import lettering
 

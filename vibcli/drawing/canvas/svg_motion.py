@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from math import degrees, remainder, tau
 from typing import Any
 
-from vibcli.drawing.canvas.primitives import Circle, Hatch, LetterRuns, Polygon, Polyline, extent
+from vibcli.drawing.canvas.primitives import Circle, Hatch, LetterRuns, Polygon, Polyline, Primitive, extent
 from vibcli.drawing.canvas.svg_canvas import document, element, number, outline
 from vibcli.drawing.layout import plane
 
@@ -37,16 +37,16 @@ def moving(frames: Sequence[list[Any]], title: str, about: str = "", millisecond
     return document("\n".join(body), box, title, about, STYLE if rests else "")
 
 
-def _kind(part):
+def _kind(part: Primitive) -> tuple[Any, ...]:
     """What parts of two frames share if they are the same thing, elsewhere."""
     if isinstance(part, (Polyline, Polygon, Hatch)):
         return type(part), len(part.points), part._replace(points=())
     if isinstance(part, Circle):
-        return Circle, part._replace(centre=(), radius=0.0)
+        return Circle, part._replace(centre=(0.0, 0.0), radius=0.0)
     return type(part), part.role, part.layer
 
 
-def _column(parts, timing, still):
+def _column(parts: tuple[Primitive, ...], timing: str, still: int | None) -> str:
     """The elements of one thing in all frames."""
     first = parts[0]
     if all(part == first for part in parts):
@@ -55,7 +55,7 @@ def _column(parts, timing, still):
     return _moved(parts, timing, f' class="{MOVES}"' if rests else "") + rests
 
 
-def _moved(parts, timing, attributes):
+def _moved(parts: tuple[Any, ...], timing: str, attributes: str) -> str:
     first = parts[0]
     if isinstance(first, Circle):
         values = {"cx": [part.centre[0] for part in parts], "cy": [-part.centre[1] for part in parts],
@@ -74,20 +74,20 @@ def _moved(parts, timing, attributes):
     return element(about, children, f' transform="translate({places[0]})"{attributes}')
 
 
-def _animated(name, values, timing):
+def _animated(name: str, values: list[str], timing: str) -> str:
     if len(set(values)) == 1:
         return ""
     return f'<animate attributeName="{name}" values="{";".join(values)}" {timing}/>'
 
 
-def _turned(kind, values, timing, further=""):
+def _turned(kind: str, values: list[str], timing: str, further: str = "") -> str:
     if len(set(values)) == 1:
         return ""
     return (f'<animateTransform attributeName="transform" type="{kind}" values="{";".join(values)}" '
             f"{timing}{further}/>")
 
 
-def _shifts(parts):
+def _shifts(parts: tuple[Any, ...]) -> tuple[tuple[float, float], list[tuple[float, float]], list[float]] | None:
     """(the middle of the first, where it is in each, by what angle each is turned) of what keeps its shape; None of
     other things."""
     rows = [[complex(*point) for point in part.points] for part in parts]
@@ -103,7 +103,7 @@ def _shifts(parts):
     return (middles[0].real, middles[0].imag), [(middle.real, middle.imag) for middle in middles], turns[1:]
 
 
-def _whole(frames, timing, still):
+def _whole(frames: Sequence[list[Any]], timing: str, still: int | None) -> list[str]:
     """The elements of frames that do not consist of the same things: each is shown in its turn."""
     groups = ["\n".join(map(element, frame)) for frame in frames]
     rests = [] if still is None else [f'<g class="{RESTS}">\n{groups[still]}\n</g>']
@@ -112,12 +112,12 @@ def _whole(frames, timing, still):
             for i, group in enumerate(groups)] + rests
 
 
-def _in_turn(parts, timing, attributes):
+def _in_turn(parts: Sequence[Any], timing: str, attributes: str) -> list[str]:
     return [element(part, _shown(i, len(parts), timing), f' visibility="hidden"{attributes}')
             for i, part in enumerate(parts)]
 
 
-def _shown(index, count, timing):
+def _shown(index: int, count: int, timing: str) -> str:
     """Visible in the one of `count` equal parts of the time."""
     times = sorted({0.0, index / count, (index + 1) / count} - {1.0})
     values = ";".join("visible" if index / count <= time < (index + 1) / count else "hidden" for time in times)

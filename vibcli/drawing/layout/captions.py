@@ -48,7 +48,7 @@ def as_printed(text: str) -> str:
 
 def raw(field: "Expression", scene: "Scene") -> "Node":
     """The node of a field in the letters that it is written in, dependent coordinates included."""
-    def symbol(name, primes, tree):
+    def symbol(name: str, primes: int, tree: NameRef) -> "Node":
         return scene.parameters.nodes.get(name) or scene.table.variable(name + "'" * primes)
 
     return lower(field.tree, scene.table, symbol)

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
-from vibcli.drawing.canvas.primitives import BODY, Circle, Polyline, extent
+from vibcli.drawing.canvas.primitives import BODY, Circle, Polyline, Primitive, extent
 from vibcli.drawing.layout import plane
 from vibcli.drawing.layout.positions import values_at
 from vibcli.drawing.layout.scale import scale_of
@@ -14,6 +14,8 @@ from vibcli.drawing.symbols import bodies, connection, joint, support
 from vibcli.drawing.symbols.appearance import looks
 
 if TYPE_CHECKING:
+    from vibcli.drawing.layout.sketch import Attachment
+    from vibcli.drawing.symbols.look import Look
     from vibcli.scene.scene import Scene
 
 BELOW, MOST = 40.0, 80      # points to the first row of bodies without a place; bodies
@@ -24,7 +26,7 @@ class Scenery:
     """What of a drawing does not depend on the position: its scale, `share` times what its places call for, the looks
     of its bodies, its ends and walls."""
 
-    def __init__(self, scene: "Scene", share: float = 1.0):
+    def __init__(self, scene: "Scene", share: float = 1.0) -> None:
         if len(scene.bodies) > MOST:
             raise PhysicsError(f"a drawing of {len(scene.bodies)} bodies is not legible", f"the limit is {MOST}")
         self.scene = scene
@@ -99,7 +101,7 @@ def primitives(stage: Scenery, sketch: Any,
     return found + lines, where | places
 
 
-def _surfaces(sketch, looks):
+def _surfaces(sketch: Sketch, looks: "Mapping[str, Look]") -> list[Any]:
     found = []
     for name, record in (sketch.spec.get("surfaces") or {}).items():
         if "body" in record and not sketch.is_fixed(record["body"].text):
@@ -110,7 +112,7 @@ def _surfaces(sketch, looks):
     return found
 
 
-def _pegs(sketch, ties):
+def _pegs(sketch: Sketch, ties: Ties) -> list[Primitive]:
     """Pulleys without a body: a smooth peg, or a wheel in a bearing."""
     found = []
     for at, radius in ties.pegs:
@@ -122,7 +124,7 @@ def _pegs(sketch, ties):
     return found
 
 
-def _constraints(sketch):
+def _constraints(sketch: Sketch) -> list[Primitive]:
     """Links, belts, and pins where points are joined."""
     found = []
     for record in (sketch.spec.get("constraints") or {}).values():
@@ -139,7 +141,7 @@ def _constraints(sketch):
     return found
 
 
-def _fixed_ends(stage, sketch):
+def _fixed_ends(stage: Scenery, sketch: Sketch) -> "list[tuple[Attachment, tuple[float, float]]]":
     """[(Attachment, direction into the ground)] of what ends on the ground or on a driven support."""
     ends = [(a, plane.unit(plane.minus(a.drawn, b.drawn))) for bunch in stage.bunches
             for a, b in ((bunch.one, bunch.two), (bunch.two, bunch.one))]

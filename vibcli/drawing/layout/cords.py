@@ -13,6 +13,7 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
     from vibcli.language.reader import Record
+    from vibcli.symbolic.node import Node
 
 CLOSE = 1e-6
 FREE, LONG = 1.5, 1.6       # lengths of the cord from the wheel to the element, and of this, in radii of the wheel
@@ -36,7 +37,7 @@ def cords(sketch: "Sketch") -> list[Cord]:
     return [cord for record in alone if (cord := _cord(record, sketch)) is not None]
 
 
-def _cord(record, sketch):
+def _cord(record: "Record", sketch: "Sketch") -> Cord | None:
     """The Cord that an element stretches as far as it says, None where there is none.
 
     A cord in the direction d leaves a wheel, whose centre moves by v and which turns by ω, at a distance o to the left
@@ -61,7 +62,7 @@ def _cord(record, sketch):
     return None
 
 
-def _rolls(sketch, name, q):
+def _rolls(sketch: "Sketch", name: str, q: "Node") -> list[float] | None:
     """How a body that rolls moves with a coordinate alone: (∂x/∂q, ∂y/∂q, ∂angle/∂q) of its centre; None of others."""
     body, zero = sketch.scene.bodies.get(name), sketch.scene.table.zero
     if body is None or "roll" not in body.record:
@@ -74,7 +75,8 @@ def _rolls(sketch, name, q):
     return found if hypot(*found[:2]) > CLOSE and abs(found[2]) > CLOSE else None
 
 
-def _placed(record, sketch, wheel, d, offset, stretch: Any) -> Cord:
+def _placed(record: "Record", sketch: "Sketch", wheel: str, d: tuple[float, float], offset: float,
+            stretch: Any) -> Cord:
     """The Cord that leaves a wheel in a direction, so far to the left of its centre."""
     side, far = plane.left(d), sketch.rolling_radius(wheel)
     contact = plane.plus(sketch.rim(wheel).drawn, side, offset)

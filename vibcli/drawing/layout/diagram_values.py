@@ -37,7 +37,8 @@ def error_of_zero(force: "InternalForce", x: float) -> float:
         x + STEP * (stretch.end - stretch.start), stretch.end)
     first, last = stretch.values(np.array([low, high]))
     off = force.error(x)
-    return off and off * (high - low) / max(abs(last - first), 1e-300)
+    found: float = off and off * (high - low) / max(abs(last - first), 1e-300)
+    return found
 
 
 def zeros(force: "InternalForce") -> list[float]:
@@ -54,9 +55,9 @@ def zeros(force: "InternalForce") -> list[float]:
     return sorted(found)
 
 
-def _runs(force, least):
+def _runs(force: "InternalForce", least: float) -> list[list[tuple[float, float]]]:
     """Stretches of the curve without jumps, each the (place, value) of its ends, of extremes and of stations."""
-    runs: list = []
+    runs: list[list[tuple[float, float]]] = []
     for stretch in force.stretches:
         places = [stretch.start, *stretch.extremes(), stretch.end]
         points = list(zip(places, stretch.values(np.array(places)).tolist(), strict=True))

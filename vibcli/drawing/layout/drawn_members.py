@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from vibcli.drawing.layout.compose import Scenery
     from vibcli.drawing.layout.sketch import Sketch
     from vibcli.drawing.layout.strips import Strip
+    from vibcli.drawing.symbols.member import Bend
 
 
 def draw(stage: "Scenery", sketch: "Sketch", unit: float, bends: "Mapping[str, member.Bend]") -> list[Any]:
@@ -30,18 +31,18 @@ def along(strip: "Strip", sketch: "Sketch", unit: float = 1.0, bend: "member.Ben
     return member.bed(strip, bend, attached) + member.draw(strip, bend) + attached
 
 
-def _still(strip: "Strip", sketch, unit):
+def _still(strip: "Strip", sketch: "Sketch", unit: float) -> "Bend":
     """A member as its stations are."""
     return member.Bend(resting(strip, sketch.values), strip.scale if strip.placed else unit)
 
 
-def _tied(stage, sketch, unit, bends):
+def _tied(stage: "Scenery", sketch: "Sketch", unit: float, bends: "Mapping[str, Bend]") -> list[Any]:
     """Dashed lines for what joins lumped bodies to members without a place: to points on them, or to their ends."""
     points = sketch.spec.get("member_points") or {}
     strips = {strip.name: strip for strip in stage.strips if not strip.placed}
     places = {name: (place, layout.y - place.height) for layout in stage.rows for name, place in layout.places.items()}
 
-    def tie(strip, x, name):
+    def tie(strip: "Strip", x: float, name: str) -> Polyline:
         place, foot = places[name]
         on_strip = member.place(strip, bends.get(strip.name) or _still(strip, sketch, unit), x)
         moved = 0.0 if place.turns else sketch.lumped[name] * unit

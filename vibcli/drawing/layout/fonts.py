@@ -10,6 +10,7 @@ from bisect import bisect_right
 from functools import cache
 from importlib.util import find_spec
 from struct import unpack_from
+from typing import Any
 
 from vibcli.base.named_tuple import NamedTuple
 
@@ -21,9 +22,9 @@ class Font(NamedTuple):
     parts of 1/`units` of the size."""
 
     units: int
-    groups: array
-    firsts: array
-    advances: array
+    groups: "array[int]"
+    firsts: "array[int]"
+    advances: "array[int]"
 
     def glyph(self, letter: str) -> int:
         """The number of the glyph of a letter, 0 where the font has none."""
@@ -60,7 +61,7 @@ def path(file: str) -> str:
     return found
 
 
-def _groups(data, cmap):
+def _groups(data: bytes, cmap: int) -> Any:
     for at in range(cmap + 4, cmap + 4 + 8 * _short(data, cmap + 2), 8):
         part = cmap + unpack_from(">I", data, at + 4)[0]
         if _short(data, part) == UNICODE_TO_GLYPHS:
@@ -68,11 +69,12 @@ def _groups(data, cmap):
     raise ValueError("this font tells of no letters beyond 16 bits")
 
 
-def _short(data, at):
-    return unpack_from(">H", data, at)[0]
+def _short(data: bytes, at: int) -> int:
+    found: int = unpack_from(">H", data, at)[0]
+    return found
 
 
-def _numbers(kind, data, at, count):
+def _numbers(kind: str, data: bytes, at: int, count: int) -> Any:
     found = array(kind)
     found.frombytes(data[at:at + count * found.itemsize])
     if sys.byteorder == "little":

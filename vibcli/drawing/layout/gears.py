@@ -1,10 +1,11 @@
 """Gears among bodies without a place: what turns against another body in a fixed ratio, or moves a rack."""
 
+from collections.abc import Sequence
 from math import remainder, sin, tau
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.drawing.canvas.primitives import BODY, ELEMENT, Circle, Polygon, Polyline
+from vibcli.drawing.canvas.primitives import BODY, ELEMENT, Circle, Polygon, Polyline, Primitive
 from vibcli.drawing.layout import plane
 from vibcli.drawing.layout.lumped_place import LumpedPlace
 from vibcli.drawing.symbols.look import teeth
@@ -13,6 +14,7 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 CLOSE, SUM, LEAST = 1e-9, 56.0, 0.2     # of the ratio; of two radii in points, the smaller in parts of it
 PINION, PITCH, TOOTH = 12.0, 5.0, 1.7   # points
@@ -52,13 +54,13 @@ def meshes(scene: "Scene") -> list[Mesh]:
     return found
 
 
-def _tied(scene, *kinds):
+def _tied(scene: "Scene", *kinds: str) -> list[set[str]]:
     """The pairs of bodies that constraints of some kinds tie."""
     return [{name.text for name in record[kind]} for record in (scene.spec.get("constraints") or {}).values()
             for kind in kinds if kind in record]
 
 
-def _trains(pairs):
+def _trains(pairs: Sequence[set[str]]) -> list[set[str]]:
     """The sets of bodies that pairs join."""
     trains: list[set[str]] = []
     for pair in pairs:
@@ -77,14 +79,14 @@ def wound(scene: "Scene") -> list[tuple[str, str]]:
     return list({load: (drum, load) for drum, load in reversed(found)}.values())     # the first drum of each
 
 
-def _rates(node, scene):
+def _rates(node: "Node", scene: "Scene") -> list[float]:
     """How fast a body moves with each coordinate and with the time, as drawn."""
     slopes = gradient(node)
     values = {**scene.sample, **scene.drawn_values}
     return evaluate([slopes.get(q, scene.table.zero) for q in scene.q], Floats, values)
 
 
-def _ratio(one, two):
+def _ratio(one: Sequence[float], two: Sequence[float]) -> float | None:
     """The factor by which one body moves faster than the other wherever either moves; None where there is none."""
     pairs = [(a, b) for a, b in zip(one, two, strict=True) if a or b]
     if not pairs or any(not a or not b for a, b in pairs):
@@ -105,7 +107,7 @@ def sizes(mesh: Mesh) -> dict[str, float]:
     return {mesh.gear: one, mesh.mate: two}
 
 
-def edges(place: LumpedPlace, angle: float) -> list[Polyline]:
+def edges(place: LumpedPlace, angle: float) -> list[Primitive]:
     """The teeth of a gear seen from the side, which go round with it."""
     (x, y), count = place.middle, max(6, round(tau * place.height / PITCH))
     turned = remainder(angle, tau) - 0.75 * tau

@@ -11,6 +11,8 @@ if TYPE_CHECKING:
     from vibcli.drawing.layout.rows import LumpedRow
     from vibcli.drawing.layout.sketch import Sketch
     from vibcli.drawing.layout.strips import Strip
+    from vibcli.language.reader import Expression
+    from vibcli.language.spec import Spec
 
 KEYS = {"spring": "k", "damper": "c"}
 
@@ -23,8 +25,8 @@ class Hung(NamedTuple):
     moves: str
     member: str
     at: Any
-    parts: dict
-    ties: tuple
+    parts: "dict[str, Expression]"
+    ties: tuple[str, ...]
 
 
 def on(strip: "Strip", sketch: "Sketch") -> list[Hung]:
@@ -40,7 +42,7 @@ def find(found: "Sequence[LumpedRow]", sketch: "Sketch") -> list[Hung]:
     return hung
 
 
-def _hung(name, sketch):
+def _hung(name: str, sketch: "Sketch") -> Hung | None:
     """The Hung of a body; None of one that more than a spring and a damper join, or that turns."""
     body, ends, parts, ties = sketch.scene.bodies[name], set(), {}, []
     if body.lumped[0] != "slide" or "mass" not in body.record or motion(body).text not in sketch.scene.coordinates:
@@ -62,6 +64,6 @@ def _hung(name, sketch):
     return Hung(name, motion(body).text, point["body"].text, point["at"], parts, tuple(ties))
 
 
-def _is_loaded(name, spec):
+def _is_loaded(name: str, spec: "Spec") -> bool:
     """Does a force act on a body?"""
     return any(getattr(record.get("at"), "text", None) == name for record in (spec.get("forces") or {}).values())

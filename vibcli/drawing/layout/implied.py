@@ -1,6 +1,7 @@
 """Ropes that a scene does not name: a weight moves as the rim of a wheel below whose rim it is drawn, or as the centre
 of a body to which it must then be tied."""
 
+from collections.abc import Mapping, Sequence
 from math import hypot
 from typing import TYPE_CHECKING, Any
 
@@ -41,7 +42,8 @@ def ropes(sketch: "Sketch") -> list[Any]:
     return found + [rope for name in pulleys for rope in _onward(name, found, rates, sketch)]
 
 
-def _onward(pulley, known, rates, sketch):
+def _onward(pulley: str, known: Sequence[Implied], rates: Mapping[str, Sequence[tuple[float, float, float]]],
+            sketch: "Sketch") -> list[Implied]:
     """The rope over a pulley in a fixed axle, which hangs on no coordinate of its own, to the wheel that turns it."""
     weights = {rope.weight for rope in known}
     radius = sketch.rolling_radius(pulley)
@@ -61,7 +63,7 @@ def _onward(pulley, known, rates, sketch):
     return []
 
 
-def _tied(sketch):
+def _tied(sketch: "Sketch") -> set[str | None]:
     """Bodies at the ends of ropes, links and joints, and of elements whose other end moves."""
     names = set()
     for record in (sketch.spec.get("constraints") or {}).values():
@@ -75,16 +77,17 @@ def _tied(sketch):
     return names
 
 
-def rates_of(sketch: "Sketch", name: str) -> list[tuple[float, ...]]:
+def rates_of(sketch: "Sketch", name: str) -> list[tuple[float, float, float]]:
     """[(∂x/∂q, ∂y/∂q, ∂angle/∂q)] of the centre of a body's circle as drawn, one for each coordinate."""
     body, zero = sketch.scene.bodies[name], sketch.scene.table.zero
     rim = sketch.scene.rim(body, body.record.where)
     slopes = [gradient(node) for node in (*body.frame.point(*rim), body.frame.angle)]
     flat = evaluate([slope.get(q, zero) for q in sketch.scene.q for slope in slopes], Floats, sketch.values)
-    return [tuple(flat[i:i + 3]) for i in range(0, len(flat), 3)]
+    return list(zip(flat[::3], flat[1::3], flat[2::3], strict=True))
 
 
-def _between(wheel, weight, rates, sketch):
+def _between(wheel: str, weight: str, rates: Mapping[str, Sequence[tuple[float, float, float]]],
+             sketch: "Sketch") -> Implied | None:
     """The rope between a wheel and a weight, None where they do not move as if there were one."""
     a, b = sketch.rim(wheel).drawn, sketch.centre(weight)
     moving = [(rate, mine) for rate, mine in zip(rates[wheel], rates[weight], strict=True) if hypot(*mine[:2])]
@@ -102,14 +105,16 @@ def _between(wheel, weight, rates, sketch):
     return Implied(wheel, abs(offset) * sketch.scale, weight)
 
 
-def _is_wheel(name, offset, rates, sketch):
+def _is_wheel(name: str, offset: float, rates: Mapping[str, Sequence[tuple[float, float, float]]],
+              sketch: "Sketch") -> bool:
     """Does a body turn, about its fixed centre or with a circle that reaches to a rope?"""
     moves = any(hypot(x, y) > CLOSE for x, y, _ in rates[name])
     reach = sketch.rolling_radius(name) / sketch.scale if moves else offset
     return any(turn for _, _, turn in rates[name]) and offset <= reach * (1 + CLOSE)
 
 
-def _taut(one, two, rates, e, offset, over=0.0):
+def _taut(one: str, two: str, rates: Mapping[str, Sequence[tuple[float, float, float]]], e: tuple[float, float],
+          offset: float, over: float = 0.0) -> bool:
     """Do two bodies move equally fast along a line of direction e, `offset` to the left of the one's centre and `over`
     to the left of the other's? All places of a rigid body on a line have the same speed along it."""
     pairs = [(plane.dot(a[:2], e) - offset * a[2], plane.dot(b[:2], e) - over * b[2])

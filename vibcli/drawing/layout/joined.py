@@ -24,13 +24,13 @@ def hinges(sketch: "Sketch") -> list[tuple[str, Attachment]]:
             if all(_together(name, end, other) for other in others) and any(_moves(end, other) for other in others)]
 
 
-def _is_loose(name, sketch):
+def _is_loose(name: str, sketch: "Sketch") -> bool:
     """Is this a body without a shape, placed by expressions?"""
     body = sketch.scene.bodies.get(name)
     return body is not None and "move" in body.record and not {"shape", "parts"} & set(body.record)
 
 
-def _ends(name, sketch):
+def _ends(name: str, sketch: "Sketch") -> list[Attachment]:
     """The ends of a rod that are not its own pin."""
     body = sketch.scene.bodies.get(name)
     if body is None or body.record.get("shape") != "rod":
@@ -41,7 +41,7 @@ def _ends(name, sketch):
             if pivot is None or plane.distance(place, pivot.drawn) > CLOSE * (1 + plane.distance(*places))]
 
 
-def _elsewhere(sketch):
+def _elsewhere(sketch: "Sketch") -> "list[Sketch]":
     """The scene in two other positions, as far as its loops can follow."""
     scene, found = sketch.scene, []
     for shift in (0, 2):
@@ -53,10 +53,10 @@ def _elsewhere(sketch):
     return found
 
 
-def _together(name, end, other):
+def _together(name: str, end: Attachment, other: "Sketch") -> bool:
     place, here = other.now(end), other.frames[name].point(end.drawn)
     return plane.distance(place, here) < CLOSE * (1 + plane.distance(place, end.drawn))
 
 
-def _moves(end, other):
+def _moves(end: Attachment, other: "Sketch") -> bool:
     return plane.distance(other.now(end), end.drawn) > CLOSE

@@ -60,7 +60,7 @@ def runs(text: str, size: float = SIZE) -> tuple[Run, ...]:
     return tuple(found)
 
 
-def _plain(text, size):
+def _plain(text: str, size: float) -> Iterator[Run]:
     """The runs of what is no name: powers raised."""
     for raised, part in groupby(text, RAISED.__contains__):
         letters = "".join(part)
@@ -120,14 +120,14 @@ def file_of(letters: str, slanted: bool) -> str:
     return FONTS[slanted][-1]
 
 
-def _printable(letters, slanted):
+def _printable(letters: str, slanted: bool) -> str:
     files = FONTS[slanted]
     return "".join(letter if letter.isprintable() and any(
         font(file).glyph(letter) for file in files) else MISSING for letter in letters)
 
 
 @lru_cache(4096)
-def _advance(letters, slanted, size):
+def _advance(letters: str, slanted: bool, size: float) -> float:
     if not letters.strip():
         return GAP * size * len(letters)
     if letters[-1] in ABOVE:

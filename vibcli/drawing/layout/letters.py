@@ -14,6 +14,8 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
     from vibcli.drawing.layout.compose import Scenery
+    from vibcli.drawing.layout.sketch import Attachment, Sketch
+    from vibcli.drawing.symbols.look import Look
     from vibcli.scene.scene import Scene
 
 TRIES, ENOUGH, SAME, OUTSIDE = 8, 0.05, 1e-9, 0.4
@@ -23,7 +25,7 @@ NEAR = 8.0          # points from a bearing that are on it
 
 def pleasing(problem: Any, stage_of: type[Any]) -> "Scenery":
     """The stage (`stage_of(scene)`) whose letters draw the scene best; only that of the problem where it has none."""
-    stage = stage_of(problem.scene)
+    stage: Scenery = stage_of(problem.scene)
     if not problem.numeric.has_free_symbols or crowding(stage) <= ENOUGH:
         return stage
     best = crowding(stage), stage
@@ -33,8 +35,10 @@ def pleasing(problem: Any, stage_of: type[Any]) -> "Scenery":
                 other = stage_of(scene)
                 best = min(best, (crowding(other), other), key=lambda pair: pair[0])
                 if best[0] <= ENOUGH:
-                    return best[1]
-    return best[1]
+                    found: Scenery = best[1]
+                    return found
+    result: Scenery = best[1]
+    return result
 
 
 def _anew(scene: "Scene") -> "Iterator[Scene]":
@@ -58,7 +62,7 @@ def _stretched(scene: "Scene") -> "Iterator[Scene]":
                 continue
 
 
-def _same(scene, other):
+def _same(scene: "Scene", other: "Scene") -> bool:
     """Do two scenes of one file move alike, with the values of the second?"""
     values = [_rates(one, other.sample) for one in (scene, other)]
     sizes = [1.0 + max(map(abs, row), default=0.0) for row in values]
@@ -66,7 +70,7 @@ def _same(scene, other):
         abs(a - b) <= SAME * min(sizes) for a, b in zip(*values, strict=True))
 
 
-def _rates(scene, sample):
+def _rates(scene: "Scene", sample: dict[str, float]) -> list[float]:
     """How the places and angles of all bodies change with the coordinates, as drawn."""
     nodes = [node for body in scene.bodies.values() if body.frame is not None
              for node in (*body.frame.place, body.frame.angle)]
@@ -100,14 +104,14 @@ def crowding(stage: "Scenery") -> float:
     return total
 
 
-def _runs_through(place, pair):
+def _runs_through(place: tuple[float, float], pair: "tuple[Attachment, Attachment]") -> bool:
     """Does a bearing stand in the way of what is joined between two ends?"""
     one, two = (end.drawn for end in pair)
     return min(plane.distance(place, one), plane.distance(place, two)) > NEAR and plane.distance(
         place, plane.nearest_on(place, one, two)) < NEAR
 
 
-def _pulleys(stage):
+def _pulleys(stage: "Scenery") -> list[tuple[float, float, float, float]]:
     """The boxes of pulleys without a body, and of bodies that ropes run about."""
     circles = [(at.drawn, radius) for at, radius in stage.ties.pegs]
     circles += [(stage.sketch.rim(name).drawn, max(radii)) for name, radii in stage.ties.radii.items()
@@ -115,7 +119,7 @@ def _pulleys(stage):
     return [plane.bounds(plane.circle(*circle)) for circle in circles]
 
 
-def _is_outside(name, stage):
+def _is_outside(name: str, stage: "Scenery") -> bool:
     """Does the mass centre of a body lie beyond the box about its pin and the places that it carries?"""
     pivot, places = stage.sketch.pivot(name), stage.ties.carried.get(name, ())
     if pivot is None or len(places) < 2:
@@ -126,7 +130,7 @@ def _is_outside(name, stage):
     return not (left - room <= x <= right + room and bottom - room <= y <= top + room)
 
 
-def _joined(one, two, sketch):
+def _joined(one: str, two: str | None, sketch: "Sketch") -> bool:
     """Is one of two bodies carried by the other, or drawn at the same place?"""
     if two is None or two not in sketch.scene.bodies:
         return False
@@ -144,14 +148,14 @@ def _joined(one, two, sketch):
     return plane.distance(sketch.centre(one), sketch.centre(two)) < 1e-6
 
 
-def _overlap(one, two):
+def _overlap(one: "Look", two: "Look") -> float:
     """The part of the smaller body that the boxes of two bodies share; thin rods and frames count for nothing."""
     if {"rod", "frame"} & {one.kind, two.kind} or not (one.outlines and two.outlines):
         return 0.0
     return _shared(*(plane.bounds([p for part in look.outlines for p in part.points]) for look in (one, two)))
 
 
-def _shared(a, b):
+def _shared(a: tuple[float, float, float, float], b: tuple[float, float, float, float]) -> float:
     """The part of the smaller of two boxes that they share."""
     wide, high = min(a[2], b[2]) - max(a[0], b[0]), min(a[3], b[3]) - max(a[1], b[1])
     if wide <= 1.0 or high <= 1.0:

@@ -5,7 +5,7 @@ from itertools import pairwise
 from math import sin
 from typing import TYPE_CHECKING, Any
 
-from vibcli.drawing.canvas.primitives import BODY, Circle, Hatch, Polygon, Polyline, Run
+from vibcli.drawing.canvas.primitives import BODY, Circle, Hatch, Polygon, Polyline, Primitive, Run
 from vibcli.drawing.layout import captions, gears, lettering, lumped_loads, plane, storeys, tube
 from vibcli.drawing.layout.lumped_place import Layout, LumpedPlace
 from vibcli.drawing.layout.rows import LumpedRow, carrier, motion
@@ -14,7 +14,10 @@ from vibcli.drawing.symbols.connection import between, named, symbol
 from vibcli.drawing.symbols.parts import ROW, offsets, rows, sides
 
 if TYPE_CHECKING:
+    from vibcli.drawing.layout.gears import Mesh
+    from vibcli.drawing.layout.rows import Edge
     from vibcli.drawing.layout.sketch import Sketch
+    from vibcli.elements.rigid_body import Body
     from vibcli.scene.scene import Scene
 
 BOX, LONG, DISC, GAP, LANE, STACK, NAME = 40.0, 68.0, 13.0, 64.0, 22.0, 18.0, 10.0
@@ -43,7 +46,7 @@ def layouts(found: Sequence[LumpedRow], sketch: "Sketch", left: float, top: floa
     return made
 
 
-def _row(row, sketch, left, top, known):
+def _row(row: LumpedRow, sketch: "Sketch", left: float, top: float, known: "Sequence[Mesh]") -> Layout:
     """The Layout of bodies on a floor or a shaft."""
     scene = sketch.scene
     turns = any(scene.bodies[name].lumped[0] == "turn" for name in row.bodies)
@@ -67,7 +70,7 @@ def _row(row, sketch, left, top, known):
     return Layout(row, places, left if walled else None, right, y, y + above - 12, sunk=lumped_loads.SUNK * pushed)
 
 
-def _shares(row, scene):
+def _shares(row: LumpedRow, scene: "Scene") -> tuple[float, float]:
     """(boxes, gaps): how much narrower than of few ones those of many bodies are, so that their row is no wider than a
     column of text."""
     bodies, gaps = sum(2 * _half(scene.bodies[name], scene) for name in row.bodies), GAP * (len(row.bodies) + 1)
@@ -77,7 +80,7 @@ def _shares(row, scene):
     return box * tight, gap * tight
 
 
-def _gap(row, column, sketch, share):
+def _gap(row: LumpedRow, column: int, sketch: "Sketch", share: float) -> float:
     """The room between two bodies, in which what is written beside its elements fits."""
     records = [edge.record for edge in row.gaps.get(column, ())]
     named = [captions.quantity(record, symbol(record).NAMED_BY, sketch) for record in records]
@@ -85,7 +88,7 @@ def _gap(row, column, sketch, share):
                 *(lettering.size(runs)[0] + MARGIN for runs in named)])
 
 
-def _half(body, scene, share=1.0):
+def _half(body: "Body", scene: "Scene", share: float = 1.0) -> float:
     """Half the width of a body in a row."""
     if body.lumped[0] == "turn":
         return DISC / 2
@@ -94,7 +97,7 @@ def _half(body, scene, share=1.0):
     return LONG / 2 if body.record.get("looks") == "bar" else BOX / 2 * share
 
 
-def _mesh(row, made, known):
+def _mesh(row: LumpedRow, made: list[Layout], known: "Sequence[Mesh]") -> "tuple[Mesh | None, Layout | None]":
     """The gears by which a row is driven from one above it: (Mesh, Layout), both None where there are none."""
     for mesh in known:
         for layout in made if not mesh.rack else ():
@@ -104,12 +107,12 @@ def _mesh(row, made, known):
     return None, None
 
 
-def _sized(layout, name, size, side):
+def _sized(layout: Layout, name: str, size: float, side: int) -> Layout:
     """A Layout with a gear of a radius."""
     return layout._replace(places={**layout.places, name: layout.places[name]._replace(height=size, gear=side)})
 
 
-def _meshed(layout, upper, mate, mesh):
+def _meshed(layout: Layout, upper: Layout, mate: str, mesh: "Mesh") -> Layout:
     """A row moved to below another one so that its gear meets `mate`, the other's, which may mesh with one above."""
     sizes, above = gears.sizes(mesh), upper.places[mate]
     (name,) = {*sizes} - {mate}
@@ -122,20 +125,20 @@ def _meshed(layout, upper, mate, mesh):
     return layout._replace(places=places, left=left, right=right, y=layout.y + dy, top=layout.top + dy)
 
 
-def _is_support(body, scene):
+def _is_support(body: "Body", scene: "Scene") -> bool:
     """Is this ground that is shaken: without mass, its motion a function of the time?"""
     mask = captions.raw(motion(body), scene).mask
     return body.mass is None and carrier(body) is None and bool(mask) and mask == scene.time.mask
 
 
-def _special(row, scene, left, top):
+def _special(row: LumpedRow, scene: "Scene", left: float, top: float) -> Layout | None:
     """The Layout of what is no row on a floor or shaft: storeys, or a column of liquid."""
     if storeys.is_one(row, scene):
         return storeys.layout(row, scene, left, top)
     return tube.layout(row, scene, left, top) if tube.is_one(row, scene) else None
 
 
-def _across(edges):
+def _across(edges: "Sequence[Edge]") -> float:
     """How much room elements between the same two take."""
     records = [edge.record for edge in edges]
     named = NAME if len(records) > 1 or rows(records[0]) > 1 else 0.0
@@ -171,7 +174,7 @@ def draw(layout: Layout, moved: Mapping[str, float],
     return found, where
 
 
-def _ends(layout, places, column, t):
+def _ends(layout: Layout, places: Mapping[str, LumpedPlace], column: int, t: float) -> tuple[plane.Place, plane.Place]:
     """Where the elements of a gap begin and end."""
     bodies = layout.row.bodies
     start = layout.left if column == 0 else places[bodies[column - 1]].middle[0] + places[bodies[column - 1]].half
@@ -179,7 +182,8 @@ def _ends(layout, places, column, t):
     return (start, layout.y + t - layout.sunk), (end, layout.y + t - layout.sunk)
 
 
-def _lane(layout, places, low, high, edge, lane, gap):
+def _lane(layout: Layout, places: dict[str, LumpedPlace], low: int, high: int, edge: "Edge", lane: int,
+          gap: Callable[[Any], float | None]) -> tuple[list[Any], dict[str, tuple[plane.Place, plane.Place]]]:
     """An element that runs over the bodies between its ends, and where its names belong."""
     y = layout.y + max(place.height for place in places.values()) + 31 + LANE * lane
     feet, (left, right) = _feet(layout, places, low, high), _feet(layout, layout.places, low, high)
@@ -189,24 +193,20 @@ def _lane(layout, places, low, high, edge, lane, gap):
             named(edge.record, start, end, (0.0, 1.0)))
 
 
-def _feet(layout, places, low, high):
+def _feet(layout: Layout, places: Mapping[str, LumpedPlace], low: int, high: int) -> list[tuple[float, float | None]]:
     """Where an element that runs over bodies stands on them: the heights are None at a wall."""
-    bodies, ends = layout.row.bodies, []
+    bodies = layout.row.bodies
+    ends: list[tuple[float, float | None]] = []
     for column, side in ((low, 1), (high, -1)):
         if column < 0 or column == len(bodies):
             ends.append(((layout.left if column < 0 else layout.right), None))
         else:
             place = places[bodies[column]]
-            ends.append((place.middle[0] + side * _leg(place), layout.y + place.height))
+            ends.append((place.middle[0] + side * place.leg, layout.y + place.height))
     return ends
 
 
-def _leg(place):
-    """How far from the middle of a body what runs over others stands on it."""
-    return max(place.half - 6, 0.0)
-
-
-def _box(place):
+def _box(place: LumpedPlace) -> list[Primitive]:
     x, y = place.middle
     if place.half == SUPPORT:
         return [Polygon(tuple(plane.box(place.middle, 2 * place.half, 2 * place.height)), "driven")]
@@ -215,7 +215,7 @@ def _box(place):
     return [Polygon(tuple(plane.box(place.middle, 2 * place.half, 2 * place.height))), *wheels]
 
 
-def _disc(place, angle):
+def _disc(place: LumpedPlace, angle: float) -> list[Primitive]:
     """A disc from the side; a mark on its rim shows how far it has turned."""
     x, y = place.middle
     level = y + place.height * sin(angle)
@@ -225,7 +225,7 @@ def _disc(place, angle):
             *([Polyline(((x - place.half, level), (x + place.half, level)), layer=BODY)] if angle else [])]
 
 
-def _walls(layout):
+def _walls(layout: Layout) -> list[Primitive]:
     """The ground: a floor under boxes, walls at the ends."""
     places = list(layout.places.values())
     if places[0].turns:
@@ -253,7 +253,7 @@ def label_places(place: LumpedPlace) -> list[tuple[float, float]]:
 
 
 def arrows(layout: Layout, scene: "Scene",
-           sketch: "Sketch") -> list[tuple[list[Polygon | Polyline], tuple[Run, ...], list[tuple[Any, ...]], str]]:
+           sketch: "Sketch") -> list[tuple[list[Primitive], tuple[Run, ...], list[tuple[Any, ...]], str]]:
     """[(primitives, runs, places for them, role)] of the coordinates and loads of a row."""
     found, legged = [], {layout.row.bodies[low] for low, *_ in layout.row.lanes if low >= 0}
     for name, place in layout.places.items():
@@ -265,7 +265,7 @@ def arrows(layout: Layout, scene: "Scene",
         if place.gear == 2:             # beside the pinion
             x += 0.25 * place.half
         elif name in legged and layout.kind == "row" and not place.turns:       # beside what stands on it
-            x += _leg(place) + 4.0
+            x += place.leg + 4.0
         if place.gear == -1:            # away from the other gear
             y = place.middle[1] - place.height - 15
         if place.gear == 4:             # beside it
@@ -287,13 +287,13 @@ def arrows(layout: Layout, scene: "Scene",
     return found
 
 
-def _reach(layout):
+def _reach(layout: Layout) -> float:
     """How long the arrows of a row are."""
     xs = sorted(place.middle[0] for place in layout.places.values()) if layout.kind == "row" else []
     return min([ARROW, *(b - a - BEFORE for a, b in pairwise(xs) if b - a > BEFORE)])
 
 
-def _displacement(body, scene, sketch):
+def _displacement(body: "Body", scene: "Scene", sketch: "Sketch") -> tuple[Run, ...]:
     """The runs of how far a body is displaced or turned: of one that is carried, behind those of its carriers."""
     field, under = motion(body), carrier(body)
     own = captions.expression(field, sketch, 18) or lettering.words(field.text)

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 PUSH, ABOVE, SUNK, APART, MARGIN = 30.0, 17.0, 0.7, 14.0, 12.0
 
 
-def _forces(name, scene):
+def _forces(name: str, scene: "Scene") -> "list[Record]":
     """The Records of the forces on a body, in the order of the file."""
     return [record for record in (scene.spec.get("forces") or {}).values()
             if "force" in record and getattr(record.get("at"), "text", None) == name]
@@ -35,7 +35,7 @@ def width(row: "LumpedRow", column: int, sketch: "Sketch") -> float:
     return max((PUSH + MARGIN + lettering.size(_runs(record, "force", sketch))[0] for record in forces), default=0.0)
 
 
-def _runs(record, key, sketch):
+def _runs(record: "Record", key: str, sketch: "Sketch") -> tuple[Run, ...]:
     return captions.expression(record[key], sketch, 18) or lettering.named(record.name)
 
 

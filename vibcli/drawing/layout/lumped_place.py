@@ -14,11 +14,16 @@ class LumpedPlace(NamedTuple):
     """Where a lumped body stands: its middle, half its width and height, and whether it turns; `gear`: 1 of one with
     its mate below it, −1 of that, 4 of one between two, 2 of a rack, 3 of a gear on a rack alone."""
 
-    middle: tuple
+    middle: tuple[float, float]
     half: float
     height: float
     turns: bool
     gear: int = 0
+
+    @property
+    def leg(self) -> float:
+        """How far from its middle what runs over others stands on it."""
+        return max(self.half - 6, 0.0)
 
 
 class Layout(NamedTuple):
@@ -27,7 +32,7 @@ class Layout(NamedTuple):
     its elements are."""
 
     row: Any
-    places: dict
+    places: dict[str, LumpedPlace]
     left: float | None
     right: float | None
     y: float
@@ -48,7 +53,7 @@ def most(layouts: Sequence[Layout], positions: Sequence[Mapping[str, float]]) ->
     return found
 
 
-def _edges(layout):
+def _edges(layout: Layout) -> list[tuple[str, float]]:
     """[(a body that slides, its left edge), (the same, its right edge), …] from wall to wall, without name."""
     found = [("", layout.left)] if layout.left is not None else []
     for name in layout.row.bodies:

@@ -1,6 +1,6 @@
 """What a drawing cannot show, in words below it: elements without a place, equations, given energies and matrices."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.drawing.canvas.primitives import extent
@@ -11,6 +11,11 @@ from vibcli.notation.names import GREEK
 if TYPE_CHECKING:
     from vibcli.drawing.canvas.primitives import LetterRuns, Run
     from vibcli.drawing.layout.compose import Scenery
+    from vibcli.drawing.layout.rows import Edge
+    from vibcli.drawing.layout.sketch import Sketch
+    from vibcli.elements.rigid_body import Body
+    from vibcli.language.reader import Expression, Record
+    from vibcli.scene.scene import Scene
 
 SIZE, LEADING, MOST = 9.5, 15.0, 8
 
@@ -57,14 +62,14 @@ def of(stage: "Scenery") -> "list[tuple[Run, ...]]":
     return found
 
 
-def _shown(scene):
+def _shown(scene: "Scene") -> set[str]:
     """The names of the elements in rows that say no more than what is drawn of them."""
     from vibcli.drawing.layout import rows
 
     return {edge.record.name for edge in rows.edges(scene) if _is_plain(edge, scene, rows.motion)}
 
 
-def _held(stage):
+def _held(stage: "Scenery") -> "list[tuple[Run, ...]]":
     """What holds members to bodies in rows."""
     from vibcli.drawing.symbols.member_ends import held
 
@@ -73,7 +78,7 @@ def _held(stage):
             for side in ("left", "right") for word, name in held(strip.member, side) if name in standing]
 
 
-def _is_plain(edge, scene, motion):
+def _is_plain(edge: "Edge", scene: "Scene", motion: "Callable[[Body], Expression]") -> bool:
     """Is an element among lumped bodies stretched by how far they are apart, to either side? motion: of a body."""
     if "stretch" not in edge.record:
         return True
@@ -83,14 +88,14 @@ def _is_plain(edge, scene, motion):
     return any((stretch - sign * (two - one)).is_zero for sign in (1, -1))
 
 
-def _unplaced(record, sketch):
+def _unplaced(record: "Record", sketch: "Sketch") -> bool:
     """Does an element end at a point on a member that has no place?"""
     points = sketch.spec.get("member_points") or {}
     names = [getattr(end, "text", None) for end in record.get("between", ())]
     return any(name in points and name not in sketch.frames for name in names)
 
 
-def _tie(record, sketch):
+def _tie(record: "Record", sketch: "Sketch") -> "tuple[Run, ...]":
     """What an element joins: `tie: k between tip and block`."""
     ends = " and ".join(getattr(end, "text", "a place") for end in record["between"])
     runs = captions.quantity(record, symbol(record).NAMED_BY, sketch)
@@ -98,7 +103,7 @@ def _tie(record, sketch):
             for run in runs), *lettering.words(f" between {ends}", SIZE))
 
 
-def _note(head, scene, *parts):
+def _note(head: str, scene: "Scene", *parts: "tuple[Expression, str]") -> "tuple[Run, ...]":
     from vibcli.drawing.layout.formulas import written
 
     runs = list(lettering.words(head, SIZE))

@@ -5,6 +5,7 @@ from functools import lru_cache
 from math import acos, atan2, cos, hypot, pi, sin, tau
 from typing import Any
 
+Place = tuple[float, float]
 FLAT, FINEST = 0.06, 0.01       # points by which a polyline may leave its arc; radians
 
 
@@ -61,14 +62,14 @@ def middle(a: tuple[float, float], b: tuple[float, float]) -> tuple[float, float
     return (a[0] + b[0]) / 2, (a[1] + b[1]) / 2
 
 
-def along(start: tuple[float, float], end: tuple[float, float]) -> Callable:
+def along(start: tuple[float, float], end: tuple[float, float]) -> Callable[..., tuple[float, float]]:
     """A map from (distance along start–end, distance to its left) to the plane."""
     e = unit(minus(end, start))
     n = left(e)
     return lambda s, t=0.0: (start[0] + s * e[0] + t * n[0], start[1] + s * e[1] + t * n[1])
 
 
-def around(centre: tuple[float, float], radius: float, start: float) -> Callable:
+def around(centre: tuple[float, float], radius: float, start: float) -> Callable[..., tuple[float, float]]:
     """As `along` on an arc: from the angle `start` on, counter-clockwise."""
     return lambda s, t=0.0: polar(centre, radius - t, start + s / radius)
 
@@ -85,7 +86,7 @@ def circle(centre: tuple[float, float], radius: float) -> list[tuple[float, floa
 
 
 @lru_cache(64)      # of one thing it is asked for its outline, its extent and the room that it takes
-def _circle(x, y, radius):
+def _circle(x: float, y: float, radius: float) -> list[tuple[float, float]]:
     return arc((x, y), radius, 0.0, tau)[:-1]
 
 

@@ -12,6 +12,7 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
     from vibcli.language.reader import Record
+    from vibcli.symbolic.node import Node
 
 LONG, CLOSE = 60.0, 1e-9        # points from the wall to the body; by which rates may differ
 
@@ -37,7 +38,7 @@ def prop(record: "Record", sketch: "Sketch") -> list[Attachment] | None:
     return None
 
 
-def _slopes(node, sketch):
+def _slopes(node: "Node", sketch: "Sketch") -> "dict[Node, float]":
     """{coordinate: constant slope of an expression along it}; infinite where it is none."""
     found = {q: slope for q, slope in gradient(node).items() if q in sketch.scene.q and not slope.is_zero}
     steady = {q: slope for q, slope in found.items() if not slope.mask}

@@ -1,5 +1,6 @@
 """Bodies without a place, laid out in rows along their axis: who stands where, and which element runs in which lane."""
 
+from collections.abc import Mapping, Sequence
 from itertools import permutations
 from typing import TYPE_CHECKING, Any
 
@@ -8,7 +9,7 @@ from vibcli.drawing.layout.captions import raw
 
 if TYPE_CHECKING:
     from vibcli.elements.rigid_body import Body
-    from vibcli.language.reader import Expression
+    from vibcli.language.reader import Expression, Record
     from vibcli.scene.scene import Scene
 
 BRUTE = 6       # bodies of a row up to which every order is tried
@@ -26,9 +27,9 @@ class LumpedRow(NamedTuple):
     """Bodies from left to right, `gaps`: {i: edges} between column i − 1 and i (0: at the left wall, n: at the right
     one), `lanes`: [(column, column, edge)] of what runs over bodies, −1 and n being the walls."""
 
-    bodies: list
-    gaps: dict
-    lanes: list
+    bodies: list[str]
+    gaps: "dict[int, list[Edge]]"
+    lanes: "list[tuple[int, int, Edge]]"
 
 
 def edges(scene: "Scene") -> list[Edge]:
@@ -41,7 +42,7 @@ def edges(scene: "Scene") -> list[Edge]:
     return found
 
 
-def _ends(record, scene):
+def _ends(record: "Record", scene: "Scene") -> tuple[str | None, str | None] | None:
     """The two ends of an element among lumped bodies; None of one that is elsewhere."""
     if "between" in record:
         names = [getattr(end, "text", None) for end in record["between"]]
@@ -59,12 +60,14 @@ def _ends(record, scene):
 
 def motion(body: "Body") -> "Expression":
     """The field that moves a lumped body."""
-    return body.record[body.lumped[0]]["by"]
+    found: Expression = body.record[body.lumped[0]]["by"]
+    return found
 
 
 def carrier(body: "Body") -> str | None:
     """The name of the lumped body from which its motion is measured; None of the ground."""
-    return getattr(body.record[body.lumped[0]].get("carrier"), "text", None)
+    found: str | None = getattr(body.record[body.lumped[0]].get("carrier"), "text", None)
+    return found
 
 
 def rows(scene: Any) -> list[LumpedRow]:
@@ -85,7 +88,7 @@ def rows(scene: Any) -> list[LumpedRow]:
     return found
 
 
-def _row(members, edges, massless):
+def _row(members: list[str], edges: list[Edge], massless: list[str]) -> LumpedRow:
     orders = permutations(members) if len(members) <= BRUTE else [tuple(members)]
     best = min(orders, key=lambda order: _cost(order, members, edges, massless))
     place = {name: i for i, name in enumerate(best)}
@@ -100,16 +103,18 @@ def _row(members, edges, massless):
     return LumpedRow(list(best), gaps, lanes)
 
 
-def _columns(edge, place):
+def _columns(edge: Edge, place: Mapping[str, int]) -> tuple[int, int]:
     """The columns of an edge, the nearer wall for the ground: the left one unless the right one is next to it."""
     n = len(place)
     if edge.one is None or edge.two is None:
         own = place[edge.one or edge.two]
         return (own, n) if own == n - 1 and own > 0 else (-1, own)
-    return tuple(sorted((place[edge.one], place[edge.two])))
+    first, last = sorted((place[edge.one], place[edge.two]))
+    return first, last
 
 
-def _cost(order, members, edges, massless=()):
+def _cost(order: tuple[str, ...], members: Sequence[str], edges: Sequence[Edge],
+          massless: Sequence[Any] = ()) -> tuple[float, list[int]]:
     place = {name: i for i, name in enumerate(order)}
     cost = 0.0
     for edge in edges:

@@ -1,11 +1,14 @@
 """How large a scene is drawn: all its places on one sheet, no spring too short to be seen."""
 
 from math import hypot
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.units import LENGTH
 from vibcli.drawing.layout import plane
 from vibcli.drawing.layout.ties import Ties
+
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.sketch import Sketch
 
 WIDE, HIGH, SHORT, GROWTH, ALONE = 300.0, 210.0, 46.0, 1.8, 90.0
 
@@ -34,7 +37,8 @@ def scale_of(sketch: Any) -> float:
     if size < 100.0:
         size = sketch.numbers["size"] = 0.0
         size = _curve(sketch)
-        return ALONE / (size * sketch.scale) if size else 1.0 / sketch.scale
+        result: float = ALONE / (size * sketch.scale) if size else 1.0 / sketch.scale
+        return result
     much = sum(len(sketch.spec.get(section) or ()) for section in ("bodies", "points", "forces"))
     much += len(sketch.spec.connections)
     share = min(1.5, max(0.62, 0.5 + 0.12 * much))
@@ -45,7 +49,7 @@ def scale_of(sketch: Any) -> float:
     return scale * min(GROWTH, max(1.0, SHORT / short))
 
 
-def _curve(sketch):
+def _curve(sketch: "Sketch") -> float | None:
     """A length in metres for a scene at one place: half the width of a curve, else the largest length among the
     parameters, else half the width of the path of a particle; None where there is none."""
     from vibcli.drawing.symbols import path, tracks
@@ -56,7 +60,7 @@ def _curve(sketch):
     return sizes[0]
 
 
-def _key_points(sketch):
+def _key_points(sketch: "Sketch") -> list[tuple[float, float]]:
     """All places of a scene as drawn, in the unit of the sketch."""
     found = []
     for body in sketch.scene.bodies.values():
@@ -76,7 +80,7 @@ def _key_points(sketch):
     return found
 
 
-def _given_lengths(sketch):
+def _given_lengths(sketch: "Sketch") -> list[float]:
     """The largest length among the parameters, in a list; empty where there is none."""
     dimensions = sketch.spec.dimensions
     found = [abs(sketch.values[name]) for name in sketch.spec.parameters

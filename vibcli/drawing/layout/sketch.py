@@ -4,7 +4,7 @@ Places are those of the drawing times the scale; letters stand for the sample va
 depends on the position, except through the frames of the bodies.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +14,8 @@ from vibcli.drawing.layout import plane
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
+    from vibcli.elements.member import Member
+    from vibcli.elements.member_line import Station
     from vibcli.language.reader import Expression, Record, Reference
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
@@ -26,15 +28,15 @@ class Attachment(NamedTuple):
     edge of a box, where nothing shows that it is fastened."""
 
     carrier: str | None
-    drawn: tuple
+    drawn: tuple[float, float]
     loose: bool = False
 
 
 class DrawnFrame(NamedTuple):
     """Where a body's reference point was drawn and is now, and how far the body has turned."""
 
-    drawn: tuple
-    place: tuple
+    drawn: tuple[float, float]
+    place: tuple[float, float]
     angle: float
 
     def point(self, drawn: tuple[float, float]) -> tuple[float, float]:
@@ -49,8 +51,8 @@ class CordEnd(NamedTuple):
     as far as an expression says."""
 
     carrier: str
-    drawn: tuple
-    direction: tuple
+    drawn: tuple[float, float]
+    direction: tuple[float, float]
     moved: "Node"
 
 
@@ -61,14 +63,14 @@ class Sketch:
     """The scene at `values` ({symbol: number}), one metre being `scale` points; `numbers` are kept from one position
     to the next."""
 
-    def __init__(self, scene: "Scene", values: Mapping[str, float], scale: float = 1.0, numbers: Any = None):
+    def __init__(self, scene: "Scene", values: Mapping[str, float], scale: float = 1.0, numbers: Any = None) -> None:
         self.scene, self.spec, self.values, self.scale = scene, scene.spec, values, scale
         self.numbers = {} if numbers is None else numbers
         self.moving_points = {name: record for name, record in (scene.spec.get("points") or {}).items()
                               if "moves" in record}
         self.frames, self.lumped = self._frames()
 
-    def _member_points(self):
+    def _member_points(self) -> "Iterator[tuple[str, Member, Station]]":
         """(name, Member, Station) of points on members in the plane."""
         for name, record in (self.spec.get("member_points") or {}).items():
             member = self.scene.members.get(record["body"].text)
@@ -79,7 +81,7 @@ class Sketch:
         """The same in another position."""
         return Sketch(self.scene, values, self.scale, self.numbers)
 
-    def _frames(self):
+    def _frames(self) -> tuple[dict[str, DrawnFrame], dict[str, float]]:
         """({name: Frame} of bodies and driven points, {name: motion} of lumped bodies)."""
         scene, nodes, names, lumps = self.scene, [], [], []
         for name, body in scene.bodies.items():
@@ -110,7 +112,7 @@ class Sketch:
         self.numbers.setdefault("cords", []).append(end)
         self.frames[end.carrier] = self._cord_end(end)
 
-    def _cord_end(self, end):
+    def _cord_end(self, end: CordEnd) -> DrawnFrame:
         moved, = evaluate([end.moved], Floats, self.values)
         return DrawnFrame(end.drawn, plane.plus(end.drawn, end.direction, moved * self.scale), 0.0)
 
@@ -122,7 +124,8 @@ class Sketch:
             if not isfinite(value):
                 raise PhysicsError(*TORN, expression.where)
             self.numbers[key] = value
-        return self.numbers[key]
+        found: float = self.numbers[key]
+        return found
 
     def length(self, expression: "Expression") -> float:
         return self.number(expression) * self.scale
@@ -130,7 +133,7 @@ class Sketch:
     def gap(self, record: "Record", unit: float) -> float | None:
         """The gap of an element on paper, one metre being `unit` points; None of one without, and at rest, where its
         size is not that of a motion."""
-        factor = self.numbers.get("magnified")
+        factor: float | None = self.numbers.get("magnified")
         return None if factor is None or "gap" not in record else self.number(record["gap"]) * factor * unit
 
     def pair(self, expressions: "Sequence[Expression]") -> tuple[float, float]:
@@ -140,7 +143,7 @@ class Sketch:
         """The mass centre of a body as drawn."""
         return self._kept(("centre", name), self.scene.bodies[name].centre)
 
-    def _kept(self, key, place):
+    def _kept(self, key: tuple[str, str], place: "tuple[Node, Node]") -> tuple[float, float]:
         """A place as drawn, evaluated once."""
         if key not in self.numbers:
             self.numbers[key] = [self.scene.number(part) for part in place]

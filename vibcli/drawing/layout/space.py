@@ -1,6 +1,6 @@
 """Room on paper: which cells of a fine grid are taken, and where a word or an arrow fits best."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from itertools import pairwise
 from math import ceil, cos, floor, hypot, inf, pi, sin
@@ -28,7 +28,7 @@ ROUNDED = 1e-9                              # by which costs may differ that are
 class Space:
     """The cells that a drawing takes, with the cost of writing over them."""
 
-    def __init__(self, primitives: Sequence[Any] = ()):
+    def __init__(self, primitives: Sequence[Any] = ()) -> None:
         self.cells, self.barred, self.kept, self.coils, self.beside = {}, set(), set(), set(), set()
         self.add(primitives)
 
@@ -56,7 +56,7 @@ class Space:
                 elif part.layer == LEADER or (part.layer == BODY and getattr(part, "fill", 0)):
                     self.barred |= keys         # leaders may lie on one another
 
-    def _taken(self, keys, cost):
+    def _taken(self, keys: Sequence[int] | set[int], cost: float) -> None:
         """Let some cells cost so much at least."""
         cells = self.cells
         for key in keys:
@@ -84,7 +84,7 @@ class Space:
         for i, column in _columns((box[0] - side, box[1], box[2] + side, box[3])):
             within = left <= i <= right
             for key in column:
-                cost = get(key, 0.0)
+                cost: float = get(key, 0.0)
                 if cost == INKED:
                     cost = WORDED
                 elif within and cost < NEAR and key in beside:
@@ -100,7 +100,8 @@ class Space:
     def path(self, points: Sequence[tuple[float, float]]) -> float:
         """The cost of a line along a path."""
         get = self.cells.get
-        return sum([get(key, 0.0) for key in _cells_of(tuple(points))])
+        found: float = sum([get(key, 0.0) for key in _cells_of(tuple(points))])
+        return found
 
     def arrow(self, points: Sequence[tuple[float, float]], within: float = FILLED) -> float:
         """The cost of an arrow along a path, which is to cross nothing that is kept clear; `within`: that of a cell
@@ -155,7 +156,7 @@ class Space:
         return lettering.text(runs, best[1][0], best[1][1], role)
 
 
-def _columns(box):
+def _columns(box: tuple[float, float, float, float]) -> Iterator[tuple[int, range]]:
     """(i, its cells in a box) of each column i."""
     left, bottom, right, top = box
     first, last = floor(bottom / CELL), floor(top / CELL) + 1
@@ -163,7 +164,8 @@ def _columns(box):
         yield i, range(i * COLUMN + first, i * COLUMN + last)
 
 
-def _beside(stroke, distance):
+def _beside(stroke: tuple[tuple[float, float], tuple[float, float]],
+            distance: float) -> tuple[tuple[float, float], tuple[float, float]]:
     """A straight line as far on the left of another."""
     (ax, ay), (bx, by) = stroke
     share = distance / (hypot(bx - ax, by - ay) or 1.0)
@@ -172,7 +174,7 @@ def _beside(stroke, distance):
 
 
 @lru_cache(64)      # one line is asked for several costs
-def _cells_of(points):
+def _cells_of(points: tuple[tuple[float, float], ...]) -> list[int]:
     """The cells along a polyline, some of them twice."""
     found = []
     for (ax, ay), (bx, by) in pairwise(points):
@@ -183,7 +185,7 @@ def _cells_of(points):
     return found
 
 
-def _cells_through(points):
+def _cells_through(points: tuple[tuple[float, float], ...]) -> set[int]:
     """All cells that a polyline passes: none that crosses it does so between two of them."""
     ends = [floor(x / CELL) * COLUMN + floor(y / CELL) for x, y in points]
     found = set(ends)
@@ -197,12 +199,12 @@ def _cells_through(points):
     return found
 
 
-def _cuts(a, b):
+def _cuts(a: float, b: float) -> list[float]:
     """The parts of the way from a to b at which whole numbers lie."""
     return [(i - a) / (b - a) for i in range(ceil(min(a, b)), floor(max(a, b)) + 1)] if a != b else []
 
 
-def _cells_within(points):
+def _cells_within(points: Sequence[tuple[float, float]]) -> list[int]:
     """The cells inside an outline, row by row."""
     ys = [y for _, y in points]
     crossed = {j: [] for j in range(ceil(min(ys) / CELL), floor(max(ys) / CELL) + 1)}

@@ -1,6 +1,7 @@
 """Ropes that hang from a fixed place and that a scene does not name: a wheel goes up and down along one, about which it
 turns without slip."""
 
+from collections.abc import Sequence
 from math import hypot
 from typing import TYPE_CHECKING
 
@@ -41,24 +42,24 @@ def ropes(sketch: "Sketch", known: "list[Implied]", ends: "list[tuple[Attachment
     return found
 
 
-def _roped(sketch):
+def _roped(sketch: "Sketch") -> set[str]:
     """Bodies about which ropes run that the scene names."""
     stops = [stop for record in (sketch.spec.get("constraints") or {}).values() for stop in record.get("rope", ())]
     return {getattr(end, "text", None) for stop in stops if hasattr(stop, "values") for end in stop.values()}
 
 
-def _still_side(rates, up, radius):
+def _still_side(rates: Sequence[tuple[float, float, float]], up: tuple[float, float], radius: float) -> int:
     """1 where the rim stands still on the left of a wheel that goes up and down, −1 on its right; 0 elsewhere."""
     moving = [rate for rate in rates if any(rate)]
     for side in (1, -1):
-        if moving and all(abs(plane.across(up, rate[:2])) < implied.CLOSE and abs(
-                plane.dot(rate[:2], up) - side * radius * rate[2]) < implied.CLOSE * hypot(*rate[:2])
-                for rate in moving):
+        if moving and all(abs(plane.across(up, (x, y))) < implied.CLOSE and abs(
+                plane.dot((x, y), up) - side * radius * turn) < implied.CLOSE * hypot(x, y) for x, y, turn in moving):
             return side
     return 0
 
 
-def _rope(wheel, radius, side, up, sketch, known, ends) -> Standing:
+def _rope(wheel: str, radius: float, side: tuple[float, float], up: tuple[float, float], sketch: "Sketch",
+          known: "Sequence[Implied]", ends: "Sequence[tuple[Attachment, Attachment]]") -> Standing:
     """The rope at one side of a wheel, as high as the highest fixed place; to what is fastened to its rim."""
     centre = sketch.rim(wheel).drawn
     high = [plane.dot(plane.minus(end.drawn, centre), up) for pair in ends for end in pair

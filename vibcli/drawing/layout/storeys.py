@@ -1,15 +1,15 @@
 """Storeys above one another: girders on columns, which the springs between them stand for; ground, shaken or not."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from vibcli.drawing.canvas.primitives import BEHIND, SURFACE, Hatch, Polygon, Polyline
+from vibcli.drawing.canvas.primitives import BEHIND, SURFACE, Hatch, Polygon, Polyline, Primitive
 from vibcli.drawing.layout import plane
 from vibcli.drawing.layout.lumped_place import Layout, LumpedPlace
 from vibcli.drawing.symbols.connection import symbol
 
 if TYPE_CHECKING:
-    from vibcli.drawing.layout.rows import LumpedRow
+    from vibcli.drawing.layout.rows import Edge, LumpedRow
     from vibcli.scene.scene import Scene
 
 HALF, THICK, STOREY, COLUMN, BASE, ASIDE, STEPS = 48.0, 9.0, 62.0, 40.0, 3.5, 56.0, 12
@@ -60,7 +60,8 @@ def draw(layout: Layout,
     return found, where
 
 
-def _levels(edge, layout, moved, x):
+def _levels(edge: "Edge", layout: Layout, moved: Mapping[str, float],
+            x: float) -> tuple[tuple[float, float], tuple[float, float]]:
     """The middle of the upper side of what is below an element, and that of the lower side of what is above."""
     names = sorted((name for name in (edge.one, edge.two) if name), key=lambda name: layout.places[name].middle[1])
     tops = [(x, layout.y)] if len(names) == 1 else []
@@ -69,9 +70,11 @@ def _levels(edge, layout, moved, x):
     return tops[0], plane.plus(tops[1], (0.0, -2 * layout.places[names[-1]].height))
 
 
-def _storey(edges, low, high):
+def _storey(edges: "Sequence[Edge]", low: tuple[float, float],
+            high: tuple[float, float]) -> tuple[list[Primitive], dict[str, tuple[plane.Place, plane.Place]]]:
     """Columns for the springs between two girders, what else there is aslant between them."""
-    found, where = [], {}
+    found: list[Primitive] = []
+    where = {}
     springs = [edge.record for edge in edges if edge.record.element.name == "spring"]
     others = [edge.record for edge in edges if edge.record.element.name != "spring"]
     for side in (-1, 1) if springs else ():
@@ -86,7 +89,7 @@ def _storey(edges, low, high):
     return found, where
 
 
-def _column(foot, head):
+def _column(foot: tuple[float, float], head: tuple[float, float]) -> Polyline:
     """A column, clamped at both ends: it bends as 3s² − 2s³."""
     points = []
     for i in range(STEPS + 1):

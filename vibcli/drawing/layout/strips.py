@@ -10,6 +10,8 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
+    from vibcli.elements.member import Member
+    from vibcli.scene.scene import Scene
 
 LONGEST, LEAST, ROW, MARGIN = 250.0, 110.0, 96.0, 50.0     # points: lengths of members without a place, their distance
 SAME = 1e-9                                                 # of a length: nearer places are one
@@ -24,12 +26,12 @@ class Strip(NamedTuple):
 
     name: str
     member: Any
-    start: tuple
-    e: tuple
+    start: tuple[float, float]
+    e: tuple[float, float]
     scale: float
     metres: float
-    places: list
-    segments: list
+    places: list[float]
+    segments: list[tuple[float, float, float]]
     placed: bool
 
     def at(self, x: float, side: float = 0.0, along: float = 0.0) -> tuple[float, float]:
@@ -78,7 +80,8 @@ def strips(sketch: "Sketch", left: float, top: float) -> list[Strip]:
     return found
 
 
-def _strip(name, member, start, e, scale, scene):
+def _strip(name: str, member: "Member", start: tuple[float, float], e: tuple[float, float], scale: float,
+           scene: "Scene") -> Strip:
     number = scene.number
     sizes = [1.0 if part.stiffness is None else max(number(part.stiffness), 1e-300) for part in member.segments]
     power, most = POWERS.get(member.kind.name, 0.0), max(sizes)
@@ -99,13 +102,13 @@ def resting(strip: Strip, values: Mapping[str, float]) -> Callable[[Sequence[flo
     flat = evaluate(nodes, Floats, values)
     rows = [flat[i:i + 3] for i in range(0, len(flat), 3)]
 
-    def at(places):
+    def at(places: "Sequence[float]") -> "list[tuple[float, float]]":
         return [_between(strip.places, rows, x, member.kind.bends) for x in places]
 
     return at
 
 
-def _between(places, rows, x, bends):
+def _between(places: list[float], rows: Sequence[list[float]], x: float, bends: bool) -> tuple[float, float]:
     if len(places) < 2:
         return (rows[0][0], rows[0][1]) if rows else (0.0, 0.0)
     i = min(max(bisect_right(places, x) - 1, 0), len(places) - 2)

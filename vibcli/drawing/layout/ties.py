@@ -1,12 +1,16 @@
 """What the records of a scene say of a body beside its own: the radii on which ropes, belts and gears run, what it
 carries, and the places at which anything is joined."""
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.drawing.layout import plane
 
 if TYPE_CHECKING:
+    from vibcli.drawing.layout.implied import Implied
     from vibcli.drawing.layout.sketch import Sketch
+    from vibcli.elements.rigid_body import Body
+    from vibcli.language.reader import Expression, Record, Reference
 
 SIDES = ("over", "under", "left_of", "right_of")
 
@@ -19,7 +23,7 @@ class Ties:
     fixed places, `cords`: those that an element without ends stretches, `hinges`: [Attachment] of pins that are
     not named."""
 
-    def __init__(self, sketch: "Sketch"):
+    def __init__(self, sketch: "Sketch") -> None:
         self.radii, self.carried, self.surfaces, self.slots = {}, {}, {}, {}
         self.toothed, self.rims, self.arms, self.pegs, self.ends = set(), set(), set(), [], []
         for record in (sketch.spec.get("points") or {}).values():
@@ -45,7 +49,7 @@ class Ties:
         self.roped = bool(self.implied or self.standing or self.cords) or any(
             "rope" in record for record in (sketch.spec.get("constraints") or {}).values())
 
-    def _unnamed(self, keys, sketch):
+    def _unnamed(self, keys: set[str], sketch: "Sketch") -> None:
         """Pins and ropes that the records do not name, which those of bodies with some keys may need."""
         if "move" in keys:
             from vibcli.drawing.layout.joined import hinges
@@ -65,7 +69,7 @@ class Ties:
 
             self.standing = standing.ropes(sketch, ropes, self.ends)
 
-    def _body(self, body, sketch):
+    def _body(self, body: "Body", sketch: "Sketch") -> None:
         if body.name not in sketch.frames:
             return
         record = body.record
@@ -80,7 +84,7 @@ class Ties:
         if "radius" in record.get("roll", ()):
             self._rim(body.name, sketch.length(record["roll"]["radius"]))
 
-    def _implied(self, rope, sketch):
+    def _implied(self, rope: "Implied", sketch: "Sketch") -> None:
         """A rope; where it has no length its end is fastened to the wheel itself."""
         self.fastened.add(rope.weight)
         ends = sketch.rim(rope.wheel).drawn, sketch.centre(rope.weight)
@@ -93,21 +97,21 @@ class Ties:
         if rope.over:
             self._rim(rope.weight, rope.over)
 
-    def _carries(self, carrier, place):
+    def _carries(self, carrier: str | None, place: tuple[float, float]) -> None:
         if carrier is not None:
             self.carried.setdefault(carrier, []).append(place)
 
-    def _rim(self, name, radius):
+    def _rim(self, name: str, radius: float) -> None:
         known = self.radii.setdefault(name, [])
         if not any(abs(radius - other) < 1e-6 * radius for other in known):
             known.append(radius)
 
-    def _joined(self, ends, sketch):
+    def _joined(self, ends: "Sequence[list[Expression] | Reference] | None", sketch: "Sketch") -> None:
         found = [sketch.attachment(end) for end in ends or ()]
         if found and None not in found:
             self.ends.append(tuple(found))
 
-    def _constraint(self, record, sketch):
+    def _constraint(self, record: "Record", sketch: "Sketch") -> None:
         for kind in ("gear", "belt"):
             if kind in record:
                 self._pair(record, kind, sketch)
@@ -117,7 +121,7 @@ class Ties:
             if hasattr(stop, "values"):
                 self._pulley(stop, sketch)
 
-    def _pair(self, record, kind, sketch):
+    def _pair(self, record: "Record", kind: str, sketch: "Sketch") -> None:
         names, scene = [name.text for name in record[kind]], sketch.scene
         for name, radius in zip(names, record.get("radii", ()), strict=False):
             self._rim(name, sketch.length(radius))
@@ -130,7 +134,7 @@ class Ties:
             if "carrier" in record:
                 self.arms.add(record["carrier"].text)
 
-    def _pulley(self, stop, sketch):
+    def _pulley(self, stop: "Record", sketch: "Sketch") -> None:
         on = stop[next(side for side in SIDES if side in stop)]
         radius = sketch.length(stop["radius"]) if "radius" in stop else None
         name = getattr(on, "text", None)

@@ -43,7 +43,7 @@ def draw(layout: Layout,
     return [Polygon(tuple(liquid), layer=BEHIND), *(Polyline(tuple(wall), width=1.8) for wall in walls), *rest], {}
 
 
-def _bend(x, low, radius, left, right):
+def _bend(x: float, low: float, radius: float, left: float, right: float) -> list[tuple[float, float]]:
     """Down one leg to `low`, half round and up the other, from the height `left` to the height `right`."""
     return [(x - radius, left), *plane.arc((x, low), radius, pi, 2 * pi), (x + radius, right)]
 

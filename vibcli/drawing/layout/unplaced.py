@@ -1,15 +1,20 @@
 """What of a scene is laid out below what has a place: rows of bodies without one, members below one another, and what
 ties these to each other."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from vibcli.drawing.canvas.primitives import SURFACE, Polyline, extent
+from vibcli.drawing.canvas.primitives import SURFACE, Polyline, Primitive, extent
 from vibcli.drawing.layout import plane
 
 if TYPE_CHECKING:
     from vibcli.drawing.layout.compose import Scenery
+    from vibcli.drawing.layout.hung import Hung
+    from vibcli.drawing.layout.lumped_place import Layout
+    from vibcli.drawing.layout.rows import LumpedRow
     from vibcli.drawing.layout.sketch import Sketch
+    from vibcli.drawing.layout.strips import Strip
+    from vibcli.scene.scene import Scene
 
 BELOW, CLEAR, STACKED = 40.0, 60.0, 20.0    # points to the first row, below a member, for each length above the first
 ASIDE = 20.0        # points from the right end of the rows above to what one of them winds up
@@ -30,7 +35,7 @@ def laid_out(sketch: "Sketch", left: float, top: float) -> tuple[list[Any], list
     return hung, rows, wound, strips
 
 
-def _apart(strips, sketch):
+def _apart(strips: "Sequence[Strip]", sketch: "Sketch") -> "list[Strip]":
     """The same members, those without a place as far below one another as what hangs on them asks for."""
     from vibcli.drawing.layout.drawn_members import along
 
@@ -46,14 +51,14 @@ def _apart(strips, sketch):
     return made
 
 
-def _stacked(strip):
+def _stacked(strip: "Strip") -> int:
     """How many lengths along a member stand above the first."""
     record, ends = strip.member.record, strip.metres * (1 - 1e-9)
     parts = [part for part in record.get("segments", (record,)) if "length" in part]
     return max(0, len(parts[:2]) + len({x for x in strip.places if 0.0 < x < ends} if "attached" in record else ()) - 2)
 
 
-def _rows(sketch, left, top):
+def _rows(sketch: "Sketch", left: float, top: float) -> "tuple[list[Hung], list[Layout], list[tuple[str, str]]]":
     """The Hung, the Layouts of rows, and what they wind up."""
     from vibcli.drawing.layout import gears, hung, lumped, rows
 
@@ -65,7 +70,7 @@ def _rows(sketch, left, top):
     return hanging, [_aside(layout, found, wound) for layout in found], wound
 
 
-def _aside(layout, found, wound):
+def _aside(layout: "Layout", found: "Sequence[Layout]", wound: Sequence[tuple[str, str]]) -> "Layout":
     """A row between no walls, on the right of the rows above it where one of these winds it up: its rope then crosses
     no shaft."""
     above = [other for other in found if other.y > layout.y]
@@ -78,7 +83,7 @@ def _aside(layout, found, wound):
                                    for name, place in layout.places.items()})
 
 
-def _held_alone(scene):
+def _held_alone(scene: "Scene") -> set[str]:
     """The bodies without a place to which members are held: they are drawn there."""
     if not scene.members:
         return set()
@@ -88,7 +93,7 @@ def _held_alone(scene):
             for side in ("left", "right") for _, name in held(one, side)}
 
 
-def _only(row, held):
+def _only(row: "LumpedRow", held: set[str]) -> bool:
     return len(row.bodies) == 1 and row.bodies[0] in held and not row.gaps and not row.lanes
 
 
@@ -112,9 +117,10 @@ def draw(stage: "Scenery", sketch: "Sketch", unit: float,
     return found + _ropes(stage, sketch, unit), where
 
 
-def _ropes(stage, sketch, unit):
+def _ropes(stage: "Scenery", sketch: "Sketch", unit: float) -> list[Primitive]:
     """Dashed lines between rows of which one winds the other up."""
-    places, found = {name: place for layout in stage.rows for name, place in layout.places.items()}, []
+    places = {name: place for layout in stage.rows for name, place in layout.places.items()}
+    found: list[Primitive] = []
     for drum, load in stage.wound:
         above, below = places[drum], places[load]
         head = below.middle[0] + sketch.lumped[load] * unit, below.middle[1] + below.height

@@ -33,14 +33,14 @@ def values(nodes: "Sequence[Node]", sketch: "Sketch",
     return [[0.0] * len(nodes) for _ in places]
 
 
-def _at(instant, nodes, sketch, place):
+def _at(instant: float, nodes: "Sequence[Node]", sketch: "Sketch", place: Mapping[str, float]) -> list[float]:
     """The values of some nodes at an instant; at all but the first each coordinate has the rate 1."""
     rate = float(bool(instant))
     known = {**sketch.values, **place, sketch.scene.time.name: instant}
     return evaluate(nodes, _Blows, defaultdict(lambda: rate, known))
 
 
-def _begins(nodes, sketch):
+def _begins(nodes: "Sequence[Node]", sketch: "Sketch") -> list[float]:
     """When pulses of the nodes begin, and just after, in order; their arguments are linear in the time."""
     found = set()
     for call in reachable(nodes):

@@ -1,8 +1,9 @@
 """Which look each placed body has: that of its shape, else of what it does."""
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from vibcli.drawing.canvas.primitives import BODY, Polygon, Polyline
+from vibcli.drawing.canvas.primitives import BODY, Polygon, Polyline, Primitive
 from vibcli.drawing.layout import plane
 from vibcli.drawing.symbols import hulls
 from vibcli.drawing.symbols.look import BALL, Look, ball, teeth
@@ -11,7 +12,9 @@ from vibcli.drawing.symbols.posts import with_posts
 if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
     from vibcli.drawing.layout.ties import Ties
+    from vibcli.drawing.symbols.shape import Outline
     from vibcli.elements.rigid_body import Body
+    from vibcli.language.reader import Record
 
 RIM, CORNER, KNOT, JOINED = 8.0, 4.5, 2.4, 4.0       # points; from a pin to what it lies on
 
@@ -58,7 +61,7 @@ def look_of(body: "Body", sketch: "Sketch", ties: "Ties") -> Look:
     return (_sliding(body, centre, sketch, ties) if "slide" in record else None) or _loose(body, centre, sketch, ties)
 
 
-def _sliding(body, centre, sketch, ties):
+def _sliding(body: "Body", centre: tuple[float, float], sketch: "Sketch", ties: "Ties") -> Look | None:
     """A block, or a box on a straight surface; None on others."""
     if "surface" not in body.record["slide"]:
         from vibcli.drawing.symbols.sliding import block
@@ -72,7 +75,7 @@ def _sliding(body, centre, sketch, ties):
     return resting(centre, surface, sketch)
 
 
-def _shaped(record, sketch, ties):
+def _shaped(record: "Record", sketch: "Sketch", ties: "Ties") -> Look:
     from vibcli.drawing.symbols.shape import outline
 
     toothed = record.name in ties.toothed
@@ -94,14 +97,14 @@ def _shaped(record, sketch, ties):
     return Look(pieces, record.get("shape", "parts"), core)
 
 
-def _spokes(pivot, points):
+def _spokes(pivot: tuple[float, float], points: Sequence[tuple[float, float]]) -> list[Primitive]:
     """What joins the ends of an arch to a pin beside it."""
     if min(plane.distance(pivot, point) for point in points) < JOINED:
         return []
     return [Polyline((points[0], pivot, points[-1]), width=0.9, layer=BODY)]
 
 
-def _piece(part):
+def _piece(part: "Outline") -> Primitive:
     if not part.closed:
         return Polyline(tuple(part.points), width=3.0, layer=BODY)
     if part.band:
@@ -109,7 +112,7 @@ def _piece(part):
     return Polygon(tuple(part.points), "paper" if part.cut else "body")
 
 
-def _radii(name, centre, ties):
+def _radii(name: str, centre: tuple[float, float], ties: "Ties") -> list[float]:
     """The radii of a wheel, that at which it carries places included."""
     radii = sorted(ties.radii[name], reverse=True)
     far = [plane.distance(centre, place) for place in ties.carried.get(name, ())]
@@ -118,13 +121,13 @@ def _radii(name, centre, ties):
     return radii
 
 
-def _rim(centre, radius):
+def _rim(centre: tuple[float, float], radius: float) -> Look:
     """A gear with inner teeth."""
     rim = plane.circle(centre, radius + RIM)
     return Look([Polygon(tuple(rim)), Polygon(tuple(teeth(plane.circle(centre, radius))), "paper")], "rim")
 
 
-def _wheel(centre, radii, toothed):
+def _wheel(centre: tuple[float, float], radii: Sequence[float], toothed: bool) -> Look:
     rims = [Polygon(tuple(plane.circle(centre, radius)), "body" if i == 0 else "inner") for i, radius in
             enumerate(radii)]
     if toothed:
@@ -132,7 +135,7 @@ def _wheel(centre, radii, toothed):
     return Look(rims, "wheel")
 
 
-def _loose(body, centre, sketch, ties):
+def _loose(body: "Body", centre: tuple[float, float], sketch: "Sketch", ties: "Ties") -> Look:
     """A body that moves freely: a bar through the places that it carries, else a ball, small where it is a corner
     of a frame, which has no mass."""
     carried = [place for place in ties.carried.get(body.name, ()) if plane.distance(place, centre) > 1e-6]

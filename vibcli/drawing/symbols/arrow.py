@@ -4,7 +4,7 @@ from math import cos, pi, sin
 from typing import Any
 
 from vibcli.drawing.canvas.primitives import ARROW as ARROW
-from vibcli.drawing.canvas.primitives import Polygon
+from vibcli.drawing.canvas.primitives import Polygon, Primitive
 from vibcli.drawing.canvas.primitives import Polyline as Polyline
 from vibcli.drawing.layout import plane
 
@@ -37,7 +37,7 @@ def round_(centre: tuple[float, float], radius: float, start: float, end: float,
             head(tip, plane.unit(plane.minus(tip, base)), role)]
 
 
-def over(place: tuple[float, float], role: str, width: float = 1.2) -> list[Polygon | Polyline]:
+def over(place: tuple[float, float], role: str, width: float = 1.2) -> list[Primitive]:
     """An arrow round a shaft that is seen from the side."""
     angles = [1.15 * pi - 1.2 * pi * i / 16 for i in range(17)]
     points = [(place[0] + 12.0 * cos(angle), place[1] + 5.0 * sin(angle)) for angle in angles]

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from math import pi
 from typing import TYPE_CHECKING, Any
 
-from vibcli.drawing.canvas.primitives import BEHIND, BODY, Circle, Hatch, Polygon, Polyline
+from vibcli.drawing.canvas.primitives import BEHIND, BODY, Circle, Hatch, Polyline, Primitive
 from vibcli.drawing.layout import plane
 from vibcli.drawing.symbols import footing, hulls, joint, support
 from vibcli.drawing.symbols.connection import snapped
@@ -27,7 +27,7 @@ def draw(sketch: "Sketch", looks: "Mapping[str, Look]", room: Mapping[str, tuple
     return found + _pins(sketch, looks) + _clamps(sketch, looks)
 
 
-def carried(part: Circle | Polygon | Polyline, frame: "DrawnFrame") -> Circle | Polygon | Polyline:
+def carried(part: Primitive, frame: "DrawnFrame") -> Primitive:
     """A primitive as drawn, moved with a frame."""
     if isinstance(part, Circle):
         return part._replace(centre=frame.point(part.centre))
@@ -51,7 +51,8 @@ def rail_of(name: str, sketch: "Sketch") -> str | None:
     slide = sketch.scene.bodies[name].record.get("slide", {})
     carrier = slide["carrier"].text if "carrier" in slide and "surface" not in slide else None
     record = sketch.scene.bodies[carrier].record if carrier in sketch.scene.bodies else {}
-    return carrier if "pin" in record and not {"shape", "parts"} & set(record) else None
+    found: str | None = carrier if "pin" in record and not {"shape", "parts"} & set(record) else None
+    return found
 
 
 def along(name: str, sketch: "Sketch") -> tuple[float, float]:
@@ -60,7 +61,7 @@ def along(name: str, sketch: "Sketch") -> tuple[float, float]:
     return plane.unit(sketch.pair(slide["along"])) if "along" in slide else (1.0, 0.0)
 
 
-def _rail(name, sketch, room):
+def _rail(name: str, sketch: "Sketch", room: Mapping[str, tuple[float, float]]) -> list[Any]:
     """The rod under a body that slides along it, as far as it goes in a motion."""
     if name not in room or name not in sketch.scene.bodies or (carrier := rail_of(name, sketch)) is None:
         return []
@@ -71,7 +72,7 @@ def _rail(name, sketch, room):
     return [carried(rod, sketch.frames[carrier])]
 
 
-def _pins(sketch, looks):
+def _pins(sketch: "Sketch", looks: "Mapping[str, Look]") -> list[Primitive]:
     """A hinge at every pin; a bearing where it is on the ground, higher where a spiral spring winds about it."""
     found, grounded = [], {}
     wound = {_rounded(at.drawn) for record, at, _, other in joint.elements(sketch)
@@ -88,7 +89,7 @@ def _pins(sketch, looks):
     return found
 
 
-def _clamps(sketch, looks):
+def _clamps(sketch: "Sketch", looks: "Mapping[str, Look]") -> list[Any]:
     """A wall where a body is clamped to the ground, upright or level, away from its mass centre."""
     found = []
     for name in looks:
@@ -101,13 +102,13 @@ def _clamps(sketch, looks):
     return found
 
 
-def _rounded(place):
+def _rounded(place: tuple[float, float]) -> tuple[float, float]:
     return round(place[0], 3), round(place[1], 3)
 
 
 def down_of(place: tuple[float, float], points: Sequence[tuple[float, float]]) -> tuple[float, float]:
     """The direction of the ground from a bearing: that in which its bodies reach least; below, if it can be."""
-    def reach(direction):
+    def reach(direction: "tuple[float, float]") -> float:
         return max(plane.dot(plane.minus(point, place), direction) for point in points)
 
     return min(((0.0, -1.0), (0.0, 1.0), (-1.0, 0.0), (1.0, 0.0)),
@@ -119,7 +120,7 @@ def fixed_pivots(sketch: "Sketch") -> set[tuple[float, float]]:
     return {_rounded(pivot.drawn) for pivot in sketch.pivots().values() if sketch.is_fixed(pivot.carrier)}
 
 
-def _floor(name, look, sketch, room):
+def _floor(name: str, look: "Look", sketch: "Sketch", room: tuple[float, float]) -> list[Primitive]:
     """The ground, and rollers, under a box that slides on it; guides beside one that slides upright."""
     if look.kind == "cam":
         return support.bearing(hulls.axle(look), (0.0, -1.0))
@@ -161,20 +162,20 @@ def _floor(name, look, sketch, room):
     return [*found, *support.floor(plane.plus(floor, e, (on - back) / 2), e, (on + back) / 2)]
 
 
-def _lies_flat(look):
+def _lies_flat(look: "Look") -> bool:
     """Is a side of a rectangle level?"""
     low, high = plane.corners(look.core)
     return plane.area(list(look.core)) > (1 - LEVEL) * (high[0] - low[0]) * (high[1] - low[1])
 
 
-def _hangs(name, sketch):
+def _hangs(name: str, sketch: "Sketch") -> bool:
     """Does anything hang from the pin of this body?"""
     _, y0 = sketch.centre(name)
     return any(pivot.carrier == name and sketch.centre(other)[1] < y0 - 1e-6
                for other, pivot in sketch.pivots().items())
 
 
-def _guides(name, box, sketch):
+def _guides(name: str, box: tuple[float, float, float, float], sketch: "Sketch") -> list[Any]:
     """Walls on either side of a body that slides upright and is pinned to others."""
     joined = any(pivot.carrier == name for pivot in sketch.pivots().values())
     for record in (sketch.spec.get("constraints") or {}).values():

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.drawing.canvas.primitives import Hatch, Polygon, Polyline
+from vibcli.drawing.canvas.primitives import Polyline, Primitive
 from vibcli.drawing.layout import plane
 from vibcli.drawing.layout.sketch import Attachment, Sketch
 from vibcli.drawing.symbols import SYMBOLS, support
@@ -25,7 +25,7 @@ class Bunch(NamedTuple):
     """The Records of elements with the same ends, between two Attachments at the edges of bodies; `aside`: how far on
     the left of these they lie, as they would lie along a body."""
 
-    members: list
+    members: "list[Record]"
     one: Attachment
     two: Attachment
     aside: float = 0.0
@@ -47,7 +47,8 @@ def symbol(record: "Record") -> "ModuleType":
 def between(record: "Record", start: tuple[float, float], end: tuple[float, float], drawn: float,
             gap: float | None) -> list[Any]:
     """What joins two places; gap: that of a spring in motion, in points."""
-    return symbol(record).between(record, start, end, drawn, *(() if gap is None else (gap,)))
+    found: list[Any] = symbol(record).between(record, start, end, drawn, *(() if gap is None else (gap,)))
+    return found
 
 
 def bunches(sketch: Sketch, looks: "Mapping[str, Look]") -> list[Bunch]:
@@ -62,7 +63,7 @@ def bunches(sketch: Sketch, looks: "Mapping[str, Look]") -> list[Bunch]:
     return [_beside_bodies(Bunch(members, *_at_edges(ends, looks)), looks) for ends, members in found.values()]
 
 
-def _beside_bodies(bunch, looks):
+def _beside_bodies(bunch: Bunch, looks: "Mapping[str, Look]") -> Bunch:
     """The Bunch, from the ground to a thin body along which it would run on the right of that."""
     at, length = plane.along(bunch.one.drawn, bunch.two.drawn), plane.distance(bunch.one.drawn, bunch.two.drawn)
     carried = [end.carrier for end in (bunch.one, bunch.two) if end.carrier is not None]
@@ -76,7 +77,7 @@ def _beside_bodies(bunch, looks):
     return bunch._replace(aside=ASIDE if bunch.two.drawn[1] < bunch.one.drawn[1] else -ASIDE)
 
 
-def _ends(record, sketch):
+def _ends(record: "Record", sketch: Sketch) -> list[Attachment | None]:
     """The Attachments of an element, None among them if it has no two places."""
     if "torsion" in record:
         return [None]
@@ -87,13 +88,13 @@ def _ends(record, sketch):
     return prop(record, sketch) or [None]
 
 
-def _at_edges(ends, looks):
+def _at_edges(ends: list[Attachment], looks: "Mapping[str, Look]") -> tuple[Attachment, Attachment]:
     """The ends where they leave the bodies as drawn."""
     one, two = _on_planks(ends, looks)
     return _edge(one, two.drawn, looks), _edge(two, one.drawn, looks)
 
 
-def _on_planks(ends, looks):
+def _on_planks(ends: list[Attachment], looks: "Mapping[str, Look]") -> list[Attachment]:
     """Ends on the upper edge of a plank moved into it, the fixed other end with it."""
     for i, end in enumerate(ends):
         look, other = looks.get(end.carrier), ends[1 - i]
@@ -105,7 +106,7 @@ def _on_planks(ends, looks):
     return ends
 
 
-def _edge(end, other, looks):
+def _edge(end: Attachment, other: tuple[float, float], looks: "Mapping[str, Look]") -> Attachment:
     look = looks.get(end.carrier)
     if look is None or look.core is None or not plane.inside(end.drawn, look.core):
         return end
@@ -132,8 +133,8 @@ def draw(bunch: Bunch, sketch: Sketch) -> tuple[list[Any], dict[str, tuple[Any, 
         start, end = at(bridge, t), at(length - bridge, t)
         found += between(record, start, end, drawn - 2 * bridge, sketch.gap(record, sketch.scale))
         where |= named(record, start, end, plane.left(plane.unit(plane.minus(b, a))), *parts.sides(t, sides))
-    for end, place in ((bunch.one, a), (bunch.two, b)):
-        if end.carrier is not None and end.carrier not in sketch.moving_points and not end.loose:
+    for held, place in ((bunch.one, a), (bunch.two, b)):
+        if held.carrier is not None and held.carrier not in sketch.moving_points and not held.loose:
             found += support.dot(place)
     if count > 1 or bunch.aside:
         low, high = max(sides[0], 0.0), min(sides[-1], 0.0)
@@ -162,7 +163,7 @@ def outline(bunch: Bunch, sketch: Sketch) -> list[Any]:
     return [at(s, t) for s, t in ((0.0, sides[0]), (length, sides[0]), (length, sides[-1]), (0.0, sides[-1]))]
 
 
-def walls(places: Sequence[tuple[Attachment, tuple[float, float]]], sketch: Sketch) -> list[Hatch | Polygon]:
+def walls(places: Sequence[tuple[Attachment, tuple[float, float]]], sketch: Sketch) -> list[Primitive]:
     """The ground at fixed ends: `places` [(Attachment, direction into the ground)], the same place once."""
     groups = {}
     for end, outward in places:

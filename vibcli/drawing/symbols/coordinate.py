@@ -1,6 +1,6 @@
 """Arrows of the coordinates at what they move, and of what is driven as a function of time."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from math import hypot, pi
 from typing import TYPE_CHECKING, Any
 
@@ -13,11 +13,15 @@ from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
-    from vibcli.drawing.canvas.primitives import Run
+    from vibcli.drawing.canvas.primitives import Primitive, Run
     from vibcli.drawing.layout.space import Space
     from vibcli.drawing.symbols.look import Look
+    from vibcli.elements.rigid_body import Body
+    from vibcli.language.reader import Record
 
 Place = tuple[float, float]
+Path = tuple[list[Place], Callable[[str], list[Any]]]
+RoundPath = tuple[list[Place], Callable[[str], list[Any]], list[Place]]       # and the part of it that is within
 LENGTH, TICK, WIDE, OVER = 26.0, 5.0, 60.0, 1.5
 ROUND, AROUND = (22.0, 32.0, 44.0), (2, 6, 14, 10, 1, 7, 15, 9, 3, 5, 13, 11, 0, 4, 8, 12)
 LINES, ARCS = (5.0, 11.0, 18.0, 27.0, 38.0), (0.55, 0.7, 0.85, 0.4, 1.0)
@@ -35,7 +39,7 @@ class BodyMotion(NamedTuple):
 
     body: str
     field: Any
-    direction: tuple | None = None
+    direction: tuple[float, float] | None = None
     about: Attachment | None = None
     sense: int = 1
 
@@ -49,7 +53,7 @@ def motions(sketch: Sketch) -> list[BodyMotion]:
     return found
 
 
-def _of(body, sketch):
+def _of(body: "Body", sketch: Sketch) -> list[BodyMotion]:
     record, name = body.record, body.name
     if "slide" in record:
         return [BodyMotion(name, record["slide"]["by"], _along(record["slide"], sketch, name))]
@@ -62,13 +66,13 @@ def _of(body, sketch):
     return _rolling(record["roll"], name, sketch) if "roll" in record else []
 
 
-def _along(slide, sketch, name):
+def _along(slide: "Record", sketch: Sketch, name: str) -> tuple[float, float]:
     if "surface" in slide:
         return _tangent(sketch.scene.surfaces[slide["surface"].text], sketch.centre(name), sketch)
     return plane.unit(sketch.pair(slide["along"])) if "along" in slide else (1.0, 0.0)
 
 
-def _tangent(surface, place, sketch):
+def _tangent(surface: "Record", place: tuple[float, float], sketch: Sketch) -> tuple[float, float]:
     """The positive direction on a surface, at a place on it."""
     if "line" in surface:
         a, b = (sketch.pair(place) for place in surface["line"])
@@ -78,7 +82,7 @@ def _tangent(surface, place, sketch):
     return 1.0, 0.0
 
 
-def _rolling(roll, name, sketch):
+def _rolling(roll: "Record", name: str, sketch: Sketch) -> list[BodyMotion]:
     surface, found = sketch.scene.surfaces[sketch.scene.bodies[name].touched[0]], []
     if "travel" in roll:
         found.append(BodyMotion(name, roll["travel"], _tangent(surface, sketch.rim(name).drawn, sketch)))
@@ -107,7 +111,7 @@ def wanted(sketch: Sketch) -> "list[tuple[tuple[Run, ...], str, BodyMotion]]":
     return found
 
 
-def _named_in_rows(sketch):
+def _named_in_rows(sketch: Sketch) -> set[str]:
     """The coordinates that are themselves the motions of bodies in rows."""
     if not sketch.lumped:
         return set()
@@ -117,7 +121,7 @@ def _named_in_rows(sketch):
     return {tree.name for tree in trees if tree.kind == "name"}
 
 
-def _by_rates(name, sketch):
+def _by_rates(name: str, sketch: Sketch) -> BodyMotion:
     """What a coordinate moves most as drawn, where no motion is just that coordinate."""
     scene = sketch.scene
     q = next((q for q in scene.q if q.name == name), None)
@@ -144,7 +148,7 @@ def draw(item: "tuple[tuple[Run, ...], str, BodyMotion]", sketch: Sketch, looks:
          space: "Space") -> tuple[list[Any], list[tuple[float, float]]]:
     """The primitives of an arrow where it fits best, and the places beside which its name may stand."""
     _, role, motion = item
-    paths = _straight(motion, sketch, looks) if motion.direction else _round(motion, sketch, looks)
+    paths: Any = _straight(motion, sketch, looks) if motion.direction else _round(motion, sketch, looks)
     # an arc may well be within the body that turns
     over, later = (OVER, LATER) if motion.direction else (FILLED, ROUND_LATER)
     best: Any = None
@@ -159,7 +163,7 @@ def draw(item: "tuple[tuple[Run, ...], str, BodyMotion]", sketch: Sketch, looks:
     return make(role), [path[-1], path[len(path) // 2]]
 
 
-def _straight(motion, sketch, looks):
+def _straight(motion: BodyMotion, sketch: Sketch, looks: "Mapping[str, Look]") -> Iterator[Path]:
     """Candidates: an arrow beside the body, from a tick level with its middle."""
     e = sketch.frame(_carrier(motion.body, sketch)).turned(motion.direction)
     n, centre = plane.left(e), sketch.frames[motion.body].point(sketch.centre(motion.body))
@@ -184,7 +188,7 @@ def _straight(motion, sketch, looks):
     yield from _about(centre, max(*map(abs, reach), front), e, n)
 
 
-def _about(centre, far, e, n):
+def _about(centre: tuple[float, float], far: float, e: tuple[float, float], n: tuple[float, float]) -> Iterator[Path]:
     """Further candidates: arrows about a body, the nearer ones first."""
     for gap in ROUND:
         for k in AROUND:
@@ -197,21 +201,22 @@ def ticked(start: Place, e: Place, n: Place) -> tuple[list[Place], Callable[[str
     ends = plane.plus(start, n, -TICK), plane.plus(start, n, TICK)
     path = [*ends, start, tip, plane.plus(tip, n, TICK), plane.plus(tip, n, -TICK), plane.plus(tip, e, 4)]
 
-    def make(role):
+    def make(role: str) -> "list[Primitive]":
         return [arrow.Polyline(ends, role, 0.9, layer=arrow.ARROW), *arrow.straight(start, tip, role)]
     return path, make
 
 
-def _carrier(name, sketch):
+def _carrier(name: str, sketch: Sketch) -> str | None:
     """The body with which the direction of a sliding body turns."""
     record = sketch.scene.bodies[name].record
     for key in ("slide", "move"):
         if key in record and "carrier" in record[key]:
-            return record[key]["carrier"].text
+            found: str | None = record[key]["carrier"].text
+            return found
     return None
 
 
-def _round(motion, sketch, looks):
+def _round(motion: BodyMotion, sketch: Sketch, looks: "Mapping[str, Look]") -> list[RoundPath]:
     """Candidates: an arc about the joint, from the axis of the body in the positive sense."""
     centre, look = sketch.now(motion.about), looks[motion.body]
     points = [sketch.frames[motion.body].point(p) for part in look.pieces for p in part.points]
@@ -241,14 +246,14 @@ def _round(motion, sketch, looks):
     return found
 
 
-def _size(half, look, slender):
+def _size(half: float, look: "Look", slender: bool) -> float:
     """The length of an arc from the axis of a body half as thick: out of one that is slender, of another within it."""
     if look.kind == "rectangle" and half < INSIDE:
         return max(26.0, half / LEAVING + 0.8 * arrow.HEAD)
     return 26.0 + max(0.0, min(MOST, half) - THIN) if slender else 26.0
 
 
-def _arced(centre, radius, start, end):
+def _arced(centre: tuple[float, float], radius: float, start: float, end: float) -> RoundPath:
     parted = start + 0.25 * (end - start)
     beyond = 4.0 / radius if end > start else -4.0 / radius
     path, own = plane.arc(centre, radius, parted, end + beyond), plane.arc(centre, radius, start - beyond, parted)

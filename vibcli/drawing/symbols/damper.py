@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from math import pi, tau
 from typing import TYPE_CHECKING, Any
 
-from vibcli.drawing.canvas.primitives import ELEMENT, Polygon, Polyline
+from vibcli.drawing.canvas.primitives import ELEMENT, Polygon, Polyline, Primitive
 from vibcli.drawing.layout import plane
 from vibcli.drawing.symbols import parts, support
 
@@ -19,22 +19,24 @@ ARC, SPAN = 24.0, 0.62 * pi     # the radius of an arc about a joint, its angle
 
 
 def between(record: "Mapping[Any, Any] | Record", start: tuple[float, float], end: tuple[float, float],
-            drawn: float) -> list[Polygon | Polyline]:
+            drawn: float) -> list[Primitive]:
     """A damper from one place to another, or its parts."""
     shape = _pad if "friction" in record else _dashpot
 
-    def single(start, end, _drawn, scale):
+    def single(start: "tuple[float, float]", end: "tuple[float, float]", _drawn: float,
+               scale: float) -> "list[Primitive]":
         return shape(plane.along(start, end), plane.distance(start, end), scale)
 
     return parts.between(record, start, end, drawn, "damper", single)
 
 
-def about(record: "Record", turn: "Turn") -> tuple[list[Any], tuple[tuple[float, float], tuple[float, float]]]:
+def about(record: "Record", turn: "Turn") -> tuple[list[Any], tuple[plane.Place, plane.Place]]:
     """The same along an arc about a joint; also where it is: (middle, normal)."""
     return along_an_arc(turn, _pad if "friction" in record else _bent)
 
 
-def along_an_arc(turn: "Turn", drawn: Callable) -> tuple[list[Any], tuple[tuple[float, float], tuple[float, float]]]:
+def along_an_arc(turn: "Turn", drawn: Callable[[Callable[..., plane.Place], float],
+                                               list[Primitive]]) -> tuple[list[Any], tuple[plane.Place, plane.Place]]:
     """What `drawn(at, length)` draws along an arc about a joint, to a wall on the ground; also where it is."""
     start, held = turn.held or (0.0, 0.0)
     span = (start - turn.heading) % tau
@@ -47,7 +49,7 @@ def along_an_arc(turn: "Turn", drawn: Callable) -> tuple[list[Any], tuple[tuple[
     return [*drawn(plane.around(turn.centre, ARC, begin), ARC * (end - begin)), *wall], where
 
 
-def _bent(at, length):
+def _bent(at: Callable[..., tuple[float, float]], length: float) -> list[Primitive]:
     found = _dashpot(at, length)
     rod = found[-1]
     steps = [length * i / 12 for i in range(13)]
@@ -57,7 +59,7 @@ def _bent(at, length):
     return [found[0]._replace(points=(*lead, found[0].points[-1])), *found[1:-1], rod._replace(points=tail)]
 
 
-def _dashpot(at, length, scale=1.0):
+def _dashpot(at: Callable[..., tuple[float, float]], length: float, scale: float = 1.0) -> list[Primitive]:
     cup, half = min(CUP, 0.5 * length), scale * HALF
     near, far = 0.5 * (length - cup), 0.5 * (length + cup)
     piston = near + 0.55 * cup
@@ -68,7 +70,7 @@ def _dashpot(at, length, scale=1.0):
             Polyline((at(piston), at(length)), "damper")]
 
 
-def _pad(at, length, scale=1.0):
+def _pad(at: Callable[..., tuple[float, float]], length: float, scale: float = 1.0) -> list[Primitive]:
     """A pad at the far end that is pressed on a plate at the near one."""
     pad, plate, low = min(PAD, 0.3 * length), min(PLATE, 0.7 * length), -scale * HALF
     middle, foot = 0.5 * length, 0.4 * low
@@ -80,6 +82,6 @@ def _pad(at, length, scale=1.0):
             Polyline(tuple(at(s) for s in _steps(far, length)), "damper")]
 
 
-def _steps(start, end):
+def _steps(start: float, end: float) -> list[float]:
     """Places along it: as many as a line needs that may be bent."""
     return [start + (end - start) * i / 6 for i in range(7)]

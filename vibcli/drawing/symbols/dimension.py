@@ -1,12 +1,12 @@
 """Dimension lines: given lengths that a body shows, where there is room for them."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from math import pi
 from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.drawing.canvas.primitives import LEADER, Polygon, Polyline, Run
+from vibcli.drawing.canvas.primitives import LEADER, Polyline, Primitive, Run
 from vibcli.drawing.layout import captions, lettering, plane
 from vibcli.drawing.layout.space import TAKEN
 from vibcli.drawing.symbols import arrow
@@ -15,6 +15,9 @@ from vibcli.drawing.symbols.look import ROD
 if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
     from vibcli.drawing.layout.space import Space
+    from vibcli.elements.rigid_body import Body
+    from vibcli.language.named_place import NamedPlace
+    from vibcli.language.reader import Expression, Record
 
 OFFSETS = (15.0, 23.0, 32.0, 42.0, 54.0, 68.0, 84.0)
 FAR = 102.0, 122.0      # of what has no room nearer
@@ -29,11 +32,11 @@ class Length(NamedTuple):
     """A length between two places as drawn, and what it is called; `radial` from a centre to a rim, of which there are
     other places in `rims`."""
 
-    runs: tuple
-    one: tuple
-    two: tuple
+    runs: tuple[Run, ...]
+    one: tuple[float, float]
+    two: tuple[float, float]
     radial: bool = False
-    rims: tuple = ()
+    rims: tuple[tuple[float, float], ...] = ()
 
 
 def lengths(sketch: "Sketch") -> list[Length]:
@@ -48,7 +51,7 @@ def lengths(sketch: "Sketch") -> list[Length]:
     return found
 
 
-def _of_body(body, sketch):
+def _of_body(body: "Body", sketch: "Sketch") -> Iterator[tuple[Length, str]]:
     """[(Length, its text)] of one body."""
     for record in body.record.get("parts", (body.record,)):
         yield from _radius(record, sketch)
@@ -64,7 +67,7 @@ def _of_body(body, sketch):
                 yield Length(runs, one, two), lettering.letters(runs)
 
 
-def _places(body, sketch):
+def _places(body: "Body", sketch: "Sketch") -> "list[tuple[tuple[float, float], list[Expression] | NamedPlace]]":
     """[(place, the fields that say where it is)] of the ends of a rod and of what a body carries."""
     found = []
     if body.record.get("shape") == "rod":
@@ -85,7 +88,7 @@ def named_length(value: float, fields: Any, sketch: "Sketch") -> Any:
     return lettering.named(equal[0]) if len(equal) == 1 else None
 
 
-def _radius(record, sketch):
+def _radius(record: "Record", sketch: "Sketch") -> Iterator[tuple[Length, str]]:
     """The radius of a disc or ring, at an angle of its own, or at others."""
     if "radius" not in record or record.get("shape") not in ("disc", "ring", "sector", "arch"):
         return
@@ -101,7 +104,7 @@ def _radius(record, sketch):
     yield Length(runs, centre, rim, True, tuple(rims)), lettering.letters(runs)
 
 
-Drawn = tuple[list[Polygon | Polyline], tuple[Run, ...], list[tuple[float, float]]]
+Drawn = tuple[list[Primitive], tuple[Run, ...], list[tuple[float, float]]]
 
 
 def ways(length: Length, space: "Space", box: tuple[float, float, float, float]) -> Iterator[Drawn]:
@@ -123,14 +126,14 @@ def ways(length: Length, space: "Space", box: tuple[float, float, float, float])
             yield drawn
 
 
-def _beyond(length, box):
+def _beyond(length: Length, box: tuple[float, float, float, float]) -> list[float]:
     """The offsets on either side of lines that lie beyond all that is drawn."""
     n = plane.left(plane.unit(plane.minus(length.two, length.one)))
     reach = [plane.dot(plane.minus((x, y), length.one), n) for x in box[::2] for y in box[1::2]]
     return sorted(OFFSETS[0] + far for far in (max(reach), -min(reach)))
 
 
-def _radial(length, rim, space):
+def _radial(length: Length, rim: tuple[float, float], space: "Space") -> tuple[float, Drawn] | None:
     """(what it meets, Drawn): from the centre, or from beside a spiral or dashpot that is there."""
     at, radius = plane.along(length.one, rim), plane.distance(length.one, rim)
     starts = [(0.0, min(4.0, radius / 2)), *((share * radius, share * radius) for share in STARTS)]
@@ -148,13 +151,13 @@ class _Line(NamedTuple):
 
     rank: float
     met: float
-    a: tuple
-    b: tuple
+    a: tuple[float, float]
+    b: tuple[float, float]
     side: int
-    legs: list
+    legs: list[Any]
 
 
-def _straight(length, space, offsets):
+def _straight(length: Length, space: "Space", offsets: Sequence[float]) -> _Line | None:
     """The best _Line at one of some offsets, None where there is none."""
     e = plane.unit(plane.minus(length.two, length.one))
     n = plane.left(e)
@@ -182,7 +185,7 @@ def _straight(length, space, offsets):
     return best
 
 
-def _drawn(length, line):
+def _drawn(length: Length, line: _Line) -> Drawn:
     n = plane.left(plane.unit(plane.minus(length.two, length.one)))
     legs = [Polyline(leg, "measure", 0.6, layer=LEADER) for leg in line.legs]
     parts = [part._replace(width=min(part.width, 0.7))
@@ -191,7 +194,8 @@ def _drawn(length, line):
                                           for sign in (line.side, -line.side)]
 
 
-def _leg(start, end, space):
+def _leg(start: tuple[float, float], end: tuple[float, float],
+         space: "Space") -> tuple[tuple[float, float], tuple[float, float]]:
     """What leads from a place to the line of a dimension; only behind a word that is between them, and behind a spring,
     a rope or an arrow along which it would run from there."""
     length, at = plane.distance(start, end), plane.along(start, end)

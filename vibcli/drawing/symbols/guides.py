@@ -7,6 +7,7 @@ from vibcli.drawing.symbols import support
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
+    from vibcli.drawing.canvas.primitives import Primitive
     from vibcli.drawing.layout.sketch import Sketch
     from vibcli.elements.rigid_body import Body
 
@@ -26,7 +27,7 @@ def draw(sketch: "Sketch") -> list[Any]:
     return found
 
 
-def _guide(body: "Body", end, sketch):
+def _guide(body: "Body", end: tuple[float, float], sketch: "Sketch") -> "list[Primitive]":
     """What an end slides along, on the side where the rod is not; nothing where it moves otherwise, or rests."""
     places = [_place(body, end, shift, sketch) for shift in (0.0, *SHIFTS)]
     room = CLOSE * (1.0 + max(abs(x) for place in places for x in place))
@@ -41,7 +42,7 @@ def _guide(body: "Body", end, sketch):
             *support.floor(ground, plane.left(outward), max(HALF, END + plane.distance(now, end)))]
 
 
-def _place(body, end, shift, sketch):
+def _place(body: "Body", end: tuple[float, float], shift: float, sketch: "Sketch") -> tuple[float, float]:
     """Where an end is, with all coordinates farther by `shift`."""
     moved = {q.name: sketch.values[q.name] + shift for q in sketch.scene.q}
     x0, y0, x, y, angle = evaluate([*body.frame.drawn, *body.frame.place, body.frame.angle], Floats,

@@ -55,13 +55,13 @@ def frame(body: "Body", places: Sequence[Place], ties: "Ties") -> Look:
     return Look([Polygon(outline, None, width=3.0)], "frame")
 
 
-def _beside(body, ties, axis):
+def _beside(body: "Body", ties: "Ties", axis: int) -> list[float]:
     """The abscissas (axis 0) of upright elements that end on a body, or the ordinates (1) of level ones."""
     return [one.drawn[axis] for pair in ties.ends if body.name in (end.carrier for end in pair)
             for one, two in [pair] if abs(one.drawn[axis] - two.drawn[axis]) < 1e-6]
 
 
-def _apart(low, high, lines):
+def _apart(low: float, high: float, lines: Sequence[float]) -> tuple[float, float]:
     """Two sides, moved away from each other where they meet or a line runs along one."""
     flat = high - low < 1.0
     return (low - (LEAST if flat else ROOM * any(abs(line - low) < 1e-6 for line in lines)),
@@ -97,7 +97,7 @@ def follows(name: str, sketch: "Sketch") -> bool:
                for body in sketch.scene.bodies.values())
 
 
-def _eccentric(body, centre, sketch):
+def _eccentric(body: "Body", centre: tuple[float, float], sketch: "Sketch") -> Look:
     """A disc about the mass centre of a cam, which reaches to the roller on it; without one about its pin."""
     name, pivot = follower(body, sketch), sketch.pivot(body.name)
     reach = plane.distance(centre, pivot.drawn) + LIFT if name is None else plane.distance(

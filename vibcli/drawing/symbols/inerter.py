@@ -1,9 +1,9 @@
 """Inerters: a rack at one end that turns a flywheel at the other one."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from vibcli.drawing.canvas.primitives import ELEMENT, Circle, Polyline
+from vibcli.drawing.canvas.primitives import ELEMENT, Circle, Polyline, Primitive
 from vibcli.drawing.layout import plane
 from vibcli.drawing.symbols.damper import along_an_arc
 
@@ -16,7 +16,7 @@ WHEEL, RACK, TEETH, TOOTH = 5.0, 11.0, 7, 1.8   # radius of the flywheel; half t
 
 
 def between(_record: "Mapping[Any, Any] | Record", start: tuple[float, float], end: tuple[float, float],
-            _drawn: float) -> list[Circle | Polyline]:
+            _drawn: float) -> list[Primitive]:
     """An inerter from one place to another."""
     return _inerter(plane.along(start, end), plane.distance(start, end))
 
@@ -26,7 +26,7 @@ def about(_record: "Mapping[Any, Any] | Record", turn: "Turn") -> Any:
     return along_an_arc(turn, _inerter)
 
 
-def _inerter(at, length):
+def _inerter(at: Callable[..., tuple[float, float]], length: float) -> list[Primitive]:
     wheel = min(WHEEL, 0.2 * length)
     half, middle, low = min(RACK, 0.4 * length), 0.5 * length, -wheel - TOOTH
     tip = middle + half
@@ -39,6 +39,7 @@ def _inerter(at, length):
                                                                   layer=ELEMENT)]
 
 
-def _line(at, start, end, offset=0.0):
+def _line(at: Callable[..., tuple[float, float]], start: float, end: float,
+          offset: float = 0.0) -> tuple[tuple[float, float], ...]:
     """Places along it, beside its axis: as many as a line needs that may be bent."""
     return tuple(at(start + (end - start) * i / 6, offset) for i in range(7))

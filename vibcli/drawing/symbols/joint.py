@@ -1,5 +1,6 @@
 """Torsion springs, rotary dampers and their like, at the joint about which they turn."""
 
+from collections.abc import Mapping
 from math import cos, pi
 from typing import TYPE_CHECKING, Any
 
@@ -9,7 +10,8 @@ from vibcli.drawing.layout.sketch import Attachment, Sketch
 from vibcli.drawing.symbols.connection import symbol
 
 if TYPE_CHECKING:
-    from vibcli.drawing.canvas.primitives import Hatch, Polyline
+    from vibcli.drawing.canvas.primitives import Primitive
+    from vibcli.drawing.symbols.look import Look
     from vibcli.language.reader import Record
 
 NEAR = 1.0      # points from a joint that are on it
@@ -19,10 +21,10 @@ class Turn(NamedTuple):
     """What turns about a place: the direction of the body as drawn and how far it has turned, the same two of the
     other body, None of the ground; the how manieth of its kind it is there."""
 
-    centre: tuple
+    centre: tuple[float, float]
     heading: float
     moved: float
-    held: tuple | None
+    held: tuple[float, float] | None
     rank: int
 
 
@@ -40,7 +42,7 @@ def elements(sketch: Sketch) -> "list[tuple[Record, Attachment, str, Any]]":
     return found
 
 
-def _turning(names, sketch):
+def _turning(names: list[str | None], sketch: Sketch) -> tuple[str, str | None]:
     """The body that turns about the joint, and the other one (None: the ground)."""
     one, two = names
     if one is None or one not in sketch.frames:
@@ -51,7 +53,7 @@ def _turning(names, sketch):
     return (one, two) if pivot is not None and pivot.carrier == two else (two, one)
 
 
-def _heading(body, joint, looks, sketch):
+def _heading(body: str, joint: tuple[float, float], looks: "Mapping[str, Look]", sketch: Sketch) -> float:
     """The direction of a body from a joint, as drawn; of one without extent such that a wall a quarter turn ahead is
     where no member is."""
     away = plane.minus(plane.middle(*plane.corners([p for part in looks[body].pieces for p in part.points])), joint)
@@ -62,7 +64,7 @@ def _heading(body, joint, looks, sketch):
     return next(iter(free), pi) - pi / 2
 
 
-def _members(joint, sketch):
+def _members(joint: tuple[float, float], sketch: Sketch) -> list[float]:
     """The directions in which members leave a joint."""
     ends = [[sketch.pair(member.record[key]) for key in ("from", "to")]
             for member in sketch.scene.members.values() if "from" in member.record]
@@ -71,7 +73,7 @@ def _members(joint, sketch):
 
 
 def draw(sketch: Sketch,
-         looks: Any) -> "tuple[list[Hatch | Polyline], dict[str, tuple[Any, ...]]]":
+         looks: Any) -> "tuple[list[Primitive], dict[str, tuple[Any, ...]]]":
     """The primitives of all of them, and where each is: {name: (middle, normal)}."""
     found, where, ranks = [], {}, {}
     for record, at, body, other in elements(sketch):

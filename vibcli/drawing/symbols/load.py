@@ -1,19 +1,20 @@
 """Loads: arrows of forces at the points where they act, round ones of moments; unbalances."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from math import hypot, pi
 from typing import TYPE_CHECKING, Any
 
-from vibcli.drawing.canvas.primitives import BODY, Circle, Polyline, Run
+from vibcli.drawing.canvas.primitives import BODY, Circle, Polyline, Primitive, Run
 from vibcli.drawing.layout import captions, lettering, plane
 from vibcli.drawing.symbols import acting, arrow
 from vibcli.symbolic.syntax import Sum
 
 if TYPE_CHECKING:
-    from vibcli.drawing.layout.sketch import Sketch
+    from vibcli.drawing.layout.sketch import Attachment, Sketch
     from vibcli.drawing.layout.space import Space
     from vibcli.drawing.symbols.look import Look
     from vibcli.language.reader import Record
+    from vibcli.symbolic.node import Node
 
 LENGTH = 32.0
 
@@ -32,7 +33,8 @@ def draw(record: "Record", sketch: "Sketch", looks: "Mapping[str, Look]",
     return None
 
 
-def _force(record, at, sketch, looks, space):
+def _force(record: "Record", at: "Attachment", sketch: "Sketch", looks: "Mapping[str, Look]",
+           space: "Space") -> "tuple[list[Primitive], tuple[Run, ...], list[tuple[float, float]]]":
     fields = record["force"]
     direction = _direction([captions.raw(field, sketch.scene) for field in fields], sketch)
     if "carrier" in record:
@@ -48,7 +50,8 @@ def _force(record, at, sketch, looks, space):
     return arrow.straight(start, tip, "load", 1.7), runs, [plane.middle(start, tip), tip]
 
 
-def _leaves(place, direction, carrier, sketch, looks):
+def _leaves(place: tuple[float, float], direction: tuple[float, float], carrier: str, sketch: "Sketch",
+            looks: "Mapping[str, Look]") -> tuple[float, float]:
     """Where a direction from a place leaves the body that carries it, and what is welded to that there."""
     edges = {name: [sketch.frames[name].point(p) for p in look.core] for name, look in looks.items() if look.core}
     about = [edge for name, edge in edges.items()
@@ -57,7 +60,7 @@ def _leaves(place, direction, carrier, sketch, looks):
                key=lambda found: plane.dot(plane.minus(found, place), direction), default=place)
 
 
-def _carries(carrier, name, sketch):
+def _carries(carrier: str, name: str, sketch: "Sketch") -> bool:
     """Is a body welded to another?"""
     weld = sketch.scene.bodies[name].record.get("weld")
     return weld is not None and weld.text == carrier
@@ -74,14 +77,15 @@ def unsigned(field: Any) -> Any:
     return Expression(shorter, field.tree.parts[0][1])
 
 
-def _direction(nodes, sketch):
+def _direction(nodes: "Sequence[Node]", sketch: "Sketch") -> tuple[float, float]:
     """The direction of a force as drawn, when it first acts."""
     (x, y), = acting.values(nodes, sketch)
     size = hypot(x, y)
     return (x / size, y / size) if size else (1.0, 0.0)
 
 
-def _moment(record, sketch, looks, space):
+def _moment(record: "Record", sketch: "Sketch", looks: "Mapping[str, Look]",
+            space: "Space") -> "tuple[list[Primitive], tuple[Run, ...], list[tuple[float, float]]]":
     name = record["body"].text
     pivot = sketch.pivot(name)
     centre = sketch.now(pivot) if pivot is not None else sketch.frames[name].point(sketch.centre(name))
@@ -91,13 +95,15 @@ def _moment(record, sketch, looks, space):
     return arrow.round_(centre, radius, start, end, "load", 1.7), runs, places
 
 
-def _freest(centre, radii, span, space):
+def _freest(centre: tuple[float, float], radii: tuple[float, ...], span: float,
+            space: "Space") -> tuple[float, float, float]:
     """(radius, start, end) of the arc about a centre that crosses least; `span` in units of π."""
     arcs = [(radius, start * pi, (start + span) * pi) for radius in radii for start in (0.1, 0.6, -0.4, 1.1)]
     return min(arcs, key=lambda item: space.arrow(plane.arc(centre, *item)) / item[0] * 20 + item[0] / 20)
 
 
-def _unbalance(record, at, sketch, space):
+def _unbalance(record: "Record", at: "Attachment", sketch: "Sketch",
+               space: "Space") -> "tuple[list[Primitive], tuple[Run, ...], list[tuple[float, float]]]":
     """A small mass on an arm that turns."""
     centre = sketch.now(at)
     mass = plane.polar(centre, 9.0, 0.3 * pi)

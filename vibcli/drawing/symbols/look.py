@@ -2,9 +2,10 @@
 
 from collections.abc import Sequence
 from math import tau
+from typing import Any
 
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.drawing.canvas.primitives import JOINT, Circle, Polygon, Polyline
+from vibcli.drawing.canvas.primitives import JOINT, Circle, Polygon, Polyline, Primitive
 from vibcli.drawing.layout import plane
 
 ROD, BALL = 3.2, 5.0            # half the thickness of a rod, the radius of a particle
@@ -15,9 +16,9 @@ class Look(NamedTuple):
     """Primitives of a body as drawn; its `core` is a polygon at whose edge springs end, None where they run to the
     very place; `kind` says what it is drawn as; `angle` is that of a block."""
 
-    pieces: list
+    pieces: list[Any]
     kind: str
-    core: Sequence | None = None
+    core: Sequence[tuple[float, float]] | None = None
     angle: float = 0.0
     width: float = 0.0
     height: float = 0.0
@@ -34,7 +35,7 @@ def ball(centre: tuple[float, float], radius: float) -> Polygon:
     return Polygon(tuple(plane.circle(centre, radius)))
 
 
-def centre_mark(centre: tuple[float, float]) -> list[Circle]:
+def centre_mark(centre: tuple[float, float]) -> list[Primitive]:
     """The mass centre of a body."""
     return [Circle(centre, 2.0, "ink", layer=JOINT)]
 

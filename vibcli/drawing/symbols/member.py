@@ -1,11 +1,11 @@
 """Members as drawn: the thickness of their segments, straight or bent, what they rest on, their preload, and ordinates
 of what they do along their axis or about it."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
-from vibcli.drawing.canvas.primitives import BEHIND, BODY, ELEMENT, SURFACE, Circle, Hatch, Polygon, Polyline
+from vibcli.drawing.canvas.primitives import BEHIND, BODY, ELEMENT, SURFACE, Circle, Hatch, Polygon, Polyline, Primitive
 from vibcli.drawing.layout import plane
 from vibcli.drawing.layout.strips import Strip, grid
 from vibcli.drawing.symbols import arrow
@@ -24,7 +24,7 @@ class Bend(NamedTuple):
     rests; `lengthwise`: it has ordinates of what it does along its line; `seen`: ordinates, also in a position of its
     motion in which they vanish."""
 
-    at: Callable
+    at: Callable[[list[float]], list[tuple[float, float]]]
     unit: float
     nodes: Sequence[float] = ()
     lengthwise: bool = False
@@ -37,7 +37,7 @@ def place(strip: Strip, bend: Bend, x: float) -> tuple[float, float]:
     return _moved(strip, bend, x, along, u)
 
 
-def _moved(strip, bend, x, along, u):
+def _moved(strip: Strip, bend: Bend, x: float, along: float, u: float) -> tuple[float, float]:
     if strip.sideways:
         return strip.at(x, u * bend.unit, along * bend.unit)
     if strip.placed:
@@ -63,7 +63,7 @@ def draw(strip: Strip, bend: Bend) -> list[Any]:
     return found
 
 
-def _body(points, half):
+def _body(points: Sequence[tuple[float, float]], half: float) -> Polygon:
     """A band about an axis, which may be bent."""
     sides = []
     for i in range(len(points)):
@@ -74,7 +74,8 @@ def _body(points, half):
     return Polygon((*above, *below[::-1]), layer=BODY)
 
 
-def _ordinates(strip, bend, xs, rows, axis):
+def _ordinates(strip: Strip, bend: Bend, xs: Sequence[float], rows: Mapping[float, tuple[float, float]],
+               axis: dict[float, tuple[float, float]]) -> list[Primitive]:
     """u of bars, φ of shafts, drawn across the axis."""
     which = 0 if strip.placed else 1
     n = plane.left(strip.e)
@@ -109,7 +110,8 @@ def bed(strip: Strip, bend: Bend, attached: Sequence[Any]) -> list[Any]:
     return found
 
 
-def _through(strip, half, attached):
+def _through(strip: Strip, half: float,
+             attached: Sequence[Primitive]) -> list[tuple[float, float]]:
     """[(from, to)] in metres, ascending: where strokes of what is attached lie in the bed below a segment, but those of
     blocks, which come there in motion alone."""
     found = []
@@ -122,7 +124,7 @@ def _through(strip, half, attached):
     return sorted(found)
 
 
-def _small_spring(strip, x, half, rise):
+def _small_spring(strip: Strip, x: float, half: float, rise: float) -> Polyline:
     """A spring from the ground to a member that has risen there by so many points."""
     points = [strip.at(x, rise - half)]
     for i in range(5):

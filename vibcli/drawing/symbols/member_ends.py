@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from math import pi, sin
 from typing import TYPE_CHECKING, Any
 
-from vibcli.drawing.canvas.primitives import BODY, JOINT, SURFACE, Circle, Polygon, Polyline
+from vibcli.drawing.canvas.primitives import BODY, JOINT, SURFACE, Circle, Polygon, Polyline, Primitive
 from vibcli.drawing.layout import captions, hung, plane
 from vibcli.drawing.layout.strips import Strip
 from vibcli.drawing.symbols import damper, spring, support
@@ -14,7 +14,8 @@ from vibcli.language.member_signals import oscillator_names
 from vibcli.language.signal_names import signal_name
 
 if TYPE_CHECKING:
-    from vibcli.drawing.layout.sketch import Sketch
+    from vibcli.drawing.layout.sketch import DrawnFrame, Sketch
+    from vibcli.language.reader import Expression, Record
 
 REACH, BALL, DISC, SIDE, BESIDE = 34.0, 5.2, 21.0, 8.0, 44.0
 REST = 11.0         # points of a rail beyond what slides on it
@@ -56,7 +57,9 @@ def supports(strip: Strip, bend: Bend, sketch: "Sketch") -> list[Any]:
     return found
 
 
-def _end(end, strip, bend, x, sense, sketch, found, named):
+def _end(end: "Record | str", strip: Strip, bend: Bend, x: float, sense: float, sketch: "Sketch",
+         found: "list[Primitive]",
+         named: "list[tuple[Record, str, list[tuple[float, float]]]]") -> None:
     here, outward = place(strip, bend, x), plane.times(strip.e, sense)
     if isinstance(end, str):
         if end != "free":
@@ -75,7 +78,7 @@ def _end(end, strip, bend, x, sense, sketch, found, named):
         named.append((body, key, [plane.plus(here, outward, 14.0), plane.plus(here, (0.0, -1.0), 14.0)]))
 
 
-def _rail(frame, drawn, here, strip):
+def _rail(frame: "DrawnFrame", drawn: tuple[float, float], here: tuple[float, float], strip: Strip) -> list[Primitive]:
     """What an end slides along on the body that guides it, as far as it has gone."""
     middle = frame.point(drawn)
     n = plane.unit(plane.minus(here, middle), frame.turned(plane.left(strip.e)))
@@ -83,9 +86,10 @@ def _rail(frame, drawn, here, strip):
     return [Polyline((plane.plus(middle, n, -half), plane.plus(middle, n, half)), width=2.4, layer=SURFACE)]
 
 
-def branches(strips: "Sequence[Strip]", sketch: "Sketch") -> list[Polyline]:
+def branches(strips: "Sequence[Strip]", sketch: "Sketch") -> list[Primitive]:
     """Dashed lines from ends of members without a place to the members that hold them."""
-    found, known = [], {strip.name: strip for strip in strips}
+    found: list[Primitive] = []
+    known = {strip.name: strip for strip in strips}
     for strip in strips:
         for side, x in (("left", 0.0), ("right", strip.metres)):
             for _, name in held(strip.member, side):
@@ -101,7 +105,8 @@ def held(one: Any, side: str) -> list[tuple[str, str]]:
     return [] if isinstance(end, str) else [(word, end[word].text) for word in HELD if word in end]
 
 
-def _held(word, strip, here, outward, drawn):
+def _held(word: str, strip: Strip, here: tuple[float, float], outward: tuple[float, float],
+          drawn: tuple[float, float]) -> "list[Primitive]":
     """A wall, a bearing on the ground, or rollers on a wall that stays where it is drawn."""
     if word == "guided":
         side = plane.left(outward)
@@ -115,12 +120,12 @@ def _held(word, strip, here, outward, drawn):
     return support.wall(here, outward, 14.0)
 
 
-def _down(strip, outward):
+def _down(strip: Strip, outward: tuple[float, float]) -> tuple[float, float]:
     """Where the ground of a bearing lies: below; at the foot or head of what stands beyond its end."""
     return (0.0, -1.0) if abs(strip.e[0]) > 0.5 else outward
 
 
-def _support(word, strip, here, x):
+def _support(word: str, strip: Strip, here: tuple[float, float], x: float) -> "list[Primitive]":
     """A roller below, a wall beside a clamp."""
     n = plane.left(strip.e)
     half = strip.half(x)
@@ -131,7 +136,9 @@ def _support(word, strip, here, x):
     return [*support.floor(foot, strip.e, 9.0), *support.floor(head, plane.times(strip.e, -1), 9.0)]
 
 
-def _attached(record, strip, bend, x, sense, found, named):
+def _attached(record: "Record", strip: Strip, bend: Bend, x: float, sense: float,
+              found: "list[Primitive]",
+              named: "list[tuple[Record, str, list[tuple[float, float]]]]") -> None:
     here, n = place(strip, bend, x), plane.left(strip.e)
     across, moved = strip.sideways, plane.minus(here, strip.at(x))      # the ground stays where it is drawn
     outward = plane.times(strip.e, sense or 1.0)
@@ -178,7 +185,8 @@ def oscillators(strip: Strip, sketch: "Sketch") -> list[tuple[float, str]]:
     return found
 
 
-def _oscillator(record, strip, bend, x, aside, moved, found, named):
+def _oscillator(record: "dict[str, Expression] | Record", strip: Strip, bend: Bend, x: float, aside: float,
+                moved: float, found: "list[Primitive]", named: list[Any]) -> None:
     """A block that hangs on springs and dampers, displaced beside the line or along a bar; on a shaft a mark on it
     tells how far it has turned. It hangs `aside` of others at its place."""
     here, n, e = place(strip, bend, x), plane.times(plane.left(strip.e), -1.0), strip.e
@@ -201,7 +209,7 @@ def _oscillator(record, strip, bend, x, aside, moved, found, named):
     named.append((record, "mass" if "mass" in record else "inertia", [middle]))
 
 
-def _mass(strip, bend, x, sense, key):
+def _mass(strip: Strip, bend: Bend, x: float, sense: float, key: str) -> list[Primitive]:
     """A ball on what moves across, a block at or about a bar, a disc from the side on a shaft."""
     here, angle = place(strip, bend, x), plane.heading(strip.e)
     if strip.member.kind.torsional:
@@ -214,7 +222,8 @@ def _mass(strip, bend, x, sense, key):
     return [Circle(here, BALL, "ink" if key == "mass" else "inner", layer=JOINT)]
 
 
-def _mark(middle, e, half, radius, turned, seen):
+def _mark(middle: tuple[float, float], e: tuple[float, float], half: float, radius: float, turned: float,
+          seen: bool) -> list[Primitive]:
     """A line along what turns about the direction e and is seen from the side, `turned` points of its rim; none where
     it is not turned, and not `seen` to turn."""
     level = plane.plus(middle, plane.left(e), radius * sin(turned / radius))

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
-from vibcli.drawing.canvas.primitives import Run
+from vibcli.drawing.canvas.primitives import Primitive, Run
 from vibcli.drawing.layout import captions, hung, lettering, plane
 from vibcli.drawing.layout.rows import motion
 from vibcli.drawing.layout.strips import Strip, resting
@@ -13,8 +13,10 @@ from vibcli.drawing.symbols.dimension import SHORTEST, Length, named_length
 from vibcli.drawing.symbols.member import ASIDE, Bend, preload
 
 if TYPE_CHECKING:
+    from vibcli.drawing.layout.hung import Hung
     from vibcli.drawing.layout.sketch import Sketch
     from vibcli.drawing.layout.space import Space
+    from vibcli.language.reader import Expression, Record
 
 NAMED_BY, PUSH, BESIDE, ROW, APART = ("EI", "EA", "GIo"), 30.0, 9.0, 20.0, 18.0
 ASIDE_OF_LEGS = 4.0     # points from a name to a line that leads to a length
@@ -43,9 +45,9 @@ def of(strip: Strip, sketch: "Sketch", space: "Space") -> Iterator[tuple[list[An
             yield _spread(load, strip, sketch, space)
 
 
-def _name(record, sketch):
+def _name(record: "Record", sketch: "Sketch") -> tuple[Run, ...]:
     """Its stiffnesses, the letters of each making one name, else the name of the member."""
-    told: tuple = ()
+    told: tuple[Run, ...] = ()
     for key in NAMED_BY:
         if key in record:
             text = record[key].text.strip()
@@ -54,7 +56,7 @@ def _name(record, sketch):
     return told or lettering.words(record.name)
 
 
-def _free(name, strip, sketch):
+def _free(name: tuple[Run, ...], strip: Strip, sketch: "Sketch") -> list[float]:
     """The places along a member where its name may stand: none where a line to a length would strike it, if there are
     others."""
     places = [part * strip.metres for part in NAMED_AT]
@@ -63,13 +65,15 @@ def _free(name, strip, sketch):
     return [x for x in places if all(abs(x - at) > room for at in measured)] or places
 
 
-def _size(field):
+def _size(field: "Expression") -> "Expression":
     from vibcli.drawing.symbols.load import unsigned
 
-    return unsigned(field)
+    found: Expression = unsigned(field)
+    return found
 
 
-def _points(strip, sketch, space):
+def _points(strip: Strip, sketch: "Sketch",
+            space: "Space") -> "Iterator[tuple[list[Primitive], tuple[Run, ...] | None, list[plane.Place], str]]":
     """Points on a member, with the loads on one that has no place."""
     for name, record in (sketch.spec.get("member_points") or {}).items():
         if record["body"].text != strip.name:
@@ -84,7 +88,8 @@ def _points(strip, sketch, space):
                     yield found
 
 
-def _motion(one, strip, sketch, space):
+def _motion(one: "Hung", strip: Strip, sketch: "Sketch",
+            space: "Space") -> "tuple[list[Primitive], tuple[Run, ...], list[tuple[float, float]], str]":
     """The arrow of a body that hangs on a member."""
     n, field = plane.left(strip.e), motion(sketch.scene.bodies[one.body])
     way, aside = (n, strip.e) if strip.sideways else (strip.e, n)
@@ -94,7 +99,8 @@ def _motion(one, strip, sketch, space):
     return make("coordinate"), captions.expression(field, sketch, 18), [path[3]], "coordinate"
 
 
-def _load(load, strip, here, sketch, space):
+def _load(load: "Record", strip: Strip, here: tuple[float, float], sketch: "Sketch",
+          space: "Space") -> "tuple[list[Primitive], tuple[Run, ...], list[tuple[float, float]], str] | None":
     n = plane.left(strip.e)
     if "moment" in load:
         runs = captions.expression(load["moment"], sketch, 18) or lettering.named(load.name)
@@ -114,13 +120,14 @@ def _load(load, strip, here, sketch, space):
     return arrow.straight(start, tip, "load", 1.7), runs, [tip, start] if strip.sideways else [tip], "load"
 
 
-def _sensed(field):
+def _sensed(field: "Expression") -> "tuple[float, Expression]":
     """(−1, the field without its leading minus) of a load that acts the other way; (1, the field)."""
     shorter = _size(field)
     return (1.0, field) if shorter is field else (-1.0, shorter)
 
 
-def _spread(load, strip, sketch, space):
+def _spread(load: "Record", strip: Strip, sketch: "Sketch",
+            space: "Space") -> tuple[list[Primitive], tuple[Run, ...], list[tuple[float, float]], str]:
     """A row of arrows beside a member, where it crosses least, along it on bars; each as long as the load is there."""
     start, end = (sketch.number(load[key]) if key in load else x
                   for key, x in (("from", 0.0), ("to", strip.metres)))
@@ -129,7 +136,7 @@ def _spread(load, strip, sketch, space):
     field = _sensed(load["per_length"])[1]
     shares = [(x, share) for x, share in zip(places, _shares(load, places, sketch), strict=True) if abs(share) > FAINT]
 
-    def row(aside):
+    def row(aside: float) -> "list[tuple[tuple[float, float], tuple[float, float]]]":
         near, far = (aside, aside + ROW) if aside > 0 else (aside + ROW, aside)
         found = [((strip.at(x, near), strip.at(x, near + (far - near) * abs(share))) if strip.sideways else
                   (strip.at(x, aside), strip.at(x, aside, 0.7 * APART * abs(share))), (share > 0) is (far > near))
@@ -144,7 +151,7 @@ def _spread(load, strip, sketch, space):
     return parts, runs, [strip.at(middle, aside + (ROW + 4 if aside > 0 else -4.0))], "load"
 
 
-def _shares(load, places, sketch):
+def _shares(load: "Record", places: Sequence[float], sketch: "Sketch") -> list[float]:
     """What a load is at each of some places, as a part of the most, when it first acts."""
     node = captions.raw(load["per_length"], sketch.scene)
     found = [value for value, in acting.values([node], sketch, [{"x": x} for x in places])]
@@ -164,7 +171,7 @@ def lengths(strips: Sequence[Strip], sketch: "Sketch") -> list[Length]:
     return found
 
 
-def _lengths(strip, sketch):
+def _lengths(strip: Strip, sketch: "Sketch") -> Iterator[tuple[float, float, tuple[Run, ...] | None]]:
     record = strip.member.record
     if "segments" in record:
         for part, (low, high, _) in zip(record["segments"], strip.segments, strict=True):

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from math import pi
 from typing import TYPE_CHECKING, Any
 
-from vibcli.drawing.canvas.primitives import BODY, Polyline, extent, ghost
+from vibcli.drawing.canvas.primitives import BODY, Polyline, Primitive, extent, ghost
 from vibcli.drawing.layout import compose, lettering
 from vibcli.drawing.symbols import arrow, bodies, path
 from vibcli.drawing.vibration import Vibration, caption, mode
@@ -40,9 +40,9 @@ def frame(stage: "Scenery", sketch: "Sketch", unit: float, room: Mapping[str, tu
     return found + bodies.marks(sketch, stage.looks)
 
 
-def _arrows(stage, rest, moved, unit):
+def _arrows(stage: "Scenery", rest: "Sketch", moved: "Sketch", unit: float) -> "list[Primitive]":
     """The displacements of lumped bodies that slide."""
-    found = []
+    found: list[Primitive] = []
     for layout in stage.rows:
         for name, place in layout.places.items():
             if not place.turns and moved.lumped[name] != rest.lumped[name]:    # a driven one stands still

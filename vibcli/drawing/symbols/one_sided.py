@@ -28,7 +28,7 @@ class Sign(NamedTuple):
     room: float
     stretch: float
     gap: float
-    parts: list
+    parts: list[Any]
 
 
 def sign(record: "Record", at: "Callable[..., Any]", length: float, drawn: float, gap: float | None = None) -> Sign:
@@ -44,14 +44,14 @@ def sign(record: "Record", at: "Callable[..., Any]", length: float, drawn: float
     return _slot(at, length, drawn, min(GAP, 0.2 * drawn) / 2 if gap is None else max(LEAST, min(gap, 0.2 * drawn)))
 
 
-def _plates(at, length, drawn, play):
+def _plates(at: "Callable[..., tuple[float, float]]", length: float, drawn: float, play: float) -> Sign:
     stretch = min(length - drawn + play, 0.0)
     near = drawn - play + stretch
     return Sign(play, stretch, (near + length) / 2, [Polyline((at(s, PLATE), at(s, -PLATE)), "spring", THICK)
                                                      for s in (near, length)])
 
 
-def _cord(at, moved, free, room, spare):
+def _cord(at: "Callable[..., tuple[float, float]]", moved: float, free: float, room: float, spare: float) -> Sign:
     stretch = max(moved - spare, min(0.0, moved + SHORT * room))
     near, way = free + stretch, room + moved - stretch
     wave = min(sqrt(way * max(room + spare - way, 0.0)) / pi, WAVE)
@@ -60,7 +60,7 @@ def _cord(at, moved, free, room, spare):
                                                 Circle(at(near), 1.3, "ink", "ink", layer=JOINT)])
 
 
-def _slot(at, length, drawn, play):
+def _slot(at: "Callable[..., tuple[float, float]]", length: float, drawn: float, play: float) -> Sign:
     middle, moved = length - STEM - play - SLOT, length - drawn
     stretch, room = moved - max(-play, min(moved, play)), length - middle + play + SLOT + PIN
     pin = drawn - room + stretch + play + SLOT + PIN

@@ -17,15 +17,16 @@ LEAD, MOST = 5.0, 0.12      # to a bar and from it, at most in parts of the leng
 Place = tuple[float, float]
 
 
-def between(record: "Mapping[Any, Any] | Record", start: Place, end: Place, drawn: float, line: str, single: Callable,
-            room: float | None = None) -> list[Any]:
+def between(record: "Mapping[Any, Any] | Record", start: Place, end: Place, drawn: float, line: str,
+            single: Callable[..., Any], room: float | None = None) -> list[Any]:
     """All parts of a record, single(start, end, drawn, scale) being one, `scale` across; line: the style of leads."""
     room = ROW * rows(record) if room is None else room
     if "series" in record:
         return _in_series(record["series"], start, end, drawn, line, single, room)
     if "parallel" in record:
         return _in_parallel(record["parallel"], start, end, drawn, line, single, room)
-    return single(start, end, drawn, min(1.0, room / ROW))
+    found: list[Any] = single(start, end, drawn, min(1.0, room / ROW))
+    return found
 
 
 def rows(record: "Mapping[Any, Any] | Record") -> int:
@@ -50,13 +51,14 @@ def sides(t: float, among: "Sequence[Any]") -> tuple[float, ...]:
 
 
 
-def _weights(parts):
+def _weights(parts: "Sequence[Mapping[Any, Any] | Record]") -> list[int]:
     """How much of a row each part needs: what holds a row of its own needs more."""
     return [max((len(branch.get("series", ())) or 1) for branch in part.get("parallel", ()) or (part,))
             for part in parts]
 
 
-def _in_series(parts, start, end, drawn, line, single, room):
+def _in_series(parts: "Sequence[Mapping[Any, Any] | Record]", start: Place, end: Place, drawn: float, line: str,
+               single: Callable[..., Any], room: float | None) -> list[Any]:
     at, length = plane.along(start, end), plane.distance(start, end)
     weights, done, found = _weights(parts), 0.0, []
     dots: list[Any] = []
@@ -68,7 +70,8 @@ def _in_series(parts, start, end, drawn, line, single, room):
     return found + dots
 
 
-def _in_parallel(parts, start, end, drawn, line, single, room):
+def _in_parallel(parts: "Sequence[Mapping[Any, Any] | Record]", start: Place, end: Place, drawn: float, line: str,
+                 single: Callable[..., Any], room: float | None) -> list[Any]:
     at, length = plane.along(start, end), plane.distance(start, end)
     lead, steps = min(LEAD, MOST * length), [room * rows(part) / sum(map(rows, parts)) for part in parts]
     sides = [room / 2 - sum(steps[:i]) - step / 2 for i, step in enumerate(steps)]

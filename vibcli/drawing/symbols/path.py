@@ -37,7 +37,7 @@ def half_width(sketch: "Sketch") -> float | None:
         return None
     q, centre = sketch.scene.q[0].name, sketch.centre(paths[0])
 
-    def place(displacement):
+    def place(displacement: float) -> "tuple[float, float]":
         found = sketch.at({**sketch.values, q: sketch.values[q] + displacement})
         return plane.times(found.frames[paths[0]].point(centre), 1.0 / sketch.scale)
 
@@ -53,7 +53,7 @@ def half_width(sketch: "Sketch") -> float | None:
     return None
 
 
-def _one_way(name, stage, sense):
+def _one_way(name: str, stage: "Scenery", sense: int) -> list[tuple[float, float]]:
     """Places on the path as the coordinate grows, or falls, until they are far."""
     q = stage.scene.q[0].name
     start, centre = stage.sketch.values[q], stage.sketch.centre(name)

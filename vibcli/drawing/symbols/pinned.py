@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from math import tau
 from typing import TYPE_CHECKING, Any
 
-from vibcli.drawing.canvas.primitives import BEHIND, BODY, Polygon, Polyline
+from vibcli.drawing.canvas.primitives import BEHIND, BODY, Polygon, Polyline, Primitive
 from vibcli.drawing.layout import plane
 from vibcli.drawing.symbols.look import BALL, ROD, Look, ball, centre_mark
 
@@ -41,7 +41,7 @@ def pinned(body: "Body", centre: Any, pivot: Any, sketch: "Sketch", ties: "Ties"
     return Look([Polyline((pivot, centre), width=1.6, layer=BEHIND), bob, *rail(centre, slots)], "bob", bob.points)
 
 
-def _blob(pivot, centre):
+def _blob(pivot: tuple[float, float], centre: tuple[float, float]) -> Look:
     """A body of any form about its pin and its mass centre."""
     length = plane.distance(pivot, centre)
     low, high = -10.0, length + min(40.0, max(12.0, 0.35 * length))
@@ -53,7 +53,7 @@ def _blob(pivot, centre):
 
 
 def rail(origin: tuple[float, float],
-         slots: Sequence[tuple[tuple[float, float], tuple[float, float]]]) -> list[Polyline]:
+         slots: Sequence[tuple[tuple[float, float], tuple[float, float]]]) -> list[Primitive]:
     """The straight rods along which others slide."""
     if not slots:
         return []

@@ -27,7 +27,7 @@ def with_posts(look: "Look", body: "Body", sketch: "Sketch", ties: "Ties") -> "L
     return whole
 
 
-def _touches(place, look):
+def _touches(place: tuple[float, float], look: "Look") -> bool:
     """Is a place on a body as drawn?"""
     for part in look.pieces:
         points = list(part.points)
@@ -39,7 +39,7 @@ def _touches(place, look):
     return False
 
 
-def _root(place, look, centre):
+def _root(place: tuple[float, float], look: "Look", centre: tuple[float, float]) -> tuple[float, float]:
     """Where a post to a place grows from a body: straight from its outline if it can."""
     best = centre
     for part in look.pieces:
@@ -52,7 +52,7 @@ def _root(place, look, centre):
     return best
 
 
-def _along_element(root, place, ties, name):
+def _along_element(root: tuple[float, float], place: tuple[float, float], ties: "Ties", name: str) -> bool:
     """Does a spring or damper from this place run where the post would?"""
     for one, two in ties.ends:
         for a, b in ((one, two), (two, one)):
@@ -63,7 +63,8 @@ def _along_element(root, place, ties, name):
     return False
 
 
-def _bent(root, place, look, centre):
+def _bent(root: tuple[float, float], place: tuple[float, float], look: "Look",
+          centre: tuple[float, float]) -> tuple[tuple[float, float], ...]:
     """A post to a place beside a box: level from the box, then upright."""
     (x, y), (x0, y0) = place, root
     if look.kind in ("block", "platform") and min(abs(x - x0), abs(y - y0)) > 1.0 and not look.angle:

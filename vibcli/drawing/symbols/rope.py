@@ -54,7 +54,7 @@ def ends(ropes: Mapping[str, Sequence[DrawnStop]], sketch: Sketch) -> list[tuple
 
 def stops(record: "Record", sketch: Sketch, looks: "Mapping[str, Look]") -> list[DrawnStop]:
     """The Stops of a rope as drawn."""
-    raw: list = []
+    raw: list[Any] = []
     for item in record["rope"]:
         if not hasattr(item, "values"):
             raw.append((sketch.attachment(item), 0.0, None))
@@ -74,7 +74,7 @@ def stops(record: "Record", sketch: Sketch, looks: "Mapping[str, Look]") -> list
     return [_edge(found[0], found[1], looks), *found[1:-1], _edge(found[-1], last, looks)]
 
 
-def _edge(stop, other, looks):
+def _edge(stop: DrawnStop, other: DrawnStop, looks: "Mapping[str, Look]") -> DrawnStop:
     """The end of a rope where it meets a body."""
     look = looks.get(stop.at.carrier)
     if stop.sense or look is None or look.core is None or not plane.inside(stop.at.drawn, look.core):
@@ -84,12 +84,13 @@ def _edge(stop, other, looks):
     return stop._replace(at=Attachment(stop.at.carrier, plane.leaves(stop.at.drawn, direction, look.core)))
 
 
-def _contact(raw):
+def _contact(raw: tuple[Attachment, float, tuple[int, int] | None]) -> tuple[float, float]:
     at, radius, side = raw
     return plane.plus(at.drawn, side, radius) if side else at.drawn
 
 
-def _tangent(a, one, b, two):
+def _tangent(a: tuple[float, float], one: DrawnStop, b: tuple[float, float],
+             two: DrawnStop) -> tuple[tuple[float, float], tuple[float, float]]:
     """Where the free piece between two circles leaves one and meets the other."""
     w = plane.minus(b, a)
     square = plane.dot(w, w)

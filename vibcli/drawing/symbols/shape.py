@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 class Outline(NamedTuple):
     """A closed or open outline; a `cut` is a hole. `band` marks what is only a line: a ring or an arch."""
 
-    points: list
+    points: list[tuple[float, float]]
     closed: bool = True
     cut: bool = False
     band: bool = False

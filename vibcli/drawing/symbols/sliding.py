@@ -1,5 +1,6 @@
 """Looks of bodies without a shape that slide: blocks, carts, wedges under others, knots."""
 
+from collections.abc import Sequence
 from math import pi
 from typing import TYPE_CHECKING
 
@@ -49,13 +50,13 @@ def block(body: "Body", centre: tuple[float, float], sketch: "Sketch", ties: "Ti
     return Look([*hanger, Polygon(tuple(corners))], "block", corners, angle, width, height)
 
 
-def _turns_a_rotor(body, sketch):
+def _turns_a_rotor(body: "Body", sketch: "Sketch") -> bool:
     """Does an unbalance act on a body?"""
     return any("unbalance" in record and getattr(record.get("at"), "text", None) == body.name
                for record in (sketch.spec.get("forces") or {}).values())
 
 
-def _holder(body, centre, ties):
+def _holder(body: "Body", centre: tuple[float, float], ties: "Ties") -> Look:
     """What has no mass and slides upright: bars at the places that it carries, else a knot where others meet."""
     bars = [plane.box(place, *BAR, plane.heading(plane.minus(centre, place)) + pi / 2)
             for place in ties.carried.get(body.name, ()) if plane.distance(place, centre) > 1e-6]
@@ -64,7 +65,7 @@ def _holder(body, centre, ties):
     return Look([ball(centre, 2.4)._replace(fill="ink")], "joint")
 
 
-def _hook(body, centre, sketch):
+def _hook(body: "Body", centre: tuple[float, float], sketch: "Sketch") -> float:
     """How far below the axle of a wheel a body hangs that is drawn at the very axle; 0 of any other."""
     for name, other in sketch.scene.bodies.items():
         wheel = name in sketch.frames and name != body.name and other.rolling_radius is not None
@@ -73,7 +74,7 @@ def _hook(body, centre, sketch):
     return 0.0
 
 
-def _ramp(place, direction, carried):
+def _ramp(place: tuple[float, float], direction: tuple[float, float], carried: Sequence[tuple[float, float]]) -> Look:
     """A wedge under a block that slides on it."""
     reach = [plane.dot(plane.minus(point, place), direction) for point in carried]
     low, high = min([*reach, -40.0]), max([*reach, 40.0])

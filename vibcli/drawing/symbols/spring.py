@@ -3,7 +3,7 @@
 from math import pi, tau
 from typing import TYPE_CHECKING, Any
 
-from vibcli.drawing.canvas.primitives import ELEMENT, Hatch, Polygon, Polyline
+from vibcli.drawing.canvas.primitives import ELEMENT, Polygon, Polyline, Primitive
 from vibcli.drawing.layout import plane
 from vibcli.drawing.symbols import parts, support
 
@@ -17,7 +17,7 @@ SHAFT, SPIRAL = 2.4, 12.5      # half the thickness of a shaft, the radius of a 
 
 
 def between(record: "Record", start: tuple[float, float], end: tuple[float, float],
-            drawn: float, gap: float | None = None) -> list[Polygon | Polyline]:
+            drawn: float, gap: float | None = None) -> list[Primitive]:
     """A zigzag, with its gap, which in motion is so many points wide; an elastic shaft from the side where it is
     twisted; its parts, if it has any."""
     if "torsion" in record:
@@ -33,7 +33,7 @@ def between(record: "Record", start: tuple[float, float], end: tuple[float, floa
 
 
 def about(_record: Any,
-          turn: "Turn") -> tuple[list[Hatch | Polyline], tuple[tuple[float, float], tuple[float, float]]]:
+          turn: "Turn") -> tuple[list[Primitive], tuple[tuple[float, float], tuple[float, float]]]:
     """A spiral about a joint, to a wall where the ground holds it; also where it is: (middle, normal)."""
     radius = SPIRAL + 6.0 * turn.rank
     start, held = turn.held or (turn.heading + pi / 2 + 0.35 * pi * turn.rank, 0.0)
@@ -44,13 +44,13 @@ def about(_record: Any,
     return found, (plane.polar(turn.centre, radius + 3, beside), plane.polar((0, 0), 1.0, beside))
 
 
-def _shaft(start, end):
+def _shaft(start: tuple[float, float], end: tuple[float, float]) -> list[Primitive]:
     at, length = plane.along(start, end), plane.distance(start, end)
     return [Polygon((at(0, SHAFT), at(length, SHAFT), at(length, -SHAFT), at(0, -SHAFT)), "paper", "spring",
                     layer=ELEMENT)]
 
 
-def _zigzag(start, end, drawn, scale=1.0):
+def _zigzag(start: tuple[float, float], end: tuple[float, float], drawn: float, scale: float = 1.0) -> list[Primitive]:
     """The coils and straight ends that fit the length `drawn`."""
     length, at = plane.distance(start, end), plane.along(start, end)
     coils = max(3, min(MOST, round(drawn / COIL) - 2))
@@ -63,7 +63,7 @@ def _zigzag(start, end, drawn, scale=1.0):
     return [Polyline((*points, at(length - lead), end), "spring")]
 
 
-def _spiral(centre, from_angle, to_angle, radius):
+def _spiral(centre: tuple[float, float], from_angle: float, to_angle: float, radius: float) -> list[Primitive]:
     """From its core to the two that it turns."""
     turns = tau + (to_angle - from_angle) % tau
     turns += tau * (turns < 3 * pi)

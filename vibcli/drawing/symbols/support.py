@@ -2,13 +2,13 @@
 
 from typing import Any
 
-from vibcli.drawing.canvas.primitives import ARROW, BEHIND, JOINT, SURFACE, Circle, Hatch, Polygon
+from vibcli.drawing.canvas.primitives import ARROW, BEHIND, JOINT, SURFACE, Circle, Hatch, Polygon, Primitive
 from vibcli.drawing.layout import plane
 
 HINGE, HEIGHT, HALF, WALL, ROLLER = 2.6, 11.0, 7.0, 11.0, 3.0
 
 
-def hinge(place: tuple[float, float]) -> list[Circle]:
+def hinge(place: tuple[float, float]) -> list[Primitive]:
     """Two bodies pinned together."""
     return [Circle(place, HINGE, "paper", layer=JOINT)]
 
@@ -22,30 +22,30 @@ def bearing(place: tuple[float, float], down: tuple[float, float], height: float
             Circle(place, HINGE, "paper", layer=JOINT)]
 
 
-def wall(place: tuple[float, float], outward: tuple[float, float], half: float = WALL) -> list[Hatch]:
+def wall(place: tuple[float, float], outward: tuple[float, float], half: float = WALL) -> list[Primitive]:
     """A piece of the ground at the end of a spring, damper or rope; `outward` points into it."""
     side = plane.left(outward)
     return [Hatch((plane.plus(place, side, half), plane.plus(place, side, -half)), 1, layer=BEHIND)]
 
 
-def shaken_wall(place: tuple[float, float], outward: Any) -> list[Polygon]:
+def shaken_wall(place: tuple[float, float], outward: Any) -> list[Primitive]:
     """A support that is driven: a bar without ground behind it."""
     side = plane.left(outward)
     ends = [plane.plus(place, side, WALL), plane.plus(place, side, -WALL)]
     return [Polygon((*ends, plane.plus(ends[1], outward, 4), plane.plus(ends[0], outward, 4)), "driven", layer=BEHIND)]
 
 
-def floor(place: tuple[float, float], along: tuple[float, float], half: float) -> list[Hatch]:
+def floor(place: tuple[float, float], along: tuple[float, float], half: float) -> list[Primitive]:
     """A flat piece of ground under what slides; it lies to the right of `along`."""
     return [Hatch((plane.plus(place, along, -half), plane.plus(place, along, half)), -1, layer=SURFACE)]
 
 
-def dot(place: tuple[float, float]) -> list[Circle]:
+def dot(place: tuple[float, float]) -> list[Primitive]:
     """Where a spring, damper or rope is fastened to a body."""
     return [Circle(place, 1.6, "ink", layer=JOINT)]
 
 
-def roller(place: tuple[float, float]) -> list[Circle]:
+def roller(place: tuple[float, float]) -> list[Primitive]:
     return [Circle(place, ROLLER, "paper", layer=BEHIND)]
 
 
@@ -58,6 +58,6 @@ def rocker(place: tuple[float, float], along: tuple[float, float]) -> list[Any]:
             *floor(plane.plus(place, down, 14.0), along, 12.0)]
 
 
-def peg(place: tuple[float, float]) -> list[Circle]:
+def peg(place: tuple[float, float]) -> list[Primitive]:
     """A small smooth peg."""
     return [Circle(place, HINGE, "ink", layer=ARROW - 1)]

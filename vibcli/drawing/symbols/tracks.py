@@ -1,17 +1,17 @@
 """Fixed surfaces: the ground under what rolls or slides on lines, circles and curves."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from math import isfinite, pi, tau
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from vibcli.drawing.canvas.primitives import SURFACE, Circle, Hatch
+from vibcli.drawing.canvas.primitives import SURFACE, Circle, Hatch, Primitive
 from vibcli.drawing.layout import plane
 from vibcli.drawing.symbols import support
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
     from vibcli.drawing.layout.sketch import Sketch
-    from vibcli.language.reader import Record
+    from vibcli.language.reader import Record, Reference
 
 SPREAD, MARGIN, FAR, SMALL = 0.35 * pi, 22.0, 120.0, 16.0  # of a circle beside what is inside it; beyond what rolls
 SAMPLES, STEEP, SUNK = 48, 0.6, 12.5        # half the height of a block
@@ -19,7 +19,7 @@ FLAT = 0.36         # the sine of the angle by which a rod that lies on a surfac
 ON = 0.5            # points by which a rim may be off its circle
 
 
-def contacts(name: str, sketch: "Sketch") -> list[tuple[tuple[float, float], float | None]]:
+def contacts(name: str, sketch: "Sketch") -> Sequence[tuple[tuple[float, float], float | None]]:
     """[(a place of what is on the surface as drawn, how much room it needs along it)]."""
     found = []
     for body in sketch.scene.bodies.values():
@@ -37,7 +37,7 @@ def contacts(name: str, sketch: "Sketch") -> list[tuple[tuple[float, float], flo
 
 
 def ground(record: "Record", used: Sequence[tuple[tuple[float, float], float | None]],
-           sketch: "Sketch") -> list[Circle | Hatch]:
+           sketch: "Sketch") -> list[Primitive]:
     """A fixed surface under what is on it (`contacts`)."""
     if "line" in record and (borne := _borne(record, sketch)):
         a, b = (sketch.pair(place) for place in record["line"])
@@ -72,13 +72,13 @@ def sunk(name: str, sketch: "Sketch") -> float:
     return 2 * support.ROLLER if "body" not in record and "line" in record and _is_lain_on(record, sketch) else 0.0
 
 
-def _held(name, sketch):
+def _held(name: str, sketch: "Sketch") -> "list[Reference]":
     """The points that constraints hold to a surface."""
     return [record["point"] for record in (sketch.spec.get("constraints") or {}).values()
             if "surface" in record and record["surface"].text == name]
 
 
-def _borne(record, sketch):
+def _borne(record: "Record", sketch: "Sketch") -> list[tuple[float, float]]:
     """Where rods lie on a straight surface, or nearly along it, if nothing else is on it: each on a bearing."""
     ends = [sketch.attachment(point) for point in _held(record.name, sketch)]
     bodies = [sketch.scene.bodies.get(end.carrier) for end in ends]
@@ -90,7 +90,7 @@ def _borne(record, sketch):
     return [sketch.now(end) for end in ends] if all(abs(plane.across(along, rod)) < FLAT for rod in rods) else []
 
 
-def _is_lain_on(record, sketch):
+def _is_lain_on(record: "Record", sketch: "Sketch") -> bool:
     """Does a spring or damper lie along a straight surface?"""
     a, b = (sketch.pair(place) for place in record["line"])
     e = plane.unit(plane.minus(b, a))
@@ -99,7 +99,8 @@ def _is_lain_on(record, sketch):
                for pair in ends)
 
 
-def _rollers(record, a, b, used, sketch):
+def _rollers(record: "Record", a: tuple[float, float], b: tuple[float, float],
+             used: Sequence[tuple[tuple[float, float], float | None]], sketch: "Sketch") -> list[Primitive]:
     """Those between a straight surface that is drawn lower and what is held to it."""
     up = plane.times(plane.left(plane.unit(plane.minus(b, a))), free_side(a, b, used))
     if not _held(record.name, sketch) or not sunk(record.name, sketch):
@@ -115,7 +116,8 @@ def free_side(a: tuple[float, float], b: tuple[float, float],
     return 1 if sum(plane.across(e, plane.minus(place, a)) for place, _ in used) >= -1e-6 else -1
 
 
-def _line(a, b, used):
+def _line(a: tuple[float, float], b: tuple[float, float],
+          used: Sequence[tuple[tuple[float, float], float | None]]) -> list[Primitive]:
     e, length = plane.unit(plane.minus(b, a)), plane.distance(a, b)
     spans = [(plane.dot(plane.minus(place, a), e), room) for place, room in used if room is not None] or [(0.0, 0.0),
                                                                                                         (length, 0.0)]
@@ -138,19 +140,19 @@ def visible(record: "Record", places: Sequence[tuple[float, float]], sketch: "Sk
     return plane.arc(centre, radius, angles[0] + low, angles[0] + high)
 
 
-def _turn(angle, start):
+def _turn(angle: float, start: float) -> float:
     """From one angle to another, by half a turn at most."""
     return (angle - start + pi) % tau - pi
 
 
-def _rims(centre, radius, sketch):
+def _rims(centre: tuple[float, float], radius: float, sketch: "Sketch") -> list[Any]:
     """Fixed points on a circle, at which constraints hold bodies."""
     points = [record["point"] for record in (sketch.spec.get("constraints") or {}).values() if "point" in record]
     places = [sketch.pair(point) for point in points if isinstance(point, list)]
     return [place for place in places if abs(plane.distance(place, centre) - radius) < ON]
 
 
-def _circle(record, places, sketch):
+def _circle(record: "Record", places: list[tuple[float, float]], sketch: "Sketch") -> list[Primitive]:
     points = visible(record, places, sketch)
     if record.get("side") == "inside":
         return [Hatch(tuple(points), -1)]
@@ -180,12 +182,13 @@ def half_width(record: "Record", sketch: "Sketch", start: float = 0.0) -> float:
     return 1.0
 
 
-def _height(record, sketch):
+def _height(record: "Record", sketch: "Sketch") -> Callable[[float], float]:
     """y of a curve over x, both in metres."""
     scene = sketch.scene
     x = scene.table.variable("the abscissa of a curve")
     node = scene.height_of(record, x)
 
-    def f(value):
-        return evaluate([node], Floats, {**sketch.values, x.name: value})[0]
+    def f(value: float) -> float:
+        found: float = evaluate([node], Floats, {**sketch.values, x.name: value})[0]
+        return found
     return f

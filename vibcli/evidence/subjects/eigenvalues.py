@@ -8,7 +8,7 @@ from vibcli.evidence.reference import member_damped_modes, members, modal
 from vibcli.evidence.reference.settled import relative_error
 from vibcli.evidence.subject import MethodAnswer, Subject
 from vibcli.evidence.subjects import DAMPED, NATURAL, SUBJECTS
-from vibcli.quantities.modal import counted
+from vibcli.quantities.quantity import counted
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem

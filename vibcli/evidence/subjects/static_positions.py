@@ -10,8 +10,7 @@ from vibcli.language.signals import CONTACT, is_reaction
 from vibcli.mechanics.configuration import Configuration
 from vibcli.mechanics.signals import in_contact, normal_of, reaction_of
 from vibcli.quantities import equilibrium
-from vibcli.quantities.modal import counted
-from vibcli.quantities.quantity import about_which, declared
+from vibcli.quantities.quantity import about_which, counted, declared
 from vibcli.results.random_states import reach
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.syntax import QuantityRef

@@ -41,7 +41,7 @@ HEAD = r"""\documentclass[11pt,a4paper,fleqn]{article}
 \renewcommand{\arraystretch}{1.3}
 \raggedright
 \allowdisplaybreaks
-\newcommand{\wide}[1]{\resizebox{\ifdim\width>0.82\linewidth 0.82\linewidth\else\width\fi}{!}{#1}}
+\newcommand{\wide}[1]{\resizebox{\ifdim\width>0.8\linewidth 0.8\linewidth\else\width\fi}{!}{#1}}
 \newsavebox{\figurebox}
 \newcommand{\drawn}[1]{\sbox{\figurebox}{\includegraphics{#1}}%
 \ifdim\ht\figurebox>0.4\textheight\sbox{\figurebox}{\includegraphics[height=0.4\textheight]{#1}}\fi

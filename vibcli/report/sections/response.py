@@ -163,9 +163,11 @@ def precise_text(value: "mpmath.mpf", digits: int) -> str:
 
 def _kind(motion, asked):
     """What kind of motion it is, and in which signals what modes left out add is only estimated."""
-    estimated = [one.text for one in asked if motion.estimated and one.signal.is_estimated]
-    among = "" if len(estimated) == len(asked) else f" in {', '.join(estimated)}"
-    return f"{motion.words}; what those left out add is estimated{among}" if estimated else motion.words
+    estimated = [one for one in asked if motion.estimated and one.signal.is_estimated]
+    among = "" if len(estimated) == len(asked) else f" in {', '.join(one.text for one in estimated)}"
+    reasons = {one.signal.why_estimated for one in estimated}
+    why = f", {reasons.pop()}" if len(reasons) == 1 and "" not in reasons else ""
+    return f"{motion.words}; what those left out add is estimated{among}{why}" if estimated else motion.words
 
 
 def _start(problem, motion, kind, drive):

@@ -77,7 +77,7 @@ def shown(problem: "Problem", wanted: Wanted | None = None, modes: "Modes | None
 
 def _none(modes, asked):
     if asked.up_to is None:
-        from vibcli.quantities.modal import counted
+        from vibcli.quantities.quantity import counted
 
         return PhysicsError(f"there is no mode {asked.first}: this scene has {counted(len(modes), 'mode')}",
                             "ask for one that it has")

@@ -15,7 +15,7 @@ from vibcli.notation.as_printed import as_printed
 from vibcli.notation.plain import plain
 from vibcli.quantities.expression import value_of
 from vibcli.report.blocks import Words
-from vibcli.report.steps.complex_nodes import ComplexNode, determinant_of
+from vibcli.report.steps.complex_nodes import ComplexNode, LetteredStiffness, determinant_of
 from vibcli.report.steps.held_against import tell_found
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number, unit_told
@@ -46,6 +46,8 @@ class Phasors:
         self.parts = ("a",) if steady.undamped else ("a", "b")
         self.values = [part for X in values for part in ((X.real,) if steady.undamped else (X.real, X.imag))]
         self.found = bool(values) and not steady.several and all(self.values)
+        if steady.Z and not steady.several:
+            self.sheet.responses[steady.given] = LetteredStiffness(steady.Z, stiffness_of(steady), steady.D)
         self.by_cramer = by_cramer(steady) if not (steady.several or steady.numeric) and steady.Z else []
         self.known = self.found or bool(self.by_cramer)
         self.letters = [self.about.letter(self.sheet.letter(part, f"X{k + 1}"))
@@ -194,14 +196,16 @@ def tell_of_one(about: AboutRest, sheet: WorkedSolution, X: "Node", Omega: "Node
             tell_amplitude(about, sheet, asked, root(about.tidy(factor ** 2), about.samples) * X, None, uses)
 
 
+def stiffness_of(steady: "SteadyState") -> list[list[ComplexNode]]:
+    """Rows of Z by the letters of its entries."""
+    return [[ComplexNode(*steady.told(i, j)) for j in range(steady.n)] for i in range(steady.n)]
+
+
 def by_cramer(steady: "SteadyState") -> list[ComplexNode]:
     """The complex amplitudes by determinants of Z, in the letters of its entries and of F."""
-    def entry(i, j=None):
-        return ComplexNode(*steady.told(i, j))
-
-    rows = [[entry(i, j) for j in range(steady.n)] for i in range(steady.n)]
+    rows, forces = stiffness_of(steady), [ComplexNode(*steady.told(i)) for i in range(steady.n)]
     below = determinant_of(rows)
-    columns = ([[entry(i) if j == k else part for j, part in enumerate(row)] for i, row in enumerate(rows)]
+    columns = ([[forces[i] if j == k else part for j, part in enumerate(row)] for i, row in enumerate(rows)]
                for k in range(steady.n))
     return [determinant_of(column).over(below) for column in columns]
 

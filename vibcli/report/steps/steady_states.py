@@ -6,13 +6,12 @@ by Cramer's rule up to three degrees of freedom, by numbers beyond (Rao 2011, se
 
 from cmath import phase
 from math import isclose, pi
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.notation.names import lowered
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.characteristic import determinant
-from vibcli.report.steps.complex_nodes import ComplexNode, LetteredStiffness
 from vibcli.report.steps.complex_numbers import cleared, complex_parts, complex_told
 from vibcli.report.steps.fixed_points import tell_fixed_points
 from vibcli.report.steps.held import HINT, UNTOLD, SmallEquations, Untold
@@ -35,7 +34,6 @@ if TYPE_CHECKING:
 WRITTEN = 3         # degrees of freedom that are solved by determinants
 READABLE = 60       # letters of an amplitude, beyond which Cramer's rule alone tells it
 CLOSE = 1e-8        # relative: of an amplitude by the lines and the engine's, beside the largest
-ORDINALS = "first", "second", "third"
 
 
 class SteadyState:
@@ -53,8 +51,7 @@ class SteadyState:
         if not symbol:
             self._know()
         self.undamped = not found.C and not found.G and len(kinds) == 1
-        self.parts: dict[Node, tuple] = {}      # of letters of Z and F
-        self.Z: list[list[Node]] = []
+        self.parts, self.Z = dict[Any, tuple](), list[list[Any]]()      # of letters of Z and F; rows of letters
         self.numeric = not about.problem.numeric.has_free_symbols
 
     def _know(self):
@@ -183,9 +180,6 @@ class SteadyState:
                                        for part, name in zip(parts, ("re", "im"), strict=True))
         node, value = determinant(self.Z), complex(det(self._rows(self.about.numbers())[0])) if self.numeric else None
         self.D = self.about.letter(sheet.letter("D"))
-        if not self.several and self.n == 3:
-            sheet.responses[self.given] = LetteredStiffness(self.Z, [[ComplexNode(*self.told(i, j)) for j in range(
-                self.n)] for i in range(self.n)], self.D)
         return [sheet.last, sheet.write(Words("its determinant  "), self.D, " = ", node, *(() if value is None else (
             " = " + complex_told(value), Words(f" {unit_of_determinant(self.about.problem)}"))),
                                         settles=self.D.name, uses=[sheet.last])]
@@ -271,7 +265,8 @@ class SteadyState:
     def _which(self, k):
         """Words that say which row a coordinate of another number has."""
         own = self.names[k].lstrip("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_")
-        return [Words(f"the {ORDINALS[k]} coordinate, ")] if own not in ("", str(k + 1)) and self.n <= WRITTEN else []
+        nth = ("first", "second", "third")[k] if self.n <= WRITTEN else ""
+        return [Words(f"the {nth} coordinate, ")] if own not in ("", str(k + 1)) and nth else []
 
     def _in_numbers(self, value, letter, unit, written):
         """Parts of a complex amplitude and its size."""

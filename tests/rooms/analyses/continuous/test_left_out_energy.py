@@ -7,6 +7,7 @@ from support.modes_found_once import modes_found_once  # noqa: F401
 from support.scenes import problem
 
 from vibcli.analyses.continuous.damped_energies import energies
+from vibcli.analyses.continuous.left_out_motions import AT_ONCE
 from vibcli.analyses.excitation.linear_output import FieldPoint, LinearOutput
 from vibcli.language.signals_of_places import with_places
 from vibcli.results.damped_modal_response import DampedModalResponse
@@ -66,8 +67,14 @@ SCENES |= {
         {ASIDE: 0, MID: 0, MOMENT: 0, RATE: 0}),
     "dragged beside a mass": (PINNED.replace("mass", "drag: 3 N*s/m^2, mass", 1).replace("c: DAMPER", "mass: 0.5 kg")
                               % STEP, {ASIDE: 0, MID: 0}),
-    "creeping": (PINNED.replace("length: L", UNEVEN).replace("DRAG", "1 N*s/m^2").replace(
-        "drag: 3", "drag: 60").replace("DAMPER", "1 N*s/m") % RAMP, {ASIDE: 0, MID: 0, MOMENT: 0}),
+    "creeping": (PINNED.replace("length: L", UNEVEN.replace("drag: 3", "drag: 60")).replace(
+        "DRAG", "1 N*s/m^2").replace("DAMPER", "1 N*s/m") % RAMP, {ASIDE: 0, MID: 0, MOMENT: 0}),
+    "along a mast": ("""
+parameters: {L: 1 m, mu: 1 kg/m, g: 9.81 m/s^2, EI: 20 N*m^2}
+gravity: g
+beams: {arm: {from: [0, 0], to: [0, L], EI: EI, mass_per_length: mu, left: clamped, right: {c: 0.7 N*s/m}}}
+forces: {push: {body: arm, per_length: 1 N/m*x/L*step(t), to: 0.45*L}}""",
+                     {FieldPoint(0, 0.2): 0, FieldPoint(1, 0.2, 2): 0}),
     "a ramp": (COMMON % RAMP, {ASIDE: 0, MOMENT: 0, SHEAR: 0, RATE: 0, FieldPoint(0, 0.2, 3): 0}),
     "as smooth as a rate of moments wants it": (
         COMMON % "forces: {push: {at: aside, force: 1 N*(1 - cos(30*t/(1 s)))}}",
@@ -113,8 +120,10 @@ forces: {push: {at: end, force: 1 N*step(t)}}
 def test_moments_and_what_is_struck_where_nothing_has_mass_are_estimated():
     scene = problem(SCENES["step"][0])
     motion = DampedModalResponse(scene).motion(FEW)
-    for place, estimated in ((MID, False), (FieldPoint(2, 0.0, 2), True), (FieldPoint(2, 0.0, 0, 1), True)):
-        assert motion.is_estimated(LinearOutput(places={place: 1.0})) == estimated
+    for place, why in ((MID, ""), (FieldPoint(2, 0.0, 2), AT_ONCE), (FieldPoint(2, 0.0, 0, 1), AT_ONCE)):
+        output = LinearOutput(places={place: 1.0})
+        left = motion.modes.disturbed(motion.forcing.pieces)
+        assert (motion.is_estimated(output), left.reason(output)) == (bool(why), why)
     torn = problem(SHAKEN.replace("SLIDE", "1 cm*step(t)").replace("ENDS", "pinned"))
     assert DampedModalResponse(torn).motion(FEW).is_estimated(LinearOutput(places={MID: 1.0}))
     struck = problem(COMMON % "forces: {push: {at: aside, force: 1 N*s*impulse(t)}}")
@@ -162,3 +171,10 @@ def test_energies_of_modes_are_those_of_their_fields(c, drag):
     wanted = (A.T @ expected[0] @ A + A.conj().T @ expected[1] @ A).real / 2
     assert (np.abs(found - wanted) <= off + 1e-12 * np.abs(wanted).max()).all()
     assert np.abs(off).max() <= 1e-6 * np.abs(wanted).max()
+
+
+def test_what_is_left_out_fades_as_drag_of_all_does():
+    motion = DampedModalResponse(problem(SCENES["dragged unevenly"][0])).motion(FEW)
+    output = LinearOutput(places={ASIDE: 1.0})
+    early, late = (motion.bound(output, t) for t in (1.0, 3.0))
+    assert late == pytest.approx(early * np.exp(-0.5 * 2), rel=1e-12)      # δ = c/2μ of the least drag
