@@ -39,7 +39,7 @@ class ConvergedMotion(NamedTuple):
 class HarmonicBalance:
     """The equations of one family; `scale`: ωᵢ of its linear mode."""
 
-    def __init__(self, equations: FreeEquations, number: int):
+    def __init__(self, equations: FreeEquations, number: int) -> None:
         self.equations, self.number, self.scale = equations, number, float(equations.omegas[number])
         self.harmonics = slice(1, None, 2) if equations.odd else slice(None)    # those that a motion has
 
@@ -63,7 +63,7 @@ class HarmonicBalance:
             last = change
         return None
 
-    def _system(self, motion, closing, finer=1):
+    def _system(self, motion: CosineMotion, closing: ClosingCondition, finer: int = 1) -> tuple[np.ndarray, np.ndarray]:
         """[J; closing] and its right sides: −(r, closing), and 1 in the last row. finer: so many times the places."""
         harmonics = len(motion.a) - 1
         cells = finer * harmonics
@@ -90,9 +90,9 @@ class HarmonicBalance:
         right[:-1, 0], right[-1] = -found.residual.T.ravel(), (-closing.value, 1.0)
         return J, right
 
-    def _motion(self, column, like):
+    def _motion(self, column: np.ndarray, like: CosineMotion) -> CosineMotion:
         a = np.zeros(like.a.shape)
-        a[self.harmonics] = column[:-1].reshape(-1, a.shape[1])
+        a[self.harmonics] = column[:-1].reshape(-1, like.a.shape[1])
         return CosineMotion(a, float(column[-1]))
 
     def refined(self, motion: CosineMotion, closing: "Callable[[CosineMotion], ClosingCondition]") -> CosineMotion:
@@ -103,7 +103,7 @@ class HarmonicBalance:
         step = self._motion(np.linalg.solve(J, right[:, 0]), motion)
         return CosineMotion(motion.a + step.a, motion.w + step.w)
 
-    def _residual(self, motion, finer):
+    def _residual(self, motion: CosineMotion, finer: int) -> np.ndarray:
         """r in long doubles, of shape (places, n)."""
         harmonics = len(motion.a) - 1
         table = cosines(harmonics, finer * harmonics, True, self.equations.odd)
@@ -126,7 +126,7 @@ class HarmonicBalance:
         total = float(y[:-1] @ left.ravel()) + float(y[-1]) * own * abs(condition)
         return SAFE * total / motion.w + own if np.isfinite(total) else np.inf
 
-    def _rounding(self, motion):
+    def _rounding(self, motion: CosineMotion) -> np.ndarray:
         """Of r, the largest of some places, of shape (n,)."""
         k = np.arange(len(motion.a))
         found = []
@@ -134,12 +134,13 @@ class HarmonicBalance:
             angle = np.pi * share * k
             rows = np.cos(angle), -k * np.sin(angle), -k * k * np.cos(angle)
             found.append([motion.a.T @ row for row in rows])
-        return np.max([self.equations.rounding(self.scale, motion.w, *one) for one in found], axis=0)
+        result: np.ndarray = np.max([self.equations.rounding(self.scale, motion.w, *one) for one in found], axis=0)
+        return result
 
     def energy(self, motion: CosineMotion) -> float:
         """Above that of the equilibrium [J]: V at the end of the way."""
         return self.equations.energy(motion.a.sum(axis=0))
 
 
-def _apart(one, other):
+def _apart(one: CosineMotion, other: CosineMotion) -> float:
     return float(np.linalg.norm(one.a - other.a) / one.size + abs(one.w - other.w) / one.w)

@@ -59,7 +59,7 @@ def closed_form(symbolic: "SymbolicSystem", A: "Node") -> ByEllipticIntegral | B
     return None if found is None else found._replace(energy=textbook(found.energy))
 
 
-def _falls(V, q, A):
+def _falls(V: "Node", q: "Node", A: "Node") -> bool:
     """Does V fall from 0?"""
     table = V.table
     if table.is_positive(textbook(-_at(V, q, A))):
@@ -70,7 +70,7 @@ def _falls(V, q, A):
         return False
 
 
-def _place(symbolic, q):
+def _place(symbolic: "SymbolicSystem", q: "Node") -> "Node":
     """The equilibrium; where V has a kink there, as drawn: what is a pure power of the deviation rests there."""
     try:
         return symbolic.equilibrium_position[q.name]
@@ -78,7 +78,7 @@ def _place(symbolic, q):
         return symbolic.scene.resting.drawn_position.get(q, q.table.zero)
 
 
-def _duffing(V, T0, q, A):
+def _duffing(V: "Node", T0: "Node", q: "Node", A: "Node") -> ByEllipticIntegral | None:
     V2, V4 = (textbook(_at(_derivative(V, q, n), q, V.table.zero) / of) for n, of in ((2, 2), (4, 24)))
     if V4.is_zero or not is_zero(V - V2 * q**2 - V4 * q**4):
         return None
@@ -86,7 +86,7 @@ def _duffing(V, T0, q, A):
     return ByEllipticIntegral((hard / (2 * T0)) ** HALF, 2 * V4 * A**2 / hard, _at(V, q, A))
 
 
-def _pendulum(V, T0, q, A):
+def _pendulum(V: "Node", T0: "Node", q: "Node", A: "Node") -> ByEllipticIntegral | None:
     table = V.table
     stiffness, fourth = (_at(_derivative(V, q, n), q, table.zero) for n in (2, 4))
     if is_zero(stiffness) or is_zero(fourth):
@@ -97,7 +97,7 @@ def _pendulum(V, T0, q, A):
     return ByEllipticIntegral((stiffness / (2 * T0)) ** HALF, table.call("sin", n * A / 2) ** 2, _at(V, q, A))
 
 
-def _power(V, T0, q, A):
+def _power(V: "Node", T0: "Node", q: "Node", A: "Node") -> ByGamma | None:
     right, left, slope = (_at(node, q, place) for node, place in ((V, A), (V, -A), (_derivative(V, q, 1), A)))
     p = textbook(A * _at(slope, V.table.call("sign", A), V.table.number(1)) / right)
     if A in reachable([p]) or is_zero(p - 2) or not is_zero(right - left):
@@ -105,11 +105,11 @@ def _power(V, T0, q, A):
     return ByGamma((right / T0) ** HALF / A, p, right)
 
 
-def _derivative(V, q, order):
+def _derivative(V: "Node", q: "Node", order: int) -> "Node":
     for _ in range(order):
         V = gradient(V).get(q, V.table.zero)
     return V
 
 
-def _at(node, q, place):
+def _at(node: "Node", q: "Node", place: "Node") -> "Node":
     return substitute([node], {q: place})[0]

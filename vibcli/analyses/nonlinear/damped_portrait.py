@@ -1,7 +1,7 @@
 """The phase plane of one degree of freedom that loses or gains energy: orbits that are integrated, so far apart that
 each can be seen, and the manifolds of saddles from their eigenvectors (1, λ)."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -33,7 +33,8 @@ def of_motion(field: "StateField", equilibria: Sequence[tuple[StateEquilibrium, 
     return found
 
 
-def _manifolds(field, one, around, frame):
+def _manifolds(field: "StateField", one: StateEquilibrium, around: Around,
+               frame: PhaseFrame) -> Iterator[tuple[tuple[float, float], int, str, float]]:
     """[(start, sense, role, length)] of the manifolds of a saddle."""
     if not one.kind.endswith((SADDLE, BOTH)):
         return
@@ -49,7 +50,8 @@ def _manifolds(field, one, around, frame):
             yield (one.q + step, value * step), sense, role, LONG
 
 
-def _lines(field, begun, frame, ends):
+def _lines(field: "StateField", begun: Sequence[tuple[tuple[float, float], int, str, float]], frame: PhaseFrame,
+           ends: Sequence[tuple[float, float]]) -> list[StatePath]:
     if not begun:
         return []
     starts = np.array([start for start, *_ in begun]).T
@@ -59,7 +61,8 @@ def _lines(field, begun, frame, ends):
             if points.shape[1] > 1]
 
 
-def _others(field, drawn, frame, ends):
+def _others(field: "StateField", drawn: Sequence[StatePath], frame: PhaseFrame,
+            ends: Sequence[tuple[float, float]]) -> list[StatePath]:
     """Orbits from places that no line is near, one after the other."""
     places = _places(frame)
     n = places.shape[1]
@@ -78,11 +81,12 @@ def _others(field, drawn, frame, ends):
     return found
 
 
-def _places(frame):
+def _places(frame: PhaseFrame) -> np.ndarray:
     """Where orbits are tried: along the edges, then inside."""
     edge = np.linspace(-INSET, INSET, EDGE)
     x, y = np.meshgrid(np.linspace(-0.8, 0.8, ALONG), np.linspace(-0.75, 0.75, ACROSS))
     rim = np.full(EDGE, INSET)
     shares = np.concatenate(([edge, rim], [edge, -rim], [-rim, edge], [rim, edge], [x.ravel(), y.ravel()]), axis=1)
     middle = 0.5 * np.array([[sum(frame.q)], [sum(frame.v)]])
-    return middle + shares * frame.size
+    found: np.ndarray = middle + shares * frame.size
+    return found

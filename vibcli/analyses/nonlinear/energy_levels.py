@@ -36,7 +36,7 @@ class EnergyLevels:
     of `stops` are they."""
 
     @np.errstate(all="ignore")      # where V is not defined it is not known
-    def __init__(self, well: Well, low: float, high: float, places: Sequence[float]):
+    def __init__(self, well: Well, low: float, high: float, places: Sequence[float]) -> None:
         self.well = well
         known = np.array([q for q in places if low <= q <= high])
         others = np.concatenate((np.linspace(low, high, CELLS + 1), well.breaks(low, high)))
@@ -54,7 +54,7 @@ class EnergyLevels:
         self.gains[~np.isfinite(self.gains)] = 0.0
         self.heights = np.concatenate(([0.0], np.cumsum(self.gains)))
 
-    def _gains(self, stops):
+    def _gains(self, stops: np.ndarray) -> np.ndarray:
         """What V gains from each place to the next."""
         return self.well.gain(stops[:-1], np.diff(stops), self.rounding).value
 
@@ -83,7 +83,7 @@ class EnergyLevels:
                 left[k] = 0.0
         return [self._orbit(*ends) for ends in self._ways(left)]
 
-    def _ways(self, left):
+    def _ways(self, left: np.ndarray) -> list[tuple[tuple[float, float], tuple[float, float]]]:
         """[((place, E − V there) of the left end, of the right end)] of the ways on which E − V > 0; where V is not
         known, as at a pole, one ends and another begins."""
         inside = left > 0
@@ -98,14 +98,15 @@ class EnergyLevels:
             found.append((start, (self.stops[-1], left[-1])))
         return [(start, end) for start, end in found if end[0] > start[0]]
 
-    def _end(self, inside, outside, left):
+    def _end(self, inside: int, outside: int, left: np.ndarray) -> tuple[float, float]:
         """(turning point, 0) between two neighbouring stops."""
         if left[outside] == 0:
             return self.stops[outside], 0.0
         start, end, energy = self.stops[inside], self.stops[outside], left[inside]
 
-        def rest(q):
-            return energy - self.well.gain(np.array([start]), np.array([q - start]), self.rounding).value[0]
+        def rest(q: float) -> float:
+            found: float = energy - self.well.gain(np.array([start]), np.array([q - start]), self.rounding).value[0]
+            return found
 
         low, high, q = start, end, end
         for _ in range(HALVINGS):
@@ -119,7 +120,7 @@ class EnergyLevels:
             q = trial
         return q, 0.0
 
-    def _orbit(self, start, end):
+    def _orbit(self, start: tuple[float, float], end: tuple[float, float]) -> Orbit:
         """From one end to the other, denser towards both."""
         (a, at_a), (b, at_b) = start, end
         shares = 0.5 * (1 - np.cos(np.linspace(0, np.pi, POINTS)))

@@ -82,7 +82,7 @@ def line_of_rest(field: "StateField", low: float, high: float) -> StateEquilibri
     return StateEquilibrium(middle, LINE, _eigenvalues(0.0, field.slopes(middle)[1]), True, (low, high))
 
 
-def _eigenvalues(a_q, a_v):
+def _eigenvalues(a_q: float, a_v: float) -> tuple[complex, complex]:
     """The roots of λ² − a_v λ − a_q, the smaller one of two real ones without a difference."""
     root = cmath.sqrt(a_v * a_v + 4 * a_q)
     if root.imag:
@@ -93,7 +93,7 @@ def _eigenvalues(a_q, a_v):
     return complex(low), complex(high)
 
 
-def _beyond(field, q, around, a_v):
+def _beyond(field: "StateField", q: float, around: Around, a_v: float | None) -> str:
     """By the forces beside it; a_v: the damping where that alone is linear."""
     if around.left < 0 < around.right:
         return SADDLE
@@ -120,7 +120,7 @@ def beside(field: "StateField", q: float, around: Around) -> list[tuple[complex,
     return found
 
 
-def _lost_in_a_turn(field, q, around):
+def _lost_in_a_turn(field: "StateField", q: float, around: Around) -> float:
     """∮ (a(q, q̇) − a(q, 0)) q̇ dt round it over the energy, nearly; forces that are even in q̇ do no work there."""
     reach = WIDE * around.reach
     omega = math.sqrt(max(abs(around.left), abs(around.right)) / around.reach)

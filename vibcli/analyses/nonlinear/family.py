@@ -16,6 +16,7 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.bracketing import maxima_between
 
 if TYPE_CHECKING:
+    from vibcli.symbolic.compiled_arrays import Compiled
     from vibcli.symbolic.node import Node
 
 STEPS, DOUBLINGS = 60, 60
@@ -35,7 +36,7 @@ class MotionOfFamily(NamedTuple):
 class NoSuchAmplitude(PhysicsError):
     """No motion of a family has an amplitude; `largest`: what the amplitudes tend to, None where it is not known."""
 
-    def __init__(self, largest: float | None):
+    def __init__(self, largest: float | None) -> None:
         super().__init__("no free motion about this equilibrium has this amplitude", "ask for a smaller one")
         self.largest = largest
 
@@ -43,7 +44,7 @@ class NoSuchAmplitude(PhysicsError):
 class FamilyOfMotions:
     """`bottom`: the equilibrium; unit: a length of the size of the scene."""
 
-    def __init__(self, well: Well, bottom: float, unit: float):
+    def __init__(self, well: Well, bottom: float, unit: float) -> None:
         self.well, self.bottom = well, bottom
         self.unit = max(abs(bottom), unit)
         for side in (-1, 1):
@@ -53,7 +54,7 @@ class FamilyOfMotions:
                 raise PhysicsError("this equilibrium is not stable: there are no free vibrations about it",
                                    "ask about another one, by its number as last index")
 
-    def motion(self, signal: Callable, amplitude: float) -> MotionOfFamily:
+    def motion(self, signal: Callable[[np.ndarray], np.ndarray], amplitude: float) -> MotionOfFamily:
         """The motion in which a signal, a function of arrays of places, has an amplitude; NoSuchAmplitude where none
         has."""
         wanted = 2 * amplitude
@@ -70,7 +71,8 @@ class FamilyOfMotions:
             raise NoSuchAmplitude(None)
         return self._solved(signal, wanted, low, high, found)
 
-    def _solved(self, signal, wanted, low, high, found):
+    def _solved(self, signal: Callable[[np.ndarray], np.ndarray], wanted: float, low: float, high: float,
+                found: MotionOfFamily | None) -> MotionOfFamily:
         """The motion between two right ends, by Newton's steps that halve where they leave the bracket."""
         place = high
         for _ in range(STEPS):
@@ -100,7 +102,7 @@ class FamilyOfMotions:
         stops = np.array([self.bottom, *self.well.breaks(self.bottom, right), right])
         return float(self.well.gain(stops[:-1], np.diff(stops), self.well.rounding(right)).value.sum())
 
-    def _range(self, signal, right):
+    def _range(self, signal: Callable[[np.ndarray], np.ndarray], right: float) -> MotionOfFamily | None:
         """That of the motion that comes to rest there; None where it is none of the family."""
         if not self._climbs(self.bottom, right, 1):
             return None
@@ -114,30 +116,31 @@ class FamilyOfMotions:
         return MotionOfFamily((left, TurningPoint(right, 0.0)), most[0] + least[0],
                      (-1 in (most[1], least[1]), 1 in (most[1], least[1])))
 
-    def _climbs(self, low, high, side):
+    def _climbs(self, low: float, high: float, side: int) -> bool:
         """Does V only rise as it leaves the bottom, where the force itself may jump?"""
         places = np.linspace(low, high, GRID)
         force = side * self.well.force(places[1:] if side > 0 else places[:-1])
         return bool(np.all(force >= -TOUCHES * np.abs(force).max())) and bool(force[0 if side < 0 else -1] > 0)
 
-    def _known(self, signal, found, wanted):
+    def _known(self, signal: Callable[[np.ndarray], np.ndarray], found: MotionOfFamily,
+               wanted: float) -> MotionOfFamily:
         """Its ends as well as the amplitude tells them."""
         (left, right), missing = found.ends, abs(found.size - wanted)
         at_right = 2 * EPS * (right.q - left.q) + (missing / self._growth(signal, found) if missing else 0.0)
         at_left = at_right * max(1.0, self._follows(found))
         return found._replace(ends=(left._replace(error=left.error + at_left), right._replace(error=at_right)))
 
-    def _growth(self, signal, found):
+    def _growth(self, signal: Callable[[np.ndarray], np.ndarray], found: MotionOfFamily) -> float:
         """How the range grows with the right end."""
         at_left, at_right = self._slopes(signal, found)
         return float(at_right + at_left * self._follows(found))
 
-    def _follows(self, found):
+    def _follows(self, found: MotionOfFamily) -> float:
         """How far the left end goes as the right one does."""
         at_left, at_right = (abs(self.well.force_at(end.q)) for end in found.ends)
         return at_right / at_left if at_left else 0.0
 
-    def _slopes(self, signal, found):
+    def _slopes(self, signal: Callable[[np.ndarray], np.ndarray], found: MotionOfFamily) -> np.ndarray:
         """Those of the signal at the ends that count, without signs."""
         left, right = (end.q for end in found.ends)
         step = 1e-6 * (right - left)
@@ -145,7 +148,7 @@ class FamilyOfMotions:
         return np.abs([values[1] - values[0], values[3] - values[2]]) / step * found.at_ends
 
 
-def _most(signal, low, high, sense):
+def _most(signal: Callable[[np.ndarray], np.ndarray], low: float, high: float, sense: int) -> tuple[float, int]:
     """(the largest value of a signal, or of its negative, between two places, -1, 0 or 1: at the left one, on the way,
     at the right one)."""
     places = np.linspace(low, high, GRID)
@@ -164,14 +167,14 @@ def rests_between(well: Well, place: float) -> bool:
     return bool(left < 0 < right)
 
 
-def function_of_place(well: Well, compiled: Callable, node: "Node") -> Callable:
+def function_of_place(well: Well, compiled: "Compiled", node: "Node") -> Callable[[np.ndarray], np.ndarray]:
     """The signal of an expression of the coordinate, as a function of arrays of places; PhysicsError where the speed is
     in it."""
     if node.mask & ~well.q.mask:
         raise PhysicsError("the amplitude of a family of free motions is that of a displacement or a spring's force",
                            "ask for a function of the places alone, without rates")
 
-    def values(q):
+    def values(q: np.ndarray) -> np.ndarray:
         flat = q.ravel()
         found, = compiled(np.zeros(flat.size), flat.reshape(1, -1), np.zeros((1, flat.size)))
         return np.broadcast_to(found, flat.shape).reshape(q.shape)

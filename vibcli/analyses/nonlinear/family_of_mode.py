@@ -4,7 +4,7 @@ Each step goes along the tangent of the family and back to it square to that, so
 amplitude is near, the amplitude closes the equations instead. Harmonics are doubled until they do not matter.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from math import inf
 
 import numpy as np
@@ -45,7 +45,7 @@ class _State(NamedTuple):
 class EndOfFamily(PhysicsError):
     """A family is not followed to an amplitude; `largest`: that which was reached."""
 
-    def __init__(self, largest: float, why: str):
+    def __init__(self, largest: float, why: str) -> None:
         super().__init__("no free motion of this family with this amplitude is found", why)
         self.largest = largest
 
@@ -53,13 +53,13 @@ class EndOfFamily(PhysicsError):
 class FamilyOfMode:
     """That of mode `number`, counted from 0, about the equilibrium of the equations."""
 
-    def __init__(self, equations: FreeEquations, number: int, signal: AmplitudeOfSignal):
+    def __init__(self, equations: FreeEquations, number: int, signal: AmplitudeOfSignal) -> None:
         self.equations, self.number, self.signal = equations, number, signal
         self.found: list[MotionOfAmplitude] = []
         self.balance, self.most = HarmonicBalance(equations, number), min(MOST, UNKNOWNS // equations.n)
         self._require_alone()
 
-    def _require_alone(self):
+    def _require_alone(self) -> None:
         """PhysicsError where another mode has the same frequency, or a multiple of it."""
         omegas = self.equations.omegas
         for m, omega in enumerate(omegas):
@@ -87,7 +87,7 @@ class FamilyOfMode:
             self._require_movement(state)
         raise EndOfFamily(largest, self._why(state, step))
 
-    def _why(self, state, step):
+    def _why(self, state: _State, step: float) -> str:
         """Why a family is not followed beyond a state."""
         if step >= SHORTEST:
             return "the family turns back before: ask for a smaller amplitude"
@@ -100,14 +100,14 @@ class FamilyOfMode:
                     "bend, or in internal resonances: ask for a smaller amplitude")
         return "beyond that the family bends too sharply to be followed: ask for a smaller amplitude"
 
-    def _require_movement(self, state):
+    def _require_movement(self, state: _State) -> None:
         size = state.motion.size
         scale = max(self.signal.by_mode(m) for m in range(self.equations.n)) * size
         if state.amplitude <= STILL * scale and size > GROWN * self.equations.reach:
             raise PhysicsError(f"this signal does not move in the family of mode {self.number + 1}",
                                "ask for the amplitude of what moves in it, or for another family")
 
-    def _start(self, least):
+    def _start(self, least: float) -> _State:
         """A motion next to the linear mode, of an amplitude less than the least wanted."""
         by_mode = self.signal.by_mode(self.number)
         others = max(self.signal.by_mode(m) for m in range(self.equations.n))
@@ -126,7 +126,7 @@ class FamilyOfMode:
         raise PhysicsError(f"no free motions next to those of mode {self.number + 1} are found: the forces bend or "
                            "jump at the equilibrium", "ask for period(x) of a motion from `initial`, with motion: full")
 
-    def _state(self, solved, before, step):
+    def _state(self, solved: ConvergedMotion, before: _State | None, step: float) -> _State:
         """With the tangent in the sense of that before."""
         motion, tangent = solved.motion, solved.tangent
         length = _length(tangent, motion)
@@ -140,7 +140,8 @@ class FamilyOfMode:
         amplitude, slopes = self.signal.of(motion)
         return _State(motion, tangent, turning, amplitude, float((slopes * tangent.a).sum()))
 
-    def _further(self, state, step, wanted):
+    def _further(self, state: _State, step: float,
+                 wanted: list[float]) -> tuple[float, _State, list[MotionOfAmplitude]]:
         """(the length of the next step, the next state, [MotionOfAmplitude] that were met on the way)."""
         target = _next(state, wanted)
         if target is not None and 0 < (needed := (target - state.amplitude) / state.rate) <= step:
@@ -161,7 +162,7 @@ class FamilyOfMode:
         eased = step * float(np.clip((0.1 * step / max(solved.moved, 1e-9)) ** 0.5, 0.5, 2.0))
         return min(WIDEST, eased), following, met
 
-    def _along(self, state, step):
+    def _along(self, state: _State, step: float) -> ConvergedMotion | None:
         """A step along the tangent; None where it is too long."""
         start = _predicted(state, step)
         while True:
@@ -174,9 +175,10 @@ class FamilyOfMode:
                 return None
             start = start.with_harmonics(min(self.most, 2 * (len(start.a) - 1)))
 
-    def _landed(self, start, target, step) -> tuple[ConvergedMotion, MotionOfAmplitude] | None:
+    def _landed(self, start: CosineMotion, target: float,
+                step: float) -> tuple[ConvergedMotion, MotionOfAmplitude] | None:
         """The motion of an amplitude near a start, with harmonics enough."""
-        def closing(motion):
+        def closing(motion: CosineMotion) -> ClosingCondition:
             amplitude, slopes = self.signal.of(motion)
             return ClosingCondition(amplitude / target - 1, slopes / target, 0.0)
 
@@ -207,22 +209,23 @@ class FamilyOfMode:
         return (int(order), int(mode), float(share[order, mode])) if share[order, mode] > SHARED else None
 
 
-def _goes_on(state, following):
+def _goes_on(state: _State, following: _State) -> bool:
     """Does the tangent turn little from one motion to the next?"""
     one, other, motion = state.tangent, following.tangent, following.motion
     return _dot(one, other, motion) > STRAIGHT * _length(one, motion) * _length(other, motion)
 
 
-def _dot(one, other, motion):
+def _dot(one: CosineMotion, other: CosineMotion, motion: CosineMotion) -> float:
     count = min(len(one.a), len(other.a))
     return float((one.a[:count] * other.a[:count]).sum()) / motion.size**2 + one.w * other.w / motion.w**2
 
 
-def _length(tangent, motion):
-    return _dot(tangent, tangent, motion) ** 0.5
+def _length(tangent: CosineMotion, motion: CosineMotion) -> float:
+    found: float = _dot(tangent, tangent, motion) ** 0.5
+    return found
 
 
-def _predicted(state, step):
+def _predicted(state: _State, step: float) -> CosineMotion:
     motion, tangent, turning = state[:3]
     a, w = motion.a + step * tangent.a, motion.w + step * tangent.w
     if turning is not None:
@@ -230,44 +233,44 @@ def _predicted(state, step):
     return CosineMotion(a, w)
 
 
-def _as_large_as(a):
+def _as_large_as(a: np.ndarray) -> Callable[..., ClosingCondition]:
     """The condition of a motion whose part along coefficients is as large as these."""
     along = a / (a * a).sum()
     return lambda motion: ClosingCondition(float((motion.a * along).sum()) - 1, along, 0.0)
 
 
-def _square_to(start, state):
+def _square_to(start: CosineMotion, state: _State) -> Callable[[CosineMotion], ClosingCondition]:
     """The condition of a motion that lies square to the tangent of a state at another one."""
     along = state.tangent.with_harmonics(len(start.a) - 1).a / state.motion.size**2
     by_w = state.tangent.w / state.motion.w**2
 
-    def closing(motion):
+    def closing(motion: CosineMotion) -> ClosingCondition:
         return ClosingCondition(float(((motion.a - start.a) * along).sum()) + (motion.w - start.w) * by_w, along, by_w)
 
     return closing
 
 
-def _next(state, wanted):
+def _next(state: _State, wanted: Sequence[float]) -> float | None:
     """The next amplitude in the sense in which it changes; None where there is none."""
     sense = 1 if state.rate > 0 else -1
     left = [one for one in wanted if sense * (one - state.amplitude) > 1e-9 * state.amplitude]
     return (left[0] if sense > 0 else left[-1]) if left and state.rate else None
 
 
-def _passed(before, after, wanted):
+def _passed(before: float, after: float, wanted: list[float]) -> list[float]:
     """The amplitudes between two others, in their order."""
     slack, sense = 1e-9 * before, 1 if after > before else -1
     return [one for one in wanted[::sense] if sense * (one - before) > slack and sense * (after - one) >= 0]
 
 
-def _between(state, following, target):
+def _between(state: _State, following: _State, target: float) -> CosineMotion:
     share = (target - state.amplitude) / (following.amplitude - state.amplitude)
     harmonics = len(following.motion.a) - 1
     a, b = state.motion.with_harmonics(harmonics), following.motion
     return CosineMotion(a.a + share * (b.a - a.a), a.w + share * (b.w - a.w))
 
 
-def _tail(motion):
+def _tail(motion: CosineMotion) -> float:
     """The size of the last quarter of the harmonics, relative."""
     last = max(2, len(motion.a) // 4)
     return float(np.abs(motion.a[-last:]).max()) / motion.size

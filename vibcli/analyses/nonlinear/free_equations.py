@@ -48,7 +48,7 @@ class FreeEquations:
     """Those of a scene about the equilibrium `rest`; `omegas` ascending and `shapes` Φ of its small vibrations.
     `bent`: is |u|, min … in them?"""
 
-    def __init__(self, scene: "Scene", floats: Mapping[str, float], rest: np.ndarray):
+    def __init__(self, scene: "Scene", floats: Mapping[str, float], rest: np.ndarray) -> None:
         self.scene, self.floats, self.n, self.rest = scene, floats, len(scene.q), rest
         parts = dynamics(scene, undamped=True)
         zero = scene.table.zero
@@ -68,7 +68,7 @@ class FreeEquations:
         self.bent = any(part.op == "call" and part.name in SWITCHED for part in reachable(parts.nodes()))
         self.omegas, self.shapes = self._small_vibrations()
 
-    def _small_vibrations(self):
+    def _small_vibrations(self) -> tuple[np.ndarray, np.ndarray]:
         q, v = self.rest[:, None], np.zeros((self.n, 1))
         M, _, _, K, _ = self._parted(self._sloped, q, v, np.zeros((self.n, 1)))
         M, K = M[:, :, 0], 0.5 * (K[:, :, 0] + K[:, :, 0].T)
@@ -108,7 +108,7 @@ class FreeEquations:
         there, back = (self.residual(scale, 1.0, s * eta, s * slope, s * bend) for s in (1, -1))
         return bool(np.all(np.abs(there + back) <= EVEN * np.abs(there).max()))
 
-    def _reach(self):
+    def _reach(self) -> float:
         """A length in modal coordinates of the size of the scene."""
         units = np.array([self.scene.unit_of(name) for name in self.scene.coordinates])
         return float((units[:, None] / np.maximum(np.abs(self.shapes), 1e-300)).min())
@@ -119,7 +119,8 @@ class FreeEquations:
 
     def places(self, eta: np.ndarray) -> np.ndarray:
         """q of shape (n, places)."""
-        return self.rest[:, None] + self.shapes @ eta
+        found: np.ndarray = self.rest[:, None] + self.shapes @ eta
+        return found
 
     def residual(self, scale: float, w: float | np.longdouble, eta: np.ndarray, slope: np.ndarray,
                  bend: np.ndarray) -> np.ndarray:
@@ -127,7 +128,8 @@ class FreeEquations:
         omega = scale * w
         q, v, a = self.places(eta), omega * (self.shapes @ slope), omega**2 * (self.shapes @ bend)
         M, h, *_ = self._parted(self._plain, q, v, a)
-        return self.shapes.T @ (np.einsum("ilj,lj->ij", M, a) + h) / scale**2
+        found: np.ndarray = self.shapes.T @ (np.einsum("ilj,lj->ij", M, a) + h) / scale**2
+        return found
 
     def slopes(self, scale: float, w: float, eta: np.ndarray, slope: np.ndarray, bend: np.ndarray) -> Slopes:
         """r and its derivatives."""
@@ -141,7 +143,7 @@ class FreeEquations:
         by_w = 2 / w * (Phi.T @ force) / scale**2 + np.einsum("ilj,lj->ij", damping, slope)
         return Slopes(Phi.T @ (force + h) / scale**2, mass, stiffness, damping, by_w)
 
-    def _parted(self, compiled, q, v, a):
+    def _parted(self, compiled: Compiled, q: np.ndarray, v: np.ndarray, a: np.ndarray) -> tuple[np.ndarray, ...]:
         """(M, h, ∂(M q̈)/∂q at fixed q̈, ∂h/∂q, ∂h/∂q̇) at the places."""
         n, places = self.n, q.shape[1]
         with np.errstate(all="ignore"):
@@ -179,7 +181,8 @@ class FreeEquations:
         for (i, j), part in zip(self.pairs, found, strict=False):
             error[i] += part * abs(a[j])
             error[j] += part * abs(a[i]) * (i != j)
-        return np.abs(Phi.T) @ error / scale**2
+        result: np.ndarray = np.abs(Phi.T) @ error / scale**2
+        return result
 
     def energy(self, eta: np.ndarray) -> float:
         """V there − V at the equilibrium, of shape (n,) at rest."""

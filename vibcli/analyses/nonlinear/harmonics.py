@@ -5,6 +5,7 @@ half the unknowns of a Fourier series are left, and no phase.
 """
 
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 
@@ -51,17 +52,17 @@ def cosines(harmonics: int, cells: int, longer: bool = False, odd: bool = False)
     return _rounded(k, np.cos(angle), np.sin(angle), np.longdouble if longer else float)
 
 
-def _rounded(k, cos, sin, kind=float):
+def _rounded(k: np.ndarray, cos: np.ndarray, sin: np.ndarray, kind: Any = float) -> Cosines:
     return Cosines(*(np.ascontiguousarray(part, kind) for part in (cos, -k * sin, -k * k * cos)))
 
 
 class AmplitudeOfSignal:
     """Half the range over a period of a signal, a function of the places alone, and its gradient."""
 
-    def __init__(self, compiled: Compiled, rest: np.ndarray, shapes: np.ndarray):
+    def __init__(self, compiled: Compiled, rest: np.ndarray, shapes: np.ndarray) -> None:
         self.compiled, self.rest, self.shapes = compiled, rest, shapes
 
-    def _signal(self, eta):
+    def _signal(self, eta: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """(values, slopes by η of shape (n, places))."""
         q = self.rest[:, None] + self.shapes @ eta
         places = q.shape[1]
@@ -88,7 +89,7 @@ class AmplitudeOfSignal:
         gradient = 0.5 * (np.outer(table.value[:, 0], slopes[:, 0]) - np.outer(table.value[:, 1], slopes[:, 1]))
         return 0.5 * float(found[0] - found[1]), gradient
 
-    def _extreme(self, motion, i, cells):
+    def _extreme(self, motion: CosineMotion, i: int, cells: int) -> float:
         """θ of an extreme near place i, by secants of the rate of the signal."""
         if i in (0, cells):
             return np.pi * (i > 0)
@@ -103,7 +104,7 @@ class AmplitudeOfSignal:
             g = self._rate(motion, b)
         return b
 
-    def _rate(self, motion, theta):
+    def _rate(self, motion: CosineMotion, theta: float) -> float:
         table = _at(len(motion.a) - 1, np.array([theta]))
         slopes = self._signal(motion.a.T @ table.value)[1]
         return float(slopes[:, 0] @ (motion.a.T @ table.slope[:, 0]))
@@ -112,7 +113,7 @@ class AmplitudeOfSignal:
 class AmplitudeOfCombination(AmplitudeOfSignal):
     """That of a signal whose slopes are the same everywhere: it is a sum of cosines itself."""
 
-    def __init__(self, compiled: Compiled, rest: np.ndarray, shapes: np.ndarray):
+    def __init__(self, compiled: Compiled, rest: np.ndarray, shapes: np.ndarray) -> None:
         super().__init__(compiled, rest, shapes)
         self.slopes = self._signal(np.zeros((len(rest), 1)))[1][:, 0]
 
@@ -129,7 +130,7 @@ class AmplitudeOfCombination(AmplitudeOfSignal):
         apart = 0.5 * (most - least)
         return float(s @ apart), np.outer(apart, self.slopes)
 
-    def _cosines_at(self, s, i, cells):
+    def _cosines_at(self, s: np.ndarray, i: int, cells: int) -> np.ndarray:
         """cos kθ at an extreme near place i, by Newton's method."""
         if i in (0, cells):
             return cosines(len(s) - 1, cells).value[:, i]
@@ -139,13 +140,15 @@ class AmplitudeOfCombination(AmplitudeOfSignal):
             rate, bend = (k * s) @ np.sin(k * theta), (k * k * s) @ np.cos(k * theta)
             step = -rate / bend if bend else np.inf
             if not abs(theta + step - place) <= np.pi / cells:
-                return np.cos(k * place)
+                theta = place
+                break
             theta += step
             if abs(step) < SETTLED:
                 break
-        return np.cos(k * theta)
+        found: np.ndarray = np.cos(k * theta)
+        return found
 
 
-def _at(harmonics, theta) -> Cosines:
+def _at(harmonics: int, theta: np.ndarray) -> Cosines:
     k = np.arange(harmonics + 1)[:, None]
     return _rounded(k, np.cos(k * theta), np.sin(k * theta))

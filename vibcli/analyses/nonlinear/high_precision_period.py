@@ -40,7 +40,7 @@ ABOUT, ALIKE = 1e-3, 1e-50          # of the range of a signal: it is about that
 class Energies:
     """V and m of the one coordinate of a scene at mpmath numbers, at the working precision."""
 
-    def __init__(self, scene: "Scene", values: "Mapping[str, float | mpmath.mpf]"):
+    def __init__(self, scene: "Scene", values: "Mapping[str, float | mpmath.mpf]") -> None:
         import mpmath
 
         self.nodes, self.name = [effective_potential(scene), dynamics(scene).M[0, 0]], scene.q[0].name
@@ -105,12 +105,13 @@ def period_at_amplitude(energies: Energies, well: "Well", signal: "Node", amplit
         return (float(period), ROUNDING + float(abs(other / period - 1))) if period else None
 
 
-def _right_end(energies, well, signal, wanted, ends):
+def _right_end(energies: Energies, well: "Well", signal: "Node", wanted: "float | mpmath.mpf",
+               ends: "tuple[TurningPoint, TurningPoint]") -> "mpmath.mpf | None":
     """The right turning point of the motion in which a signal differs so much at the two, by secants; None where it
     does not about there."""
     import mpmath
 
-    def missing(right):
+    def missing(right: "mpmath.mpf") -> "mpmath.mpf":
         left = _end(energies, well, energies(right)[0], right, 0, ends[0], -1)
         return abs(energies.of(signal, right) - energies.of(signal, left)) - wanted
 
@@ -127,7 +128,8 @@ def _right_end(energies, well, signal, wanted, ends):
     return x
 
 
-def _period(energies, well, q, v, ends):
+def _period(energies: Energies, well: "Well", q: "mpmath.mpf", v: "mpmath.mpf",
+            ends: "tuple[TurningPoint, TurningPoint]") -> "mpmath.mpf":
     level, m = energies(q)
     energy = level + m * v**2 / 2
     stops = [_end(energies, well, energy, q, v, end, side) for end, side in zip(ends, (-1, 1), strict=True)]
@@ -136,7 +138,8 @@ def _period(energies, well, q, v, ends):
     return 2 * sum(time_between(energies, energy, *piece) for piece in pairwise(stops))
 
 
-def _end(energies, well, energy, q, v, end, side):
+def _end(energies: Energies, well: "Well", energy: "mpmath.mpf", q: "mpmath.mpf", v: "int | mpmath.mpf",
+         end: "TurningPoint", side: int) -> "mpmath.mpf":
     """A turning point to more digits, looked for from where floats have it; PhysicsError where there is none."""
     import mpmath
 
@@ -163,7 +166,7 @@ def _end(energies, well, energy, q, v, end, side):
     raise PhysicsError(*LOST)
 
 
-def _kink(energies, well, place):
+def _kink(energies: Energies, well: "Well", place: float) -> "mpmath.mpf":
     """A place where V bends, to more digits; where it is stationary as it is."""
     import mpmath
 
@@ -188,7 +191,7 @@ def time_between(energies: Any, energy: "Node", left: Any, right: Any) -> "mpmat
 
     way, pi = right - left, mpmath.pi
 
-    def part(u):
+    def part(u: "mpmath.mpf") -> "mpmath.mpf":
         far = mpmath.exp(-pi * mpmath.sinh(abs(u)))
         gap = way * far / (1 + far)                 # to the nearer end
         V, m = energies(right - gap if u > 0 else left + gap)

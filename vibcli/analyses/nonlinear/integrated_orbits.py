@@ -38,7 +38,8 @@ class PhaseFrame(NamedTuple):
     def beyond(self, state: np.ndarray, margin: float = 0.05) -> np.ndarray:
         """Which states, of shape (2, n), are outside, or no numbers?"""
         middle = 0.5 * np.array([[sum(self.q)], [sum(self.v)]])
-        return ~(np.abs((state - middle) / self.size) <= 1 + margin).all(axis=0)
+        found: np.ndarray = ~(np.abs((state - middle) / self.size) <= 1 + margin).all(axis=0)
+        return found
 
 
 def followed(field: "StateField", starts: np.ndarray, senses: np.ndarray, frame: PhaseFrame,
@@ -55,7 +56,8 @@ def followed(field: "StateField", starts: np.ndarray, senses: np.ndarray, frame:
 
 
 class _Run:
-    def __init__(self, field, starts, senses, frame, ends, lengths, most):
+    def __init__(self, field: "StateField", starts: np.ndarray, senses: np.ndarray, frame: PhaseFrame,
+                 ends: Sequence[tuple[float, float]], lengths: np.ndarray, most: int) -> None:
         self.field, self.frame, self.lengths, self.scale = field, frame, lengths, frame.size
         self.state, self.senses = starts.astype(float), senses.astype(float)
         self.ends = np.array(ends, dtype=float).reshape(-1, 2).T
@@ -64,8 +66,9 @@ class _Run:
         self.gone, self.left = np.zeros(senses.size), np.full(senses.size, most)
         self.time = np.full(senses.size, np.inf)
 
-    def _rate(self, state, senses):
-        return senses * np.stack((state[1], self.field.acceleration(state[0], state[1])))
+    def _rate(self, state: np.ndarray, senses: np.ndarray) -> np.ndarray:
+        found: np.ndarray = senses * np.stack((state[1], self.field.acceleration(state[0], state[1])))
+        return found
 
     @np.errstate(all="ignore")      # a step to what is no number is taken back
     def step(self) -> None:
@@ -89,7 +92,7 @@ class _Run:
         stuck = (self.time[here] < SHORTEST * stride) | ~(pace > 0) | (good & (way < STILL))
         self.active = here[~(self._over(here) | stuck)]
 
-    def _keep(self, here, new, way):
+    def _keep(self, here: np.ndarray, new: np.ndarray, way: np.ndarray) -> None:
         self.state[:, here] = new
         self.gone[here] += way
         self.left[here] -= 1
@@ -102,10 +105,11 @@ class _Run:
         points = np.concatenate([new for _, new in self.kept], axis=1)[:, order]
         return np.split(points, np.flatnonzero(np.diff(numbers[order])) + 1, axis=1)
 
-    def _over(self, here):
+    def _over(self, here: np.ndarray) -> np.ndarray:
         state = self.state[:, here]
         over = self.frame.beyond(state) | (self.gone[here] > 2 * self.lengths[here]) | (self.left[here] <= 0)
         if self.ends.size:
             apart = (state[:, :, None] - self.ends[:, None, :]) / self.scale[:, :, None]
             over |= (np.sqrt((apart**2).sum(axis=0)) < NEAR).any(axis=1)
-        return over
+        found: np.ndarray = over
+        return found

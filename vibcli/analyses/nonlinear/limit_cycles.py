@@ -34,7 +34,7 @@ def limit_cycles(field: "StateField", places: Sequence[float], unit: float) -> l
     return found
 
 
-def _repeated(field, state, frame):
+def _repeated(field: "StateField", state: np.ndarray, frame: PhaseFrame) -> StatePath | None:
     """The lap that repeats itself; None where none does."""
     for _ in range(STRETCHES):
         path, = followed(field, state, np.ones(1), frame, (), np.array([LONG]), STRETCH)
@@ -44,7 +44,7 @@ def _repeated(field, state, frame):
     return None
 
 
-def _last_lap(field, q, v):
+def _last_lap(field: "StateField", q: np.ndarray, v: np.ndarray) -> StatePath | None:
     """From one turning place on the right to the next, closed; None where it is another one than that before."""
     turns = np.flatnonzero((v[:-1] > 0) & (v[1:] <= 0))
     if turns.size < 3:
@@ -59,5 +59,6 @@ def _last_lap(field, q, v):
     return StatePath(places, np.concatenate(([0.0], v[inside], [0.0])), CYCLE)
 
 
-def _same(lap, other):
-    return abs(lap.q[0] - other.q[0]) <= 1e-2 * float(np.ptp(other.q))
+def _same(lap: StatePath, other: StatePath) -> bool:
+    found: bool = abs(lap.q[0] - other.q[0]) <= 1e-2 * float(np.ptp(other.q))
+    return found

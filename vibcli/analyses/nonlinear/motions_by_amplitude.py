@@ -4,7 +4,8 @@ the turning points l < r of the others follow by Newton's steps from the table, 
     V(l) = V(r)          max s − min s over l … r = 2A
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,6 +13,10 @@ from vibcli.analyses.nonlinear.family import FamilyOfMotions
 from vibcli.analyses.nonlinear.well import EPS, GRID, Gain
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.bracketing import maxima_between
+
+if TYPE_CHECKING:
+    from vibcli.analyses.nonlinear.family import MotionOfFamily
+    from vibcli.analyses.nonlinear.well import Well
 
 STEPS = 20
 NEAR = 1e-6         # of the reach: the slope of the signal is taken over it
@@ -21,7 +26,7 @@ SAME, ENOUGH = 4 * EPS, 1e-12       # of the reach: by so much the last step may
 class _Side:
     """What V gains on one side of an equilibrium; `end`: the farthest place."""
 
-    def __init__(self, well, bottom, end):
+    def __init__(self, well: "Well", bottom: float, end: float) -> None:
         places = {float(q) for q in np.linspace(bottom, end, GRID)} | set(well.breaks(*sorted((bottom, end))))
         self.well, self.sense = well, 1 if end > bottom else -1
         self.places = np.array(sorted(places))[::self.sense]
@@ -42,11 +47,13 @@ class _Side:
 
     def place(self, height: np.ndarray) -> np.ndarray:
         """About where V has gained so much."""
-        return np.interp(np.sqrt(height), np.sqrt(self.heights), self.places)
+        found: np.ndarray = np.interp(np.sqrt(height), np.sqrt(self.heights), self.places)
+        return found
 
     def inside(self, q: np.ndarray) -> np.ndarray:
         """The same places, moved to between the first one and the last."""
-        return np.clip(q, *sorted((self.places[0], self.places[-1])))
+        found: np.ndarray = np.clip(q, *sorted((self.places[0], self.places[-1])))
+        return found
 
 
 class _Reach(NamedTuple):
@@ -60,12 +67,12 @@ class _Reach(NamedTuple):
 class _Signal:
     """`tops`: where it has a maximum or minimum between the ends of the largest motion."""
 
-    def __init__(self, function, left, right):
+    def __init__(self, function: Callable[[np.ndarray], np.ndarray], left: float, right: float) -> None:
         self.function = function
         self.tops = np.concatenate([self._tops(sense, np.linspace(left, right, 2 * GRID)) for sense in (1, -1)])
         self.at_tops = self.function(self.tops)
 
-    def _tops(self, sense, places):
+    def _tops(self, sense: int, places: np.ndarray) -> np.ndarray:
         rises = sense * np.sign(np.diff(self.function(places)))
         moves = np.flatnonzero(rises)
         turns = np.flatnonzero((rises[moves[:-1]] > 0) & (rises[moves[1:]] < 0))
@@ -96,7 +103,8 @@ class MotionsOfFamily(NamedTuple):
     energy: np.ndarray
 
 
-def motions_by_amplitude(family: FamilyOfMotions, signal: Callable, amplitudes: np.ndarray) -> MotionsOfFamily:
+def motions_by_amplitude(family: FamilyOfMotions, signal: Callable[[np.ndarray], np.ndarray],
+                         amplitudes: np.ndarray) -> MotionsOfFamily:
     """The motions in which a signal, a function of arrays of places, has these amplitudes; NoSuchAmplitude where none
     has."""
     i = int(np.argmax(amplitudes))
@@ -108,7 +116,8 @@ def motions_by_amplitude(family: FamilyOfMotions, signal: Callable, amplitudes: 
     return MotionsOfFamily(*ends, energies)
 
 
-def _turning_points(family, signal, largest, amplitudes):
+def _turning_points(family: FamilyOfMotions, signal: Callable[[np.ndarray], np.ndarray], largest: "MotionOfFamily",
+                    amplitudes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """([[l, bounds of its errors], [r, bounds]], E − V at the equilibrium); NaN where they are not found."""
     nothing = np.full((2, 2, len(amplitudes)), np.nan), np.full(len(amplitudes), np.nan)
     if len(amplitudes) == 1:
@@ -139,7 +148,7 @@ class _Residual(NamedTuple):
 
 
 @np.errstate(all="ignore")          # what is not defined is not known
-def _residual(sides, signal, wanted, ends):
+def _residual(sides: Sequence[_Side], signal: _Signal, wanted: np.ndarray, ends: list[np.ndarray]) -> _Residual:
     (fall, rise), (left, right) = (side.gain(q) for side, q in zip(sides, ends, strict=True)), ends
     reach, at_left, at_right = signal.reach(left, right), *(sides[0].well.force(q) for q in ends)
     apart, missing = fall.value - rise.value, wanted - reach.size

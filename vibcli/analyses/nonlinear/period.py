@@ -5,7 +5,7 @@
 (high_precision_period.py).
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -48,7 +48,8 @@ def exact_period(scene: "Scene", values: "Mapping[str, float | mpmath.mpf]", q: 
     return period_of(well, scene, values, (q, v), (left, right))
 
 
-def period_of(well: Well, scene: "Scene", values: "Mapping[str, float | mpmath.mpf]", start: tuple,
+def period_of(well: Well, scene: "Scene", values: "Mapping[str, float | mpmath.mpf]",
+              start: "tuple[float | mpmath.mpf, float | mpmath.mpf]",
               ends: "tuple[TurningPoint, TurningPoint]") -> tuple[float, float]:
     """(period [s], relative error) of the motion from a start (q, v) that comes to rest at two ends: in more digits
     where floats know it by less than they could, if V is known in letters."""
@@ -63,7 +64,7 @@ def periods_of(well: Well, scene: "Scene", values: "Mapping[str, float | mpmath.
     """The same of the motions in which a signal, an expression of the coordinate, has these amplitudes."""
     from vibcli.analyses.nonlinear.high_precision_period import Energies, period_at_amplitude
 
-    def sharply(k):
+    def sharply(k: int) -> "tuple[float, float]":
         ends = TurningPoint(*motions.left[:, k]), TurningPoint(*motions.right[:, k])
         return period_at_amplitude(Energies(scene, values), well, signal, amplitudes[k], ends)
 
@@ -72,7 +73,8 @@ def periods_of(well: Well, scene: "Scene", values: "Mapping[str, float | mpmath.
     return [_known(period, error, good, partial(sharply, k)) for k, (period, error) in enumerate(found)]
 
 
-def _known(period, error, good, sharply):
+def _known(period: float, error: float, good: float,
+           sharply: Callable[..., tuple[float, float]]) -> tuple[float, float]:
     """(the period, its relative error), in more digits where it is not good so."""
     if error <= good * period:
         return period, error / period

@@ -61,24 +61,26 @@ def periods_between(well: Well, left: np.ndarray, right: np.ndarray) -> tuple[np
     return 2 * time, 2 * error
 
 
-def _rounding(well, left, right, breaks):
+def _rounding(well: Well, left: np.ndarray, right: np.ndarray, breaks: np.ndarray) -> np.ndarray:
     """The largest that of V, and of V′, in each motion; columns."""
     at_ends = np.maximum(_rounding_at(well, left), _rounding_at(well, right))
     at_breaks = np.array([well.rounding(q) for q in breaks.tolist()]).reshape(-1, 2)
     within = (breaks > left[:, None]) & (breaks < right[:, None])
     most = np.where(within[..., None], at_breaks, 0.0).max(axis=1, initial=0.0)
-    return np.maximum(at_ends, most).T[..., None]
+    found: np.ndarray = np.maximum(at_ends, most).T[..., None]
+    return found
 
 
-def _rounding_at(well, places):
+def _rounding_at(well: Well, places: np.ndarray) -> np.ndarray:
     """(of V, of V′) at many places in rows: the larger one of those at the nearest of some on either side."""
     some = np.unique(np.append(np.sort(places)[::1 + len(places) // SAMPLES], places.max()))
     known = np.array([well.rounding(q) for q in some.tolist()])
     i = np.searchsorted(some, places)
-    return np.maximum(known[i], known[np.maximum(i - 1, 0)])
+    found: np.ndarray = np.maximum(known[i], known[np.maximum(i - 1, 0)])
+    return found
 
 
-def _pieces(well, left, right, breaks, rounding):
+def _pieces(well: Well, left: np.ndarray, right: np.ndarray, breaks: np.ndarray, rounding: np.ndarray) -> PiecesOfWell:
     places = np.column_stack((left, np.clip(breaks, left[:, None], right[:, None]), right))
     gain = well.gain(places[:, :-1], np.diff(places), rounding)
     from_left = _added_up(-gain.value, gain.error)
@@ -88,16 +90,16 @@ def _pieces(well, left, right, breaks, rounding):
                         np.array((error[:, :-1], error[:, 1:])), rounding)
 
 
-def _added_up(steps, errors):
+def _added_up(steps: np.ndarray, errors: np.ndarray) -> np.ndarray:
     """(sums from 0, bounds)."""
-    def total(parts):
+    def total(parts: np.ndarray) -> np.ndarray:
         return np.pad(np.cumsum(parts, axis=1), ((0, 0), (1, 0)))
 
     sums = total(steps)
     return np.array((sums, total(errors + EPS * np.abs(sums[:, 1:]))))
 
 
-def _times(well, pieces, finest):
+def _times(well: Well, pieces: PiecesOfWell, finest: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """(∫ √(m/(2(E − V))) dq, bound, the same by the step ROUGH) of each motion."""
     total, error, bound = np.zeros((3, len(pieces.a)))
     found, left, roughly = np.full(len(pieces.a), np.inf), np.arange(len(pieces.a)), None
@@ -117,7 +119,7 @@ def _times(well, pieces, finest):
     return found, bound, found if roughly is None else roughly
 
 
-def _sums(well, pieces, first, apart):
+def _sums(well: Well, pieces: PiecesOfWell, first: float, apart: float) -> tuple[np.ndarray, np.ndarray]:
     """Sums of the integrand at u = ±first, ±(first + apart) …, and of its error, over all pieces of each motion."""
     share, weight, from_left = (row[:, None, None] for row in _nodes(first, apart))
     way = pieces.b - pieces.a
@@ -134,7 +136,7 @@ def _sums(well, pieces, first, apart):
 
 
 @cache
-def _nodes(first, apart):
+def _nodes(first: float, apart: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """(share of the way between the place and the nearer end, dq/du over the way, is the left end the nearer?)"""
     count = int((FARTHEST - first) / apart + 1e-9) + 1
     u = first + apart * np.arange(count)

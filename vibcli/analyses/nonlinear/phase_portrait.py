@@ -33,7 +33,7 @@ class Portrait(NamedTuple):
 
     equilibria: "Sequence[StateEquilibrium]"
     branches: Sequence[StatePath]
-    energies: list | None
+    energies: list[float] | None
 
 
 def of_levels(levels: EnergyLevels, equilibria: "Sequence[StateEquilibrium]", start: tuple[float, float] | None,
@@ -97,12 +97,12 @@ def branches(orbit: Orbit, role: str) -> list[StatePath]:
     return [StatePath(q, v, role), StatePath(back, low, role)]
 
 
-def _shells(levels, base, rests, speed, own):
+def _shells(levels: EnergyLevels, base: int, rests: Sequence[int], speed: float, own: float | None) -> list[float]:
     """Energies of the other orbits, counted as the heights are: between those of equilibria evenly in √E, as far below
     as above."""
     heights, ground = levels.heights, levels.heights[base]
 
-    def root(energy):
+    def root(energy: float) -> float:
         return math.copysign(math.sqrt(abs(energy - ground)), energy - ground)
 
     top = root(ground + 0.5 * float(levels.well.inertia(levels.stops[base:base + 1])[0]) * speed**2)

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.symbolic_system import SymbolicSystem
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.running_errors import Rounded
 
 ORDER = 4
 V_POWERS, T_POWERS = ((2,), (3,), (4,)), ((0, 2), (1, 2), (2, 2))
@@ -39,7 +40,8 @@ class EnergyFactors(NamedTuple):
         """κ, of expressions."""
         (V2, V3, V4), (T0, T1, T2) = self
         bent, uneven = V3 / V2, T1 / T0
-        return 3 * V4 / (4 * V2) - 15 * bent * bent / 16 - T2 / (4 * T0) + 3 * uneven * bent / 8 + uneven * uneven / 16
+        found: Node = 3 * V4 / (4 * V2) - 15 * bent * bent / 16 - T2 / (4 * T0)
+        return found + 3 * uneven * bent / 8 + uneven * uneven / 16
 
 
 def factors_in_letters(symbolic: "SymbolicSystem") -> EnergyFactors:
@@ -83,11 +85,12 @@ def kappa_in_numbers(configuration: "Configuration", digits: int | None, unit: f
     return evaluate([symbols.kappa], arithmetic, values)[0]
 
 
-def _factors(V: Mapping, T: Mapping, zero: Any) -> EnergyFactors:
+def _factors(V: "Mapping[tuple[int, ...], Node | Rounded]", T: "Mapping[tuple[int, ...], Node | Rounded]",
+             zero: Any) -> EnergyFactors:
     return EnergyFactors(tuple(V.get(powers, zero) for powers in V_POWERS),
                          tuple(T.get(powers, zero) for powers in T_POWERS))
 
 
-def _no_stiffness():
+def _no_stiffness() -> PhysicsError:
     return PhysicsError("there are no small vibrations about this equilibrium: its linear stiffness is not positive",
                         "ask for backbone[1](x)(A) at an amplitude A")

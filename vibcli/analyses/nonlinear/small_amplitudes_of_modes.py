@@ -9,6 +9,7 @@ With ξ = a φ cos θ + a² (u₀ + u₂ cos 2θ) + …, θ = ωt, φᵀMφ = 1,
 for the amplitude A ≈ |φₓ| a of a coordinate x. Other modes with the frequency ωᵢ, 2ωᵢ or 3ωᵢ forbid it.
 """
 
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -77,7 +78,8 @@ def kappa_of_mode(configuration: "Configuration", equations: "FreeEquations", nu
                  _form({powers: c for powers, c in V.items() if sum(powers) == 2}, n))
     _require_movement(mode, equations, number, coordinate)
     share = mode.square * mode.shape[coordinate] * mode.shape[coordinate]
-    return ARITHMETIC.power(share, -1) * _quartic(mode, V, T) * -4.0
+    found: Rounded = ARITHMETIC.power(share, -1) * _quartic(mode, V, T) * -4.0
+    return found
 
 
 def near_resonance(equations: "FreeEquations", number: int) -> tuple[int, int] | None:
@@ -87,13 +89,13 @@ def near_resonance(equations: "FreeEquations", number: int) -> tuple[int, int] |
                  if apart < NEAR and not (times == 2 and equations.odd)), None)
 
 
-def _ratios(omegas, number):
+def _ratios(omegas: np.ndarray, number: int) -> list[tuple[int, int, float]]:
     """(mode, k, how far its frequency is from k times that of a mode, relative)."""
     return [(m, times, abs(omega / omegas[number] / times - 1)) for m, omega in enumerate(omegas) if m != number
             for times in RESONANCES]
 
 
-def _require_apart(omegas, number):
+def _require_apart(omegas: np.ndarray, number: int) -> None:
     for m, times, apart in _ratios(omegas, number):
         if apart < SAME:
             told = "the same frequency as" if times == 1 else f"{times} times the frequency of"
@@ -102,7 +104,7 @@ def _require_apart(omegas, number):
                                "change a parameter a little, or ask about another mode")
 
 
-def _require_movement(mode, equations, number, coordinate):
+def _require_movement(mode: _Mode, equations: "FreeEquations", number: int, coordinate: int) -> None:
     known, most = mode.shape[coordinate], np.abs(equations.shapes[coordinate]).max()
     if abs(number_in(known)) <= max(STILL * most, error_in(known)):
         raise PhysicsError(f"this coordinate does not move in small motions of mode {number + 1}",
@@ -120,7 +122,7 @@ def _form(terms: "Mapping[tuple[int, ...], Rounded]", n: int) -> QuadraticForm:
     return QuadraticForm(value, error)
 
 
-def _mode(equations, number, M, K):
+def _mode(equations: "FreeEquations", number: int, M: QuadraticForm, K: QuadraticForm) -> _Mode:
     """With bounds to first order in the errors of M and K."""
     shapes = equations.shapes / np.sqrt(np.diag(M.between(equations.shapes, equations.shapes)[0]))
     phi = shapes[:, [number]]
@@ -137,7 +139,7 @@ def _mode(equations, number, M, K):
                  [Rounded(float(x), float(e)) for x, e in zip(phi[:, 0], errors, strict=True)], shapes, M, K)
 
 
-def _quartic(mode: _Mode, V: "Mapping", T: "Mapping") -> Any:
+def _quartic(mode: _Mode, V: dict[tuple[int, ...], Rounded], T: dict[tuple[int, ...], Rounded]) -> Any:
     """G."""
     n, twice = len(mode.shape), [*mode.shape, *mode.shape]
     cubic, quartic = ([{powers: c for powers, c in energy.items() if sum(powers) == order} for energy in (V, T)]
@@ -171,7 +173,7 @@ def _value(terms: "Mapping[tuple[int, ...], Rounded]", at: list[Rounded]) -> Any
     return _sum(_monomial(c, powers, at) for powers, c in terms.items())
 
 
-def _monomial(c, powers, at, less=None):
+def _monomial(c: Rounded, powers: tuple[int, ...], at: Sequence[Rounded], less: int | None = None) -> Rounded:
     """c Π xᵖ, one factor of number `less` left out."""
     for i, (x, p) in enumerate(zip(at, powers, strict=True)):
         for _ in range(p - (i == less)):
@@ -179,5 +181,5 @@ def _monomial(c, powers, at, less=None):
     return c
 
 
-def _sum(parts):
+def _sum(parts: Iterator[Any]) -> Rounded:
     return sum(parts, Rounded(0.0, 0.0))

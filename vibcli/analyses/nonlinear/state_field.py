@@ -20,7 +20,7 @@ SAMPLES, JUMPS, SAME = 9, 1e-6, 1e-13
 class StateField:
     """That of a scene of one coordinate, with numbers for its parameters. `driven`: does it depend on the time?"""
 
-    def __init__(self, scene: "Scene", floats: Mapping[str, float]):
+    def __init__(self, scene: "Scene", floats: Mapping[str, float]) -> None:
         parts, zero = dynamics(scene), scene.table.zero
         if (0, 0) not in parts.M:
             raise massless(scene.coordinates[0])
@@ -33,7 +33,8 @@ class StateField:
         """a(q, q̇)."""
         M, h = self._values(self._plain, q, v)
         with np.errstate(all="ignore"):
-            return -h / M
+            found: np.ndarray = -h / M
+            return found
 
     def slopes(self, q: float) -> tuple[float, float]:
         """(∂a/∂q, ∂a/∂q̇) in an equilibrium."""
@@ -56,7 +57,7 @@ class StateField:
         size = np.abs(there) + np.abs(fast)
         return bool(np.any(np.abs(there - back)[known] > JUMPS * size[known]))
 
-    def _values(self, compiled, q, v):
+    def _values(self, compiled: Compiled, q: np.ndarray, v: np.ndarray) -> list[np.ndarray]:
         with np.errstate(all="ignore"):
             rows = compiled(np.zeros(q.size), q.reshape(1, -1), v.reshape(1, -1))
-        return [row if np.shape(row) == q.shape else np.full(q.shape, row) for row in rows]
+        return [np.asarray(row) if np.shape(row) == q.shape else np.full(q.shape, row) for row in rows]

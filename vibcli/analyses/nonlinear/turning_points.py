@@ -1,6 +1,7 @@
 """Where a motion in a well comes to rest: E − V(q) = 0 on each side of a place."""
 
 import math
+from collections.abc import Iterator
 from itertools import pairwise
 
 import numpy as np
@@ -55,12 +56,12 @@ def turning_point(well: Well, q: float, speed: float, side: int) -> TurningPoint
     raise PhysicsError("this motion does not come back: nothing turns it round", "ask for its value at a time")
 
 
-def _leaves(well):
+def _leaves(well: Well) -> tuple[str, str]:
     ending = well.ending
     return (f"{LEAVES}: {ending.what}", ending.hint) if ending else (LEAVES, "ask for its value at a time")
 
 
-def _edges(q, side, scale):
+def _edges(q: float, side: int, scale: float) -> Iterator[np.ndarray]:
     """Ever more cells to look at, as arrays of their ends."""
     step, last = FIRST * scale, q
     for _ in range(BLOCKS):
@@ -72,7 +73,8 @@ def _edges(q, side, scale):
         yield np.array(edges)
 
 
-def _within(well, edges, gained, speed, side, rounding):
+def _within(well: Well, edges: np.ndarray, gained: float, speed: float, side: int,
+            rounding: tuple[float, float]) -> tuple[tuple[float, float] | None, float, float]:
     """(the first cell after which the motion cannot go on, or None, the last place, what V gained up to it; None where
     V is not defined)."""
     climbs = well.gain(edges[:-1], np.diff(edges), rounding).value
@@ -93,7 +95,8 @@ def _within(well, edges, gained, speed, side, rounding):
     return None, edges[-1], float(heights[-1])
 
 
-def _refined(well, q, speed, side, cell, rounding):
+def _refined(well: Well, q: float, speed: float, side: int, cell: tuple[float, float],
+             rounding: tuple[float, float]) -> TurningPoint:
     """The turning point in a cell, V being added up between the places where it bends."""
     low, high = cell
     places = well.breaks(*sorted((q, high)))[::side]
@@ -111,7 +114,7 @@ def _refined(well, q, speed, side, cell, rounding):
     return TurningPoint(high, abs(high - low))
 
 
-def _zero(well, a, b, missing, rounding):
+def _zero(well: Well, a: float, b: float, missing: float, rounding: tuple[float, float]) -> float:
     """Where V has gained since a what was missing: by Newton's steps from b, halvings where they leave the bracket."""
     low, high, q = a, b, b
     for _ in range(HALVINGS):
@@ -127,7 +130,7 @@ def _zero(well, a, b, missing, rounding):
     return q
 
 
-def _scale(well, q, speed, force):
+def _scale(well: Well, q: float, speed: float, force: float) -> float:
     """How far a linear spring would let it go."""
     k = stiffness(well, q)
     found = math.sqrt(2 * speed / k) if speed and k else abs(force) / k if k and force else abs(q) or 1.0

@@ -4,7 +4,7 @@ What V gains on a way is found twice: by Gauss's rule from V′, which loses not
 of V, which stands powers that are broken at a kink; of the two each value takes the one with the smaller bound.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
@@ -44,7 +44,7 @@ class Well:
     """A scene of one coordinate with numbers for its parameters. `bends`: the arguments of |u|, sign u, min … in V and
     m, as nodes; `V`: what stands for the potential, where that is not the one of the scene at rest."""
 
-    def __init__(self, scene: "Scene", floats: Mapping[str, float], V: "Node | None" = None):
+    def __init__(self, scene: "Scene", floats: Mapping[str, float], V: "Node | None" = None) -> None:
         self.q, M = scene.q[0], dynamics(scene).M[0, 0]
         V = effective_potential(scene) if V is None else V
         self.nodes, self.floats = (V, M), floats
@@ -78,7 +78,7 @@ class Well:
         return float(error_in(found[0])), float(error_in(found[1]))
 
     @np.errstate(invalid="ignore")      # where V is infinite nothing is known of what it gains
-    def gain(self, start: np.ndarray, way: np.ndarray, rounding: tuple[float, float]) -> Gain:
+    def gain(self, start: np.ndarray, way: np.ndarray, rounding: tuple[float, float] | np.ndarray) -> Gain:
         """V(start + way) − V(start) where nothing bends between."""
         mean, change = self._mean_force(start, way)
         value = way * mean
@@ -91,7 +91,7 @@ class Well:
         known = ~(error <= direct)
         return Gain(np.where(known, difference, value), np.where(known, direct, error))
 
-    def _mean_force(self, start, way):
+    def _mean_force(self, start: np.ndarray, way: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """By the finer rule, and its difference from that by the coarser one."""
         forces = self.force(start[..., None] + way[..., None] * PLACES)
         mean = forces[..., :FINE[0].size] @ (0.5 * FINE[1])
@@ -102,7 +102,8 @@ class Well:
         with np.errstate(all="ignore"):
             mean, change = self._mean_force(start, way)
             size = np.abs(self.force(start)) + np.abs(self.force(start + way))
-            return change <= ROUGH * (np.abs(mean) + size)
+            found: np.ndarray = change <= ROUGH * (np.abs(mean) + size)
+            return found
 
     def breaks(self, low: float, high: float) -> list[float]:
         """The places between two others where V or m bends or jumps, or V is about stationary, ascending."""
@@ -113,7 +114,7 @@ class Well:
             found.update(self._extremes(places))
         return sorted(q for q in found if low < q < high)
 
-    def _extremes(self, places):
+    def _extremes(self, places: np.ndarray) -> list[float]:
         """Where V is stationary, as far as chords of V′ between near places know it."""
         for _ in range(LOOKS):
             near = []
@@ -123,7 +124,7 @@ class Well:
         force = self.force(np.array(found := self._turns(places)).reshape(-1, 2))
         return [a if not f else a + (b - a) * f / (f - g) for (a, b), (f, g) in zip(found, force.tolist(), strict=True)]
 
-    def _turns(self, places):
+    def _turns(self, places: np.ndarray) -> list[tuple[float, float]]:
         """[(a, b)] of neighbouring places between which V′ changes its sign, or is nothing at the first."""
         sign = np.sign(self.force(places))
         i = np.flatnonzero((sign[1:] != sign[:-1]) & (sign[1:] != 0) & (places[1:] > places[:-1]))
@@ -135,10 +136,10 @@ class Well:
             return []
         n = len(self.bends)
 
-        def values(q):
+        def values(q: np.ndarray) -> "list[np.ndarray]":
             return self._values(self._bends, q)[1:n + 1]
 
-        def slopes(q):
+        def slopes(q: np.ndarray) -> "list[np.ndarray]":
             return self._values(self._bends, q)[n + 1:]
 
         places = np.linspace(low, high, GRID)
@@ -146,7 +147,7 @@ class Well:
         places = np.unique(np.concatenate((places, turns)))
         return sorted(set(self._changes(values, places)))
 
-    def _changes(self, functions, places):
+    def _changes(self, functions: Callable[[np.ndarray], list[np.ndarray]], places: np.ndarray) -> list[float]:
         """Where functions of q change their sign, to the last digit."""
         found = []
         for k, row in enumerate(functions(places)):
@@ -160,8 +161,8 @@ class Well:
                 found += map(float, zeros_between(one, places[changes], places[changes + 1]))
         return found
 
-    def _values(self, compiled, q):
+    def _values(self, compiled: Compiled, q: np.ndarray) -> list[np.ndarray]:
         flat = q.ravel()
         with np.errstate(all="ignore"):
             rows = compiled(np.zeros(flat.size), flat.reshape(1, -1), np.zeros((1, flat.size)))
-        return [row.reshape(q.shape) if np.shape(row) == flat.shape else np.full(q.shape, row) for row in rows]
+        return [np.reshape(row, q.shape) if np.shape(row) == flat.shape else np.full(q.shape, row) for row in rows]
