@@ -19,14 +19,15 @@ if TYPE_CHECKING:
     from vibcli.results.signal import Signal
 
 SAMPLES = 65
-ROUNDING = 1e-9     # of terms: a bound as small is that of what rounds of them
+SMALL = 1e-3        # of terms as large as the largest coordinate: a bound as small tells that there is none
 
 
 def require_digit(value: float, error: float, size: float, hint: str, what: str = "value") -> None:
-    """NoDigit of a value whose error has a bound no less than the `size` of what it is one of."""
+    """NoDigit of a value whose error has a bound no less than the `size` of what it is one of, if any is known of this:
+    what is zero all along tells none."""
     if error < abs(value) or not error:
         return
-    if not error < size:
+    if size and not error < size:
         told = f"may be off by {figure(rounded_up(error))}" if error < inf else "has an error without bound"
         raise NoDigit(f"no digit of this {what} is known: it {told}, and nothing it is one of is larger than "
                       f"{figure(size, digits=2)}", hint)
@@ -53,8 +54,8 @@ def size_of(signal: "Signal", t: float) -> float:
     return found
 
 
-def rounding_of_terms(motion: "LinearMotion", output: "LinearOutput", t: float) -> float:
-    """A bound that rounding alone keeps below, of an output's terms were they as large as the largest of all."""
+def share_of_terms(motion: "LinearMotion", output: "LinearOutput", t: float) -> float:
+    """A bound that is small beside an output's terms, were they as large as those of the largest coordinate."""
     import numpy as np
 
     from vibcli.analyses.excitation.linear_output import LinearOutput
@@ -64,7 +65,7 @@ def rounding_of_terms(motion: "LinearMotion", output: "LinearOutput", t: float) 
         if any(row.values()):
             sizes = [np.abs(motion.values(LinearOutput(q={i: 1.0}), times, order)).max() for i in range(len(motion.M))]
             found += float(max(sizes)) * sum(map(abs, row.values()))
-    return ROUNDING * found
+    return SMALL * found
 
 
 def known_alone(signal: "Signal", times: "np.ndarray", values: "np.ndarray") -> "np.ndarray":

@@ -57,10 +57,10 @@ class LinearSignal(Signal):
         return final(self)
 
     def told_zero(self, t: float) -> float:
-        """What rounds of coordinates as large as the largest of them."""
-        from vibcli.results.known_digits import rounding_of_terms
+        """A share of what terms would be with coordinates as large as the largest of them."""
+        from vibcli.results.known_digits import share_of_terms
 
-        return rounding_of_terms(self.motion, self.output, t)
+        return share_of_terms(self.motion, self.output, t)
 
     def along(self, end: float) -> "Leaf":
         from vibcli.analyses.transient.composition import Leaf
