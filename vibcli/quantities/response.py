@@ -70,9 +70,11 @@ def _require_digit(problem: "Problem", tree: QuantityRef, args: Sequence[Any], f
 
 def relative(value: float, off: float) -> float:
     """The relative error bound of a value that may be off by so much; of 0, if it may be off at all, 1."""
-    if value and isfinite(off):
-        return max(ROUNDING, off / abs(value))
-    return 1.0 if value else ErrorOfZero(off)
+    if not value:
+        return ErrorOfZero(off)
+    if not isfinite(off):
+        return 1.0
+    return max(ROUNDING, off / abs(value))
 
 
 def _doubt(problem: "Problem", tree: QuantityRef, value: float, off: Callable[..., float]) -> float:
