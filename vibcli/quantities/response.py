@@ -14,7 +14,6 @@ from vibcli.quantities.quantity import (
     ROUNDING,
     SIGNAL,
     Declaration,
-    ErrorOfZero,
     declared,
     one,
 )
@@ -70,10 +69,8 @@ def _require_digit(problem: "Problem", tree: QuantityRef, args: Sequence[Any], f
 
 def relative(value: float, off: float) -> float:
     """The relative error bound of a value that may be off by so much; of 0, if it may be off at all, 1."""
-    if not value:
-        return ErrorOfZero(off)
-    if not isfinite(off):
-        return 1.0
+    if not value or not isfinite(off):
+        return 1.0 if off else ROUNDING
     return max(ROUNDING, off / abs(value))
 
 
