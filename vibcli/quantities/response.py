@@ -60,7 +60,10 @@ def _require_digit(problem: "Problem", tree: QuantityRef, args: Sequence[Any], f
 
     if off < abs(found) or not off:
         return
-    signal, quantity = _signal(problem, tree), declared(tree)
+    try:
+        signal, quantity = _signal(problem, tree), declared(tree)
+    except PhysicsError:        # the number is found without it
+        return
     of_signal = quantity.unit == SIGNAL
     size = size_of(signal, args[1] if tree.head == "value" else _end(problem, tree)) if of_signal else quantity.size(
         problem, tree)

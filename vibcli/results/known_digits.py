@@ -43,14 +43,14 @@ def size_of(signal: "Signal", t: float) -> float:
     """The largest of samples of a signal up to an instant and up to the end of its motion, or what tells its zeros."""
     import numpy as np
 
-    signal = signal.whole
-    found = signal.told_zero(t)
-    for further in (False, True) if found < inf else ():
-        try:
+    signal, found = signal.whole, 0.0
+    try:
+        found = signal.told_zero(t)
+        for further in (False, True) if found < inf else ():
             end = max(t, signal.end or 0.0) if further else t
             found = max(found, float(np.abs(signal.values(np.linspace(0.0, end, SAMPLES))).max()))
-        except PhysicsError:        # more than is known of it
-            pass
+    except PhysicsError:        # more than is known of it
+        pass
     return found
 
 
