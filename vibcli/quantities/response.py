@@ -43,7 +43,7 @@ def _measured(number: Callable[..., Any]) -> "Callable[[Problem, QuantityRef, Se
             if kind in EXACT or (kind == "series" and tree.head in ALONG):
                 lost = off()
                 value, error = settled(problem, tree, args, found, relative(found, lost))
-                if value is found:
+                if value is found and 0.0 < lost >= abs(found):
                     _require_digit(problem, tree, args, found, lost)
                 return value, error
             return settled(problem, tree, args, found, max(ERROR, _doubt(problem, tree, found, off)))
@@ -58,8 +58,6 @@ def _require_digit(problem: "Problem", tree: QuantityRef, args: Sequence[Any], f
     """NoDigit of a number that may be off by as much as numbers of its kind become."""
     from vibcli.results.known_digits import require_digit, size_of
 
-    if off < abs(found) or not off:
-        return
     try:
         signal, quantity = _signal(problem, tree), declared(tree)
     except PhysicsError:        # the number is found without it

@@ -59,8 +59,8 @@ def forces_in_time(problem: "Problem", instant: float) -> tuple[list[InternalFor
 
     def require(force):
         for stretch in force.stretches:
-            x = (stretch.start + stretch.end) / 2
-            require_value(signal(f"{force.member}.{force.part}({x!r} m)"), instant, force.largest, force.error(x))
+            amid = signal(f"{force.member}.{force.part}({(stretch.start + stretch.end) / 2!r} m)")
+            require_value(amid, instant, force.largest, amid.error(instant))
 
     return _of_signals(problem, values, lambda name: signal(name).error(instant), require)
 
