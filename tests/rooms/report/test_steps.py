@@ -58,7 +58,7 @@ PRINTED = """\
   17  ω_d = √(ω² − δ²) = √(1200 − 25) = 34.2783 rad/s
 """
 CART = Path("problems/2_lagrange/pendulum_on_sprung_cart.yaml")
-MOST = {1: 25, 2: 60}       # lines to so many coordinates, beside one for each amplitude asked of a signal
+MOST = {1: 27, 2: 60}       # some 25 and 60 lines, beside one for each amplitude that is asked of a signal
 
 
 def test_the_lines_of_a_damped_rod(tmp_path, capsys):

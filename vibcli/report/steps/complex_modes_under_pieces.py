@@ -85,11 +85,14 @@ class ComplexModesUnderPieces:
         """Write down the equation of each mode; the numbers of the lines."""
         M, C, u, z, Q, root = *(Name(self.sheet.matrix(letter)) for letter in "MC"), *(
             Name(self.sheet.letter(letter)) for letter in ("u", "z", "Q", "lambda"))
-        pairs = any(mode.root.imag for mode in self.modes)
+        pairs, sides = any(mode.root.imag for mode in self.modes), []
+        for j in self.taken:
+            side = Name(self.sheet.letter(indexed(Q.text, j + 1)))
+            sides += [Words(", " if sides else "  with the right sides  "), side]
         first = self.sheet.write(
             Words(RULE), u, Words("  times  "), z, Words(PAIRS * pairs + ":  "), u, "·(2·", root, "·", M, " + ", C,
             ")·", u, "·(", Name(z.text + "'"), " − ", root, "·", z, ") = ", u, "·", Q,
-            settles="equations of complex modes", uses=self.found.lines)
+            *sides, settles="equations of complex modes", uses=self.found.lines)
         return [first, *(self._equation(k, mode, [first]) for k, mode in enumerate(self.modes))]
 
     def _equation(self, k, mode, uses):
