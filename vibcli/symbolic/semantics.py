@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
-from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.node import ALL_PURE, UNITS, Node, rooted_square
 from vibcli.symbolic.parser import FUNCTIONS
@@ -38,11 +37,6 @@ def literal_unit(chain: Sequence[UnitPower]) -> "Unit":
 def is_factor(tree: Any, free_numbers: bool | str) -> bool:
     """Is a bare number of a scene without units a factor, and no quantity?"""
     return tree.value < 10 and tree.value.denominator == 1 and free_numbers != ALL_NUMBERS
-
-
-class VanishingDivisor(ExpressionError, PhysicsError):
-    """An expression that divides by zero: where it is read it is shown, and elsewhere a refusal, as of a signal whose
-    places are one but for rounding."""
 
 
 class DimensionCheck(NamedTuple):
@@ -202,8 +196,8 @@ def lower(tree: Any, table: "Table", symbol: Callable) -> "Node":
         args = [lower(arg, table, symbol) for arg in tree.args]
         return _raised(args[0], HALF) if tree.name == "sqrt" else table.call(tree.name, *args)
     except ZeroDivisionError:
-        raise VanishingDivisor(tree.start, tree.end - tree.start, "this divides by zero",
-                               "look for a difference that vanishes") from None
+        raise ExpressionError(tree.start, tree.end - tree.start, "this divides by zero",
+                              "look for a difference that vanishes") from None
 
 
 def lower_measured(tree: Any, table: "Table", symbol: Callable) -> "Node":

@@ -7,10 +7,9 @@ import pytest
 from mpmath import mp, mpf
 from support.scenes import problem
 
-from vibcli.base.errors import NoEquilibrium, PhysicsError
+from vibcli.base.errors import NoEquilibrium
 from vibcli.language.signals_of_places import with_places
 from vibcli.quantities.expression import measure
-from vibcli.report.sections.requested_signals import signals_asked
 from vibcli.symbolic.parser import parse
 
 SCENE = """
@@ -133,14 +132,3 @@ def test_what_nothing_holds_is_still_refused():
         """)
     with pytest.raises(NoEquilibrium):
         one.configuration.at_rest  # noqa: B018
-
-
-def test_signals_that_divide_by_what_places_that_are_one_differ_in_are_refused():
-    """They ended as an error of its own."""
-    signal = "1/(wing.u(1 m) - wing.u(0.99999999999999 m))"
-    one = problem(dedent(SCENE.format(apart=0.01, Omega=10)) + f"find: [{{response: {{of: [{signal}], until: 1 s}}}}]")
-    with pytest.raises(PhysicsError, match=r"^'1/.* divides by zero") as refused:
-        signals_asked(one)
-    assert refused.value.hint == "look for a difference that vanishes"
-    with pytest.raises(PhysicsError, match="divides by zero"):
-        measured(one, f"max({signal})")

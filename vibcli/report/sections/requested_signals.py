@@ -12,7 +12,6 @@ from vibcli.quantities.dimensions import checker, text_of
 from vibcli.quantities.signal_dimensions import input_dimension, inputs, output_dimension
 from vibcli.reader.sections.find import FREQUENCY_RESPONSE, RESPONSE
 from vibcli.report.sections.parameters import unit
-from vibcli.symbolic.semantics import VanishingDivisor
 from vibcli.symbolic.syntax import NameRef, Sum
 
 if TYPE_CHECKING:
@@ -100,15 +99,8 @@ def _middle(problem, name):
 
 def signals_asked(problem: "Problem", given: "Sequence[Expression]" = ()) -> list[RequestedSignal]:
     """The Asked signals of a motion in time."""
-    return [RequestedSignal(text, tree, dimension_of(problem, tree), _kept(problem, text, tree))
+    return [RequestedSignal(text, tree, dimension_of(problem, tree), problem.response.kept_signal(tree))
             for text, tree in trees_asked(problem, RESPONSE, given)]
-
-
-def _kept(problem, text, tree):
-    try:
-        return problem.response.kept_signal(tree)
-    except VanishingDivisor as error:
-        raise PhysicsError(f"'{text}' divides by zero", error.hint) from None
 
 
 def dimension_of(problem: "Problem", tree: "NameRef | Sum") -> "Mapping[str, Fraction | int]":
