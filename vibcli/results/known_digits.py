@@ -69,11 +69,12 @@ def share_of_terms(motion: "LinearMotion", output: "LinearOutput", t: float) -> 
 
 
 def known_alone(signal: "Signal", times: "np.ndarray", values: "np.ndarray") -> "np.ndarray":
-    """Samples of a signal, NaN where no digit is known of those about them; NoDigit where none is known anywhere."""
+    """Samples of a signal, NaN where no digit is known of those about them; NoDigit where none is known anywhere. What
+    is zero all along is told."""
     import numpy as np
 
     parts = signal.LOOKED
-    if not parts:
+    if not parts or not values.any():
         return values
     at = np.linspace(float(times[0]), float(times[-1]), parts + 1)
     errors, size = np.array([_error(signal, t) for t in at.tolist()]), float(np.abs(values).max())
