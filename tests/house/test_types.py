@@ -14,7 +14,6 @@ LENIENT = {     # rooms and parts that are not checked strictly yet: one that is
     "analyses.limit_points",
     "analyses.modal",
     "analyses.modes",
-    "analyses.nonlinear",
     "analyses.time_integration",
     "analyses.transient",
     "evidence", "mechanics", "report", "results", "symbolic"}
