@@ -10,7 +10,6 @@ LENIENT = {     # rooms and parts that are not checked strictly yet: one that is
     "analyses.closed_form",
     "analyses.continuous",
     "analyses.frequency_response",
-    "analyses.limit_points",
     "analyses.modal",
     "analyses.modes",
     "analyses.time_integration",
