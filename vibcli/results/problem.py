@@ -206,7 +206,7 @@ class Problem:
         forces = self.equilibria.forces
         return [self.about(about(self.configuration, item, forces), len(item.free)) for item in self.equilibria.items]
 
-    @Stage
+    @Stage[Any]     # of one kind of motion
     def response(self) -> "Response":
         """The motion in time, as `motion:` of the file says."""
         from vibcli.results.kinds_of_motion import motion_in_time

@@ -208,7 +208,7 @@ def structure(scene: "Scene", form: "Linearisation") -> tuple:
              *(() if loops is None else (*loops.conditions, *loops.slopes)), *_listed(form)]
     keys = ([[list(row) for _, row in rows] for rows in (form.inertias, form.springs, form.dampers)],
             [(list(second), list(row)) for _, second, row in form.curved],
-            [list(entries) for entries in (form.M, form.C, form.G, form.drag, *form.K, *form.residual)])
+            [list(matrix) for matrix in (form.M, form.C, form.G, form.drag, *form.K)] + list(map(list, form.residual)))
     return fingerprint(nodes), repr(keys), tuple(scene.coordinates), tuple(scene.table.functions)
 
 
