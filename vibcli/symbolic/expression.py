@@ -24,7 +24,7 @@ class Table:
     """All nodes of one scene. Symbols are made by `parameter` and `variable`; the rest by the operators. `sample`:
     float values of the parameters, once they are known; they decide only how R − r is written, and with
     `squares_at_sample` how (R − r)² is; dimension(name): that of a letter, if known; `hidden`: literals whose
-    units no letter tells; `legs`: pairs (dx, dy) of which it has roots √(dx² + dy²)."""
+    units no letter tells; `legs`: (dx, dy) of which it has roots √(dx² + dy²)."""
 
     time: Node
 
@@ -33,7 +33,7 @@ class Table:
                  hidden: "Collection[Any] | None" = None):
         """`records`: {name: samples} of functions of the time; `functions`: {name: DefinedFunction}."""
         self._nodes, self._count, self.dimension, self.hidden = {}, 0, dimension, set() if hidden is None else hidden
-        self.variables, self.called, self.legs = [], set(), []
+        self.variables, self.called, self.legs = [], set(), {}
         self.sample, self.signs, self.squares_at_sample = None, {}, squares_at_sample
         self.time, self.records, self.functions = None, records or {}, functions or {}
         self.positive, self.definitions, self.programs, self.kept = set(), {}, {}, {}
