@@ -11,8 +11,8 @@ from vibcli.base.errors import PhysicsError, Unknown
 from vibcli.language.signals import is_reaction
 from vibcli.results.full_signals import FullSignal
 from vibcli.results.response import Response
+from vibcli.results.signal_nodes import node_of_signal
 from vibcli.symbolic.evaluation import evaluate
-from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import NameRef, Power, QuantityRef, Sum
 
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ class StatesInTime(Response):
                 frictions.add(name)
             return moving(self.problem.system, name, primes)
 
-        node = lower(tree, scene.table, symbol)
+        node = node_of_signal(tree, scene.table, symbol)
         return self.signal_of(node, forces, SharedFriction.of(scene, tree, frictions, symbol) if frictions else None)
 
     def state_signal(self, node: Any) -> FullSignal:

@@ -150,4 +150,6 @@ def require_numbers(problem: "Problem") -> None:
         raise PhysicsError("this scene has no members: no diagram of forces within them can be drawn",
                            "`vibcli draw FILE` draws the scene")
     if problem.numeric.has_free_symbols:
-        raise PhysicsError("diagrams need numbers, and this scene has symbols without value", "give them with --set")
+        from vibcli.language.parameters import require_values
+
+        require_values(problem.scene.parameters, "a diagram of forces")

@@ -278,7 +278,7 @@ def _drifts(signal):
     if not isinstance(signal, ModalSignal):
         return True
     motion, reads = signal.modal, signal.reads
-    kinds = [reads.q, reads.v, reads.a, {}, reads.places]
+    kinds: list[dict[Any, Any]] = [reads.q, reads.v, reads.a, {}, reads.places]
     parts = [LinearOutput(0.0, *({key: x} if i == k else {} for i in range(5)))
              for k, kind in enumerate(kinds) for key, x in kind.items()]
 

@@ -6,6 +6,7 @@ from vibcli.analyses.nonlinear.period import has_potential
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signals import signal_dimension
 from vibcli.notation.numbers import with_unit
+from vibcli.results.signal_nodes import node_of_signal
 from vibcli.symbolic.syntax import NameRef, QuantityRef
 
 if TYPE_CHECKING:
@@ -36,7 +37,6 @@ def require_positive(amplitude: float) -> None:
 def node_of(problem: "Problem", tree: Any) -> "Node":
     """The expression of a signal, by the coordinates of the scene at rest."""
     from vibcli.mechanics.signals import moving
-    from vibcli.symbolic.semantics import lower
 
     scene, system = problem.scene.resting, problem.system
 
@@ -47,7 +47,7 @@ def node_of(problem: "Problem", tree: Any) -> "Node":
         found = scene.parameters.nodes.get(name) if not primes else None
         return found if found is not None else moving(system, name, primes)
 
-    return lower(tree, scene.table, symbol)
+    return node_of_signal(tree, scene.table, symbol)
 
 
 def require_changing(node: "Node") -> None:

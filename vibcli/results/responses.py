@@ -13,12 +13,12 @@ from vibcli.language.signals import ENERGIES
 from vibcli.results.closing import Closing
 from vibcli.results.given_start import check_start
 from vibcli.results.response import Response
+from vibcli.results.signal_nodes import node_of_signal
 from vibcli.results.signals import ComposedSignal, LinearSignal
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import fraction_of
-from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import NameRef, Power, QuantityRef, Sum
 
 if TYPE_CHECKING:
@@ -167,7 +167,7 @@ class SmallResponse(Response):
     def signal(self, tree: NameRef | Power | Sum) -> LinearSignal | ComposedSignal:
         """The signal of a tree, one for all that is asked of it."""
         parts = {}
-        node = lower(tree, self.problem.scene.table, lambda *named: self._part(parts, *named))
+        node = node_of_signal(tree, self.problem.scene.table, lambda *named: self._part(parts, *named))
         if node not in self._signals:
             self._signals[node] = self._of_node(node, parts, (self, tree))
         return self._signals[node]

@@ -15,6 +15,7 @@ from vibcli.symbolic.rationals import BITS, HALF, ONE, ZERO, bits, exact, ration
 
 if TYPE_CHECKING:
     from vibcli.symbolic.defined_functions import DefinedFunction
+    from vibcli.symbolic.node import Factors, Rational
     from vibcli.symbolic.variable_sets import VariableSet
 
 _OF_PAIRS = ("sum", "product")
@@ -24,7 +25,7 @@ class Table:
     """All nodes of one scene. Symbols are made by `parameter` and `variable`; the rest by the operators. `sample`:
     float values of the parameters, once they are known; they decide only how R − r is written, and with
     `squares_at_sample` how (R − r)² is; dimension(name): that of a letter, if known; `hidden`: literals whose
-    units no letter tells."""
+    units no letter tells; `legs`: (dx, dy) of which it has roots √(dx² + dy²)."""
 
     time: Node
 
@@ -32,9 +33,8 @@ class Table:
                  functions: "dict[str, DefinedFunction] | None" = None, dimension: Any = None,
                  hidden: "Collection[Any] | None" = None) -> None:
         """`records`: {name: samples} of functions of the time; `functions`: {name: DefinedFunction}."""
-        self._nodes: dict[tuple[Any, ...], Node] = {}
-        self._count, self.dimension, self.hidden = 0, dimension, set() if hidden is None else hidden
-        self.variables, self.called = [], set()
+        self._nodes, self._count, self.dimension, self.hidden = {}, 0, dimension, set() if hidden is None else hidden
+        self.variables, self.called, self.legs = [], set(), {}
         self.sample, self.signs, self.squares_at_sample = None, {}, squares_at_sample
         self.time, self.records, self.functions = None, records or {}, functions or {}
         self.positive, self.definitions, self.programs, self.kept = set(), {}, {}, {}
@@ -72,7 +72,7 @@ class Table:
 
     def variable(self, name: str) -> Node:
         """A symbol to differentiate by."""
-        known = self._nodes.get(("symbol", name, ONE, ()))
+        known: Node | None = self._nodes.get(("symbol", name, ONE, ()))
         if known is not None:
             return known
         node = self._make("symbol", (), ONE, one_variable(len(self.variables)), name)
@@ -99,9 +99,7 @@ class Table:
 
     def scaled(self, node: Node, factor: float | Fraction) -> Node:
         """factor·node, the factor rational; over a sum it is distributed."""
-        if factor == 1:
-            return node
-        return self.sum((node, factor))
+        return node if factor == 1 else self.sum((node, factor))
 
     def sum(self, *terms: tuple[Node, Any]) -> Node:
         """Σ cᵢ·nodeᵢ of (node, rational c) pairs; sums within sums are flattened, equal terms collected."""
@@ -137,7 +135,7 @@ class Table:
             return args[0][0]
         return self._make("product", args, ONE)
 
-    def _sum(self, constant: Fraction | int, collected: dict[Node, Fraction | int]) -> Node:
+    def _sum(self, constant: "Rational", collected: "Factors") -> Node:
         if constant and bits(constant) > BITS:
             collected[self.number(constant)] = ONE
             constant = ZERO
@@ -188,8 +186,7 @@ class Table:
             args.sort(key=by_index)
         return self._make("product", tuple(args), exact(coefficient))
 
-    def _gather(self, node: Node, exponent: Fraction | int, coefficient: Fraction | int,
-                collected: dict[Node, Fraction | int]) -> Fraction | int:
+    def _gather(self, node: Node, exponent: "Rational", coefficient: "Rational", collected: "Factors") -> "Rational":
         """Multiply node^exponent into (coefficient, {base: exponent}); returns the new coefficient."""
         pending = [(node, exponent)]
         while pending:
@@ -216,8 +213,8 @@ class Table:
                 collected[base] = e
         return coefficient
 
-    def _gather_number(self, value: Fraction | int, e: Fraction | int, coefficient: Fraction | int,
-                       collected: dict[Node, Fraction | int]) -> Fraction | int:
+    def _gather_number(self, value: "Rational", e: "Rational", coefficient: "Rational",
+                       collected: "Factors") -> "Rational":
         """value^e into the coefficient as far as that is rational and short; of √8 = 2√2 the root stays."""
         if not value:
             return coefficient * rational_power(value, exact(e) if e <= 0 else ONE)
@@ -293,8 +290,11 @@ class Table:
 
     def call(self, name: str, *args: Node) -> Node:
         """A function of nodes; its value is folded only where it is exact (sin 0 = 0)."""
-        value = folded(self, name, args)
-        if value is not None:
+        if (value := folded(self, name, args)) is not None:
             return value
         self.called.add(name)
-        return self._make("call", tuple(args), ONE, name=name)
+        return self.written(name, *args)
+
+    def written(self, name: str, *args: Node) -> Node:
+        """A call of a function as it stands: sin(x − a) where its value is −sin(a − x)."""
+        return self._make("call", args, ONE, name=name)
