@@ -12,6 +12,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.energies import dissipation, generalised_force, kinetic, potential, textbook_kinetic
 from vibcli.mechanics.given_damping_in_letters import proportional
+from vibcli.symbolic.contents import without_contents
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.normal_form import TooLong, expanded, factors_of, reduced, textbook
 from vibcli.symbolic.rationals import HALF
@@ -73,6 +74,12 @@ def full_equations(scene: "Scene") -> "list[Node]":
     """The left side of each equation of motion, simplified."""
     T, V, Phi = textbook_kinetic(scene), potential(scene), dissipation(scene)
     return [textbook(equation_of(scene, i, T, V, Phi)) for i in range(len(scene.q))]
+
+
+def nested_equations(scene: "Scene") -> "list[Node]":
+    """The same as they come from the energies, nothing multiplied out: k·(x + a)·(ℓ − b)/ℓ of a spring."""
+    T, V, Phi = textbook_kinetic(scene), potential(scene), dissipation(scene)
+    return [without_contents(equation_of(scene, i, T, V, Phi)) for i in range(len(scene.q))]
 
 
 def _with_multipliers(scene: "Scene", full: "Sequence[Node]") -> "tuple[list[Node], dict[Node, str], list[Node]]":
