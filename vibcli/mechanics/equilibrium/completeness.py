@@ -118,7 +118,7 @@ class ForceBounds:
         return F, J
 
     def of(self, nodes: "Sequence[Node]", low: np.ndarray, high: np.ndarray) -> list[Interval]:
-        """Intervals of expressions over these boxes."""
+        """Intervals of expressions over these boxes, whose corners are of the shape (boxes, coordinates)."""
         boxes = {}
         for i, name in enumerate(self.symbols):
             ends = exact(low[:, i]) * exact(self.forces.D[i]), exact(high[:, i]) * exact(self.forces.D[i])
@@ -209,7 +209,7 @@ def outside(low: np.ndarray, high: np.ndarray,
 
 
 def halved(low: np.ndarray, high: np.ndarray, wide: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The boxes cut in two across their widest side."""
+    """The boxes cut in two across their widest side, twice as many rows."""
     each, side = np.arange(len(low)), wide.argmax(axis=1)
     middle = 0.5 * (low + high)[each, side]
     upper, lower = low.copy(), high.copy()

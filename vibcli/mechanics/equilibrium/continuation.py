@@ -123,7 +123,7 @@ class Branch:
         return CONVERGED * (1.0 + float(self.np.linalg.norm(q)))
 
     def tangent(self, place: Any) -> "np.ndarray | None":
-        """dq/dp at a place; None where the branch has none."""
+        """dq/dp at a place, by coordinate; None where the branch has none."""
         slope = self.load(place)
         try:
             return None if slope is None else self.np.linalg.solve(place.K, -slope)
@@ -131,7 +131,7 @@ class Branch:
             return None
 
     def load(self, place: Any) -> "np.ndarray | None":
-        """∂r/∂p at a place."""
+        """∂r/∂p at a place, by coordinate."""
         h = DIFFERENCE * (abs(place.value) or 1.0)
         sides = [self.forces(place.value + sign * h, place.q, place.position, place.value) for sign in (1, -1)]
         found: np.ndarray | None = None if None in sides else (sides[0][0] - sides[1][0]) / (2 * h)

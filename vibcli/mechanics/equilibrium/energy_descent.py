@@ -31,7 +31,7 @@ GROWN, LOWERED, CARRIED = 1e3, 1e-2, 100.0      # of the terms at the start; of 
 
 
 class EnergyDescent:
-    """The potential energy of a scene as a function to be descended."""
+    """The potential energy of a scene as a function to be descended. q: an array of its n independent coordinates."""
 
     first_drift = 0.1
     first: Numbers
@@ -169,7 +169,7 @@ class EnergyDescent:
         return bool(self.np.any(self.np.abs(q) > limit * self.scale))
 
     def hessian(self, numbers: Numbers) -> "np.ndarray":
-        """K in scaled coordinates."""
+        """K in scaled coordinates, n × n."""
         K = numbers.elements.stiffness_array()
         if not self.np.all(self.np.isfinite(K)):
             raise PhysicsError("the forces of this scene have no finite slope in a position that the search for its "

@@ -65,8 +65,9 @@ class TooMuch(Exception):
 
 
 class Forces:
-    """r(q) and K(q) of a scene along some of its coordinates, the others left as drawn. `periodic`: flags of the angles
-    after a turn of which nothing has changed; `work`: what counts the places that are looked at."""
+    """r(q) and K(q) of a scene along n of its coordinates, the others left as drawn, at places z of the shape (n,).
+    `periodic`: flags of the angles after a turn of which nothing has changed; `work`: what counts the places that are
+    looked at."""
 
     def __init__(self, numeric: "NumericSystem", names: Sequence[str]) -> None:
         self.numeric, self.names, self.work = numeric, list(names), numeric.work
@@ -92,7 +93,7 @@ class Forces:
             self.closed.append(position)
 
     def vector(self, values: Mapping[str, float]) -> np.ndarray:
-        """z of {coordinate: number}."""
+        """z of {coordinate: number}: an array of one number for each coordinate."""
         return np.array([values[name] for name in self.names], dtype=float) / self.D
 
     def position(self, z: Sequence[float] | np.ndarray) -> dict[str, float]:
