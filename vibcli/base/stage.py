@@ -3,7 +3,9 @@
 from collections.abc import Callable
 from functools import cached_property
 from time import perf_counter
-from typing import Any
+from typing import Any, TypeVar, overload
+
+Found = TypeVar("Found")
 
 
 class Costs(dict[str, float]):
@@ -22,8 +24,14 @@ class Costs(dict[str, float]):
         return value
 
 
-class Stage(cached_property[Any]):
+class Stage(cached_property[Found]):
     """A cached property that records in the `costs` of its object what it cost."""
+
+    @overload
+    def __get__(self, part: None, owner: type[Any] | None = None) -> "Stage[Found]": ...
+
+    @overload
+    def __get__(self, part: object, owner: type[Any] | None = None) -> Found: ...
 
     def __get__(self, part: Any, owner: type[Any] | None = None) -> Any:
         if part is None:
