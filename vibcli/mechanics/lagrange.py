@@ -12,6 +12,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.energies import dissipation, generalised_force, kinetic, potential, textbook_kinetic
 from vibcli.mechanics.given_damping_in_letters import proportional
+from vibcli.symbolic.common_denominator import shorter
 from vibcli.symbolic.contents import without_contents
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.normal_form import TooLong, expanded, factors_of, reduced, textbook
@@ -91,7 +92,8 @@ def _with_multipliers(scene: "Scene", full: "Sequence[Node]") -> "tuple[list[Nod
     names = {symbol: constraint.name for symbol, constraint in zip(symbols, scene.constraints, strict=True)}
     slopes, found = [gradient(node) for node in nodes], []
     for left, q in zip(full, scene.q, strict=True):
-        ties = [textbook(slope[q]) * symbol for symbol, slope in zip(symbols, slopes, strict=True) if q in slope]
+        ties = [shorter(textbook(slope[q])) * symbol
+                for symbol, slope in zip(symbols, slopes, strict=True) if q in slope]
         found.append(scene.table.total([left, *ties]))
     return found, names, conditions
 

@@ -43,3 +43,11 @@ def test_equations_are_told_as_springs_make_them_and_are_those_of_the_engine(nam
         found = evaluate(substitute(lines, roots), Floats, at)
         full = evaluate(scene.symbolic.equations.full, Floats, at)
         assert found == pytest.approx(full, rel=1e-9, abs=1e-9 * max(map(abs, full)))
+
+
+def test_forces_of_constraints_stand_over_one_denominator():
+    """Of a rod whose ends slide in a bowl of the radius √(a² + d²): its normal there, not each of its terms."""
+    scene = kept_problem_of(PROBLEMS / "3_free_undamped/rod_in_bowl_with_end_masses.yaml")
+    lines, _ = told(scene)
+    text = plain(lines[1]).replace("\u00a0", " ")
+    assert "(x − a·cos φ)·λ_left_end/√(a² + d²)" in text and text.count("√(a² + d²)") == 2
