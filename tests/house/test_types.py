@@ -12,7 +12,7 @@ LENIENT = {     # rooms and parts that are not checked strictly yet: one that is
     "analyses.frequency_response",
     "analyses.modal",
     "analyses.transient",
-    "evidence", "report", "results"}
+    "evidence", "report"}
 
 
 def settings():

@@ -203,15 +203,15 @@ def told_later(problem, lines):
         modes |= {of[1] for line in here if (of := OF_MODE.fullmatch(line.settles))}
         known |= {name for line in here for name in _alone(line.parts)}
         found += [(number, name) for name in dict.fromkeys(name for line in here for name in _names(line.parts))
-                  if known.isdisjoint((name, name.rstrip("'"), _of_any_mode(name, modes)))
+                  if known.isdisjoint((name, name.rstrip("'"), *_of_any_mode(name, modes)))
                   and not UNKNOWNS.fullmatch(name)]
     return found
 
 
 def _of_any_mode(name, modes):
-    """s_k of s1, where mode 1 is one of these."""
-    letter, index = re.fullmatch(r"(.*?)(\d*)", name).groups()
-    return f"{letter}_k" if index in modes else name
+    """s_k of s1, where mode 1 is one of these, and s1 of s_k."""
+    letter, index = re.fullmatch(r"(.*?)_?(k|\d*)", name).groups()
+    return [f"{letter}_k"] if index in modes else [letter + one for one in modes if index == "k"]
 
 
 def _alone(parts):
@@ -244,6 +244,8 @@ def _names(parts):
         elif isinstance(part, Matrix):
             for row in part.rows:
                 yield from (name for cell in row for name in _names(cell))
+        elif isinstance(part, WithNumbers):
+            yield from (name for name in _of_node(part.node) if name not in part.values)
         elif not isinstance(part, (str, Words)):
             yield from _of_node(getattr(part, "node", part))
 

@@ -12,6 +12,8 @@ from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.energies import dissipation, generalised_force, kinetic, potential, textbook_kinetic
 from vibcli.mechanics.given_damping_in_letters import proportional
+from vibcli.symbolic.common_denominator import shorter
+from vibcli.symbolic.contents import without_contents
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.normal_form import TooLong, expanded, factors_of, reduced, textbook
 from vibcli.symbolic.rationals import HALF
@@ -75,6 +77,12 @@ def full_equations(scene: "Scene") -> "list[Node]":
     return [textbook(equation_of(scene, i, T, V, Phi)) for i in range(len(scene.q))]
 
 
+def nested_equations(scene: "Scene") -> "list[Node]":
+    """The same as they come from the energies, nothing multiplied out: k·(x + a)·(ℓ − b)/ℓ of a spring."""
+    T, V, Phi = textbook_kinetic(scene), potential(scene), dissipation(scene)
+    return [without_contents(equation_of(scene, i, T, V, Phi)) for i in range(len(scene.q))]
+
+
 def _with_multipliers(scene: "Scene", full: "Sequence[Node]") -> "tuple[list[Node], dict[Node, str], list[Node]]":
     """Lagrange's equations of the first kind, … + Σ λ ∂G/∂q = 0, of a scene whose equations without constraints are
     `full`, the multipliers {symbol: the constraint's name} and the conditions G = 0."""
@@ -84,7 +92,8 @@ def _with_multipliers(scene: "Scene", full: "Sequence[Node]") -> "tuple[list[Nod
     names = {symbol: constraint.name for symbol, constraint in zip(symbols, scene.constraints, strict=True)}
     slopes, found = [gradient(node) for node in nodes], []
     for left, q in zip(full, scene.q, strict=True):
-        ties = [textbook(slope[q]) * symbol for symbol, slope in zip(symbols, slopes, strict=True) if q in slope]
+        ties = [shorter(textbook(slope[q])) * symbol
+                for symbol, slope in zip(symbols, slopes, strict=True) if q in slope]
         found.append(scene.table.total([left, *ties]))
     return found, names, conditions
 

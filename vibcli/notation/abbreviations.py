@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 SHORT = 2           # roots of fewer terms are left in place
-SHORTER = 0.75      # of the columns of a square multiplied out, in which its two legs are shown instead
+SHORTER = 0.75      # of the columns of what is multiplied out, in which it is shown as it was before
 
 
 def abbreviated(nodes: "Sequence[Node]", known: "dict[Node, Node]") -> "tuple[list[Node], list[tuple[Node, Node]]]":

@@ -93,37 +93,40 @@ def upright(value: Any, node: "Node") -> "tuple[Any, Sequence[tuple[Node, Fracti
     turned = [exponent in (1, -1) and _all_negative(base) for base, exponent in args]
     args = [(-base if turn else base, exponent) for turn, (base, exponent) in zip(turned, args, strict=True)]
     value *= (-1) ** sum(turned)
-    if value > 0 or not node.mask:
+    if not node.mask or (value > 0 and sum(base.op in ("sum", "call") for base, _ in args) < 2):
         return value, args
     args = sorted(args, key=factor_rank)
-    for i, (base, exponent) in enumerate(args):
-        opposite = _opposite(base) if exponent == 1 else None
-        if opposite is not None:
-            return -value, [*args[:i], (opposite, exponent), *args[i + 1:]]
+    better = {i: opposite for i, (base, exponent) in enumerate(args) if exponent == 1
+              for opposite in [_opposite(base)] if opposite is not None}
+    for i in list(better)[:len(better) - (len(better) % 2 == (value > 0))]:     # so many that a plus is left
+        args[i], value = (better[i], ONE), -value
     return value, args
 
 
 def _opposite(base: "Node") -> "Node | None":
-    """The negative of a factor that reads better: of a sum that begins with a minus in the order of its terms and has
-    as many others, and of an odd function of one; None of others, and of R − r, which has one sign."""
+    """The negative of a factor that reads better, of a sum and of an odd function of one; None of others."""
     if base.op == "call" and base.name in ODD:
         arg, = base.args
-        return base.table.written(base.name, -arg) if any(map(_begins_with_minus, _factors(arg))) else None
-    return -base if _begins_with_minus(base) else None
+        return base.table.written(base.name, -arg) if any(map(_turns, _factors(arg))) else None
+    return -base if _turns(base) else None
 
 
 def _factors(node: "Node") -> "list[Node]":
     return [base for base, exponent in node.args if exponent == 1] if node.op == "product" else [node]
 
 
-def _begins_with_minus(node: "Node") -> bool:
-    """Is it a sum a − x, none of 1 − x or R − a·cos φ?"""
+def _turns(node: "Node") -> bool:
+    """Is it a sum with as many minus as plus that is a − x, or b·k − a·c of products of letters? R − r, which has one
+    sign, 1 − x and R − a·cos φ are none."""
     if node.op != "sum" or node.coefficient or node.table.squares_at_sample or is_difference(node):
         return False
     signs = [(c * (part.coefficient if part.op == "product" else 1) > 0, part)
              for part, c in sorted(node.args, key=term_rank)]
-    return not signs[0][0] and 2 * sum(positive for positive, _ in signs) <= len(signs) and not any(
-        base.op == "call" and base.name == "cos" for base in _factors(signs[0][1]))
+    if 2 * sum(positive for positive, _ in signs) > len(signs):
+        return False
+    first = signs[0][1]
+    return not (signs[0][0] or any(base.op == "call" and base.name == "cos" for base in _factors(first))
+                ) if node.mask else any(part.op == "product" for _, part in signs)
 
 
 def _all_negative(node: "Node") -> bool:

@@ -2,8 +2,7 @@
 
 Rationals are ints where they are whole, else Fractions. Only rational literals fold, and only while the result stays
 within BITS; parameters are leaves. Every walk is iterative, because a node is always made after its parts: ascending
-`index` is an order of evaluation.
-"""
+`index` is an order of evaluation."""
 
 from collections.abc import Collection, Iterable
 from fractions import Fraction
@@ -15,7 +14,6 @@ from vibcli.symbolic.rationals import BITS, HALF, ONE, ZERO, bits, exact, ration
 
 if TYPE_CHECKING:
     from vibcli.symbolic.defined_functions import DefinedFunction
-    from vibcli.symbolic.node import Factors, Rational
     from vibcli.symbolic.variable_sets import VariableSet
 
 _OF_PAIRS = ("sum", "product")
@@ -33,10 +31,10 @@ class Table:
                  functions: "dict[str, DefinedFunction] | None" = None, dimension: Any = None,
                  hidden: "Collection[Any] | None" = None) -> None:
         """`records`: {name: samples} of functions of the time; `functions`: {name: DefinedFunction}."""
-        self._nodes, self._count, self.dimension, self.hidden = {}, 0, dimension, set() if hidden is None else hidden
-        self.variables, self.called, self.legs = [], set(), {}
-        self.sample, self.signs, self.squares_at_sample = None, {}, squares_at_sample
-        self.time, self.records, self.functions = None, records or {}, functions or {}
+        self._nodes: dict[tuple[Any, ...], Node] = {}
+        self._count, self.dimension, self.hidden = 0, dimension, set() if hidden is None else hidden
+        self.variables, self.called, self.legs, self.sample, self.signs, self.time = [], set(), {}, None, {}, None
+        self.squares_at_sample, self.records, self.functions = squares_at_sample, records or {}, functions or {}
         self.positive, self.definitions, self.programs, self.kept = set(), {}, {}, {}
         self.zero, self.one = self.number(ZERO), self.number(ONE)
         self.pi = self._make("pi", (), ONE, 0, "pi")
@@ -72,7 +70,7 @@ class Table:
 
     def variable(self, name: str) -> Node:
         """A symbol to differentiate by."""
-        known: Node | None = self._nodes.get(("symbol", name, ONE, ()))
+        known = self._nodes.get(("symbol", name, ONE, ()))
         if known is not None:
             return known
         node = self._make("symbol", (), ONE, one_variable(len(self.variables)), name)
@@ -99,7 +97,9 @@ class Table:
 
     def scaled(self, node: Node, factor: float | Fraction) -> Node:
         """factor·node, the factor rational; over a sum it is distributed."""
-        return node if factor == 1 else self.sum((node, factor))
+        if factor == 1:
+            return node
+        return self.sum((node, factor))
 
     def sum(self, *terms: tuple[Node, Any]) -> Node:
         """Σ cᵢ·nodeᵢ of (node, rational c) pairs; sums within sums are flattened, equal terms collected."""
@@ -135,7 +135,7 @@ class Table:
             return args[0][0]
         return self._make("product", args, ONE)
 
-    def _sum(self, constant: "Rational", collected: "Factors") -> Node:
+    def _sum(self, constant: Fraction | int, collected: dict[Node, Fraction | int]) -> Node:
         if constant and bits(constant) > BITS:
             collected[self.number(constant)] = ONE
             constant = ZERO
@@ -186,7 +186,8 @@ class Table:
             args.sort(key=by_index)
         return self._make("product", tuple(args), exact(coefficient))
 
-    def _gather(self, node: Node, exponent: "Rational", coefficient: "Rational", collected: "Factors") -> "Rational":
+    def _gather(self, node: Node, exponent: Fraction | int, coefficient: Fraction | int,
+                collected: dict[Node, Fraction | int]) -> Fraction | int:
         """Multiply node^exponent into (coefficient, {base: exponent}); returns the new coefficient."""
         pending = [(node, exponent)]
         while pending:
@@ -213,8 +214,8 @@ class Table:
                 collected[base] = e
         return coefficient
 
-    def _gather_number(self, value: "Rational", e: "Rational", coefficient: "Rational",
-                       collected: "Factors") -> "Rational":
+    def _gather_number(self, value: Fraction | int, e: Fraction | int, coefficient: Fraction | int,
+                       collected: dict[Node, Fraction | int]) -> Fraction | int:
         """value^e into the coefficient as far as that is rational and short; of √8 = 2√2 the root stays."""
         if not value:
             return coefficient * rational_power(value, exact(e) if e <= 0 else ONE)
@@ -265,10 +266,9 @@ class Table:
             return True
         if node.mask or not depth or node.op not in ("sum", "product") or node.coefficient < 0:
             return False
-        found = all(self.is_positive(part, depth - 1) and (c > 0 or node.op == "product") for part, c in node.args)
-        if found:
+        if all(self.is_positive(part, depth - 1) and (c > 0 or node.op == "product") for part, c in node.args):
             self.positive.add(node)
-        return found
+        return node in self.positive
 
     def power(self, base: Node, exponent: Fraction | int | Node) -> Node:
         """base^exponent, the exponent a rational or a node."""
@@ -290,10 +290,10 @@ class Table:
 
     def call(self, name: str, *args: Node) -> Node:
         """A function of nodes; its value is folded only where it is exact (sin 0 = 0)."""
-        if (value := folded(self, name, args)) is not None:
-            return value
-        self.called.add(name)
-        return self.written(name, *args)
+        if (value := folded(self, name, args)) is None:
+            self.called.add(name)
+            value = self.written(name, *args)
+        return value
 
     def written(self, name: str, *args: Node) -> Node:
         """A call of a function as it stands: sin(x − a) where its value is −sin(a − x)."""

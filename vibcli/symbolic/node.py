@@ -214,7 +214,5 @@ def by_index(pair: "tuple[Node, Any]") -> int:
 
 
 if TYPE_CHECKING:
-    Rational = Fraction | int       # an int where it is whole
-    Factors = dict[Node, Rational]      # {node: exponent}, or {node: coefficient}
-    Monomial = tuple[tuple[Node, Rational], ...]      # ((atom, exponent), …)
-    Terms = dict[Monomial, Rational]      # {monomial: coefficient} of a polynomial
+    Monomial = tuple[tuple[Node, Fraction | int], ...]      # ((atom, exponent), …)
+    Terms = dict[Monomial, Fraction | int]      # {monomial: coefficient} of a polynomial

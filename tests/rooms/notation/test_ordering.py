@@ -22,6 +22,15 @@ def test_a_minus_goes_into_a_difference_that_ends_with_what_moves(sign, written)
     assert plain(sign * s["k"] * (s["h"] - s["x"])) == written
 
 
+def test_two_differences_are_turned_together():
+    """(h − x)·(b − y) is (x − h)·(y − b)."""
+    _, s = _table()
+    two = (s["h"] - s["x"]) * (s["b"] - s["y"])
+    assert plain(s["k"] * two) == "k·(x − h)·(y − b)" and plain(-s["k"] * two * (s["a"] - s["t"])) == (
+        "k·(x − h)·(y − b)·(t − a)")
+    assert plain(-s["k"] * two) == "k·(b − y)·(x − h)"
+
+
 def test_a_minus_goes_into_an_odd_function_of_such_a_difference():
     """−sin(b − t) is sin(t − b); the cosine has no minus to take."""
     table, s = _table()
@@ -38,6 +47,7 @@ def test_couplings_are_written_in_the_order_of_their_letters():
     coupling = s["a"] * s["c"] - s["b"] * s["k"]
     assert plain(s["c"] * s["y"] - (s["b"] * s["k"] - s["a"] * s["c"]) * s["x"]) == "(a·c − b·k)·x + c·y"
     assert plain(coupling) == "a·c − b·k"
+    assert plain(s["y"] - (s["b"] * s["k"] - s["h"]) * s["x"]) == "(h − b·k)·x + y"
 
 
 def test_what_has_one_sign_keeps_it():
