@@ -54,7 +54,7 @@ class DampedModalResponse(ModalResponse):
         """Its damped modes."""
         modal = self.problem.modal
         if self.part is None:
-            return modal.damped
+            return cast("Modes", modal.damped)
         from vibcli.analyses.modal.mode_sequence import Modes
         from vibcli.analyses.modal.modes import damped_modes
 
