@@ -51,12 +51,13 @@ def test_couplings_are_written_in_the_order_of_their_letters():
 
 
 def test_what_has_one_sign_keeps_it():
-    """R − r of two radii, R − R cos x, 1 − x, and letters alone."""
+    """R − r of two radii, R − R cos x, 1 − x, and terms of letters alone."""
     table, s = _table()
     assert plain(-(s["R"] - s["r"]) * s["x"]) == "−(R − r)·x"
     assert plain(-s["y"] * (s["R"] - s["R"] * table.call("cos", s["x"]))) == "−(R − R·cos\u00a0x)·y"
     assert plain(-s["k"] * (1 - s["x"])) == "−k·(1 − x)"
-    assert plain(-s["R"] * (s["b"] * s["k"] - s["a"] * s["c"])) == "−R·(b·k − a·c)"
+    assert plain(s["h"] - s["R"] * (s["b"] * s["k"] - s["a"] * s["c"])) == "h − R·(b·k − a·c)"
+    assert plain(-s["R"] * (s["b"] * s["k"] - s["a"] * s["c"])) == "R·(a·c − b·k)"
 
 
 def test_more_signs_are_never_made():
