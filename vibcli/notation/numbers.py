@@ -113,6 +113,11 @@ def padded(text: str, columns: int) -> str:
     return text + " " * (columns - width(text))
 
 
+def centred(text: str, columns: int) -> str:
+    left = (columns - width(text)) // 2
+    return padded(" " * left + text, columns)
+
+
 def wrapped(text: str, columns: int = 100, indent: int = 2, gap: str = " ", first: int = 0) -> list[str]:
     """Text broken at gaps into lines of at most `columns`, the lines after the first indented."""
     lines, line = [], ""

@@ -102,7 +102,7 @@ def known_alone(signal: "Signal", times: "np.ndarray", values: "np.ndarray") -> 
     return np.where(bad[part] | bad[part + 1], np.nan, values)
 
 
-def _error(signal, t):
+def _error(signal: "Signal", t: float) -> float:
     try:
         return signal.error(t)
     except PhysicsError:
