@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.notation.numbers import width
-from vibcli.notation.plain import plain
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.rationals import HALF, ONE
 
@@ -34,6 +33,8 @@ def abbreviated(nodes: "Sequence[Node]", known: "dict[Node, Node]") -> "tuple[li
 
 def _shorter(grouped: "Node", square: "Node") -> "Node":
     """The first where it is shorter by far: the law of cosines stays."""
+    from vibcli.notation.plain import plain
+
     return grouped if width(plain(grouped)) < SHORTER * width(plain(square)) else square
 
 
