@@ -40,7 +40,7 @@ def node_of(problem: "Problem", tree: Any) -> "Node":
 
     scene, system = problem.scene.resting, problem.system
 
-    def symbol(name, primes, part):
+    def symbol(name: str, primes: int, part: NameRef) -> "Node":
         if isinstance(part, QuantityRef):
             raise PhysicsError(f"'{part.text}' has no amplitude in a family of motions",
                                "ask for the amplitude of a coordinate, of a place or of a spring's force")
