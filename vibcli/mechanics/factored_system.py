@@ -18,8 +18,6 @@ from vibcli.base.named_tuple import NamedTuple
 if TYPE_CHECKING:
     import numpy as np
 
-    from vibcli.scene.energy_terms import Spring
-
 ROUNDING = 2.0 ** -51
 MOST_DENSE = 2000       # coordinates of which matrices are made that hold an entry for any two of them
 
@@ -51,10 +49,10 @@ class FactoredSystem:
     __slots__ = ("C", "G", "K", "K_size", "M", "dampers", "drag", "inertias", "massless", "n", "pieces",
                  "rational_rows", "springs")
 
-    def __init__(self, n: int, inertias: Any = (), springs: "Sequence[Spring]" = (), dampers: Any = (), M: Any = None,
-                 C: Any = None, G: Any = None, K: Mapping[tuple[int, int], Any] | None = None, K_size: Any = None,
-                 rational_rows: Any = None, massless: Sequence[Any] = (), drag: Any = None,
-                 pieces: Sequence[PlacedPiece] = ()):
+    def __init__(self, n: int, inertias: Any = (), springs: Sequence[tuple[Any, dict[int, Any]]] = (),
+                 dampers: Any = (), M: Any = None, C: Any = None, G: Any = None,
+                 K: Mapping[tuple[int, int], Any] | None = None, K_size: Any = None, rational_rows: Any = None,
+                 massless: Sequence[Any] = (), drag: Any = None, pieces: Sequence[PlacedPiece] = ()):
         self.n = n
         self.inertias, self.springs, self.dampers = tuple(inertias), tuple(springs), tuple(dampers)
         self.M, self.C, self.G, self.K = M or {}, C or {}, G or {}, K or {}
@@ -137,7 +135,7 @@ class FactoredSystem:
         return _assembled(self.static_springs, self.K)
 
     @property
-    def static_springs(self) -> "list[Spring]":
+    def static_springs(self) -> list[tuple[Any, dict[int, Any]]]:
         """The springs, and those that the pieces are at rest."""
         return [*self.springs, *(spring for piece in self.pieces for spring in piece.springs)]
 
