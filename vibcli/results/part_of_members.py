@@ -15,11 +15,11 @@ if TYPE_CHECKING:
 class PartOfMembers:
     """coordinates, pieces: their numbers in the scene, by which they are numbered anew."""
 
-    def __init__(self, coordinates: Sequence[int], pieces: Sequence[int]):
+    def __init__(self, coordinates: Sequence[int], pieces: Sequence[int]) -> None:
         self.coordinates, self.pieces = list(coordinates), list(pieces)
 
     @cached_property
-    def _numbers(self):
+    def _numbers(self) -> tuple[dict[int, int], ...]:
         return tuple({old: new for new, old in enumerate(one)} for one in (self.coordinates, self.pieces))
 
     def row(self, row: Mapping[int, Any]) -> dict[int, Any]:

@@ -71,7 +71,7 @@ def test_texts_data_answers_and_the_python_door_say_why_a_value_is_not_known(mon
     bound = fast.signal.read_at(1e-9).error(1e-9)
     assert bound > 100 * np.abs(fast.signal.values(np.linspace(1e-3, 0.1, 65))).max()
     with pytest.raises(NoDigit, match="it may be off by"):
-        value_at(scene, fast, instant[1])
+        value_at(fast, instant[1])
     assert "not known: no digit of this value is known: it may be off by" in unknown_at(fast, instant[1])
     assert unknown_at(small, instant[1]) is None
     verdict, = check(scene)

@@ -270,7 +270,7 @@ class ModalMotion:
             own, k, near = self._rest.of_powers(read, stroke)[1], stroke.power, self._rest.near(stroke.exponent)
             for _, part, at, a in self._parts(stroke):
                 for i, g in enumerate(part):
-                    own[i] += float(read.off @ np.abs(g)) + doubt.of(rates, read.states, near * g)[0]
+                    own[i] += float(read.off[near] @ np.abs(g[near])) + doubt.of(rates, read.states, near * g)[0]
                     own[i] += 16 * EPSILON * abs(complex(g[near] @ read.states[near]))
                 felt = np.abs(read.states[at] * a) / (k + 1)        # of k! E, by τᵏ⁺¹ of what fades most slowly
                 rounds = 16 * EPSILON * felt.sum(), float((doubt.phase * np.abs(rates))[at] @ felt)

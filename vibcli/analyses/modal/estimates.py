@@ -54,11 +54,17 @@ def estimates(modal: "ModalAnalysis", _: Any) -> Estimates:
         rayleigh = mpmath.sqrt((deflection.T * pulled)[0] / (deflection.T * M * deflection)[0])
         alone = {name: _trace(rows, matrix, flexibility)
                  for name, (rows, matrix) in owned_forms(modal.configuration).kinetic.items()}
-        largest = max(deflection, key=abs)
         return Estimates(
             float(modal.sharp_modes[0].omega), float(rayleigh), float(1 / mpmath.sqrt(sum(alone.values()))),
-            {name: float(x / largest) for name, x in zip(modal.scene.coordinates, deflection, strict=True)},
+            _relative(modal, deflection, mpmath.sqrt(mpmath.eps)),
             {name: float(1 / mpmath.sqrt(square)) for name, square in alone.items() if square > 0})
+
+
+def _relative(modal: "ModalAnalysis", deflection: "Sequence[mpmath.mpf]", rounded: "mpmath.mpf") -> dict[str, float]:
+    """{coordinate: its part of the largest}, 0 of what `rounded` is not beside it."""
+    largest = max(deflection, key=abs, default=1.0)
+    return {name: float(mpmath.chop(x / largest, rounded))
+            for name, x in zip(modal.scene.coordinates, deflection, strict=True)}
 
 
 def _with_members(modal: "ModalAnalysis") -> Estimates:
@@ -78,10 +84,9 @@ def _with_members(modal: "ModalAnalysis") -> Estimates:
             flexibility = mpmath.matrix(np.linalg.inv(static_stiffness(elements)).tolist())
             for name, (rows, matrix) in owned_forms(modal.configuration).kinetic.items():
                 squares[name] = squares.get(name, 0.0) + float(_trace(rows, matrix, flexibility))
-    largest = max(deflection, key=abs, default=1.0)
     return Estimates(
         float(modal.modes[0].omega), rayleigh, sum(squares.values()) ** -0.5,
-        {name: float(x / largest) for name, x in zip(modal.scene.coordinates, deflection, strict=True)},
+        _relative(modal, deflection, 2.0**-52),
         {name: square**-0.5 for name, square in squares.items() if square > 0}, further(modal), max(error, ROUNDING))
 
 

@@ -48,7 +48,7 @@ class ModalAnalysis:
             self._results[what] = find()
         return self._results[what]
 
-    @Stage
+    @Stage[Any]     # of modes of one kind
     def modes(self) -> Modes:
         """The modes of the system without its dampers; none where it would not oscillate."""
         if self._known[0] is not None:
@@ -92,7 +92,7 @@ class ModalAnalysis:
         """Does anything depend on velocities?"""
         return (self.many and self.spec.get("damping") is not None) or self.configuration.element_data.damps
 
-    @Stage
+    @Stage[Any]
     def damped(self) -> Modes | None:
         """The damped modes; None where nothing damps."""
         if self._known[1] is not None:

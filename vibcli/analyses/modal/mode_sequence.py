@@ -59,7 +59,7 @@ class Modes(Sequence[Any]):
     def __len__(self) -> int:
         return len(self._all())
 
-    def __iter__(self) -> "Iterator[Mode | DampedMode]":
+    def __iter__(self) -> Iterator[Any]:
         return iter(self._all())
 
     def __bool__(self) -> bool:

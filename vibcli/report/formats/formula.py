@@ -5,13 +5,14 @@ from collections.abc import Iterator, Sequence
 from itertools import groupby
 from typing import Any
 
-from vibcli.notation.numbers import width
+from vibcli.notation.numbers import centred, width
 from vibcli.notation.plain import plain
 from vibcli.report.blocks import (
     Either,
     Equations,
     Factor,
     Maths,
+    Matrix,
     Name,
     Paragraph,
     Quotient,
@@ -87,7 +88,7 @@ def rows_and_plain(parts: Any, write: Any, columns: int) -> list[tuple[str, str]
     """[(row, the same in plain text)] of a formula broken into rows."""
     found, size = [([], [])], 0
     for clause in _clauses(parts):
-        told = pieces(clause, plain)
+        told = pieces(list(map(flat, clause)), plain)
         texts = told if write is plain else pieces(clause, write)
         widths = list(map(width, told))
         together = sum(widths) if sum(widths) <= columns else sum(widths[:2])
@@ -99,6 +100,20 @@ def rows_and_plain(parts: Any, write: Any, columns: int) -> list[tuple[str, str]
             found[-1][1].append(said)
             size += wide
     return [(write.beside(*row).strip(), plain.beside(*said).strip()) for row, said in found]
+
+
+def flat(part: Any, space: str = " ") -> Any:
+    """A part, of a matrix its first row, as wide as it is shown."""
+    return Words(rows_of_matrix(part)[0].replace(" ", space)) if isinstance(part, Matrix) else part
+
+
+def rows_of_matrix(part: Matrix) -> list[str]:
+    """The rows of a matrix in plain text, one below the other."""
+    cells = [[formula(cell, plain) for cell in row] for row in part.rows]
+    sizes = [max(map(width, column)) for column in zip(*cells, strict=True)]
+    brackets = ["⎛⎞", *["⎜⎟"] * (len(cells) - 2), "⎝⎠"]
+    return [f"{left} {'  '.join(map(centred, row, sizes))} {right}" for (left, right), row in zip(
+        brackets, cells, strict=True)]
 
 
 def _clauses(parts):
@@ -143,6 +158,8 @@ def _pieces(part, write):
         return [write.write(part.node, 1)]
     if isinstance(part, Quotient):
         return [_quotient(part, write)]
+    if isinstance(part, Matrix):
+        return [write.matrix([[formula(cell, write) for cell in row] for row in part.rows])]
     if isinstance(part, Either):
         plus, either = write.signed(False, write(part.mark)), write.notation(" ∓ ")
         return [write(part.node).replace(plus, write.beside(either, write(part.root)))]

@@ -88,7 +88,9 @@ def _one_harmonic(degree):
     mean = [] if steady.mean is None or steady.mean.is_zero else [steady.mean, " + "]
     line = sheet.write(Words("steady state:  "), Name(degree.name), " = ", *mean, node, uses=degree.found.lines,
                        settles="steady state")
-    lines = [line, *([_complex_equation(degree, X, steady, line)] if lags else [])]
+    lines = [line]
+    if lags:
+        _complex_equation(degree, X, steady)
     size = degree.about.tidy(formula.amplitude) if formula.undamped else formula.amplitude
     degree.settled([X], size, degree.unit, f"amplitude({degree.name})", lines)
     _by_ratio(degree, X, steady, lines)
@@ -173,8 +175,9 @@ def _lag(degree, steady):
     return -phase(complex(real, ahead) / complex(resists, damps))
 
 
-def _complex_equation(degree, X, steady, line):
-    """(K − M Ω² + i C Ω) X e^{−iθ} = A + i B of a load A sin + B cos; B − i A where cosines are counted from."""
+def _complex_equation(degree, X, steady):
+    """Beside the last line (K − M Ω² + i C Ω) X e^{−iθ} = A + i B of a load A sin + B cos; B − i A where cosines are
+    counted from."""
     Omega = steady.formula.Omega
     real, ahead = _load(degree, steady)
     load = [real] if not real.is_zero or ahead.is_zero else []
@@ -185,8 +188,8 @@ def _complex_equation(degree, X, steady, line):
     theta = degree.sheet.letter("theta")
     damps = [] if degree.C.is_zero else [" + i·", Factor(degree.C * Omega)]
     resists = ["(", degree.K - degree.M * Omega ** 2, *damps, ")·"]
-    return degree.sheet.write(Words("with complex amplitudes  "), *resists, X, "·exp(−i·", Name(theta), ") = ", *load,
-                              settles="complex equation", uses=[line, *degree.found.lines])
+    degree.sheet.write(Words("with complex amplitudes  "), *resists, X, "·exp(−i·", Name(theta), ") = ", *load,
+                       settles="complex equation", uses=degree.found.lines, joined=True)
 
 
 def _load(degree, steady):
