@@ -54,11 +54,12 @@ class DampedModalResponse(ModalResponse):
         """Its damped modes."""
         modal = self.problem.modal
         if self.part is None:
-            return modal.damped
-        from vibcli.analyses.modal.mode_sequence import Modes
+            found: Modes = modal.damped
+            return found
+        from vibcli.analyses.modal import mode_sequence
         from vibcli.analyses.modal.modes import damped_modes
 
-        return Modes((), modal.solved(damped_modes, self.linear, lambda: self.natural), modal.solved)
+        return mode_sequence.Modes((), modal.solved(damped_modes, self.linear, lambda: self.natural), modal.solved)
 
     @property
     def drive(self) -> "dict[int, Node]":

@@ -55,13 +55,14 @@ class ModalResponse(ResponseOfMembers):
     def natural(self) -> "Modes":
         """Its modes without dampers."""
         if self.part is None:
-            return self.problem.modal.modes
-        from vibcli.analyses.modal.mode_sequence import Modes
+            found: Modes = self.problem.modal.modes
+            return found
+        from vibcli.analyses.modal import mode_sequence
         from vibcli.analyses.modal.modes import natural_modes
 
         precise, elements = self.configuration.sources[0], self.part.elements
-        found = natural_modes(self.linear, precise and (lambda digits: elements(precise(digits))))
-        return Modes((), found, self.problem.modal.solved)
+        source = natural_modes(self.linear, precise and (lambda digits: elements(precise(digits))))
+        return mode_sequence.Modes((), source, self.problem.modal.solved)
 
     @cached_property
     def linear(self) -> "FactoredSystem":

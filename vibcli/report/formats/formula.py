@@ -111,7 +111,7 @@ def rows_of_matrix(part: Matrix) -> list[str]:
     """The rows of a matrix in plain text, one below the other."""
     cells = [[formula(cell, plain) for cell in row] for row in part.rows]
     sizes = [max(map(width, column)) for column in zip(*cells, strict=True)]
-    brackets = ["⎛⎞", *["⎜⎟"] * (len(cells) - 2), "⎝⎠"]
+    brackets = [("⎛", "⎞"), *[("⎜", "⎟")] * (len(cells) - 2), ("⎝", "⎠")]
     return [f"{left} {'  '.join(map(centred, row, sizes))} {right}" for (left, right), row in zip(
         brackets, cells, strict=True)]
 
