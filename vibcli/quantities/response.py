@@ -42,8 +42,7 @@ def _measured(number: Callable[..., Any]) -> "Callable[[Problem, QuantityRef, Se
                 return found, 0.0
             kind = problem.response_of(tree).KIND
             if kind in EXACT or (kind == "series" and tree.head in ALONG):
-                lost = off()
-                value, error = settled(problem, tree, args, found, relative(found, lost))
+                value, error = settled(problem, tree, args, found, relative(found, lost := off()))
                 if value is found and 0.0 < lost >= abs(found):
                     _require_digit(problem, tree, args, found, lost)
                 return value, error

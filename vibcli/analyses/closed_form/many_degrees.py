@@ -43,7 +43,7 @@ def several(symbolic: "SymbolicSystem", modal: "ModalAnalysis", M: "Mapping[tupl
     def solved() -> "list[tuple[list[ClosedMode], list[list[Node]]]]":
         return [block_modes(table, n, part, congruent(table, damping, part.columns), values) for part in parts]
 
-    found = within(CALLS, solved, [])
+    found: list[tuple[list[ClosedMode], list[list[Node]]]] = within(CALLS, solved, [])
     modes, left = [mode for part, _ in found for mode in part], [rest for _, part in found for rest in part]
     if not found or not confirmed(modes, left, candidates):
         return None

@@ -20,6 +20,8 @@ from vibcli.mechanics.element_contributions import owned_forms
 from vibcli.mechanics.inner_products import along
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from vibcli.analyses.modal.modal_analysis import ModalAnalysis
     from vibcli.mechanics.factored_system import FactoredSystem
     from vibcli.mechanics.system import MechanicalSystem
@@ -60,7 +62,8 @@ def estimates(modal: "ModalAnalysis", _: Any) -> Estimates:
             {name: float(1 / mpmath.sqrt(square)) for name, square in alone.items() if square > 0})
 
 
-def _relative(modal: "ModalAnalysis", deflection: "Sequence[mpmath.mpf]", rounded: "mpmath.mpf") -> dict[str, float]:
+def _relative(modal: "ModalAnalysis", deflection: "Sequence[mpmath.mpf] | np.ndarray",
+              rounded: "mpmath.mpf") -> dict[str, float]:
     """{coordinate: its part of the largest}, 0 of what `rounded` is not beside it."""
     largest = max(deflection, key=abs, default=1.0)
     return {name: float(mpmath.chop(x / largest, rounded))
