@@ -79,9 +79,10 @@ class ErrorOfZero(float):
     absolute: float
 
     def __new__(cls, absolute: float) -> "ErrorOfZero":
-        made = super().__new__(cls, 1.0 if absolute else ROUNDING)
-        made.absolute = absolute
-        return made
+        return super().__new__(cls, 1.0 if absolute else ROUNDING)
+
+    def __init__(self, absolute: float) -> None:
+        self.absolute = absolute
 
 
 def absolute(value: Any, error: Any) -> Any:
