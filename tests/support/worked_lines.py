@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from vibcli.base import units
 from vibcli.language.parameter_samples import sample_values
-from vibcli.report.blocks import Factor, Matrix, Name, Quotient, SumOfTerms, WithNumbers, Words
+from vibcli.report.blocks import Factor, Name, Quotient, ShownMatrix, SumOfTerms, WithNumbers, Words
 from vibcli.report.steps.worked import asks_in_full, worked
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
@@ -81,7 +81,7 @@ class Checked:
         """The matrices of a line, entry by entry; the unit of numbers stands behind them or behind each."""
         behind = (*line.parts[1:], None)
         found = [[self.entry(cell, after) for row in part.rows for cell in row]
-                 for part, after in zip(line.parts, behind, strict=False) if isinstance(part, Matrix)]
+                 for part, after in zip(line.parts, behind, strict=False) if isinstance(part, ShownMatrix)]
         for one, other in pairwise(found):
             for x, y in zip(one, other, strict=True):
                 self.count += 1
@@ -241,7 +241,7 @@ def _names(parts):
         elif isinstance(part, SumOfTerms):
             for node in part.nodes:
                 yield from _of_node(node)
-        elif isinstance(part, Matrix):
+        elif isinstance(part, ShownMatrix):
             for row in part.rows:
                 yield from (name for cell in row for name in _names(cell))
         elif isinstance(part, WithNumbers):

@@ -43,7 +43,6 @@ class Notation:
     brackets: Callable[..., str]
     beside: Callable[..., str]
     words: Callable[..., str]
-    matrix: Callable[[list[list[str]]], str]
 
     def __init__(self, values: Mapping[str, str] = MappingProxyType({})) -> None:
         self.values = values
@@ -132,7 +131,7 @@ class Notation:
         if node.op == "number":
             return node.coefficient < 0, self.number(abs(node.coefficient))
         if node.op == "product":
-            value, args = upright(node.coefficient, node)
+            value, args = upright(node.coefficient, node, alone=True)
             return value < 0, self.product(abs(value), args)
         return False, self.write(node, 0)
 
@@ -265,10 +264,6 @@ class Plain(Notation):
         head = name if exponent == 1 else name + decimal(exponent).translate(_SUPERSCRIPT)
         inner = self.write(arg, 0)
         return f"{head}\u00a0{inner}" if arg.op in ("symbol", "pi") and not indexed else f"{head}({inner})"
-
-    def matrix(self, rows: list[list[str]]) -> str:
-        """On one line, a semicolon between rows."""
-        return f"[{'; '.join(map(', '.join, rows))}]"
 
     @staticmethod
     def as_decimal(value: Fraction | int) -> bool:

@@ -14,7 +14,7 @@ from vibcli.notation.latex import in_one_line, latex
 from vibcli.notation.mathml import mathml
 from vibcli.notation.plain import plain
 from vibcli.notation.typst import typst
-from vibcli.report.blocks import Document, Matrix, Name, Words
+from vibcli.report.blocks import Document, Name, ShownMatrix, Words
 from vibcli.report.formats.formula import formula, rows_of_matrix
 from vibcli.report.formats.markdown import latex as protected
 from vibcli.report.formats.text import section_lines, shown
@@ -103,10 +103,10 @@ def test_what_no_page_holds_in_letters_is_told_entry_by_entry_and_in_numbers():
              if line.settles == "K"]
     text = formula(line.parts, plain)
     assert text.startswith("stiffness matrix:  K₁₁ = ") and ",  K₁₂ = K₂₁ = " in text
-    assert sum(isinstance(part, Matrix) for part in line.parts) == 1 and text.count("N/m") == 1
+    assert sum(isinstance(part, ShownMatrix) for part in line.parts) == 1 and text.count("N/m") == 1
 
 
-MATRIX = Matrix(((("1/2",), (Name("k1"),)), ((Words("any"),), ("−3",))))
+MATRIX = ShownMatrix(((("1/2",), (Name("k1"),)), ((Words("any"),), ("−3",))))
 
 
 @pytest.mark.parametrize(("write", "wanted"), [
@@ -125,14 +125,14 @@ def test_a_matrix_on_a_page_has_rows_of_cells():
 
 def test_columns_are_as_wide_as_their_widest_entry():
     assert rows_of_matrix(MATRIX) == ["⎛ 1/2  k₁ ⎞", "⎝ any  −3 ⎠"]
-    three = Matrix(tuple((("1",), (Name("x''"),)) for _ in range(3)))
+    three = ShownMatrix(tuple((("1",), (Name("x''"),)) for _ in range(3)))
     assert rows_of_matrix(three) == ["⎛ 1  ẍ ⎞", "⎜ 1  ẍ ⎟", "⎝ 1  ẍ ⎠"]
 
 
 def test_no_format_is_at_fault_with_matrices_that_fill_a_line():
     scene = problem_of("problems/7_more_degrees/six_storeys_shaken_at_the_top.yaml")
     lines = worked(scene)
-    assert sum(isinstance(part, Matrix) for line in lines for part in line.parts) == 6
+    assert sum(isinstance(part, ShownMatrix) for line in lines for part in line.parts) == 6
     assert not faults(Document("six", None, (), section_of(lines)), FORMATS)
 
 
@@ -144,10 +144,10 @@ def test_a_wrong_entry_and_a_letter_in_one_that_nothing_tells_are_seen():
     table = scene.scene.table
 
     def with_first(cell, of):
-        matrices = [i for i, part in enumerate(line.parts) if isinstance(part, Matrix)]
+        matrices = [i for i, part in enumerate(line.parts) if isinstance(part, ShownMatrix)]
         first = next(i for i in matrices if type(line.parts[i].rows[0][0][0]) is of)
         (row, *rows) = line.parts[first].rows
-        other = Matrix((((cell, *row[0][1:]), *row[1:]), *rows))
+        other = ShownMatrix((((cell, *row[0][1:]), *row[1:]), *rows))
         parts = (*line.parts[:first], other, *line.parts[first + 1:])
         return [*lines[:at], line._replace(parts=parts), *lines[at + 1:]]
 

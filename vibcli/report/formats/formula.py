@@ -12,10 +12,10 @@ from vibcli.report.blocks import (
     Equations,
     Factor,
     Maths,
-    Matrix,
     Name,
     Paragraph,
     Quotient,
+    ShownMatrix,
     SumOfTerms,
     Typed,
     WithNumbers,
@@ -104,16 +104,16 @@ def rows_and_plain(parts: Any, write: Any, columns: int) -> list[tuple[str, str]
 
 def flat(part: Any, space: str = " ") -> Any:
     """A part, of a matrix its first row, as wide as it is shown."""
-    return Words(rows_of_matrix(part)[0].replace(" ", space)) if isinstance(part, Matrix) else part
+    return Words(rows_of_matrix(part)[0].replace(" ", space)) if isinstance(part, ShownMatrix) else part
 
 
-def rows_of_matrix(part: Matrix) -> list[str]:
+def rows_of_matrix(part: ShownMatrix) -> list[str]:
     """The rows of a matrix in plain text, one below the other."""
     cells = [[formula(cell, plain) for cell in row] for row in part.rows]
     sizes = [max(map(width, column)) for column in zip(*cells, strict=True)]
-    brackets = ["⎛⎞", *["⎜⎟"] * (len(cells) - 2), "⎝⎠"]
-    return [f"{left} {'  '.join(map(centred, row, sizes))} {right}" for (left, right), row in zip(
-        brackets, cells, strict=True)]
+    left, right = "⎛" + "⎜" * (len(cells) - 2) + "⎝", "⎞" + "⎟" * (len(cells) - 2) + "⎠"
+    return [f"{begin} {'  '.join(map(centred, row, sizes))} {end}" for begin, row, end in zip(
+        left, cells, right, strict=True)]
 
 
 def _clauses(parts):
@@ -158,8 +158,8 @@ def _pieces(part, write):
         return [write.write(part.node, 1)]
     if isinstance(part, Quotient):
         return [_quotient(part, write)]
-    if isinstance(part, Matrix):
-        return [write.matrix([[formula(cell, write) for cell in row] for row in part.rows])]
+    if isinstance(part, ShownMatrix):
+        return [_matrix([[formula(cell, write) for cell in row] for row in part.rows], write)]
     if isinstance(part, Either):
         plus, either = write.signed(False, write(part.mark)), write.notation(" ∓ ")
         return [write(part.node).replace(plus, write.beside(either, write(part.root)))]
@@ -168,6 +168,11 @@ def _pieces(part, write):
     nodes = part.nodes if isinstance(part, SumOfTerms) else (part,)
     terms = [term for node in nodes for term in _terms(node, write)]
     return [write.signed(negative, text, not i) for i, (negative, text) in enumerate(terms)]
+
+
+def _matrix(rows, write):
+    """In plain text on one line, a semicolon between rows."""
+    return write.matrix(rows) if write is not plain else f"[{'; '.join(map(', '.join, rows))}]"
 
 
 def _quotient(part, write):

@@ -14,9 +14,9 @@ from vibcli.report.blocks import (
     Equations,
     Heading,
     Maths,
-    Matrix,
     Paragraph,
     Section,
+    ShownMatrix,
     TableBlock,
 )
 from vibcli.report.formats.formula import flat, formula, rows_of_matrix
@@ -68,7 +68,7 @@ def _line(line):
     text = HEAD.sub(f"\\1{NO_BREAK}= ", text).replace("= ", f"={NO_BREAK}")       # at which no line ends
     lines = wrapped(text, COLUMNS, indent=line.hang, first=line.inset) if line.hang is not None else [text] if (
         width(text) <= COLUMNS) else _listed(text)
-    matrices = (part for part in line.parts if isinstance(part, Matrix))
+    matrices = (part for part in line.parts if isinstance(part, ShownMatrix))
     return [row for one in lines for row in _rows(one.replace(NO_BREAK, " "), matrices)]
 
 

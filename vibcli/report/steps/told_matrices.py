@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.names import lowered
 from vibcli.notation.numbers import width
-from vibcli.report.blocks import Matrix, Name, Words
+from vibcli.report.blocks import Name, ShownMatrix, Words
 from vibcli.report.formats.formula import rows_of_matrix
 from vibcli.report.steps.held import SmallEquations
 from vibcli.report.steps.small import AboutRest
@@ -73,7 +73,7 @@ class _Entries:
 
     def _shown(self) -> list[Any]:
         """Parts of M = letters = numbers, as far as a page holds them."""
-        by_letters = Matrix(self._rows(lambda pair: (self.entries[pair],)))
+        by_letters = ShownMatrix(self._rows(lambda pair: (self.entries[pair],)))
         known = None not in self.values.values() and len(self.names) <= NUMBERED
         in_numbers = self._in_numbers() if known else []
         numbers = [" = ", *in_numbers] if known and _is_narrow(in_numbers[0]) else []
@@ -92,7 +92,7 @@ class _Entries:
             unit = [Words(f"\u00a0{self._unit(*pair)}")] * bool(units and self.values[pair])
             return (told(self.values[pair]), *unit)
 
-        return [Matrix(self._rows(cell)), *[Words(f"\u00a0{alone}")] * bool(alone)]
+        return [ShownMatrix(self._rows(cell)), *[Words(f"\u00a0{alone}")] * bool(alone)]
 
     def _rows(self, cell):
         indices = range(len(self.names))
