@@ -25,5 +25,5 @@ def node_of_signal(tree: Any, table: "Table", symbol: "Callable[..., Node]") -> 
     return node
 
 
-def _refused(verb: str, hint: str = "look for a difference that vanishes") -> PhysicsError:
+def _refused(verb: str, hint: str | None = "look for a difference that vanishes") -> PhysicsError:
     return PhysicsError(f"this signal {verb} what is zero, or lost in rounding, all along", hint)
