@@ -75,13 +75,14 @@ def _end_forces(one: "PlacedPiece", u: "Forcing") -> tuple[np.ndarray, np.ndarra
     values, sizes = (np.array([part[k] for side in sides for part in side]) for k in range(2))
     apart = np.abs(values[1:-1:2] - values[2::2]) > GAP * sizes.max(axis=0)
     if apart[:, half:piece.order].any():
-        return np.full((2, piece.order), inf)
+        return np.full(piece.order, inf), np.full(piece.order, inf)
     need, turn = np.zeros((half, ORDERS, 2)), np.array([-1.0, 1.0])
     need[0, 1] = turn * (piece.tension + piece.gradient * np.array([0.0, piece.length]))
     if half == 2:
         need[0, 3], need[1, 2] = -piece.bending * turn, piece.bending * turn
-    return tuple(np.einsum("aoe,eo->ea", part, ends[[0, -1]]).ravel()
-                 for part, ends in ((need, values), (np.abs(need), sizes)))
+    found, size = (np.einsum("aoe,eo->ea", part, ends[[0, -1]]).ravel()
+                   for part, ends in ((need, values), (np.abs(need), sizes)))
+    return found, size
 
 
 def _accelerated(one: "PlacedPiece", u: "Forcing | None", speed: "Forcing | None") -> float:

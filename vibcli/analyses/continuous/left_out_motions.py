@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from vibcli.analyses.continuous.disturbances import FALL, ROUNDING
-from vibcli.analyses.continuous.left_out_energy import Column, LeftOutEnergy
+from vibcli.analyses.continuous.left_out_columns import Column
+from vibcli.analyses.continuous.left_out_energy import LeftOutEnergy
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
