@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 ORDERS = 5          # u … u⁗
 
 
-class FieldStart:
+class StartInFields:
     """Coordinates and their rates at t = 0, and (u, v) over each piece, Forcings of the place, as of start_energy."""
 
     def __init__(self, transfer: "ExactTransfer", begun: tuple[np.ndarray, np.ndarray], given: "Sequence[Any]"):
