@@ -10,7 +10,7 @@ from vibcli.analyses.closed_form.free_letters import ARGUMENTS, FREQUENCY
 from vibcli.notation.plain import plain
 from vibcli.report.blocks import Factor
 from vibcli.report.formats.formula import formula
-from vibcli.symbolic.node import Node
+from vibcli.symbolic.node import Node, is_measure
 
 BESSEL = {"J0": (mpmath.besselj, 0), "J1": (mpmath.besselj, 1), "Y0": (mpmath.bessely, 0), "Y1": (mpmath.bessely, 1)}
 DIGITS = 25
@@ -26,7 +26,7 @@ def number(node, names):
     if node.op == "pi":
         return +mp.pi
     if node.op == "symbol":
-        return names(node.name)
+        return mpmath.mpf(node.name.split()[0]) if is_measure(node) else names(node.name)
     if node.op == "call":
         calls = getattr(names, "calls", {})
         if node not in calls:

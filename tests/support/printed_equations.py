@@ -16,6 +16,7 @@ NODES, WEIGHTS = np.polynomial.legendre.leggauss(60)
 INTEGRAL = re.compile(r"∫(.*?)·?X_i·X_j·d.(?: \((\w+)\))?(?: \((.*?) < . < (.*?)\))?(?= [+−=])")
 REPEATED = re.compile("and where the denominator of (.*) is 0")
 DEFINED, POWERS = re.compile(r"([^\s=²⁴]+?)([²⁴]?) = (.*)$"), {"": 1, "²": 2, "⁴": 4}
+UNIT = re.compile(r"(?<=\d) (?:1/)?[A-Za-z][A-Za-z/·²³⁴]*")      # behind a number
 CUT = 1e-2      # of θ in a bed, below which a θ² or θ⁴ is lost in rounding
 TRIVIAL = 1e-4      # of βL and θ
 MOTION = re.compile(r"(∂?)X_([ij])(?:/∂.)?\((.*?)\)(?: \((\w+)\))?(?=·| |\)|$)")
@@ -48,7 +49,7 @@ def numbers(scene):
 
 def evaluated(text, names):
     """The number that a text stands for."""
-    return value(plain(text.replace("\u00a0", " ")), {"π": np.pi, **names}.__getitem__)
+    return value(plain(UNIT.sub("", text.replace("\u00a0", " "))), {"π": np.pi, **names}.__getitem__)
 
 
 def orthogonality(scene, text, members, modes):

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from vibcli.base import units
 from vibcli.language.parameter_samples import sample_values
-from vibcli.report.blocks import Factor, Name, Quotient, SumOfTerms, WithNumbers, Words
+from vibcli.report.blocks import Factor, Name, Quotient, ShownMatrix, SumOfTerms, WithNumbers, Words
 from vibcli.report.steps.worked import asks_in_full, worked
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
@@ -18,6 +18,8 @@ SMALL = 1e-4        # of angles in radians, lengths in metres: how far from rest
 OTHERS = {"kg": 1.37, "m": 0.83, "s": 1.19}     # how much of an SI unit others are
 RAISED = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+")
 UNKNOWNS = re.compile(r"(omega|lambda|D|[acdnp]\d+|[MCGK]|[ABEFX]|theta|[ZF]|tau|n|u|alpha|kappa|𝔇)\d*′*")
+PRINTED = 1e-5      # relative: of numbers as they are printed
+OF_MODE = re.compile(r"equation of (?:complex )?mode (\d+)")
 TELLS = " = ", "(τ) = ", "(0) = "        # behind a letter
 DIGITS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 
@@ -43,6 +45,7 @@ class Checked:
             elif one.letter and one.value is not None:
                 self.values[one.letter] = one.value
             self.each(one)
+            self.matrices(one)
             self.valued(one)
             if one.node is not None and re.fullmatch(r"\w+[′]*", one.settles) and one.settles not in small:
                 self.defined[one.settles] = one.node
@@ -73,6 +76,27 @@ class Checked:
             self.count += 1
             if not math.isclose(found, line.value, rel_tol=1e-9, abs_tol=1e-12):
                 self.wrong.append((line.number, found, line.value))
+
+    def matrices(self, line):
+        """The matrices of a line, entry by entry; the unit of numbers stands behind them or behind each."""
+        behind = (*line.parts[1:], None)
+        found = [[self.entry(cell, after) for row in part.rows for cell in row]
+                 for part, after in zip(line.parts, behind, strict=False) if isinstance(part, ShownMatrix)]
+        for one, other in pairwise(found):
+            for x, y in zip(one, other, strict=True):
+                self.count += 1
+                if not math.isclose(x, y, rel_tol=PRINTED):
+                    self.wrong.append((line.number, x, y))
+
+    def entry(self, cell, after):
+        """The value of an entry of a matrix."""
+        if not isinstance(cell[0], str):
+            return self.value(cell[0])
+        unit = next((part.text for part in (*cell[1:], after) if isinstance(part, Words)), "")
+        return float(cell[0].replace("−", "-")) * self.of_unit(unit.strip())
+
+    def of_unit(self, _):
+        return 1.0
 
     def each(self, line):
         """Every equality of a line between expressions, those that motions alone fulfil apart."""
@@ -137,6 +161,9 @@ class InOtherUnits(Checked):
     def values(self, found):
         self._values = {name: value * self._factor(name) for name, value in found.items()}
 
+    def of_unit(self, text):
+        return of_unit(text)
+
     def _factor(self, name):
         spec, letter = self.problem.spec, name.rstrip("'")
         if letter == self.problem.scene.time.name:
@@ -162,22 +189,29 @@ def of_unit(text):
 
 def told_later(problem, lines):
     """[(number of a line, letter)] of letters that stand in it and that neither the scene has nor lines up to it tell:
-    by what they settle, alone before an equality, or alone among words, those of modes by the one of mode k; but for
-    UNKNOWNS of a form that is tried."""
+    by what they settle, alone before an equality, or alone among words, those of modes that have lines by the one of
+    mode k; but for UNKNOWNS of a form that is tried."""
     scenes = [problem.scene, problem.system.scene_with_multipliers]
     known = {*UNITS.values(), *problem.spec.parameters, *problem.scene.parameters.nodes, *problem.spec.coordinates}
     known |= {node.name for one in scenes for node in (*one.q, *one.v, *one.a, one.time)}
     known |= {name for one in scenes for name in one.dependent}
     known |= {name + mark for name in known for mark in ("'", "''")}
-    found = []
+    found, modes = [], set()
     for number in dict.fromkeys(line.number for line in lines):
         here = [line for line in lines if line.number == number]
         known |= {name for line in here for name in (line.letter, line.settles)}
+        modes |= {of[1] for line in here if (of := OF_MODE.fullmatch(line.settles))}
         known |= {name for line in here for name in _alone(line.parts)}
         found += [(number, name) for name in dict.fromkeys(name for line in here for name in _names(line.parts))
-                  if known.isdisjoint((name, name.rstrip("'"), re.sub(r"\d+$", "_k", name)))
+                  if known.isdisjoint((name, name.rstrip("'"), *_of_any_mode(name, modes)))
                   and not UNKNOWNS.fullmatch(name)]
     return found
+
+
+def _of_any_mode(name, modes):
+    """s_k of s1, where mode 1 is one of these, and s1 of s_k."""
+    letter, index = re.fullmatch(r"(.*?)_?(k|\d*)", name).groups()
+    return [f"{letter}_k"] if index in modes else [letter + one for one in modes if index == "k"]
 
 
 def _alone(parts):
@@ -207,6 +241,11 @@ def _names(parts):
         elif isinstance(part, SumOfTerms):
             for node in part.nodes:
                 yield from _of_node(node)
+        elif isinstance(part, ShownMatrix):
+            for row in part.rows:
+                yield from (name for cell in row for name in _names(cell))
+        elif isinstance(part, WithNumbers):
+            yield from (name for name in _of_node(part.node) if name not in part.values)
         elif not isinstance(part, (str, Words)):
             yield from _of_node(getattr(part, "node", part))
 

@@ -16,12 +16,13 @@ class NumberRange(Many):
     __slots__ = ()
 
     def read(self, node: Any, reader: Any) -> list[int] | None:
-        found = super().read(node, reader)
+        found: list[int] | None = super().read(node, reader)
         if found is not None and not 0 <= found[1] - found[0] < MOST:
             far = found[1] > found[0]
-            return reader.report(node.where, f"these are {found[1] - found[0] + 1} modes, more than {MOST}" if far else
-                                 f"mode {found[1]} stands before mode {found[0]}",
-                                 "ask for fewer at once" if far else f"write [{found[1]}, {found[0]}]")
+            reader.report(node.where, f"these are {found[1] - found[0] + 1} modes, more than {MOST}" if far else
+                          f"mode {found[1]} stands before mode {found[0]}",
+                          "ask for fewer at once" if far else f"write [{found[1]}, {found[0]}]")
+            return None
         return found
 
 

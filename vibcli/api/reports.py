@@ -273,7 +273,9 @@ def _digits(made: Report, problem: "Problem", digits: int | None) -> None:
 
 def _require_numbers(problem: "Problem") -> None:
     if problem.numeric.has_free_symbols:
-        raise PhysicsError("--digits needs numbers, and this scene has symbols without value", "give them with --set")
+        from vibcli.language.parameters import require_values
+
+        require_values(problem.scene.parameters, "--digits")
 
 
 def _signed(text: str) -> str:

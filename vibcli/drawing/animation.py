@@ -38,8 +38,11 @@ def of_response(problem: Any) -> tuple[list[list[Any]], str, list[str]]:
     """The same of the motion that the scene asks for: a few of the slowest periods unless it is said until when."""
     import numpy as np
 
+    from vibcli.language.parameters import require_values
     from vibcli.symbolic.parser import parse
 
+    if problem.numeric.has_free_symbols:
+        require_values(problem.scene.parameters, "the picture of a motion in time")
     if not problem.scene.bodies and not problem.scene.members:
         raise PhysicsError("this scene has no bodies, so its motion cannot be drawn",
                            "`vibcli response --plot` shows it over time")

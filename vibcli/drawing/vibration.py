@@ -14,6 +14,7 @@ from vibcli.drawing.layout import plane
 from vibcli.drawing.layout.lumped_place import most
 from vibcli.drawing.member_motion import mode_along_members
 from vibcli.drawing.symbols import bodies
+from vibcli.language.parameters import require_values
 from vibcli.notation.numbers import figure as printed
 
 if TYPE_CHECKING:
@@ -27,7 +28,9 @@ QUARTERS = 0.0, pi / 2, pi, 3 * pi / 2
 
 
 def mode(problem: Any, index: int) -> Any:
-    """The Mode of a number; PhysicsError where there is none."""
+    """The Mode of a number; PhysicsError where there is none, and of a scene in letters."""
+    if problem.numeric.has_free_symbols:
+        require_values(problem.scene.parameters, "the picture of a mode")
     modes = problem.modal.modes
     found = modes.numbered(index, index)
     if not found:
@@ -61,9 +64,9 @@ class Vibration:
         if not stage.scene.bodies and not stage.scene.members:
             raise PhysicsError("this scene has no bodies, so no mode can be drawn on it",
                                "`vibcli frequencies` prints the shapes in numbers")
+        found = mode(problem, index)
         self.stage, self.names = stage, problem.scene.coordinates
         self.base = problem.configuration.equilibrium.values
-        found = mode(problem, index)
         shape = [complex(value) for value in problem.modal.shape(found, normalise)]
         turn = exp(-1j * _lead(max(shape, key=abs))) if shape else 1.0
         self.shape = [value * turn for value in shape]

@@ -63,6 +63,8 @@ def moving(record: "Record", scene: "Builder", found: "Node | None") -> "Node | 
         hint = "check its ends, or take it out"
         if any(isinstance(end, list) for end in record.get("between", ())):
             hint = "a place [x, y] is fixed; a point of a body is P: {body: name, at: [x, y]} under `points`"
+        if not scene.coordinates.q:
+            hint = "nothing moves: a coordinate is a name that is no parameter"
         scene.report(record.where, f"the stretch of '{record.name}' never changes", hint)
         return None
     return found

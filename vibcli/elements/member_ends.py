@@ -11,6 +11,8 @@ if TYPE_CHECKING:
 
 FREE, CLAMPED, PINNED, GUIDED = "free", "clamped", "pinned", "guided"
 HOLDS = (CLAMPED, PINNED, GUIDED)
+OTHERS = {"fixed": CLAMPED, "built-in": CLAMPED, "built in": CLAMPED, "hinged": PINNED, "simply supported": PINNED,
+          "supported": PINNED, "simple": PINNED, "sliding": GUIDED}       # words of books
 _OTHER = NameOf("the name of a body or another member", "bodies", "members")
 _STIFFNESS, _TORSION = Field(Quantity("N/m"), "the stiffness of a spring to the ground"), Field(
     Quantity("N*m"), "the stiffness of a torsion spring to the ground")
@@ -45,10 +47,12 @@ def end_kind(torsional: bool, bends: bool) -> OneOf:
     if torsional or bends:
         fields["torsion"] = _TORSION
     element = Element("end", "An end of a member.", fields, exclusive=(holds,), settle=_settle_end,
-                      example="beams")
+                      example="beams", instead={
+                          key: f"what sits at an end stands under `attached`, as in [{{at: L, {key}: …}}]"
+                          for key in ("inertia" if torsional else "mass", "inertia", "oscillator")})
     words = (FREE, *HOLDS) if bends else (FREE, CLAMPED, PINNED)
     wanted = f"{', '.join(words)}, or a mapping such as {{clamped: base}}"
-    return OneOf(wanted, scalar=Choice(*words), mapping=element)
+    return OneOf(wanted, scalar=Choice(*words, others=OTHERS), mapping=element)
 
 
 class _Attachment(Element):

@@ -64,6 +64,7 @@ OF_KIND = {"bar": ("E", "rho", "section", "A", "EA", "mass_per_length"),
            "string": ("rho", "section", "A", "mass_per_length")}
 
 
+_SECTION = "a section is given as in section: {circle: d}"
 _INSTEAD = {"string": {"EA": "strings keep their length: leave it out", "E": "strings do not bend: leave it out"}}
 
 
@@ -92,9 +93,10 @@ def member_element(kind: MemberKind, about: str, example: str) -> Element:
         fields[side] = Field(end_kind(kind.torsional, kind.bends), f"what holds its {side} end (default: free)")
     fields["attached"] = Field(Many(attachment(kind.torsional, kind.bends), 1, 1000, "a list of attachments"),
                                "what is attached to it: `[{at: L, mass: M}, {at: a, k: k}]`")
+    sized = dict.fromkeys(("d", "diameter", "radius", "r", "width", "height") if "section" in fields else (), _SECTION)
     return Element(kind.name, about, fields, exclusive=exclusive,
                    needs=(("length", "segments", *(() if kind.torsional else ("from",))),),
-                   settle=_settle, example=example, instead=_INSTEAD.get(kind.name, {}))
+                   settle=_settle, example=example, instead=sized | _INSTEAD.get(kind.name, {}))
 
 
 def _settle(record: Record, reader: Reader) -> None:

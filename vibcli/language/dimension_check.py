@@ -119,6 +119,8 @@ def _unit_hint(spec: "Spec", expression: "Expression", wanted: str) -> str | Non
     found = literal_unit(literal.units).dimension if literal else None
     if expression.unit == "N/m" and found == units.parse_unit("N*m").dimension:
         return "a torsional stiffness is given as `torsion:`"
+    if expression.unit == "N" and found == units.parse_unit("kg").dimension:
+        return f"a weight is a mass times g: {expression.text}*9.81 m/s^2"
     if literal and not literal.units:
         return f"{UNIT_DUE} {expression.text} {unit_of_a_number(expression.unit)}"
     name = expression.tree.name if isinstance(expression.tree, NameRef) else None

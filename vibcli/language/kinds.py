@@ -141,8 +141,10 @@ def in_square_brackets(text: str, least: int = 2, most: int = 2) -> str | None:
 
 
 class Choice(Kind):
-    def __init__(self, *words: str) -> None:
-        self.words = words
+    """One of some words; `others`: {what others call it: the word}."""
+
+    def __init__(self, *words: str, others: "dict[str, str] | None" = None) -> None:
+        self.words, self.others = words, others or {}
 
     @property
     def wants(self) -> str:
@@ -151,9 +153,13 @@ class Choice(Kind):
 
     def read(self, node: Any, reader: Any) -> Any:
         if not isinstance(node, Scalar) or node.text not in self.words:
-            meant = near(node.text, self.words) if isinstance(node, Scalar) else None
+            meant = self._meant(node.text) if isinstance(node, Scalar) else None
             return reader.expected(node, self.wants, meant and f"did you mean '{meant}'?")
         return node.text
+
+    def _meant(self, text: str) -> str | None:
+        word = self.others.get(text.lower())
+        return word if word in self.words else near(text, self.words)
 
     def schema(self) -> dict[str, Any]:
         return {"enum": [*self.words, *(int(word) for word in self.words if word.isdecimal())]}

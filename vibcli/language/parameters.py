@@ -64,10 +64,11 @@ def unit_text(record: Record) -> str:
     return value.text[was.units[0].start:was.end].strip() if was and was.units else ""
 
 
-def _with_unit(tree: Number | Sum, units: "tuple[UnitPower, ...]") -> Number | Sum:
+def _with_unit(tree: "SyntaxTree", units: "tuple[UnitPower, ...]") -> Number | Sum:
     if isinstance(tree, Sum):
         sign, number = tree.parts[0]
         return tree._replace(parts=((sign, _with_unit(number, units)),))
+    assert isinstance(tree, Number)
     return Number(tree.start, units[-1].end, tree.value, units)
 
 

@@ -185,7 +185,8 @@ STEPS = [
          "there have letters, too."),
         ("turning frames", "T by powers of the speeds in them; −T without speeds acts like a potential"),
         ("constraints", "what they leave of the other coordinates, of closed loops to the second order from rest"),
-        ("equations", "Lagrange's derivatives and the equation of one coordinate; of several the equations, M, C, K"),
+        ("equations", "Lagrange's derivatives and the equation of one coordinate; of several the equations, then M, C, "
+         "G and K as matrices, in letters and in numbers"),
         ("equations as they are", "where `motion: full`, `find: [equations]`, or an answer T, V or motion[q] asks for "
          "them, and where small oscillations are not told element by element: places, speeds, T, V, Φ, virtual "
          "work and Lagrange's derivatives unexpanded, of closed loops with multipliers; then the equations to the "

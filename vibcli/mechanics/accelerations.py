@@ -16,6 +16,7 @@ from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 JUMPS = ("sign", "abs", "min", "max", "step", "ramp")
 
@@ -24,7 +25,7 @@ class Accelerations(NamedTuple):
     """values: {coordinate: expression} of all coordinates, those that follow from constraints included; constant: do
     they stay so as long as the motion lasts?"""
 
-    values: dict
+    values: "dict[str, Node]"
     constant: bool
 
 
@@ -53,5 +54,5 @@ def accelerations(scene: "Scene") -> Accelerations:
     return Accelerations(dict(zip(names, map(single, known), strict=True)), not any(moves))
 
 
-def _in_numbers(scene):
+def _in_numbers(scene: "Scene") -> str:
     return f"ask for {scene.coordinates[0]}''(0 s) in numbers"

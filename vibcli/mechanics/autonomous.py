@@ -6,8 +6,8 @@ M and C are taken at t = 0. Whether M, C, G, K then are those of every instant i
 coefficients (a shaken pivot) are refused by name.
 """
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.linearisation import Linearisation, at_position, residual_terms
@@ -21,8 +21,11 @@ from vibcli.symbolic.smoothed_functions import SmoothFloats
 
 if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.linearisation import Key
+    from vibcli.scene.energy_terms import AppliedLoad
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.variable_sets import VariableSet
 
 INSTANTS, SAME = (0.137, 0.731, 1.933, 4.217), 1e-9
 WORDS = {"M": "the inertia", "C": "the damping", "G": "the gyroscopic coupling", "K": "the stiffness"}
@@ -32,8 +35,10 @@ def steady(scene: "Scene", form: Linearisation) -> Linearisation:
     """The Linearisation without its excitation; that of a scene without time is returned as it is."""
     if not scene.timed:
         return form
-    time, residual, stiffness = scene.time.mask, {}, {}
-    springs, curved = _still_springs(form, time, stiffness), []
+    residual: dict[int, list[Node]] = {}
+    stiffness: dict[tuple[int, int], list[Node]] = {}
+    time, curved = scene.time.mask, []
+    springs = _still_springs(form, time, stiffness)
     for force, curvature, row in form.curved:
         if any(node.mask & time for node in (*row.values(), *curvature.values())):
             _gather(residual, {i: force * slope for i, slope in row.items()})
@@ -45,7 +50,8 @@ def steady(scene: "Scene", form: Linearisation) -> Linearisation:
                              K=_still_parts(scene, form.K, stiffness))
 
 
-def _still_springs(form, time, stiffness):
+def _still_springs(form: Linearisation, time: "VariableSet | int",
+                   stiffness: "dict[tuple[int, int], list[Node]]") -> "list[tuple[Node, dict[int, Node]]]":
     """The springs whose rows do not depend on the time; what the others add to K goes to {(i, j): [terms]}."""
     found = []
     for weight, row in form.springs:
@@ -58,7 +64,8 @@ def _still_springs(form, time, stiffness):
     return found
 
 
-def _still_parts(scene, parts, bucket):
+def _still_parts(scene: "Scene", parts: "Sequence[dict[Key, Node]]",
+                 bucket: "dict[Key, list[Node]]") -> "list[dict[Key, Node]]":
     """The parts {key: expression} without the time, and what is left where those with it are added up."""
     time, found = scene.time.mask, []
     for part in parts:
@@ -67,12 +74,12 @@ def _still_parts(scene, parts, bucket):
     return [*found, _summed(scene, bucket)]
 
 
-def _gather(bucket, entries):
+def _gather(bucket: "dict[Key, list[Node]]", entries: "Mapping[Key, Node]") -> None:
     for key, node in entries.items():
         bucket.setdefault(key, []).append(node)
 
 
-def _summed(scene, bucket):
+def _summed(scene: "Scene", bucket: "Mapping[Key, list[Node]]") -> "dict[Key, Node]":
     found = {key: without_time(scene, scene.table.total(nodes)) for key, nodes in bucket.items()}
     return {key: node for key, node in found.items() if not node.is_zero}
 
@@ -105,7 +112,8 @@ def matrices_at(form: Linearisation, values: Mapping[str, float]) -> dict[str, d
     return {**found, "size": numbers.elements.K_size}
 
 
-def _compare(scene, key, wanted, found, size):
+def _compare(scene: "Scene", key: str, wanted: Mapping[tuple[int, int], float], found: Mapping[tuple[int, int], float],
+             size: Mapping[tuple[int, int], float] | None) -> None:
     largest = max(map(abs, (*wanted.values(), *found.values())), default=0.0)
     for pair in {*wanted, *found}:
         scale = max(abs(found.get(pair, 0.0)), (size or {}).get(pair, 0.0), 1e-6 * largest)
@@ -113,7 +121,7 @@ def _compare(scene, key, wanted, found, size):
             raise _periodic(scene, pair[0], key)
 
 
-def _periodic(scene, i, key):
+def _periodic(scene: "Scene", i: int, key: str) -> PhysicsError:
     """What moves on steadily has a rest beside it, perhaps, in coordinates that are measured from it."""
     name, hint = scene.coordinates[i], ("its full equations are those of `vibcli equations`, its motion from `initial` "
                                         "that of motion: full")
@@ -144,7 +152,7 @@ def excitation(scene: "Scene", form: Linearisation, position: "Mapping[Node, Nod
     return found
 
 
-def _negative(scene, terms):
+def _negative(scene: "Scene", terms: "Sequence[Node]") -> "Node":
     """−Σ terms, with f·δ(t − t₁) as f(t₁)·δ(t − t₁)."""
     total = scene.table.sum(*((term, -ONE) for term in terms))
     if "impulse" not in scene.table.called:
@@ -154,7 +162,7 @@ def _negative(scene, terms):
     return at_impulses(total, scene.time)
 
 
-def _whole(scene, node):
+def _whole(scene: "Scene", node: "Node") -> "Node":
     return collected(scene.table, expanded_terms(scene, node)) if node.mask & scene.time.mask else node
 
 
@@ -167,7 +175,7 @@ def with_time(scene: "Scene", node: "Node") -> "Node":
                                    if any(atom.mask & time for atom, _ in monomial)})
 
 
-def _begun(scene, found):
+def _begun(scene: "Scene", found: "dict[int, list[Node]]") -> None:
     """Adds the terms of the residual that are the constants in loads in time: −F₀ ∂s/∂q of F₀ (1 − cos Ωt) along s."""
     number = {q: i for i, q in enumerate(scene.q)}
     for term in scene.loads_at_still():
@@ -176,7 +184,7 @@ def _begun(scene, found):
             _gather(found, {i: -(constant * slope) for i, slope in row_of(term.s, number).items()})
 
 
-def _shaken(scene):
+def _shaken(scene: "Scene") -> "dict[int, list[Node]]":
     """{i: terms} of the residual that are linear in the driven displacements u(t): Σ ∂(P ∂s/∂q)/∂u u of springs,
     Σ c ∂s/∂q ∂s/∂u u̇ of dampers, and −Σ ∂(F ∂s/∂q)/∂u u of steady loads that turn or move with what is driven."""
     found, number = {}, {q: i for i, q in enumerate(scene.q)}
@@ -196,14 +204,14 @@ def _shaken(scene):
     return found
 
 
-def _steady_part(scene, term):
+def _steady_part(scene: "Scene", term: "AppliedLoad") -> "AppliedLoad":
     """A load without its part in time, at rest."""
     load = term.weight if term.offset is None else term.offset
     weight, = substitute([load], scene.rates_at_rest)
     return term._replace(weight=weight, offset=None)
 
 
-def _slope_by(scene, term, slope, symbol, kind):
+def _slope_by(scene: "Scene", term: Any, slope: "Node", symbol: "Node", kind: str) -> "Node":
     """What multiplies u(t), or u̇(t) of a damper."""
     stand_in = scene.table.variable(symbol.name + " small")
     s, row, weight = substitute([term.s, slope, term.weight], {symbol: stand_in})
@@ -216,6 +224,6 @@ def _slope_by(scene, term, slope, symbol, kind):
     return substitute([part], {stand_in: symbol})[0]
 
 
-def _function(scene, symbol, kind):
+def _function(scene: "Scene", symbol: "Node", kind: str) -> "Node":
     node = scene.driven[symbol]
     return scene.rate(node) if kind == "dampers" else node

@@ -4,6 +4,7 @@ An equilibrium that was searched for is off by K⁻¹ r at most, to first order,
 together with their rounding; along what nothing holds it is where it was put.
 """
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from vibcli.mechanics.factored_system import summed
@@ -12,7 +13,6 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.running_errors import UNIT, Rounded, RunningErrors, error_in, number_in
 
 if TYPE_CHECKING:
-
     from vibcli.mechanics.configuration import Configuration
 
 SINGULAR = 1e-12        # relative: what holds a direction less is taken for rounding
@@ -29,7 +29,8 @@ def bounded_rest(configuration: "Configuration") -> tuple[RunningErrors, dict[st
     return arithmetic, {**values, **exact, **_position(configuration, arithmetic, values)}
 
 
-def _position(configuration, arithmetic, values):
+def _position(configuration: "Configuration", arithmetic: RunningErrors,
+              values: dict[str, Rounded]) -> dict[str, Rounded]:
     """{coordinate: number with its bound}."""
     found, jumps = configuration.equilibrium.values, configuration.equilibrium.jumps
     if jumps is not None:
@@ -47,7 +48,8 @@ def _position(configuration, arithmetic, values):
     return {name: Rounded(x, away.get(name, 0.0) + UNIT * abs(x)) for name, x in found.items()}
 
 
-def _distance(configuration, arithmetic, values):
+def _distance(configuration: "Configuration", arithmetic: RunningErrors,
+              values: dict[str, float | Rounded]) -> dict[str, float]:
     """{coordinate: how far it is off at most}: |K⁻¹| of what may be left of the forces."""
     import numpy as np
 
@@ -62,7 +64,7 @@ def _distance(configuration, arithmetic, values):
     return dict(zip(configuration.scene.coordinates, 2 * (abs(flexibility) @ (left / sizes)) / sizes, strict=True))
 
 
-def _by_more_digits(configuration, found):
+def _by_more_digits(configuration: "Configuration", found: Mapping[str, float]) -> dict[str, Rounded]:
     """By how much the position differs from that to more digits: of closed loops, whose lengths hang on each other, and
     next to folds."""
     import mpmath
@@ -89,10 +91,11 @@ def bounded_matrices(configuration: "Configuration") -> "list[dict[tuple[int, in
     return configuration.linear_system.each(lambda x: Rounded(x, UNIT * abs(x))).matrices()
 
 
-def _with_given_damping(configuration, matrices):
+def _with_given_damping(configuration: "Configuration",
+                        matrices: list[dict[tuple[int, int], Rounded]]) -> list[dict[tuple[int, int], Rounded]]:
     """The same with what `damping:` adds to C, whose data are correctly rounded."""
     if configuration.spec.get("damping") is None:
         return matrices
     M, C, G, K = matrices
     more = configuration.given_damping().each(float).each(lambda x: Rounded(x, UNIT * abs(x))).matrices()[1]
-    return M, summed(C, more), G, K
+    return [M, summed(C, more), G, K]

@@ -53,7 +53,7 @@ class ForceLaw(NamedTuple):
         c = found.terms.get((n,), zero)
         return zero if ring.side(c) == 0 else c
 
-    def _without_series(self, name):
+    def _without_series(self, name: str) -> PhysicsError:
         """The refusal, with the function that keeps it from having one."""
         what = "grows like a broken power of its deflection" if name == "power" else (
             f"has a {'jump' if name in ('sign', 'step') else 'kink'} of {name} there")
@@ -81,6 +81,6 @@ def characteristic(scene: "Scene", name: str) -> ForceLaw:
     return found
 
 
-def _of(term, x):
+def _of(term: Law, x: "Node") -> ForceLaw:
     return ForceLaw(term.owner, term.derivative, term.x) if isinstance(term, Law) else ForceLaw(
         term.owner, term.weight * x, x)

@@ -33,7 +33,7 @@ class CompiledSeries:
     """The motion of a system without constraints and switches from (q, q̇) at t, by steps whose error is `tolerance`.
     ArithmeticError or ValueError where an expression has no value, whatever moves."""
 
-    def __init__(self, system: "NumericEquations", t: float, start: Sequence[float], tolerance: float):
+    def __init__(self, system: "NumericEquations", t: float, start: Sequence[float], tolerance: float) -> None:
         engine = import_module(ENGINE)
         scene, n = system.scene, system.n
         names = [node.name for node in (*scene.q, *scene.v)]
@@ -45,7 +45,7 @@ class CompiledSeries:
         self._march = engine.taylor_adaptive(list(zip(state, rates, strict=True)), list(start), time=t,
                                              tol=tolerance, **QUICKLY)
 
-    def steps(self, limit: float, most: int) -> tuple[np.ndarray, Callable]:
+    def steps(self, limit: float, most: int) -> tuple[np.ndarray, Callable[..., np.ndarray] | None]:
         """(the ends of the next steps towards an instant, `most` of them at most, states(times) on them, of shape
         (times, 2n)); no end where a force has no value."""
         *_, count, known = self._march.propagate_until(limit, max_steps=most, c_output=True)[:5]
@@ -57,7 +57,7 @@ class _Arithmetic:
 
     pi, number = Floats.pi, staticmethod(Floats.number)
 
-    def __init__(self, engine: Any):
+    def __init__(self, engine: Any) -> None:
         self.engine = engine
         of_expressions = {name: getattr(engine, name) for name in ELEMENTARY} | {
             "power": lambda b, e: engine.exp(e * math.log(b)) if isinstance(b, float) else b**e}
@@ -70,7 +70,7 @@ class _Arithmetic:
         return self.engine.sqrt(base) if exponent == Fraction(1, 2) else base ** float(exponent)
 
 
-def _either(of_floats, of_expressions):
+def _either(of_floats: Callable[..., Any], of_expressions: Callable[..., Any]) -> Callable[..., Any]:
     return lambda *args: (of_floats if all(isinstance(one, float) for one in args) else of_expressions)(*args)
 
 

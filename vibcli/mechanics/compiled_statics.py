@@ -1,8 +1,8 @@
 """r(q), the sizes of its terms and K(q) of a system in floats, compiled where they are evaluated again and again: the
 operations of `in_numbers` in the same order, so the same numbers."""
 
-from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterable, Mapping
+from typing import TYPE_CHECKING, Any
 
 from vibcli.mechanics.linearisation import Linearisation, nodes_of
 from vibcli.mechanics.numeric_linearisation import ALIKE, in_numbers
@@ -21,7 +21,7 @@ OFTEN, LONGEST = 10, 5000      # evaluations before they are compiled; parts and
 class StaticForces:
     """Those of a NumericSystem along all its coordinates."""
 
-    def __init__(self, numeric: "NumericSystem"):
+    def __init__(self, numeric: "NumericSystem") -> None:
         self._numeric, self._code = numeric, numeric.system.statics_code
         self._constants: list[float] | None = None
 
@@ -32,7 +32,8 @@ class StaticForces:
             if self._constants is None:
                 self._constants = evaluate(self._code.constants, Floats, self._numeric.floats)
             try:
-                return function(self._constants, position)
+                found: tuple[list[float], list[float], list[list[float]]] = function(self._constants, position)
+                return found
             except UNDEFINED:
                 pass
         numbers = in_numbers(self._code.form, Floats, {**self._numeric.floats, **position})
@@ -42,11 +43,12 @@ class StaticForces:
 class StaticsCode:
     """The same at all values of the parameters; `constants`: what of it depends on these alone."""
 
-    def __init__(self, form: Linearisation):
-        self.form, self._times, self._function = form, 0, None
+    def __init__(self, form: Linearisation) -> None:
+        self.form, self._times = form, 0
+        self._function: Callable[..., Any] | None = None
         self.constants: list[Node] = []
 
-    def function(self) -> Callable | None:
+    def function(self) -> Callable[..., Any] | None:
         """(constants, position) ↦ the values; None where they are not evaluated often, or too long."""
         if self._times <= OFTEN:
             self._times += 1
@@ -54,7 +56,7 @@ class StaticsCode:
                 self._function = self._compiled()
         return self._function
 
-    def _compiled(self):
+    def _compiled(self) -> Callable[..., Any] | None:
         nodes = tuple(dict.fromkeys(nodes_of(self.form)))
         order = evaluable(nodes)
         if len(order) + self.form.n**2 > LONGEST:
@@ -74,7 +76,7 @@ class _Totals(FloatSource):
 
     opening = closing = ""
 
-    def __init__(self, slots: "Mapping[Node, str]"):
+    def __init__(self, slots: "Mapping[Node, str]") -> None:
         super().__init__(slots)
         self.products: dict[str, str] = {}
 
@@ -99,7 +101,7 @@ class _Totals(FloatSource):
                                       [self._joined(["0.0", *map(_size, terms)], "+") for terms in forces.values()],
                                       map(_listed, rows))))
 
-    def _stiffness(self, form, terms):
+    def _stiffness(self, form: Linearisation, terms: Mapping[tuple[int, int], list[str]]) -> dict[tuple[int, int], str]:
         """{(i, j): slot} of K; what the forces make of it is evened out where it is symmetric but for rounding."""
         K = {pair: self._slot(self._joined(parts, "+")) for pair, parts in terms.items()}
         for i, j in [pair for pair in terms if pair[0] < pair[1] and terms[pair] != terms.get(pair[::-1])]:
@@ -115,22 +117,22 @@ class _Totals(FloatSource):
                     K[i, j] = self._slot(f"{K[i, j]}+{added}" if (i, j) in K else added)
         return K
 
-    def _times(self, one, other):
+    def _times(self, one: "Node", other: "Node") -> str:
         """The slot of a product, which is written once."""
         text = f"{self.slots[one]}*{self.slots[other]}"
         if text not in self.products:
             self.products[text] = self._slot(text)
         return self.products[text]
 
-    def _slot(self, text):
+    def _slot(self, text: str) -> str:
         slot = f"y{len(self.lines)}"
         self.lines.append(f"{slot}={text}")
         return slot
 
 
-def _size(text):
+def _size(text: str) -> str:
     return f"abs({text})"
 
 
-def _listed(texts):
+def _listed(texts: Iterable[str]) -> str:
     return f"[{','.join(texts)}]"

@@ -14,6 +14,7 @@ from vibcli.base.enumeration import listed
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.nonsmooth import KINKED, SIDES
+from vibcli.scene.laws import Law
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import is_zero, root_of_square, textbook
@@ -22,7 +23,9 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from vibcli.language.spec import Spec
+    from vibcli.scene.energy_terms import Damper, Spring
     from vibcli.scene.scene import Scene
+    from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
 
 
@@ -54,7 +57,7 @@ def same_place(spec: "Spec", scene: "Scene", place: str) -> set[str]:
     """The names of a place: itself, and points and bodies that are carried there with it."""
     records, found = spec.get("points") or {}, {place}
 
-    def carried(name):
+    def carried(name: str) -> "tuple[str, tuple[Node, Node]] | None":
         """(body, drawn place) of what a body carries; None of what is fixed or led."""
         if name in scene.bodies:
             return None if scene.bodies[name].frame is None else (name, scene.bodies[name].centre)
@@ -94,7 +97,7 @@ def concurrent(spec: "Spec", scene: "Scene", place: str, section: str) -> list[C
     return found
 
 
-def _at_place(spec, scene, name, section):
+def _at_place(spec: "Spec", scene: "Scene", name: str, section: str) -> Concurrent:
     record, table = spec.get(section)[name], scene.table
     (ax, ay), (bx, by) = map(scene.place_of, record["between"])
     dx, dy = bx - ax, by - ay
@@ -108,17 +111,17 @@ def _at_place(spec, scene, name, section):
     return Concurrent(name, _slope(scene, term) - tension, dx / length, dy / length, tension)
 
 
-def _slope(scene, term):
+def _slope(scene: "Scene", term: "Law | Spring") -> "Node":
     """dN/dl of a spring."""
-    if not hasattr(term, "integral"):
+    if not isinstance(term, Law):
         return term.weight
     second = gradient(term.derivative).get(term.x, scene.table.zero)
     return substitute([second], {term.x: term.s})[0]
 
 
-def _coefficient(scene, term):
+def _coefficient(scene: "Scene", term: "Damper | Law") -> "Node":
     """dF/dv of a damper at rest; PhysicsError where it has none, as of dry friction."""
-    if not hasattr(term, "integral"):
+    if not isinstance(term, Law):
         return term.weight
     second = gradient(term.derivative).get(term.x, scene.table.zero)
     try:
@@ -131,7 +134,7 @@ def _coefficient(scene, term):
     return sides[0][1]
 
 
-def _beside(scene, nodes, x, side):
+def _beside(scene: "Scene", nodes: "list[Node]", x: "Node", side: int) -> "list[Node]":
     """Expressions next to x = 0, on one side of what jumps there."""
     rest = {x: scene.table.zero}
     leaps = [part for part in reachable(nodes) if part.name in SIDES and is_zero(substitute([part.args[0]], rest)[0])]
@@ -157,9 +160,10 @@ def at_rest(elements: "list[Concurrent]", rest: "Mapping[Node, Node]") -> "list[
 def in_letters(elements: "list[Concurrent]", component: str) -> "Node":
     """max, min, angle, xx, xy or yy as an expression; `angle`: PhysicsError where all directions are equal."""
     K = Tensor(*map(textbook, tensor(elements)))
-    table = K.xy.table
+    table: Table = K.xy.table
     if component in K._fields:
-        return getattr(K, component)
+        found: Node = getattr(K, component)
+        return found
     if component == "angle":
         if is_zero(K.xy) and is_zero(K.xx - K.yy):
             raise isotropic(elements)
@@ -173,7 +177,7 @@ def in_letters(elements: "list[Concurrent]", component: str) -> "Node":
     return textbook(around + sum_ / 2) + (root if component == "max" else -root) / 2
 
 
-def _difference(elements):
+def _difference(elements: list[Concurrent]) -> "Node":
     """kmax − kmin = √(Σ κᵢ² + 2 Σ κᵢ κⱼ cos 2(αᵢ − αⱼ))."""
     pairs = [(one, other, textbook(one.x * other.x + one.y * other.y), textbook(one.y * other.x - one.x * other.y))
              for i, one in enumerate(elements) for other in elements[:i]]
@@ -184,7 +188,7 @@ def _difference(elements):
     return square.table.sqrt(square) if root is None else square.table.call("abs", root)
 
 
-def _doubled(x, y):
+def _doubled(x: "Node", y: "Node") -> "tuple[Node, Node]":
     """(cos 2α, sin 2α) of a direction (cos α, sin α)."""
     for cosine, sine in ((x, y), (-x, -y)):
         if cosine.name != "cos":

@@ -31,7 +31,8 @@ class Configuration:
 
     arithmetic: Any = Floats
 
-    def __init__(self, numeric: NumericSystem, equilibrium: Any = None, linear_system: Any = None, final: bool = False):
+    def __init__(self, numeric: NumericSystem, equilibrium: "Equilibrium | None" = None,
+                 linear_system: "FactoredSystem | None" = None, final: bool = False) -> None:
         self.numeric, self.system, self.spec, self.work = numeric, numeric.system, numeric.spec, numeric.work
         self.costs = numeric.costs if equilibrium is None else Costs()
         self._equilibrium, self._linear_system, self._final = equilibrium, linear_system, final
@@ -47,10 +48,10 @@ class Configuration:
     @property
     def reference_form(self) -> "Linearisation":
         """The Linearisation from which the linear system is: as drawn, where that is the equilibrium."""
-        system = self.system
-        return system.linearisation_at_reference if self.equilibrium.drawn else system.linearisation
+        return self.system.linearisation_at_reference if self.equilibrium.drawn else self.system.linearisation
 
-    def about(self, equilibrium: "Equilibrium", linear_system: Any = None, final: bool = False) -> "Configuration":
+    def about(self, equilibrium: "Equilibrium", linear_system: "FactoredSystem | None" = None,
+              final: bool = False) -> "Configuration":
         """The same system at another of its equilibria."""
         return Configuration(self.numeric, equilibrium, linear_system, final)
 
@@ -88,7 +89,7 @@ class Configuration:
             return False
         return False
 
-    def _reached(self):
+    def _reached(self) -> "Equilibrium":
         from vibcli.mechanics.equilibrium import equilibrium
 
         numeric = self.numeric
@@ -135,7 +136,7 @@ class Configuration:
         """The FactoredSystem about the equilibrium, in floats that are correct but for their own rounding."""
         return self.costs.measured("linear_system", self._assembled)
 
-    def _assembled(self):
+    def _assembled(self) -> "FactoredSystem":
         if self._linear_system is not None:
             return self._linear_system
         found = self.without_given_damping()
@@ -161,7 +162,7 @@ class Configuration:
             return False
         return any(self.without_given_damping().matrices()[1].values())
 
-    def damped_as_a_whole(self, elements: Any, moved: "Sequence[int] | None" = None) -> "FactoredSystem":
+    def damped_as_a_whole(self, elements: "FactoredSystem", moved: "Sequence[int] | None" = None) -> "FactoredSystem":
         """Element data of members with `damping:` that stands beside what couples their modes; moved: those of their
         coordinates that are displacements, where others are loads."""
         if not self.coupled:
@@ -219,7 +220,7 @@ class Configuration:
         return with_damping(found, self.given_damping(digits))
 
     @cached_property
-    def bent_pieces(self) -> dict:
+    def bent_pieces(self) -> dict[tuple[str, int], Any]:
         """{(member, number of a piece): its deflection at rest} as far as they were asked for."""
         return {}
 
@@ -262,7 +263,7 @@ class Configuration:
             return None
 
     @property
-    def sources(self) -> tuple[Callable, Callable]:
+    def sources(self) -> "tuple[Callable[[int], FactoredSystem] | None, Callable[[], FactoredSystem | None] | None]":
         """Where more digits of the linear system come from, (None, None) where there are none."""
         return (None, None) if self._final else (self.precise_system, self.exact_system)
 

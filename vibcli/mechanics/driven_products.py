@@ -9,6 +9,7 @@ stiffness and damping that vary in time (parametric excitation), as where a spri
 the same vanishes: where it does not, there are no small oscillations (`steady`, `through_constraints`).
 """
 
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -23,6 +24,8 @@ from vibcli.symbolic.smoothed_functions import SmoothFloats
 from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.inputs_outputs.base_excitation import SystemWithInputs
     from vibcli.mechanics.symbolic_system import SymbolicSystem
     from vibcli.symbolic.node import Node
 
@@ -45,7 +48,7 @@ def driven_products(symbolic: "SymbolicSystem") -> "dict[int, list[Node]]":
     return {i: copied(products, symbolic.scene.table) for i, products in found.items()}
 
 
-def _bends(opened, forces, j):
+def _bends(opened: "SystemWithInputs", forces: "Sequence[list[Node]]", j: int) -> "dict[tuple[int, Node, int], Node]":
     """{(i, qₖ or q̇ₖ, is it by u̇?): ∂²rᵢ} by the input number j."""
     scene, found = opened.scene, {}
     moving = {*scene.q[:opened.n], *scene.v[:opened.n]}
@@ -58,7 +61,7 @@ def _bends(opened, forces, j):
     return {key: scene.table.total(terms) for key, terms in found.items()}
 
 
-def _forces(opened):
+def _forces(opened: "SystemWithInputs") -> "list[list[Node]]":
     """[[terms of rᵢ]]: ∂V/∂qᵢ + ∂Φ/∂q̇ᵢ − Σ F ∂s/∂qᵢ, of loads in time the part F that is steady (`left_out` has the
     rest)."""
     scene = opened.scene
@@ -76,7 +79,8 @@ def _forces(opened):
     return found
 
 
-def _at_equilibrium(symbolic, j, bends):
+def _at_equilibrium(symbolic: "SymbolicSystem", j: int,
+                    bends: "dict[tuple[int, Node, int], Node]") -> "dict[tuple[int, Node, int], Node]":
     """The second derivatives in equilibrium, those that vanish left out."""
     opened = symbolic.configuration.with_inputs
     scene = opened.scene
@@ -94,7 +98,8 @@ def _at_equilibrium(symbolic, j, bends):
     return {key: node for key, node in zip(bends, nodes, strict=True) if not node.is_zero}
 
 
-def _felt(configuration, j, bends):
+def _felt(configuration: "Configuration", j: int,
+          bends: "dict[tuple[int, Node, int], Node]") -> "dict[tuple[int, Node, int], Node]":
     """Those that are more than rounding beside what the displacement does to the equations at once."""
     opened = configuration.with_inputs
     scene, n = opened.scene, opened.n

@@ -4,19 +4,27 @@ V has for each spring ½ k (∇s·q)², and with ½ V′ qᵀ∇²s q what its t
 add ½ f qᵀ∇²s q. Such geometric parts may be negative.
 """
 
+from collections.abc import Mapping, Sequence
 from itertools import compress
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.factored_system import WeightedRow
 from vibcli.mechanics.high_precision import place_to
 from vibcli.scene.piece_terms import PieceSpring
 from vibcli.symbolic.evaluation import evaluate, multiprecision
 
 if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.linearisation import Linearisation
+    from vibcli.mechanics.system import MechanicalSystem
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 WEIGHTS, WRITTEN = "the weights", "written out"
 DRIVEN = "loads and driven motion"      # forces that follow what moves, and the inertia of what is driven
+
+Parts = dict[str, tuple[list[WeightedRow], dict[tuple[int, int], Any]]]
 
 
 class Owned:
@@ -24,8 +32,10 @@ class Owned:
 
     __slots__ = ("dissipation", "kinetic", "potential")
 
-    def __init__(self):
-        self.kinetic, self.potential, self.dissipation = {}, {}, {}
+    def __init__(self) -> None:
+        self.kinetic: Parts = {}
+        self.potential: Parts = {}
+        self.dissipation: Parts = {}
 
 
 def owned_forms(configuration: "Configuration") -> Owned:
@@ -59,12 +69,12 @@ def owned_forms(configuration: "Configuration") -> Owned:
     return found
 
 
-def _bent(scene, springs):
+def _bent(scene: "Scene", springs: Sequence[Any]) -> list[str]:
     return [f"tension of {term.owner}" for term in springs] + [WEIGHTS] * len(scene.weights) + [
         f"load {term.owner}" for term in scene.loads_at_still()]
 
 
-def _steady(system, springs, bent):
+def _steady(system: "MechanicalSystem", springs: "list[Any]", bent: list[str]) -> "tuple[list[Any], list[str]]":
     """(springs, names of what is curved) whose rows are steady: what others add to K is told as DRIVEN, as is what
     inertia and dampers that are driven add."""
     scene, whole = system.scene.vibrating, system.time_dependent_linearisation
@@ -77,7 +87,7 @@ def _steady(system, springs, bent):
     return list(compress(springs, still)), list(compress(bent, known))
 
 
-def _numbers(configuration, form):
+def _numbers(configuration: "Configuration", form: "Linearisation") -> "dict[Node, Any]":
     """{expression: number} of all that the form is made of."""
     nodes = [node for rows in (form.inertias, form.springs, form.dampers) for weight, row in rows
              for node in (weight, *row.values())]
@@ -89,11 +99,11 @@ def _numbers(configuration, form):
     return dict(zip(nodes, evaluate(nodes, arithmetic, values), strict=True))
 
 
-def _part(parts, name):
+def _part(parts: Parts, name: str) -> tuple[list[WeightedRow], dict[tuple[int, int], Any]]:
     return parts.setdefault(name, ([], {}))
 
 
-def _enter(parts, name, entries):
+def _enter(parts: Parts, name: str, entries: Mapping[tuple[int, int], Any]) -> None:
     """Add a matrix to a part."""
     if any(entries.values()):
         matrix = _part(parts, name)[1]

@@ -43,7 +43,7 @@ def generalised_force(scene: "Scene", i: int) -> "Node":
     return scene.table.total(term.weight * gradient(term.s).get(q, zero) for term in scene.forces)
 
 
-def _written_out(scene, key):
+def _written_out(scene: "Scene", key: str) -> "list[Node]":
     """The terms of T, V or Φ that `energies` gives, and ½ xᵀ A x of a matrix given outright."""
     matrix, symbols = {"T": ("M", scene.v), "V": ("K", scene.q), "Phi": ("C", scene.v)}[key]
     rows = scene.matrices.get(matrix, ())
@@ -91,7 +91,7 @@ def textbook_energies(scene: "Scene") -> "dict[str, Node]":
     return {"T": textbook_kinetic(scene), "V": _textbook_potential(scene), "Phi": _textbook_dissipation(scene)}
 
 
-def _textbook_potential(scene):
+def _textbook_potential(scene: "Scene") -> "Node":
     """V with the energy ½ k d² of each spring kept as it is read off the figure; weights collected. What pieces of
     members with inertia store is left out: it is no sum of squares but at rest."""
     table, parts = scene.table, []
@@ -108,7 +108,7 @@ def _textbook_potential(scene):
     return table.total([*parts, collected])
 
 
-def _textbook_dissipation(scene):
+def _textbook_dissipation(scene: "Scene") -> "Node":
     """Φ with the part ½ c ḋ² of each damper kept as it is read off the figure."""
     parts, rest = [], _written_out(scene, "Phi")
     for term in scene.dampers:
@@ -117,6 +117,6 @@ def _textbook_dissipation(scene):
     return scene.table.total([*parts, textbook(scene.table.total(rest))])
 
 
-def _half_square(weight, node):
+def _half_square(weight: "Node", node: "Node") -> "Node":
     """½ weight·node², a sum kept as it is."""
     return weight.table.product((weight, 1), (node, 2)) / 2

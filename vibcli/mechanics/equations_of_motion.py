@@ -26,13 +26,13 @@ class Dynamics(NamedTuple):
     """M: {(i, j): node}, i ≤ j; h: a node for each coordinate; slopes {(k, i): ∂Gₖ/∂qᵢ}, bends γₖ, gaps Gₖ and their
     rates; names: of the constraints."""
 
-    M: dict
-    h: list
-    names: list
-    gaps: list
-    rates: list
-    slopes: dict
-    bends: list
+    M: "dict[tuple[int, int], Node]"
+    h: "list[Node]"
+    names: list[str]
+    gaps: "list[Node]"
+    rates: "list[Node]"
+    slopes: "dict[tuple[int, int], Node]"
+    bends: "list[Node]"
 
     def nodes(self) -> "list[Node]":
         """All expressions that the accelerations are made of."""
@@ -68,7 +68,7 @@ def drift(scene: "Scene", rate: "Node") -> "Node":
     return scene.table.total(slopes[x] * scene.speeds[x] for x in (*scene.q, scene.time) if x in slopes)
 
 
-def _from_terms(scene, undamped):
+def _from_terms(scene: "Scene", undamped: bool) -> "tuple[dict[tuple[int, int], Node], list[Node]]":
     number = {q: i for i, q in enumerate(scene.q)}
     entries, forces = {}, [[] for _ in scene.q]
     for term in scene.inertias:
@@ -90,7 +90,7 @@ def _from_terms(scene, undamped):
             [table.total(nodes) for nodes in forces])
 
 
-def _written_out(scene, entries, forces):
+def _written_out(scene: "Scene", entries: "dict[tuple[int, int], list[Node]]", forces: "list[list[Node]]") -> None:
     """Adds what the kinetic energy of `energies` and a mass matrix contribute."""
     T, speeds = scene.energies["T"], {v: i for i, v in enumerate(scene.v)}
     for i, (q, v) in enumerate(zip(scene.q, scene.v, strict=True)):

@@ -15,6 +15,8 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.running_errors import Rounded, RunningErrors, error_in, number_in
 
 if TYPE_CHECKING:
+    import mpmath
+
     from vibcli.mechanics.configuration import Configuration
 
 HALF = Fraction(1, 2)
@@ -31,7 +33,7 @@ class Equivalent(NamedTuple):
     middle: Any
     half: Any
     double_angle: Any
-    elements: list
+    elements: "list[Concurrent]"
 
     @property
     def max(self) -> Any:
@@ -77,7 +79,8 @@ def equivalent(configuration: "Configuration", elements: "list[Concurrent]", dig
                       _double_angle(inner, u, v, half, off, arithmetic.unit), elements)
 
 
-def _double_angle(inner, u, v, half, off, unit):
+def _double_angle(inner: Any, u: "float | mpmath.mpf", v: "float | mpmath.mpf", half: "float | mpmath.mpf",
+                  off: "float | mpmath.mpf", unit: float) -> Rounded | None:
     """That of a tensor with 2 kxy = v, kxx − kyy = u; π, not −π, where only rounding tells them apart."""
     if not half > off:
         return None
@@ -93,7 +96,8 @@ def share_axes(K: Equivalent, C: Equivalent) -> bool:
     return not abs(number_in(twist)) > error_in(twist)
 
 
-def _rest(configuration, digits, unit):
+def _rest(configuration: "Configuration", digits: int | None,
+          unit: float) -> "tuple[RunningErrors, dict[str, float | mpmath.mpf | Rounded]]":
     if digits is None:
         return configuration.bounded_rest
     inner, values = configuration.precise_rest(digits)
@@ -103,4 +107,5 @@ def _rest(configuration, digits, unit):
 def size(configuration: "Configuration", elements: "list[Concurrent]") -> float:
     """Σ |κ| + 2 |N/l|: what rounding is measured by."""
     found = evaluate([node for one in elements for node in (one.kappa, one.around)], Floats, configuration.at_rest)
-    return sum(map(abs, found[::2])) + 2 * sum(map(abs, found[1::2]))
+    result: float = sum(map(abs, found[::2])) + 2 * sum(map(abs, found[1::2]))
+    return result

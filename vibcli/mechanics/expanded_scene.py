@@ -5,7 +5,7 @@ that have a potential count with V, the generalised forces of others are expande
 Radomirović 2018, 9.5). The coordinates still count from the drawn position; the time is left as it is.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.symbolic_system import SymbolicSystem
     from vibcli.scene.scene import Scene
+    from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
 
 ENERGY, FORCE = 4, 3        # orders
@@ -73,7 +74,7 @@ def expanded_scene(scene: "Scene", place: PlaceOfRest, from_rest: bool = False) 
         forces=[term for term in scene.forces if term.weight.mask]))
     V = potential(scene) - scene.table.total(term.weight * term.s for term in constant)
 
-    def truncated(node, order, rates, which="V"):
+    def truncated(node: "Node", order: int, rates: bool, which: str = "V") -> "Node":
         return _truncated(scene, node, place, order, rates, which, from_rest)
     found = {"T": truncated(kinetic(scene), ENERGY, True, "T"), "V": truncated(V, ENERGY, False),
              "Phi": truncated(dissipation(scene), ENERGY, True, "Φ")}
@@ -95,7 +96,8 @@ def expanded_equations(symbolic: "SymbolicSystem") -> "tuple[list[Node], list[No
     return substitute(found, {q: q - place.values[q.name] for q in scene.q}), found
 
 
-def _truncated(scene, node, place, order, rates, which, from_rest):
+def _truncated(scene: "Scene", node: "Node", place: PlaceOfRest, order: int, rates: bool, which: str,
+               from_rest: bool) -> "Node":
     """An expression expanded to an order in the deviations, and the velocities where there are `rates`."""
     table, variables = scene.table, [x for x in (*scene.q, *(scene.v if rates else ())) if node.mask & x.mask]
     if not variables:
@@ -107,14 +109,15 @@ def _truncated(scene, node, place, order, rates, which, from_rest):
                            from_rest and sum(powers) == 1 and not c.mask and is_zero(c)))))
 
 
-def _coefficients(scene, node, place, variables, order, which):
+def _coefficients(scene: "Scene", node: "Node", place: PlaceOfRest, variables: "list[Node]", order: int,
+                  which: str) -> "dict[tuple[int, ...], Node]":
     """{powers: node}; of a place in numbers alone they are numbers, but for what changes with the time."""
     table, numbers, timed = scene.table, place.numbers, node.mask & scene.time.mask
     rest = {q.name: q for q in scene.q} if place.outright else place.values
     if timed or not place.outright:
         try:
             terms = expanded_about(scene, node, rest, variables, up_to(order), order, which,
-                                   numbers and side_in_numbers(numbers))
+                                   None if numbers is None else side_in_numbers(numbers))
             return {powers: _beside_time(scene, c, place) for powers, c in terms.items()} if place.outright else terms
         except NotInLetters:
             if numbers is None:
@@ -126,7 +129,7 @@ def _coefficients(scene, node, place, variables, order, which):
     return {powers: table.number(Fraction(repr(c))) for powers, c in found.items()}
 
 
-def _beside_time(scene, c, place):
+def _beside_time(scene: "Scene", c: "Node", place: PlaceOfRest) -> "Node":
     """A coefficient at rest, with numbers for what the time does not change; multiplied out where it is short."""
     table, time, factors = scene.table, scene.time.mask, {}
     if not c.mask & time:
@@ -146,18 +149,18 @@ def _beside_time(scene, c, place):
                                                                  strict=True))
 
 
-def _parts(node):
+def _parts(node: "Node") -> "Sequence[Node]":
     return node.args if node.op == "call" else [part for part, _ in node.args]
 
 
-def _numbers(table, nodes, place):
+def _numbers(table: "Table", nodes: "Iterable[Node]", place: PlaceOfRest) -> "list[Node]":
     """Nodes of their values at rest, zero where only rounding is left."""
     arithmetic, values = place.numbers.bounded_rest
     return [table.number(Fraction(repr(float(number_in(cleared(one, arithmetic))))))
             for one in evaluate(list(nodes), arithmetic, values)]
 
 
-def _skew(scene):
+def _skew(scene: "Scene") -> "dict[str, list[list[Node]]]":
     """The skew part of a C that is given outright, which no dissipation function has."""
     C = scene.matrices.get("C")
     if C is None:

@@ -14,7 +14,7 @@ class ExpandedSystem(MechanicalSystem):
 
     settled = preloaded = None
 
-    def __init__(self, system: MechanicalSystem, expanded: "Scene"):
+    def __init__(self, system: MechanicalSystem, expanded: "Scene") -> None:
         super().__init__(system.spec, system.given, system.work, system.released, system.tensions)
         self._expanded, self.preloads = expanded, system.preloads
 

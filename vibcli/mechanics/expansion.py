@@ -16,12 +16,15 @@ from vibcli.symbolic.running_errors import Rounded, RunningErrors, error_in, num
 from vibcli.symbolic.truncated_polynomials import NodeArithmetic, NoDerivative, Polynomials, sign
 
 if TYPE_CHECKING:
+    from vibcli.base.errors import Where
+    from vibcli.language.spec import Spec
     from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.symbolic_system import SymbolicSystem
     from vibcli.scene.energy_terms import Spring, Weight
     from vibcli.scene.laws import Law
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.truncated_polynomials import Polynomial
 
 ENERGIES = {"V": potential, "T": kinetic, "V with loads": effective_potential}
 Powers = tuple[int, ...]
@@ -50,9 +53,8 @@ def require_expandable(scene: "Scene") -> None:
         raise PhysicsError("nothing moves in this scene: it has no coordinates to expand by", "let a body move")
 
 
-def in_numbers(configuration: "Configuration", which: str, variables: "Sequence[Node]",
-               keep: Callable[[Powers], bool], order: int, digits: int | None = None,
-               unit: float = 2.0**-52) -> "dict[Powers, Rounded]":
+def in_numbers(configuration: "Configuration", which: str, variables: "Sequence[Node]", keep: Callable[[Powers], bool],
+               order: int, digits: int | None = None, unit: float = 2.0**-52) -> "dict[Powers, Rounded]":
     """{powers of the variables: coefficient with its bound} of V or T, all else at rest."""
     scene = configuration.scene.resting
     if digits is None:
@@ -129,7 +131,7 @@ def side_in_numbers(configuration: "Configuration") -> "Callable[[Node], int | N
     may change it."""
     arithmetic, values = configuration.bounded_rest
 
-    def side(u):
+    def side(u: "Node") -> "int | None":
         if u.mask & configuration.scene.time.mask:
             return 0 if u.is_zero else None
         return sign(evaluate([u], arithmetic, values)[0])
@@ -169,7 +171,8 @@ def expanded_by(scene: "Scene", which: str, nodes: "Sequence[Node]", arithmetic:
                            "let the equilibrium lie elsewhere") from None
 
 
-def _kinked(scene, which, ring, polynomials, cause):
+def _kinked(scene: "Scene", which: str, ring: Polynomials, polynomials: "dict[str, Polynomial]",
+            cause: NoDerivative) -> Kinked:
     """The refusal, with the element that has the kink."""
     owner = next((term.owner for term in _terms_of(scene, which) if _is_kinked(
         term.potential(scene), ring, polynomials)), None)
@@ -183,20 +186,21 @@ def _kinked(scene, which, ring, polynomials, cause):
                   _place(scene.spec, owner))
 
 
-def _terms_of(scene, which):
+def _terms_of(scene: "Scene", which: str) -> list[Any]:
     """Those of V, or of Φ."""
     if which in ("V", "V with loads"):
         return [*scene.springs, *scene.weights, *(law for law in scene.laws if not law.damper)]
     return [*scene.dampers, *(law for law in scene.laws if law.damper)] if which == "Φ" else []
 
 
-def _place(spec, owner):
+def _place(spec: "Spec", owner: str) -> "Where | None":
     """Where an element stands in the file."""
-    return next((section[owner].where for section in spec.sections.values()
-                 if isinstance(section, dict) and owner in section), None)
+    found: Where | None = next((section[owner].where for section in spec.sections.values()
+                                if isinstance(section, dict) and owner in section), None)
+    return found
 
 
-def _is_kinked(node, ring, polynomials):
+def _is_kinked(node: "Node", ring: Polynomials, polynomials: "dict[str, Polynomial]") -> bool:
     try:
         evaluate([node], ring, polynomials)
     except NoDerivative:

@@ -9,7 +9,7 @@ sums loses digits (1 + 10¹⁶ == 10¹⁶), so the rows are kept apart as long a
 gives (follower forces) make K₊, and with it K, a matrix that is not symmetric.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
@@ -18,10 +18,10 @@ from vibcli.base.named_tuple import NamedTuple
 if TYPE_CHECKING:
     import numpy as np
 
-    from vibcli.scene.energy_terms import Spring
-
 ROUNDING = 2.0 ** -51
 MOST_DENSE = 2000       # coordinates of which matrices are made that hold an entry for any two of them
+
+WeightedRow = tuple[Any, dict[int, Any]]
 
 
 class PlacedPiece(NamedTuple):
@@ -32,8 +32,8 @@ class PlacedPiece(NamedTuple):
     owner: str
     start: Any
     piece: Any
-    rows: tuple
-    springs: list
+    rows: tuple[dict[int, Any], ...]
+    springs: list[WeightedRow]
     retardation: Any = 0
 
 
@@ -51,10 +51,10 @@ class FactoredSystem:
     __slots__ = ("C", "G", "K", "K_size", "M", "dampers", "drag", "inertias", "massless", "n", "pieces",
                  "rational_rows", "springs")
 
-    def __init__(self, n: int, inertias: Any = (), springs: "Sequence[Spring]" = (), dampers: Any = (), M: Any = None,
-                 C: Any = None, G: Any = None, K: Mapping[tuple[int, int], Any] | None = None, K_size: Any = None,
-                 rational_rows: Any = None, massless: Sequence[Any] = (), drag: Any = None,
-                 pieces: Sequence[PlacedPiece] = ()):
+    def __init__(self, n: int, inertias: Iterable[WeightedRow] = (), springs: Iterable[WeightedRow] = (),
+                 dampers: Iterable[WeightedRow] = (), M: Any = None, C: Any = None, G: Any = None,
+                 K: Mapping[tuple[int, int], Any] | None = None, K_size: Any = None, rational_rows: Any = None,
+                 massless: Sequence[Any] = (), drag: Any = None, pieces: Sequence[PlacedPiece] = ()) -> None:
         self.n = n
         self.inertias, self.springs, self.dampers = tuple(inertias), tuple(springs), tuple(dampers)
         self.M, self.C, self.G, self.K = M or {}, C or {}, G or {}, K or {}
@@ -74,10 +74,10 @@ class FactoredSystem:
 
     def each(self, change: Any, **given: Any) -> "FactoredSystem":
         """The same with `change` applied to every weight, slope and entry of a matrix, and with the parts `given`."""
-        def rows(terms):
+        def rows(terms: "Iterable[WeightedRow]") -> "list[WeightedRow]":
             return [(change(weight), {i: change(x) for i, x in row.items()}) for weight, row in terms]
 
-        parts: dict = {kind: rows(getattr(self, kind)) for kind in ("inertias", "springs", "dampers")}
+        parts: dict[str, Any] = {kind: rows(getattr(self, kind)) for kind in ("inertias", "springs", "dampers")}
         parts["pieces"] = [PlacedPiece(piece.owner, change(piece.start), piece.piece._make(map(change, piece.piece)),
                                        tuple({i: change(x) for i, x in row.items()} for row in piece.rows),
                                        rows(piece.springs), change(piece.retardation) if piece.retardation else 0)
@@ -88,13 +88,13 @@ class FactoredSystem:
 
     def among(self, numbers: Mapping[int, int], pieces: Sequence[int]) -> "FactoredSystem":
         """What some coordinates, {number: new number}, and pieces do while nothing else moves."""
-        def over(row):
+        def over(row: "Mapping[int, Any]") -> "dict[int, Any]":
             return {numbers[i]: x for i, x in row.items() if i in numbers}
 
-        def rows(terms):
+        def rows(terms: "Iterable[WeightedRow]") -> "list[WeightedRow]":
             return [(weight, over(row)) for weight, row in terms if not numbers.keys().isdisjoint(row)]
 
-        parts: dict = {kind: rows(getattr(self, kind)) for kind in ("inertias", "springs", "dampers")}
+        parts: dict[str, Any] = {kind: rows(getattr(self, kind)) for kind in ("inertias", "springs", "dampers")}
         parts |= {kind: {(numbers[i], numbers[j]): x for (i, j), x in getattr(self, kind).items()
                          if i in numbers and j in numbers} for kind in ("M", "C", "G", "K", "K_size", "drag")}
         parts["pieces"] = [placed._replace(rows=tuple(map(over, placed.rows)), springs=rows(placed.springs))
@@ -137,7 +137,7 @@ class FactoredSystem:
         return _assembled(self.static_springs, self.K)
 
     @property
-    def static_springs(self) -> "list[Spring]":
+    def static_springs(self) -> list[WeightedRow]:
         """The springs, and those that the pieces are at rest."""
         return [*self.springs, *(spring for piece in self.pieces for spring in piece.springs)]
 
@@ -157,7 +157,7 @@ def summed(one: Any, two: Mapping[Any, Any]) -> dict[Any, Any]:
     return found
 
 
-def _added(x, y):
+def _added(x: Any, y: Any) -> Any:
     if hasattr(x, "_mpf_") and hasattr(y, "_mpf_"):
         import mpmath
 
@@ -165,7 +165,7 @@ def _added(x, y):
     return x + y
 
 
-def _as_array(entries, n):
+def _as_array(entries: Mapping[tuple[int, int], float], n: int) -> "np.ndarray":
     import numpy as np
 
     found = np.zeros((n, n))
@@ -174,7 +174,7 @@ def _as_array(entries, n):
     return found
 
 
-def _assembled(terms, extra):
+def _assembled(terms: Iterable[WeightedRow], extra: Mapping[tuple[int, int], Any]) -> dict[tuple[int, int], Any]:
     matrix = dict(extra)
     for weight, row in terms:
         for i, x in row.items():

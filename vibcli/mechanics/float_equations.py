@@ -4,7 +4,7 @@ The equations M q̈ = −h are solved by elimination without pivots, M being pos
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
@@ -41,7 +41,7 @@ def float_equations(system: "NumericEquations") -> FloatEquations | None:
     return FloatEquations(space["f"], sum(body.count(sign) for sign in "+-*/("))
 
 
-def _solved(M, h):
+def _solved(M: dict[tuple[int, int], str], h: Sequence[str]) -> list[str]:
     """Lines that solve M a = −h for a0, a1, …: M {(i, j): text}, i ≤ j, and h [text]."""
     n, M, lines = len(h), dict(M), [f"h{i}={text}" for i, text in enumerate(h)]
     for k in range(n):

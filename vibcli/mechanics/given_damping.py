@@ -8,6 +8,7 @@ found to many digits, so that its floats are correctly rounded. Driven supports 
 which modal damping counts velocities: C_u = Σ (c/ω²) rᵢ φᵢᵀ K_u; that in proportion has C_u = α M_u + β K_u.
 """
 
+from collections.abc import ValuesView
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
@@ -19,7 +20,9 @@ from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    from vibcli.language.reader import Record
+    import mpmath
+
+    from vibcli.language.reader import Expression, Record
     from vibcli.mechanics.configuration import Configuration
 
 DIGITS, LARGEST = 40, 40        # of what is rounded to floats; coordinates
@@ -32,8 +35,8 @@ class RatedMode(NamedTuple):
 
     c: Any
     square: Any
-    shape: list
-    row: list
+    shape: list[Any]
+    row: list[Any]
 
 
 def damping_of(configuration: "Configuration", digits: int) -> FactoredSystem:
@@ -47,7 +50,8 @@ def damping_of(configuration: "Configuration", digits: int) -> FactoredSystem:
         return added(configuration.spec.get("damping"), given_numbers(configuration), elements)
 
 
-def columns_of(configuration: "Configuration", M: "Mapping", K: "Mapping", n: int,
+def columns_of(configuration: "Configuration", M: "Mapping[tuple[int, int], float | mpmath.mpf]",
+               K: "Mapping[tuple[int, int], float | mpmath.mpf]", n: int,
                driven: "Sequence[int]") -> "dict[tuple[int, int], Any]":
     """C_u {(i, j): number} of the displacements j that drive a scene of n coordinates, from its M and K with theirs."""
     if not driven:
@@ -80,7 +84,7 @@ def given_numbers(configuration: "Configuration", arithmetic: Any = None) -> "di
     arithmetic = arithmetic or multiprecision()
     known, lower = configuration.numeric.values(arithmetic), configuration.scene.lower
 
-    def numbers(expressions):
+    def numbers(expressions: "Sequence[Expression] | ValuesView[Any]") -> "list[float | mpmath.mpf]":
         return evaluate([lower(expression) for expression in expressions], arithmetic, known)
 
     record = configuration.spec.get("damping")
@@ -104,7 +108,8 @@ def coupled(record: "Record", elements: Any) -> bool:
     return False
 
 
-def as_a_whole(configuration: "Configuration", elements: Any, moved: "Sequence[int] | None") -> Any:
+def as_a_whole(configuration: "Configuration", elements: FactoredSystem,
+               moved: "Sequence[int] | None") -> FactoredSystem:
     """Element data of members with α M + β K beside what damps them: pieces have the drag α μ and the retardation β.
     moved: the coordinates that are displacements, where some are loads."""
     import mpmath
@@ -123,7 +128,7 @@ def as_a_whole(configuration: "Configuration", elements: Any, moved: "Sequence[i
     return with_damping(elements, more).with_parts(pieces=pieces)
 
 
-def with_damping(elements: Any, more: FactoredSystem) -> FactoredSystem:
+def with_damping(elements: FactoredSystem, more: FactoredSystem) -> FactoredSystem:
     """Element data with what is added to their damping."""
     return elements.with_parts(dampers=elements.dampers + more.dampers, C=summed(elements.C, more.C))
 
@@ -140,7 +145,7 @@ def added(record: "Record", values: "Mapping[str, Any]", elements: Any) -> Facto
     return FactoredSystem(elements.n, dampers=[(mode.c, {i: x for i, x in enumerate(mode.row) if x}) for mode in modes])
 
 
-def _through_both(one, two):
+def _through_both(one: RatedMode, two: RatedMode) -> "tuple[mpmath.mpf, mpmath.mpf]":
     """α, β of the series of two terms, c = α + β ω²: C has no entries but those of M and K."""
     beta = (two.c - one.c) / (two.square - one.square)
     return one.c - beta * one.square, beta
@@ -172,14 +177,14 @@ def damped_modes(record: "Record", values: "Mapping[str, Any]", elements: Any) -
     return [RatedMode(*one) for one in zip(c, squares, shapes, rows, strict=True) if one[0]]
 
 
-def _require_modes(elements):
+def _require_modes(elements: FactoredSystem) -> None:
     if any(elements.G.values()) or elements.circulatory:
         raise PhysicsError("damping by modes needs modes that are real: gyroscopic or follower forces act here", ADVICE)
     if elements.n > LARGEST:
         raise PhysicsError(f"damping by modes is found up to {LARGEST} coordinates; here are {elements.n}", ADVICE)
 
 
-def _modes(elements):
+def _modes(elements: FactoredSystem) -> "tuple[list[mpmath.mpf], list[list[mpmath.mpf]], list[list[mpmath.mpf]]]":
     """(ω² ascending, [φ], [M φ]) by M = L Lᵀ and the eigenvalues of L⁻¹ K L⁻ᵀ, massless coordinates following K."""
     import mpmath
 
@@ -214,23 +219,24 @@ def _modes(elements):
     return squares, _columns(whole), [_cleaned(row) for row in _columns(_block(M, range(n), range(n)) * whole)]
 
 
-def _block(matrix, rows, columns):
+def _block(matrix: "Mapping[tuple[int, int], mpmath.mpf]", rows: "range | Sequence[int]",
+           columns: "range | Sequence[int]") -> "mpmath.matrix":
     import mpmath
 
     return mpmath.matrix([[matrix.get((i, j), 0) for j in columns] for i in rows])
 
 
-def _columns(matrix):
+def _columns(matrix: "mpmath.matrix") -> "list[list[mpmath.mpf]]":
     return [[matrix[i, j] for i in range(matrix.rows)] for j in range(matrix.cols)]
 
 
-def _cleaned(row):
+def _cleaned(row: "Sequence[mpmath.mpf]") -> "list[mpmath.mpf]":
     """Without what is rounding of zero."""
     largest = max(map(abs, row))
     return [x if abs(x) > NOTHING * largest else 0 * x for x in row]
 
 
-def _require_one_ratio(squares: "Sequence[Any]", ratios: "Sequence[Any]"):
+def _require_one_ratio(squares: "Sequence[Any]", ratios: "Sequence[Any]") -> None:
     """Modes of one frequency have no shapes of their own."""
     for i in range(1, len(squares)):
         if squares[i] > 0 and ratios[i] != ratios[i - 1] and squares[i] - squares[i - 1] <= ALIKE * squares[i]:
@@ -238,7 +244,8 @@ def _require_one_ratio(squares: "Sequence[Any]", ratios: "Sequence[Any]"):
                                "apart", "give both the same ratio")
 
 
-def _of_series(given, squares, rates):
+def _of_series(given: "Mapping[int, mpmath.mpf]", squares: "Sequence[mpmath.mpf]",
+               rates: "Sequence[mpmath.mpf]") -> "list[mpmath.mpf]":
     """p(ωᵢ²) of the Caughey series through the modes that are given {number: ζ}."""
     import mpmath
 

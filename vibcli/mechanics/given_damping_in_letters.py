@@ -11,7 +11,10 @@ from vibcli.symbolic.rationals import fraction_of
 from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
+    import mpmath
+
     from vibcli.language.spec import Spec
+    from vibcli.mechanics.inputs_outputs.base_excitation import SystemWithInputs
     from vibcli.mechanics.symbolic_system import SymbolicSystem
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
@@ -44,14 +47,15 @@ def excitation_by_damping(symbolic: "SymbolicSystem") -> "dict[int, Node]":
         raise PhysicsError("damping of a whole scene beside what is driven farther and farther is not found",
                            "write the dampers one by one under dampers")
     driven = {j: scene.rate(one.node) for j, one in enumerate(scene.inputs.values(), opened.n) if one.node is not None}
-    found: dict = {}
+    found: dict[int, Node] = {}
     if driven:
         for (i, j), c in _columns(symbolic, opened, driven).items():
             found[i] = found.get(i, scene.table.zero) - c * driven[j]
     return dict(zip(found, copied(list(found.values()), symbolic.scene.table), strict=True))
 
 
-def _columns(symbolic, opened, driven):
+def _columns(symbolic: "SymbolicSystem", opened: "SystemWithInputs",
+             driven: "Mapping[int, Node]") -> "dict[tuple[int, int], Node]":
     """C_u, {(i, j): node}."""
     from vibcli.mechanics.symbolic_linear import place_in_letters
 
@@ -65,5 +69,5 @@ def _columns(symbolic, opened, driven):
     return _rounded(scene, opened.damping)
 
 
-def _rounded(scene: "Scene", columns: Mapping):
+def _rounded(scene: "Scene", columns: "Mapping[tuple[int, int], float | mpmath.mpf]") -> "dict[tuple[int, int], Node]":
     return {pair: scene.table.number(fraction_of(x)) for pair, x in columns.items()}

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.equilibrium.equilibrium import Equilibrium
     from vibcli.mechanics.factored_system import FactoredSystem
+    from vibcli.mechanics.numeric_linearisation import Numbers
     from vibcli.mechanics.numeric_system import NumericSystem
     from vibcli.symbolic.node import Node
 
@@ -70,7 +71,7 @@ class Degenerate(PhysicsError):
     """K is singular in the equilibrium: Newton's method finds no more digits of it. position: {coordinate: number}, the
     best that is known, where it is a multiple zero."""
 
-    def __init__(self, position: "Mapping[str, mpmath.mpf] | None" = None):
+    def __init__(self, position: "Mapping[str, mpmath.mpf] | None" = None) -> None:
         self.position = position
         super().__init__("the equilibrium is degenerate (its stiffness is singular): no more digits of it are found",
                          "leave --digits out")
@@ -128,7 +129,7 @@ def rests(numeric: "NumericSystem", position: Mapping[str, float]) -> bool:
         return all(abs(force) <= NOTHING**2 * (1 + largest) for force in numbers.residual)
 
 
-def _newton_step(numbers, mpmath):
+def _newton_step(numbers: "Numbers", mpmath: Any) -> "list[mpmath.mpf]":
     """−K⁻¹ r; coordinates that nothing holds, and those tied by K to no force that is left, stay where they are."""
     n = numbers.elements.n
     K = numbers.elements.stiffness()

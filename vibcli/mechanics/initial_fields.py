@@ -2,7 +2,7 @@
 
 from itertools import takewhile
 from math import isfinite
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
@@ -15,6 +15,9 @@ from vibcli.symbolic.expression_graph import reachable
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
+    from vibcli.base.errors import Where
+    from vibcli.elements.member import Member
+    from vibcli.elements.member_line import Station
     from vibcli.mechanics.configuration import Configuration
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
@@ -56,7 +59,8 @@ def start_of_stations(configuration: "Configuration", rest: "Callable[[], Mappin
     return found
 
 
-def _along(configuration, rest, member, field, primes, known):
+def _along(configuration: "Configuration", rest: "Callable[..., Any]", member: "Member", field: "Node", primes: str,
+           known: "Mapping[str, float]") -> dict[str, float]:
     scene, found = configuration.scene, {}
     parts = [field, gradient(field).get(scene.time, scene.table.zero)] if member.kind.bends else [field]
     where = scene.spec.get("initial").place(f"{member.name}.{member.kind.motion}{primes}")
@@ -80,12 +84,14 @@ def _along(configuration, rest, member, field, primes, known):
     return found
 
 
-def _at_first(configuration, motion):
+def _at_first(configuration: "Configuration", motion: "Node") -> float:
     """Where a support is at t = 0, which the time may move."""
-    return evaluate([motion], Floats, {**configuration.numeric.floats, configuration.scene.time.name: 0.0})[0]
+    found: float = evaluate([motion], Floats, {**configuration.numeric.floats, configuration.scene.time.name: 0.0})[0]
+    return found
 
 
-def _hung(configuration, rest, member, station, value, primes):
+def _hung(configuration: "Configuration", rest: "Callable[..., Any]", member: "Member", station: "Station",
+          value: float, primes: str) -> dict[str, float]:
     """The starts of oscillators at a station that starts with a value: their springs are as long as at rest."""
     scene, found = configuration.scene, {}
     for name in takewhile(scene.coordinates.__contains__, oscillator_names(member.name, station.text)):
@@ -96,7 +102,7 @@ def _hung(configuration, rest, member, station, value, primes):
     return found
 
 
-def _sizes(configuration, parts, member):
+def _sizes(configuration: "Configuration", parts: "list[Node]", member: "Member") -> list[float]:
     """How large functions of x are somewhere on a member."""
     floats, time = configuration.numeric.floats, configuration.scene.time.name
     length, = evaluate([member.length], Floats, floats)
@@ -104,7 +110,7 @@ def _sizes(configuration, parts, member):
     return [max((abs(x) for x in row if isfinite(x)), default=0.0) for row in zip(*found, strict=True)]
 
 
-def _values(configuration, parts, station, where):
+def _values(configuration: "Configuration", parts: "list[Node]", station: "Station", where: "Where") -> list[float]:
     """Functions of x at a station."""
     floats = configuration.numeric.floats
     place, = evaluate([station.place], Floats, floats)

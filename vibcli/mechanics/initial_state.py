@@ -1,5 +1,6 @@
 """Where a motion starts: the values of `initial`, else at rest in the equilibrium without loads that depend on time."""
 
+from collections.abc import Mapping
 from functools import cached_property, partial
 from math import isfinite
 from typing import TYPE_CHECKING
@@ -13,6 +14,7 @@ from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
+    from vibcli.language.reader import Record
     from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.symbolic_system import SymbolicSystem
     from vibcli.symbolic.node import Node
@@ -21,7 +23,7 @@ if TYPE_CHECKING:
 class InitialState:
     """Where the motion of a Configuration starts."""
 
-    def __init__(self, configuration: "Configuration"):
+    def __init__(self, configuration: "Configuration") -> None:
         self.configuration, self.costs = configuration, configuration.costs
 
     @cached_property
@@ -94,7 +96,7 @@ def starts_in_letters(symbolic: "SymbolicSystem") -> "list[list[Node]] | None":
     return [_start_of(symbolic, record, held, name) for name in names]
 
 
-def _start_of(symbolic, record, held, name):
+def _start_of(symbolic: "SymbolicSystem", record: "Record", held: "Mapping[str, Node]", name: str) -> "list[Node]":
     rest = symbolic.equilibrium_position[name]
     place, speed = (symbolic.scene.lower(record[key]) if key in record else None for key in (name, name + "'"))
     if place is None:

@@ -4,10 +4,10 @@ Of a stiff spring that hardly stretches, (∇s·φ) is small though the componen
 keeps the digits.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from vibcli.mechanics.factored_system import FactoredSystem
+from vibcli.mechanics.factored_system import FactoredSystem, WeightedRow
 
 if TYPE_CHECKING:
     import mpmath
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.dual_numbers import Dual
 
 
-def inner(terms: Sequence[tuple[Any, dict[int, Any]]], extra: "Mapping[tuple[int, int], mpmath.mpf | Dual]",
+def inner(terms: Iterable[WeightedRow], extra: "Mapping[tuple[int, int], mpmath.mpf | Dual]",
           y: "Sequence[float | mpmath.mpc] | np.ndarray", x: "Sequence[float | mpmath.mpc] | np.ndarray") -> Any:
     """yᴴ A x of rows and weights and a matrix {(i, j): number}; A is real."""
     y = [conjugate(part) for part in y]
@@ -34,12 +34,12 @@ def conjugate(x: "mpmath.mpc | mpmath.mpf") -> "mpmath.mpc | mpmath.mpf":
     return x.conjugate() if hasattr(x, "_mpc_") or isinstance(x, complex) else x
 
 
-def only(elements: Any, kept: Callable) -> FactoredSystem:
+def only(elements: FactoredSystem, kept: Callable[..., bool]) -> FactoredSystem:
     """The element data of which a number is `kept`: the terms in which one is, and such entries of the matrices."""
-    def terms(found):
+    def terms(found: "Iterable[WeightedRow]") -> "list[WeightedRow]":
         return [(weight, row) for weight, row in found if kept(weight) or any(map(kept, row.values()))]
 
-    def entries(found):
+    def entries(found: "Mapping[tuple[int, int], Any]") -> "dict[tuple[int, int], Any]":
         return {pair: x for pair, x in found.items() if kept(x)}
 
     return FactoredSystem(

@@ -25,7 +25,7 @@ class InternalForce(NamedTuple):
     member: str
     part: str
     stretches: list[CurveStretch]
-    error: Callable = lambda place: 0.0
+    error: Callable[..., float] = lambda place: 0.0
 
     @property
     def unit(self) -> str:

@@ -12,11 +12,14 @@ from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.energies import dissipation, generalised_force, kinetic, potential, textbook_kinetic
 from vibcli.mechanics.given_damping_in_letters import proportional
+from vibcli.symbolic.common_denominator import shorter
+from vibcli.symbolic.contents import without_contents
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.normal_form import TooLong, expanded, factors_of, reduced, textbook
 from vibcli.symbolic.rationals import HALF
 
 if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.symbolic_system import SymbolicSystem
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
@@ -33,19 +36,19 @@ class EquationsOfMotion(NamedTuple):
     that of equations which are to be expanded and are not, so that none are written out, or None; from_rest: the
     expanded ones, the coordinates counted from the equilibrium."""
 
-    names: list
-    full: list
-    multipliers: dict
-    conditions: list
+    names: list[str]
+    full: "list[Node]"
+    multipliers: "dict[Node, str]"
+    conditions: "list[Node]"
     refusal: Any = None
-    drive: Mapping = MappingProxyType({})
-    left_out: Mapping = MappingProxyType({})
+    drive: "Mapping[int, Node]" = MappingProxyType({})
+    left_out: "Mapping[int, Node]" = MappingProxyType({})
     in_letters: bool = False
-    M: Mapping = MappingProxyType({})
-    C: Mapping = MappingProxyType({})
-    G: Mapping = MappingProxyType({})
-    K: Mapping = MappingProxyType({})
-    linear: tuple = ()
+    M: Mapping[tuple[int, int], Any] = MappingProxyType({})
+    C: Mapping[tuple[int, int], Any] = MappingProxyType({})
+    G: Mapping[tuple[int, int], Any] = MappingProxyType({})
+    K: Mapping[tuple[int, int], Any] = MappingProxyType({})
+    linear: "Sequence[Node]" = ()
     unexpanded: Any = None
     from_rest: "Sequence[Node]" = ()
 
@@ -74,7 +77,13 @@ def full_equations(scene: "Scene") -> "list[Node]":
     return [textbook(equation_of(scene, i, T, V, Phi)) for i in range(len(scene.q))]
 
 
-def _with_multipliers(scene, full):
+def nested_equations(scene: "Scene") -> "list[Node]":
+    """The same as they come from the energies, nothing multiplied out: k·(x + a)·(ℓ − b)/ℓ of a spring."""
+    T, V, Phi = textbook_kinetic(scene), potential(scene), dissipation(scene)
+    return [without_contents(equation_of(scene, i, T, V, Phi)) for i in range(len(scene.q))]
+
+
+def _with_multipliers(scene: "Scene", full: "Sequence[Node]") -> "tuple[list[Node], dict[Node, str], list[Node]]":
     """Lagrange's equations of the first kind, … + Σ λ ∂G/∂q = 0, of a scene whose equations without constraints are
     `full`, the multipliers {symbol: the constraint's name} and the conditions G = 0."""
     nodes = [textbook(constraint.node) for constraint in scene.constraints]
@@ -83,12 +92,13 @@ def _with_multipliers(scene, full):
     names = {symbol: constraint.name for symbol, constraint in zip(symbols, scene.constraints, strict=True)}
     slopes, found = [gradient(node) for node in nodes], []
     for left, q in zip(full, scene.q, strict=True):
-        ties = [textbook(slope[q]) * symbol for symbol, slope in zip(symbols, slopes, strict=True) if q in slope]
+        ties = [shorter(textbook(slope[q])) * symbol
+                for symbol, slope in zip(symbols, slopes, strict=True) if q in slope]
         found.append(scene.table.total([left, *ties]))
     return found, names, conditions
 
 
-def _primitive(node):
+def _primitive(node: "Node") -> "Node":
     """A condition without its common factor."""
     try:
         return factors_of(node.table, reduced(expanded(node)))[1][0]
@@ -109,7 +119,7 @@ def equations(symbolic: "SymbolicSystem") -> EquationsOfMotion:
         return found._replace(refusal=error)
 
 
-def _full(symbolic):
+def _full(symbolic: "SymbolicSystem") -> EquationsOfMotion:
     scene, loose = symbolic.scene, symbolic.system.scene_with_multipliers
     full, multipliers, conditions = full_equations(loose.written) if len(loose.q) <= LETTERS else [], {}, []
     if loose is not scene and full:
@@ -117,7 +127,7 @@ def _full(symbolic):
     return EquationsOfMotion(list(loose.coordinates), full, multipliers, conditions)
 
 
-def _expanded(symbolic):
+def _expanded(symbolic: "SymbolicSystem") -> EquationsOfMotion:
     """Of motions by the equations to the third order these ones."""
     found = EquationsOfMotion(list(symbolic.scene.coordinates), [], {}, [])
     try:
@@ -127,7 +137,7 @@ def _expanded(symbolic):
     return found._replace(full=full, from_rest=from_rest)
 
 
-def _small(symbolic):
+def _small(symbolic: "SymbolicSystem") -> dict[str, Any]:
     """The matrices of the small oscillations, and in letters the left sides of their equations."""
     scene = symbolic.scene
     if len(scene.q) <= LETTERS and symbolic.linearisable and (proportional(symbolic.spec)
@@ -140,7 +150,7 @@ def _small(symbolic):
     return dict(zip("MCGK", symbolic.configuration.told_matrices, strict=True))
 
 
-def _require_slope(configuration):
+def _require_slope(configuration: "Configuration") -> None:
     """Kinked where the forces have none at rest."""
     from vibcli.mechanics.nonsmooth import require_smooth, require_unheld
 
@@ -149,7 +159,7 @@ def _require_slope(configuration):
         require_smooth(configuration)
 
 
-def _left_side(scene, matrices, i):
+def _left_side(scene: "Scene", matrices: "Mapping[str, dict[tuple[int, int], Node]]", i: int) -> "Node":
     terms = []
     for kinds, symbols in (("M", scene.a), ("CG", scene.v), ("K", scene.q)):
         for j, symbol in enumerate(symbols):

@@ -1,7 +1,7 @@
 """The Linearisation of a scene: rows ∇s and weights as expressions, anywhere or in one position."""
 
-from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.factored_system import PlacedPiece
@@ -9,6 +9,11 @@ from vibcli.symbolic.derivatives import substitute
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
+
+    Row = dict[int, Node]
+    Matrix = dict[tuple[int, int], Node]
+
+Key = TypeVar("Key")      # of an entry: i, or (i, j)
 
 
 class Linearisation(NamedTuple):
@@ -21,17 +26,17 @@ class Linearisation(NamedTuple):
 
     n: int
     table: Any
-    inertias: list
-    springs: list
-    dampers: list
-    curved: list
-    M: dict
-    C: dict
-    G: dict
-    drag: dict
-    K: list
-    residual: list
-    pieces: list
+    inertias: "list[tuple[Node, Row]]"
+    springs: "list[tuple[Node, Row]]"
+    dampers: "list[tuple[Node, Row]]"
+    curved: "list[tuple[Node, Matrix, Row]]"
+    M: "Matrix"
+    C: "Matrix"
+    G: "Matrix"
+    drag: "Matrix"
+    K: "list[Matrix]"
+    residual: "list[Row]"
+    pieces: list[PlacedPiece]
 
 
 def at_position(form: Linearisation, values: "Mapping[Node, Node]") -> Linearisation:
@@ -44,18 +49,18 @@ def at_position(form: Linearisation, values: "Mapping[Node, Node]") -> Linearisa
     return each(form, moved.__getitem__)
 
 
-def each(form: Linearisation, change: Callable) -> Linearisation:
+def each(form: Linearisation, change: "Callable[..., Node]") -> Linearisation:
     """A Linearisation with `change` applied to every expression in a fixed order."""
-    def entries(mapping):
+    def entries(mapping: "Mapping[Key, Node]") -> "dict[Key, Node]":
         return {key: node for key, old in mapping.items() if not (node := change(old)).is_zero} if mapping else {}
 
-    def rows(terms):
+    def rows(terms: "Sequence[tuple[Node, Row]]") -> "list[tuple[Node, Row]]":
         return [(change(weight), entries(row)) for weight, row in terms]
 
     return Linearisation(
         form.n, form.table, rows(form.inertias), rows(form.springs), rows(form.dampers),
         [(change(force), entries(curvature), entries(row)) for force, curvature, row in form.curved],
-        *map(entries, (form.M, form.C, form.G, form.drag)), list(map(entries, form.K)),
+        entries(form.M), entries(form.C), entries(form.G), entries(form.drag), list(map(entries, form.K)),
         list(map(entries, form.residual)),
         [PlacedPiece(piece.owner, change(piece.start), piece.piece._make(map(change, piece.piece)),
                      tuple(map(entries, piece.rows)), rows(piece.springs)) for piece in form.pieces])

@@ -13,9 +13,9 @@ them to the excitation; and so are loads that depend on the time, the F₀ in F�
 to Σ P ∇²s unless it is steady, as where they turn with what they act on.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import compress, product
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.linearisation import Linearisation
@@ -28,9 +28,13 @@ from vibcli.symbolic.rationals import ONE
 if TYPE_CHECKING:
     from fractions import Fraction
 
-    from vibcli.scene.energy_terms import AppliedLoad
+    from vibcli.mechanics.factored_system import PlacedPiece
+    from vibcli.mechanics.linearisation import Key, Matrix, Row
+    from vibcli.scene.energy_terms import AppliedLoad, Term
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
+
+    Kind = TypeVar("Kind", bound=Term)
 
 
 def linearise(scene: Any, still: bool = False) -> Linearisation:
@@ -42,7 +46,7 @@ def linearise(scene: Any, still: bool = False) -> Linearisation:
     (inertias_on, inertias_about), (dampers_on, dampers_about) = (_by_sense(scene, terms) for terms in (
         inertias, dampers))
     moving, damping, springs, curved = _rows(inertias_on, number), _rows(dampers_on, number), [], []
-    elastic: list = []
+    elastic: list[tuple[Node, Row]] = []
     steady, turning = _by_sense(scene, scene.at_still("springs"))
     for term in steady:
         row = row_of(term.s, number)
@@ -62,7 +66,7 @@ def linearise(scene: Any, still: bool = False) -> Linearisation:
         found.residual.append(slopes)
         found.K.append(slopes_of(slopes, number))
     _loads(scene, found, number, scene.loads_at_still(), still)
-    slips: dict = {}
+    slips: dict[tuple[int, int], list[Node]] = {}
     if scene.timed:
         for kind, terms in (("inertias", inertias), ("dampers", dampers)):
             for term in terms:
@@ -71,7 +75,7 @@ def linearise(scene: Any, still: bool = False) -> Linearisation:
     return found
 
 
-def _by_sense(scene, terms):
+def _by_sense(scene: "Scene", terms: "Sequence[Kind]") -> "tuple[Sequence[Kind], Sequence[Kind]]":
     """Terms (whose s has slopes, whose s turns about, as |u| does: of ½ k s² that is not seen)."""
     if BARS.isdisjoint(scene.table.called):
         return terms, ()
@@ -80,7 +84,8 @@ def _by_sense(scene, terms):
     return list(compress(terms, (not one for one in turns))), list(compress(terms, turns))
 
 
-def _pieces(scene, number, elastic):
+def _pieces(scene: "Scene", number: "dict[Node, int]",
+            elastic: "list[tuple[Node, dict[int, Node]]]") -> "list[PlacedPiece]":
     """The PlacedPieces of members."""
     if not scene.pieces:
         return []
@@ -96,7 +101,8 @@ def linearised_loads(scene: "Scene", terms: "Iterable[AppliedLoad]") -> Linearis
     return found
 
 
-def _loads(scene, found, number, terms, still):
+def _loads(scene: "Scene", found: Linearisation, number: "dict[Node, int]", terms: "Iterable[AppliedLoad]",
+           still: bool) -> None:
     slips, turning, speeds = {}, {}, {v: i for i, v in enumerate(scene.v)}
     for term in terms:
         _loaded(scene, found, (number, speeds), term, slips, turning, still)
@@ -104,7 +110,9 @@ def _loads(scene, found, number, terms, still):
     _split(found, slips, found.drag)
 
 
-def _loaded(scene, found, numbers, term, slips, turning, still):
+def _loaded(scene: "Scene", found: Linearisation, numbers: "tuple[dict[Node, int], dict[Node, int]]",
+            term: "AppliedLoad", slips: "dict[tuple[int, int], list[Node]]",
+            turning: "dict[tuple[int, int], list[Node]]", still: bool) -> None:
     """A force F with the virtual work F δs; `turning`: where its parts that hold the time add F ∂²s, of which that
     remains whose time cancels, as of a force that turns with what it acts on."""
     (number, speeds), rest = numbers, scene.rates_at_rest
@@ -123,7 +131,8 @@ def _loaded(scene, found, numbers, term, slips, turning, still):
         slips.setdefault((i, j), []).append(node)
 
 
-def _driven(scene, found, number, term, kind, slips):
+def _driven(scene: "Scene", found: Linearisation, number: "dict[Node, int]", term: "Term", kind: str,
+            slips: "dict[tuple[int, int], list[Node]]") -> None:
     """What an inertia or a damper adds where its s(q, t) depends on the time explicitly."""
     first = gradient(term.s).get(scene.time)
     if first is None:
@@ -142,7 +151,8 @@ def _driven(scene, found, number, term, kind, slips):
     found.K.append({(i, j): weight * x * slope for i, x in row.items() for j, slope in bend.items()})
 
 
-def _split(found, slips, skew_parts):
+def _split(found: Linearisation, slips: "Mapping[tuple[int, int], list[Node]]",
+           skew_parts: "dict[tuple[int, int], Node]") -> None:
     """Adds the symmetric part of {(i, j): [terms]} to C, the skew part to `skew_parts`."""
     total = {pair: found.table.total(terms) for pair, terms in slips.items()}
     zero = found.table.zero
@@ -155,7 +165,7 @@ def _split(found, slips, skew_parts):
                     matrix[pair] = matrix.get(pair, zero) + node
 
 
-def _rows(terms, number):
+def _rows(terms: "Sequence[Term]", number: "dict[Node, int]") -> "list[tuple[Node, dict[int, Node]]]":
     return [(term.weight, row_of(term.s, number)) for term in terms]
 
 
@@ -169,7 +179,8 @@ def slopes_of(row: Any, number: Any) -> "dict[tuple[int, int], Node]":
     return {(i, number[x]): second for i, slope in row.items() for x, second in gradient(slope).items() if x in number}
 
 
-def _written_out(scene, number):
+def _written_out(scene: "Scene", number: "dict[Node, int]"
+                 ) -> "tuple[Matrix, Matrix, Matrix, Matrix, list[Matrix], list[Row]]":
     """What `energies` and `matrices` add: M, C, G, no drag, K, the residual."""
     speeds = {node: i for i, node in enumerate(scene.v)}
     rest = scene.rates_at_rest
@@ -194,7 +205,8 @@ def _written_out(scene, number):
     return M, C, G, {}, K, residual
 
 
-def _outright(scene, parts, key, rows):
+def _outright(scene: "Scene", parts: "tuple[Matrix, Matrix, Matrix, list[Matrix], list[Row]]", key: str,
+              rows: "Sequence[list[Node]]") -> None:
     """Adds to M, C, G, K and the residual a matrix that the scene gives outright: M, K, or C = sym C + G."""
     M, C, G, K, residual = parts
     pairs = [(i, j) for i in range(len(rows)) for j in range(len(rows))]
@@ -210,7 +222,7 @@ def _outright(scene, parts, key, rows):
                 matrix[i, j] = matrix.get((i, j), scene.table.zero) + half
 
 
-def _at_rest(entries, rest):
+def _at_rest(entries: "Mapping[Key, Node]", rest: "dict[Node, Node]") -> "dict[Key, Node]":
     values = substitute(list(entries.values()), rest) if entries else ()
     return {key: node for key, node in zip(entries, values, strict=True) if not node.is_zero}
 

@@ -5,6 +5,7 @@ the conditions G that hold them together have multipliers, Σ λₖ ∂Gₖ/∂q
 with F − Σ λₖ ∂Gₖ/∂t; of a beam that stretches N is EA Δ/l beside its preload.
 """
 
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
@@ -13,7 +14,10 @@ from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
+    from vibcli.elements.member import Member
     from vibcli.mechanics.configuration import Configuration
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 
 class TensionAtRest(NamedTuple):
@@ -21,8 +25,8 @@ class TensionAtRest(NamedTuple):
     `drawn`. `size`: of the forces that make it."""
 
     member: Any
-    found: list
-    drawn: list
+    found: list[float]
+    drawn: list[float]
     size: float
 
 
@@ -34,7 +38,7 @@ def tensions_at_rest(configuration: "Configuration") -> list[TensionAtRest]:
     return found + _of_cuts(kept, configuration) if kept else found
 
 
-def _of_stretches(members, configuration):
+def _of_stretches(members: "Sequence[Member]", configuration: "Configuration") -> list[TensionAtRest]:
     """Of beams that stretch."""
     scene, at = configuration.scene, configuration.at_rest
     found = []
@@ -47,7 +51,7 @@ def _of_stretches(members, configuration):
     return [TensionAtRest(*one, size) for one in found]
 
 
-def _of_cuts(members, configuration):
+def _of_cuts(members: "Sequence[Member]", configuration: "Configuration") -> list[TensionAtRest]:
     """Of members that keep their length."""
     forces, ties, size = _cut_open(configuration)
     found = []
@@ -62,17 +66,17 @@ def _of_cuts(members, configuration):
     return found
 
 
-def _last(member, scene):
+def _last(member: "Member", scene: "Scene") -> "Node":
     """The tension of the last piece that is given, or that statics finds: of a string that is pressed too."""
     given = member.name in (scene.setting.variant.tensions or {})
     return member.tensions[-1][0] if given or member.tie is None else member.tie
 
 
-def _preload(member, scene):
+def _preload(member: "Member", scene: "Scene") -> "Node":
     return scene.lower(member.record["preload"]) if "preload" in member.record else scene.table.zero
 
 
-def _cut_open(configuration):
+def _cut_open(configuration: "Configuration") -> tuple[dict[str, list[float | None]], dict[str, float], float]:
     """({member: force along each station, None where it is held}, {member: λ of what both its ends are held to}, the
     largest force); a λ that the conditions leave open is left out."""
     import numpy as np
@@ -100,7 +104,7 @@ def _cut_open(configuration):
     return forces, found, float(max(np.abs(F).max(initial=0.0), np.abs(multipliers).max(initial=0.0)))
 
 
-def _at_rest(scene, configuration, cuts):
+def _at_rest(scene: "Scene", configuration: "Configuration", cuts: "Mapping[Node, int]") -> dict[str, float]:
     """{symbol: float} of the scene cut open in equilibrium."""
     rest = configuration.scene.resting
     names = [x.name for x in scene.q if x not in cuts]

@@ -1,6 +1,7 @@
 """What makes the theory of slender members about their drawn line doubtful: thick beams, large turns in equilibrium,
 tensions that statics alone does not find."""
 
+from collections.abc import Iterator
 from itertools import pairwise
 from math import atan2
 from typing import TYPE_CHECKING
@@ -18,7 +19,7 @@ ROUNDING = 1e-9         # of the length: supports that are nearer are one
 
 def member_warnings(configuration: "Configuration") -> list[str]:
     """Sentences about the members of a scene with numbers."""
-    found: list = []
+    found: list[str] = []
     for member in configuration.scene.members.values():
         if member.kind.bends:
             found += _thick(member, configuration)
@@ -35,7 +36,7 @@ def member_warnings(configuration: "Configuration") -> list[str]:
                       for line in _between(configuration, member))]
 
 
-def _from_equilibrium(configuration, name):
+def _from_equilibrium(configuration: "Configuration", name: str) -> str:
     """How the tension of a member was found."""
     scene = configuration.scene
     found = evaluate(along_member(scene.members[name], scene), Floats, configuration.at_rest)
@@ -43,7 +44,7 @@ def _from_equilibrium(configuration, name):
     return f"'{name}': tension {' to '.join(told)} N: statics alone leaves it open; from the equilibrium"
 
 
-def _between(configuration, member):
+def _between(configuration: "Configuration", member: "Member") -> Iterator[str]:
     """The tension of a member between ends at rest, where its weight varies it."""
     settled = configuration.system.settled
     if not is_between_fixed(member) or (settled is not None and member.name in settled.names):
@@ -58,7 +59,7 @@ def _between(configuration, member):
                "leaves it open, `preload` tells its mean")
 
 
-def _thick(member: "Member", configuration):
+def _thick(member: "Member", configuration: "Configuration") -> Iterator[str]:
     """L/h below 10 between supports, where shear and rotary inertia count (Timoshenko 1921)."""
     deep = [segment for segment in member.segments if segment.section is not None]
     floats = configuration.numeric.floats
@@ -75,7 +76,7 @@ def _thick(member: "Member", configuration):
                "left out, lower its frequencies")
 
 
-def _turned(member, configuration):
+def _turned(member: "Member", configuration: "Configuration") -> Iterator[str]:
     """More than 0.1 rad in equilibrium, at a station or between two."""
     scene, string = configuration.scene, member.kind.stiffness is None
     if not string and not any(node.mask for node in member.nodes):

@@ -9,6 +9,7 @@ a stiffness that varies in time (parametric excitation). Loads in time are small
 are, so that their products are not kept.
 """
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.mechanics.autonomous import INSTANTS, with_time
@@ -20,6 +21,7 @@ from vibcli.symbolic.smoothed_functions import SmoothFloats
 
 if TYPE_CHECKING:
     from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
 NOTHING = 1e-9      # of what the load does to the equations
@@ -49,7 +51,7 @@ def left_out(symbolic: "SymbolicSystem") -> "dict[int, Node]":
     return {i: scene.table.total(terms) for i, terms in sorted(found.items())}
 
 
-def _driven(symbolic):
+def _driven(symbolic: "SymbolicSystem") -> "dict[int, list[Node]]":
     if symbolic.scene.resting is symbolic.scene:
         return {}
     from vibcli.mechanics.driven_products import driven_products
@@ -57,14 +59,15 @@ def _driven(symbolic):
     return driven_products(symbolic)
 
 
-def _at(scene, place, terms):
+def _at(scene: "Scene", place: "dict[Node, Node]", terms: "Sequence[list[Node]]") -> "Node":
     """−Σ F(t) ∂²s at a position; where the time cancels, as in a load that turns with what it acts on, K has it."""
     waving, constant = (scene.table.total(nodes) for nodes in zip(*terms, strict=True))
     waving, constant = substitute([with_time(scene, waving), constant], place)
     return textbook(-waving - constant)
 
 
-def _rounding(symbolic, node, sizes, place, j):
+def _rounding(symbolic: "SymbolicSystem", node: "Node", sizes: "Sequence[tuple[Node, Node]]", place: "dict[Node, Node]",
+              j: int) -> bool:
     """Is a coefficient but the rounding of a place that is known in floats?"""
     if symbolic.numeric.has_free_symbols or symbolic.balanced_as_drawn:
         return False

@@ -1,5 +1,6 @@
 """Kinks: |u|, sign u, min and max whose argument vanishes in equilibrium leave no slope, so no small oscillations."""
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, NoReturn
 
 from vibcli.base.errors import Kinked
@@ -34,7 +35,7 @@ def require_smooth(configuration: "Configuration") -> None:
                      "oscillations about it", HINT)
 
 
-def _that_must_not_jump(scene):
+def _that_must_not_jump(scene: "Scene") -> "Iterator[Node]":
     """What small oscillations are made of: energies to their second slopes, loads and places of bodies to their
     first, of ½ c ṡ² the products of the slopes of s, so that s = |u| is as good as u."""
     for term in scene.inertias:
@@ -42,7 +43,8 @@ def _that_must_not_jump(scene):
     for term in scene.dampers:
         slopes = list(gradient(term.s).values())
         yield from (term.s, *(one * other for i, one in enumerate(slopes) for other in slopes[:i + 1]))
-    for energy in (*scene.energies.values(), *(term.potential(scene) for term in (*scene.springs, *scene.weights))):
+    for energy in (*scene.energies.values(), *(spring.potential(scene) for spring in scene.springs),
+                   *(weight.potential(scene) for weight in scene.weights)):
         slopes = list(gradient(energy).values())
         yield from (energy, *slopes, *(second for slope in slopes for second in gradient(slope).values()))
     for load in scene.forces:
@@ -71,7 +73,7 @@ def jumps(configuration: "Configuration", node: "Node") -> bool:
         left, right, between = evaluate([*sides, node], Floats, at)
     except ZeroDivisionError:
         return True         # one of them has no bound
-    return max(abs(left - right), abs(left - between)) > SAME * max(map(abs, (left, right, between)))
+    return bool(max(abs(left - right), abs(left - between)) > SAME * max(map(abs, (left, right, between))))
 
 
 def without_slope(form: "Linearisation", scene: "Scene") -> NoReturn:

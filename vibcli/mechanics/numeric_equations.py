@@ -21,6 +21,7 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 if TYPE_CHECKING:
     from vibcli.mechanics.equations_of_motion import Dynamics
     from vibcli.scene.scene import Scene
+    from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
 
 DIRECT = 3
@@ -37,10 +38,10 @@ class NumericEquations:
 
     parts: "Dynamics"
     solution: "list[Node]"
-    _named: dict
+    _named: dict[Any, Compiled]
 
     def __init__(self, scene: "Scene", floats: Mapping[str, float], redundant: Sequence[Any] = (),
-                 changed: Callable[[float], float] | None = None, like: "NumericEquations | None" = None):
+                 changed: Callable[[float], float] | None = None, like: "NumericEquations | None" = None) -> None:
         self.scene, self.floats, self.redundant, self.changed = scene, floats, redundant, changed
         parts = self.parts = dynamics(scene, redundant) if like is None else like.parts
         self.n, self.m = len(scene.q), len(parts.gaps)
@@ -80,8 +81,9 @@ class NumericEquations:
     def switches(self) -> "list[Node]":
         return list(self._slots)
 
-    def prepared(self, t: np.ndarray) -> tuple[np.ndarray, ...]:
-        return self._compiled.prepared(t)
+    def prepared(self, t: np.ndarray) -> tuple[Any, ...]:
+        found: tuple[Any, ...] = self._compiled.prepared(t)
+        return found
 
     def accelerations(self, t: np.ndarray, q: np.ndarray, v: np.ndarray,
                       g: Sequence[float | np.ndarray] | np.ndarray = (),
@@ -118,7 +120,8 @@ class NumericEquations:
         times, (Q, V) = np.tile(t, count), np.split(moved.reshape(count, -1), 2)
         if self.direct or self.still:
             found = self.accelerations(times, Q, V).reshape(n, count, -1) - a[:, None]
-            return (found / steps[:, None]).swapaxes(0, 1)
+            result: np.ndarray = (found / steps[:, None]).swapaxes(0, 1)
+            return result
         near, found, A = self._compiled(times, Q, V), np.empty(Q.shape), np.tile(a, count)
         for i, value in enumerate(near[len(self._pairs):]):
             found[i] = value
@@ -133,7 +136,7 @@ class NumericEquations:
         except np.linalg.LinAlgError:
             return np.full((count, *q.shape), np.nan)
 
-    def _factors(self):
+    def _factors(self) -> np.ndarray:
         """The inverse of a constant M, as a column where it is diagonal."""
         values = evaluate(list(self.parts.M.values()), Floats, self.floats)
         values = values if self.changed is None else list(map(self.changed, values))
@@ -151,10 +154,11 @@ class NumericEquations:
     def sizes(self, t: Any, q: Any, v: Any, g: Any = ()) -> np.ndarray:
         """Σ |terms of hᵢ| at one instant: what the rounding of hᵢ is relative to."""
         factors, compiled = self._terms_of_h
-        return factors @ np.abs(compiled.rows(np.array([t]), q[:, None], v[:, None], g)[:, 0])
+        found: np.ndarray = factors @ np.abs(compiled.rows(np.array([t]), q[:, None], v[:, None], g)[:, 0])
+        return found
 
     @cached_property
-    def _terms_of_h(self):
+    def _terms_of_h(self) -> tuple[np.ndarray, Compiled]:
         """The |factors| of the terms of all hᵢ, a row for each, and what computes these terms without them."""
         terms = [(i, part, factor) for i, node in enumerate(self.parts.h)
                  for part, factor in (node.args if node.op == "sum" else [(node, 1)])]
@@ -183,7 +187,7 @@ class NumericEquations:
                 break
         return q, v + self._projection(t, q, v, g, 1)
 
-    def _projection(self, t, q, v, g, which):
+    def _projection(self, t: float, q: np.ndarray, v: np.ndarray, g: Sequence[float], which: int) -> np.ndarray:
         t, q, v = np.array([t]), q[:, None], v[:, None]
         A = _bordered(self._compiled(t, q, v, g), self._pairs, self._ties, self.n, self.m, 1)[0]
         right = np.concatenate([np.zeros(self.n), -self.gaps(t, q, v)[which][:, 0]])
@@ -220,7 +224,8 @@ class NumericEquations:
         return drift(self.scene, node), {speeds[v]: x for v, x in gradient(node).items() if v in speeds}
 
 
-def _bordered(values, pairs, ties, n, m, instants):
+def _bordered(values: Sequence[float | np.ndarray], pairs: Sequence[tuple[int, int]], ties: Sequence[tuple[int, int]],
+              n: int, m: int, instants: int) -> np.ndarray:
     """[M Gᵀ; G 0] at each instant, of shape (instants, n + m, n + m)."""
     A = np.zeros((n + m, n + m, instants))
     for (i, j), value in zip(pairs, values, strict=False):
@@ -236,7 +241,7 @@ def massless(name: str) -> PhysicsError:
                         "with motion: small")
 
 
-def _solved(table, parts, n):
+def _solved(table: "Table", parts: "Dynamics", n: int) -> "list[Node]":
     """[q̈ᵢ] as expressions, by elimination without pivoting: M is positive definite."""
     M = {(i, j): parts.M.get((min(i, j), max(i, j)), table.zero) for i in range(n) for j in range(n)}
     h = list(parts.h)
@@ -250,7 +255,7 @@ def _solved(table, parts, n):
             for j in range(k + 1, n):
                 M[i, j] = M[i, j] - factor * M[k, j]
             h[i] = h[i] - factor * h[k]
-    found = [None] * n
+    found = [table.zero] * n
     for i in reversed(range(n)):
         rest = table.total([h[i], *(M[i, j] * found[j] for j in range(i + 1, n))])
         found[i] = -(rest / M[i, i])

@@ -11,7 +11,12 @@ from vibcli.symbolic.evaluation import evaluate, evaluate_rational
 if TYPE_CHECKING:
     from fractions import Fraction
 
+    import mpmath
+
+    from vibcli.symbolic.dual_numbers import Dual
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.running_errors import Rounded
+    from vibcli.symbolic.watched_numbers import Watched
 
 ALIKE, KEPT = 2.0**-46, 8       # forms whose expressions are remembered
 
@@ -19,8 +24,8 @@ ALIKE, KEPT = 2.0**-46, 8       # forms whose expressions are remembered
 class _Expressions:
     """The expressions of Linearisations, each once, and the element data that they make."""
 
-    def __init__(self):
-        self._known: dict[int, tuple] = {}       # {id: (form, expressions)}, the oldest first
+    def __init__(self) -> None:
+        self._known: dict[int, tuple[Linearisation, tuple[Node, ...], FactoredSystem]] = {}    # by id, the oldest first
 
     def of(self, form: Linearisation) -> "tuple[Linearisation, tuple[Node, ...], FactoredSystem]":
         entry = self._known.get(id(form))
@@ -40,8 +45,8 @@ class Numbers(NamedTuple):
     """A Linearisation evaluated: the element data, the residual r, and the sizes of the terms r was added from."""
 
     elements: FactoredSystem
-    residual: list
-    residual_size: list
+    residual: list[Any]
+    residual_size: list[Any]
 
 
 def in_numbers(form: Linearisation, arithmetic: Any, values: Mapping[str, Any],
@@ -71,13 +76,16 @@ def in_numbers(form: Linearisation, arithmetic: Any, values: Mapping[str, Any],
     return Numbers(elements, residual, residual_size)
 
 
-def _accumulate(K, size, pair, term):
+def _accumulate(K: "dict[tuple[int, int], Dual | float | Fraction | mpmath.mpf | Rounded]",
+                size: "dict[tuple[int, int], Dual | float | Fraction | mpmath.mpf | Rounded]", pair: tuple[int, int],
+                term: Any) -> None:
     if term:
         K[pair] = K.get(pair, 0) + term
         size[pair] = size.get(pair, 0) + abs(term)
 
 
-def _even_out(K, size):
+def _even_out(K: "dict[tuple[int, int], float | Fraction | mpmath.mpf | Watched]",
+              size: "Mapping[tuple[int, int], float | Fraction | mpmath.mpf | Watched]") -> None:
     """K of forces with a potential is symmetric: what differs by rounding alone is made equal."""
     for (i, j), one in list(K.items()):
         other = K.get((j, i), 0)
@@ -85,7 +93,9 @@ def _even_out(K, size):
             K[i, j] = K[j, i] = (one + other) / 2
 
 
-def _gather(residual, size, i, term):
+def _gather(residual: "list[Dual | float | Fraction | mpmath.mpf]",
+            size: "list[Dual | float | Fraction | mpmath.mpf | Rounded]", i: int,
+            term: "Dual | float | Fraction | mpmath.mpf | Rounded") -> None:
     residual[i] = residual[i] + term
     size[i] = size[i] + abs(term)
 
@@ -98,7 +108,8 @@ def massless(form: Linearisation, known: "Mapping[Node, Any]") -> list[int]:
     return [i for i in range(form.n) if i not in moving]
 
 
-def _rational_rows(form, rational):
+def _rational_rows(form: Linearisation,
+                   rational: "Mapping[str, Fraction] | None") -> "list[dict[int, Fraction]] | None":
     if rational is None:
         return None
     nodes = [node for _, row in form.springs for node in row.values()]

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from vibcli.mechanics.compiled_statics import StaticForces
     from vibcli.mechanics.numeric_linearisation import Numbers
     from vibcli.mechanics.system import MechanicalSystem
+    from vibcli.scene.closed_loops import Loops
     from vibcli.scene.scene import Scene
 
 LOST, BESIDE = 1e-12, 1e-3      # relative: rounding of what is left of forces; of the size of the figure
@@ -25,7 +26,7 @@ class NumericSystem:
     {coordinate: float} as drawn, where these are known."""
 
     def __init__(self, system: "MechanicalSystem", given: "Mapping[str, Fraction] | None" = None,
-                 floats: dict[str, float] | None = None, drawn: dict[str, float] | None = None):
+                 floats: dict[str, float] | None = None, drawn: dict[str, float] | None = None) -> None:
         self.system, self.spec, self.work = system, system.spec, system.work
         self.given, self.costs = (system.given, system.costs) if given is None else (given, Costs())
         if floats is not None:
@@ -147,16 +148,17 @@ class NumericSystem:
                                    "`equilibrium:`", self.spec.get("equilibrium")[name].where)
         return self.closed(self.drawn_floats, {**self.drawn_floats, **dict(zip(start, values, strict=True))})
 
-    def closed(self, start: Mapping[str, float], target: Mapping[str, float]) -> dict[str, float]:
+    def closed(self, start: Mapping[str, float], target: dict[str, float]) -> dict[str, float]:
         """The position at rest `target` ({coordinate: float}) with its dependent coordinates, reached from the closed
         position `start`; PhysicsError where its loops cannot close there."""
         return self._followed(self.scene.resting.loops, start, target)
 
-    def closed_at_start(self, start: Mapping[str, float], target: Mapping[str, float]) -> dict[str, float]:
+    def closed_at_start(self, start: Mapping[str, float], target: dict[str, float]) -> dict[str, float]:
         """The same with what is driven to and fro where it is at t = 0."""
         return self._followed(self.scene.loops, start, target)
 
-    def _followed(self, loops, start, target):
+    def _followed(self, loops: "Loops | None", start: Mapping[str, float],
+                  target: dict[str, float]) -> dict[str, float]:
         if loops is None:
             return target
         floats = {**self.floats, self.scene.time.name: 0.0}

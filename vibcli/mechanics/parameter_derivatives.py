@@ -6,6 +6,7 @@ Both are found by evaluating the linearised form in dual numbers. Along what mov
 stays where the drawing puts it.
 """
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
@@ -15,8 +16,14 @@ from vibcli.symbolic.dual_numbers import Dual, Duals, dual, slope, value
 from vibcli.symbolic.evaluation import evaluate, multiprecision
 
 if TYPE_CHECKING:
+    import mpmath
+
     from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.factored_system import FactoredSystem
+    from vibcli.mechanics.numeric_linearisation import Numbers
+    from vibcli.mechanics.system import MechanicalSystem
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 LOST = 1e-20    # of the terms of a force: what counts as none, at the working precision of 60 digits
 
@@ -47,7 +54,8 @@ def perturbed_system(configuration: "Configuration", name: str, free: Any) -> "F
     return in_numbers(form, arithmetic, _moved(scene, arithmetic, values | at, slopes)).elements
 
 
-def _moved(scene, arithmetic, values, slopes):
+def _moved(scene: "Scene", arithmetic: Any, values: "dict[str, Dual | mpmath.mpf]",
+           slopes: "Sequence[int | mpmath.mpf]") -> "dict[str, Dual | mpmath.mpf]":
     """The values with coordinates that change at these rates, and the dependent ones with those that keep their loops
     closed: G_z dz = −dG."""
     import mpmath
@@ -64,13 +72,13 @@ def _moved(scene, arithmetic, values, slopes):
     return values
 
 
-def _start(system):
+def _start(system: "MechanicalSystem") -> "list[Node]":
     """Where the search for the equilibrium starts: the drawn position, and what `equilibrium` says, as expressions."""
     scene, told = system.scene, system.spec.get("equilibrium") or {}
     return [scene.lower(told[name]) if name in told else node for name, node in scene.drawn_coordinates.items()]
 
 
-def _shift(numbers, free, name):
+def _shift(numbers: "Numbers", free: "Sequence[Sequence[mpmath.mpf]]", name: str) -> "list[mpmath.mpf] | None":
     """dq₀/dp beyond that of the starting place, orthogonal to the free motions; None where it is zero."""
     import mpmath
 

@@ -17,7 +17,10 @@ from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
+    from vibcli.scene.energy_terms import AppliedLoad, Damper
+    from vibcli.scene.laws import Law
     from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 
 class Powers(NamedTuple):
@@ -30,7 +33,7 @@ class Powers(NamedTuple):
     lost: Any
     drive: Any
     carried: Any
-    ties: list
+    ties: "list[Node]"
 
     @property
     def driven(self) -> bool:
@@ -50,23 +53,23 @@ def powers(scene: "Scene", ties: Sequence[Any] = ()) -> Powers:
                   [gradient(node).get(scene.time, zero) for node in ties])
 
 
-def _forces(scene, terms):
+def _forces(scene: "Scene", terms: "Sequence[AppliedLoad | Damper | Law]") -> "list[tuple[Node, Node]]":
     """[(F, s)]."""
     return [(term.force(scene), term.s) for term in terms]
 
 
-def _prescribed(scene, forces):
+def _prescribed(scene: "Scene", forces: "Sequence[tuple[Node, Node]]") -> "Node":
     """Σ F ∂s/∂t."""
     return scene.table.total(F * gradient(s)[scene.time] for F, s in forces if scene.time in gradient(s))
 
 
-def _carried(scene):
+def _carried(scene: "Scene") -> "Node":
     """b: 2T − Σ q̇ ∂T/∂q̇."""
     moved = _prescribed(scene, [(term.momentum(scene), term.s) for term in scene.inertias])
     T = scene.energies["T"]
     return moved if T.is_zero else moved + textbook(2 * T - _slopes(scene, T))
 
 
-def _slopes(scene, node):
+def _slopes(scene: "Scene", node: "Node") -> "Node":
     """Σ q̇ ∂/∂q̇ of an expression."""
     return scene.table.total(gradient(node)[v] * v for v in scene.v if v in gradient(node))

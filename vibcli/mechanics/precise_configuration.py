@@ -18,12 +18,12 @@ ZERO = 1000     # units of the last place: a dependent coordinate below them is 
 class PreciseConfiguration(Configuration):
     """The same at the working precision of mpmath, at which it is made and must be used."""
 
-    def __init__(self, near: Configuration):
+    def __init__(self, near: Configuration) -> None:
         self.arithmetic = multiprecision()
         self.near, self.values = near, near.numeric.values(self.arithmetic)
         super().__init__(near.numeric, self._equilibrium_near(near.equilibrium))
 
-    def _equilibrium_near(self, near: "Equilibrium"):
+    def _equilibrium_near(self, near: "Equilibrium") -> "Equilibrium":
         if near.drawn:
             return near._replace(values=in_its_place(self.near.scene.resting.drawn, self.values, self.arithmetic))
         return near._replace(values=equilibrium_to(self.near.numeric, near, self.values, self.arithmetic))

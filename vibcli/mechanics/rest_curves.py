@@ -3,7 +3,7 @@
 Within a piece the deflection is that between its ends under its weight and loads.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -26,8 +26,11 @@ from vibcli.symbolic.smooth_panels import NotSmooth
 
 if TYPE_CHECKING:
     from vibcli.elements.member import Member
+    from vibcli.elements.member_loads import SpreadLoad
     from vibcli.elements.place_signals import PlaceSignal
     from vibcli.mechanics.configuration import Configuration
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 
 class ShapeAtRest(NamedTuple):
@@ -45,7 +48,8 @@ class ShapeAtRest(NamedTuple):
                    if one.start <= x <= one.end)
         felt = [-piece.foundation, piece.gradient, tension][:piece.order]
         load += sum(factor * float(self.bent(np.array([x]), order)[0]) for order, factor in enumerate(felt) if factor)
-        return -load / tension if piece.order == 2 else load / piece.bending
+        found: float = -load / tension if piece.order == 2 else load / piece.bending
+        return found
 
 
 def value_at_rest(configuration: "Configuration", text: str) -> float:
@@ -60,7 +64,8 @@ def value_at_rest(configuration: "Configuration", text: str) -> float:
                 configuration.bent_pieces[key] = _bent(configuration, scene, found)
             factor, at = evaluate([found.factor, found.at], Floats, configuration.at_rest)
             return float(factor * configuration.bent_pieces[key](np.array([at]), found.order)[0])
-    return evaluate([resting(scene, text)], Floats, configuration.at_rest)[0]
+    result: float = evaluate([resting(scene, text)], Floats, configuration.at_rest)[0]
+    return result
 
 
 def curves_at_rest(configuration: "Configuration", member: "Member", part: str) -> list[CurveStretch]:
@@ -74,12 +79,13 @@ def curves_at_rest(configuration: "Configuration", member: "Member", part: str) 
     return found
 
 
-def _from(start, along):
+def _from(start: float, along: Callable[..., np.ndarray]) -> Callable[[np.ndarray], np.ndarray]:
     """What counts places from there, for places that count from the left end of the member."""
     return kept(lambda places: along(places - start))
 
 
-def _along(configuration, scene, signal: "PlaceSignal", part: str, xi: Any):
+def _along(configuration: "Configuration", scene: "Scene", signal: "PlaceSignal", part: str,
+           xi: Any) -> Callable[..., np.ndarray]:
     """The signal as a function of places on its piece, counted from there."""
     tension, gradient = signal.tension(scene)
     if part == "force" and signal.segment.stiffness is None:
@@ -94,13 +100,14 @@ def _along(configuration, scene, signal: "PlaceSignal", part: str, xi: Any):
     return _of_node(signal.static(scene), xi, configuration.at_rest)
 
 
-def _is_closed(signal, load):
+def _is_closed(signal: "PlaceSignal", load: "SpreadLoad") -> bool:
     """Is a load integrated twice in letters?"""
     once = None if not signal.segment.foundation.is_zero else antiderivative(load.q, load.x)
     return once is not None and antiderivative(once, load.x) is not None
 
 
-def _bent(configuration, scene, signal) -> "Callable[[np.ndarray, int], np.ndarray]":
+def _bent(configuration: "Configuration", scene: "Scene",
+          signal: "PlaceSignal") -> "Callable[[np.ndarray, int], np.ndarray]":
     """(places, order) → u of a piece, or a derivative, under loads that vary along it, or whose tension does so."""
     zero, of = scene.table.zero, signal.piece(scene)
     bending = of.bending if of.bends else zero
@@ -111,11 +118,12 @@ def _bent(configuration, scene, signal) -> "Callable[[np.ndarray, int], np.ndarr
     if of.graded and (bent := bent_at_rest(piece, ends, forms)) is not None:
         return bent
 
-    def at(places, order):
+    def at(places: np.ndarray, order: int) -> np.ndarray:
         found = fields(piece, piece.foundation, ends, places)[..., order]
         held = [sum(loaded_fields(piece, piece.foundation, form, x)[..., order] for form in forms)
                 for x in places.tolist()]
-        return found + np.array(held)
+        result: np.ndarray = found + np.array(held)
+        return result
     return at
 
 
@@ -130,7 +138,7 @@ def shape_at_rest(configuration: "Configuration", text: str) -> "ShapeAtRest":
     return ShapeAtRest(Piece(*numbers), bent, _loads(configuration, scene, signal))
 
 
-def _loads(configuration, scene, signal):
+def _loads(configuration: "Configuration", scene: "Scene", signal: "PlaceSignal") -> list[LoadForm]:
     """The LoadForms of a piece, that of what is even first."""
     zero, values, length = scene.table.zero, configuration.at_rest, signal.length
     end, even = evaluate([length, signal.weight(scene)], Floats, values)
@@ -144,5 +152,5 @@ def _loads(configuration, scene, signal):
     return forms
 
 
-def _of_node(node, xi, values):
+def _of_node(node: "Node", xi: "Node", values: Mapping[str, float]) -> Callable[..., np.ndarray]:
     return lambda places: np.array([evaluate([node], Floats, {**values, xi.name: x})[0] for x in places.tolist()])

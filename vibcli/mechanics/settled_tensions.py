@@ -4,6 +4,7 @@ The tension N of each piece enters its stiffness, the scene rests under it, and 
 found: g(N). What is sought is N = g(N). Where statics alone tells all, that is so at once.
 """
 
+from collections.abc import Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -17,6 +18,7 @@ from vibcli.scene.member_tensions import require_preloads, statics_tells
 if TYPE_CHECKING:
     import numpy as np
 
+    from vibcli.mechanics.member_tensions import TensionAtRest
     from vibcli.mechanics.system import MechanicalSystem
 
 ROUNDING = 1e-11        # of the largest force in the scene: tensions that differ by less are one
@@ -27,7 +29,7 @@ class Settled(NamedTuple):
     alone leaves open; or, as far as it is drawn, what is in the way."""
 
     configuration: Configuration
-    names: tuple = ()
+    names: tuple[str, ...] = ()
     refusal: PhysicsError | None = None
 
     @property
@@ -44,7 +46,7 @@ def settled(system: "MechanicalSystem") -> Settled:
     return found
 
 
-def _settled(system):
+def _settled(system: "MechanicalSystem") -> Settled:
     first = _under(system, {})
     if first.numeric.has_free_symbols or statics_tells(first.scene):
         return Settled(first)
@@ -59,17 +61,17 @@ def _settled(system):
         return _search(system, first, open_ones)
 
 
-def _differs(one):
+def _differs(one: "TensionAtRest") -> bool:
     return any(abs(a - b) > ROUNDING * (one.size + abs(b)) for a, b in zip(one.found, one.drawn, strict=True))
 
 
-def _under(system, tensions):
+def _under(system: "MechanicalSystem", tensions: Mapping[str, list[float]]) -> Configuration:
     """The Configuration under {member: [N of each piece]}."""
     exact = {name: [Fraction(x) for x in pieces] for name, pieces in tensions.items()}
     return Configuration(NumericSystem(system.under(exact)))
 
 
-def _search(system, first, open_ones):
+def _search(system: "MechanicalSystem", first: Configuration, open_ones: "Mapping[str, TensionAtRest]") -> Settled:
     """The Settled one; a member whose tension turns out to be open on the way is sought with the others."""
     import numpy as np
 
@@ -99,9 +101,9 @@ class _Search:
 
     __slots__ = ("last", "sizes", "system")
 
-    def __init__(self, system, start):
+    def __init__(self, system: "MechanicalSystem", start: Mapping[str, list[float]]) -> None:
         self.system, self.sizes = system, {name: len(pieces) for name, pieces in start.items()}
-        self.last = None
+        self.last: tuple[np.ndarray, Configuration] | None = None
 
     def split(self, N: "np.ndarray") -> "dict[str, list[float]]":
         """{member: [N of each piece]}."""
@@ -122,7 +124,7 @@ class _Search:
         return np.concatenate([found[name] for name in self.sizes])
 
 
-def _refusal(search, cause):
+def _refusal(search: _Search, cause: Exception | None) -> PhysicsError:
     """That no tension is found, and the last one tried."""
     spec = search.system.spec
     name, pieces = next(iter(search.split(search.last[0]).items()))

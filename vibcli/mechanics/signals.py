@@ -63,7 +63,7 @@ def energy(scene: "Scene", text: str, primes: int = 0) -> "Node":
     return node
 
 
-def _along(scene, name, part):
+def _along(scene: "Scene", name: str, part: str) -> "Node | None":
     """The tension or energy of a spring, the force or power of a damper or a load; None of another force."""
     if is_load(scene.spec, f"{name}.{part}"):
         terms = scene.terms_of(name, "forces")
@@ -118,7 +118,7 @@ def not_fixed(text: str, known: "Mapping[str, Any]") -> NotFixed:
                     "take one of these supports out, or let one give: a spring in its place")
 
 
-def _of_outputs(configuration, text):
+def _of_outputs(configuration: "Configuration", text: str) -> float:
     from vibcli.mechanics.inputs_outputs.outputs import is_quadratic, linear_row, products
 
     if is_quadratic(text):
@@ -126,10 +126,10 @@ def _of_outputs(configuration, text):
     return linear_row(configuration, text).constant
 
 
-def _tension(configuration, name):
+def _tension(configuration: "Configuration", name: str) -> float:
     scene = configuration.scene.resting
     values = evaluate([term.force(scene) for term in scene.terms_of(name)], Floats, configuration.at_rest)
-    return values[0] if len(values) == 1 else sum(value * value for value in values) ** 0.5
+    return float(values[0] if len(values) == 1 else sum(value * value for value in values) ** 0.5)
 
 
 def reaction_of(system: "MechanicalSystem", text: str, known: Any) -> str:
@@ -152,7 +152,7 @@ def require_fixed(text: str, value: "T | None") -> "T":
     return value
 
 
-def _pinned_at(system, point):
+def _pinned_at(system: "MechanicalSystem", point: str) -> str:
     """The one body pinned or clamped at a named point."""
     found = [name for name, record in (system.spec.get("bodies") or {}).items()
              if any(getattr((record.get(key) or {}).get("at"), "text", None) == point for key in ("pin", "clamp"))]
@@ -160,7 +160,7 @@ def _pinned_at(system, point):
         what = "no body is" if not found else "several bodies are"
         raise PhysicsError(f"{what} pinned or clamped at '{point}'",
                            "ask for the reaction of a body, as in rod.reaction.x")
-    return found[0]
+    return str(found[0])
 
 
 def normal_of(scene: "Scene", name: str) -> "tuple[Node, Node]":
@@ -177,4 +177,5 @@ def normal_of(scene: "Scene", name: str) -> "tuple[Node, Node]":
 def in_contact(part: str, normal: Any, reaction: Any) -> "float | np.ndarray":
     """The `normal` or `friction` part of the reaction (x, y) of a surface."""
     (nx, ny), (x, y) = normal, reaction
-    return x * nx + y * ny if part == "normal" else x * ny - y * nx
+    found: float | np.ndarray = x * nx + y * ny if part == "normal" else x * ny - y * nx
+    return found

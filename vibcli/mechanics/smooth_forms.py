@@ -5,6 +5,7 @@ coefficients fall faster than those of Pⱼ grow. Next to an end at which f is f
 halved until what is left of it is rounding.
 """
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.numerics.pieces.loads import LoadForm, LoadStretch, LoadTerm
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.running_errors import RunningErrors
 
 PRECISE = 96            # points of a panel where more digits are asked for
 ROUNDING = 2.0**-51     # of coefficients in floats
@@ -39,14 +41,15 @@ def smooth_form(f: "Node", x: "Node", ends: "tuple[Node, Node]", values: "Mappin
     return LoadForm(tuple(found))
 
 
-def _stretch(f, x, ends, values, arithmetic, count):
+def _stretch(f: "Node", x: "Node", ends: tuple[Any, Any], values: "Mapping[str, Any]", arithmetic: "RunningErrors",
+             count: int) -> LoadStretch:
     middle, half = (ends[0] + ends[1]) / 2, (ends[1] - ends[0]) / 2
     found = legendre_powers(f, x, ends, values, arithmetic, count)
     return LoadStretch(*ends, middle, tuple(LoadTerm(c / half**k, k, 0) for k, c in enumerate(found) if c))
 
 
 def legendre_powers(f: "Node", x: "Node", ends: "tuple[Any, Any]", values: "Mapping[str, Any]",
-                    arithmetic: Any = Floats, count: int = POINTS * 3 // 4) -> list:
+                    arithmetic: Any = Floats, count: int = POINTS * 3 // 4) -> list[Any]:
     """Coefficients of powers of −1 … 1 of a function on a panel; in floats no more than `count`."""
     middle, half = (ends[0] + ends[1]) / 2, (ends[1] - ends[0]) / 2
     rule = gauss_points(POINTS if arithmetic is Floats else PRECISE)
@@ -64,7 +67,7 @@ def powers_between(value: "Callable[[float], float]", start: float, end: float) 
     return _powers(weighted, places, POINTS * 3 // 4)
 
 
-def _powers(weighted, places, count):
+def _powers(weighted: Sequence[Any], places: Sequence[Any], count: int) -> list[Any]:
     """Coefficients of powers on −1 … 1, of values at places times their weights: as many Legendre polynomials as are
     not rounding."""
     before, now = [0 * places[0] for _ in places], [0 * places[0] + 1 for _ in places]

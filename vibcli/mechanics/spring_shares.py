@@ -7,12 +7,13 @@ equilibrium (Kovacić & Radomirović 2018, 9.4 and 9.5). With its deflection δ 
 and the rest is of the geometry.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.expansion import Powers, cleared, expanded_by, side_in_letters, symbols_of
+from vibcli.scene.laws import Law
 from vibcli.symbolic.evaluation import Floats
 from vibcli.symbolic.normal_form import is_zero, textbook
 from vibcli.symbolic.running_errors import RunningErrors
@@ -21,7 +22,9 @@ from vibcli.symbolic.truncated_polynomials import NodeArithmetic, Polynomial, Po
 if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.scene.energy_terms import Spring
     from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 
 class SpringShares(NamedTuple):
@@ -51,7 +54,8 @@ def shares_in_numbers(configuration: "Configuration", name: str, keep: Callable[
         inner, values = configuration.precise_rest(digits)
         arithmetic = RunningErrors(inner, unit)
     found = _shares(configuration.scene.resting, name, Expanded(arithmetic, values, sign, keep, order))
-    return SpringShares(*({powers: cleared(c, arithmetic) for powers, c in part.items()} for part in found))
+    material, geometric = ({powers: cleared(c, arithmetic) for powers, c in part.items()} for part in found)
+    return SpringShares(material, geometric)
 
 
 def shares_in_letters(symbolic: "SymbolicSystem", name: str, keep: Callable[[Powers], bool], order: int
@@ -64,11 +68,12 @@ def shares_in_letters(symbolic: "SymbolicSystem", name: str, keep: Callable[[Pow
     arithmetic = NodeArithmetic(scene.table, list(Floats.functions))
     found = _shares(scene, name, Expanded(arithmetic, values, side_in_letters, keep, order))
     shown = [{powers: textbook(c) for powers, c in part.items()} for part in found]
-    return SpringShares(*({powers: c for powers, c in part.items() if not is_zero(c)} for part in shown))
+    material, geometric = ({powers: c for powers, c in part.items() if not is_zero(c)} for part in shown)
+    return SpringShares(material, geometric)
 
 
-def _term(scene, name):
-    found = scene.terms_of(name, "springs", "laws")
+def _term(scene: "Scene", name: str) -> "Law | Spring":
+    found: list[Law | Spring] = scene.terms_of(name, "springs", "laws")
     if not found:
         raise PhysicsError(f"'{name}' has no energy in this scene", "ask of a spring between what moves")
     if len(found) == 1:
@@ -77,7 +82,7 @@ def _term(scene, name):
     return found[0]._replace(s=length)
 
 
-def _shares(scene: "Scene", name: str, how: Expanded) -> tuple[dict, dict]:
+def _shares(scene: "Scene", name: str, how: Expanded) -> tuple[dict[Powers, Any], dict[Powers, Any]]:
     term = _term(scene, name)
     whole, s = _expanded(scene, [term.potential(scene), term.s], how, scene.q, how.keep)
     material, minus = _of_the_first_order(scene, term, s, how), how.arithmetic.number(-1)
@@ -87,15 +92,17 @@ def _shares(scene: "Scene", name: str, how: Expanded) -> tuple[dict, dict]:
     return _moving(material), _moving(geometric)
 
 
-def _moving(terms):
+def _moving(terms: Mapping[Powers, Any]) -> dict[Powers, Any]:
     return {powers: c for powers, c in terms.items() if any(powers)}
 
 
-def _expanded(scene, nodes, how, variables, keep, values=None):
+def _expanded(scene: "Scene", nodes: "list[Node]", how: Expanded, variables: "list[Node]", keep: Callable[..., bool],
+              values: Mapping[str, Any] | None = None) -> list[dict[Powers, Any]]:
     return expanded_by(scene, "V", nodes, how.arithmetic, values or how.values, variables, keep, how.order, how.side)
 
 
-def _of_the_first_order(scene, term, s, how):
+def _of_the_first_order(scene: "Scene", term: "Law | Spring", s: Mapping[Powers, Any],
+                        how: Expanded) -> dict[Powers, Any]:
     """Its energy as a function of the deflection, of that of the first order."""
     none, zero = (0,) * len(scene.q), how.arithmetic.number(0)
     energy, x = _of_deflection(scene, term)
@@ -106,12 +113,12 @@ def _of_the_first_order(scene, term, s, how):
     found = ring.number(0)
     for n in range(how.order, 0, -1):
         found = (found + ring.still(series.get((n,), zero))) * first
-    return found.terms
+    return dict(found.terms)
 
 
-def _of_deflection(scene, term):
+def _of_deflection(scene: "Scene", term: "Law | Spring") -> "tuple[Node, Node]":
     """(V, x): its energy as a function of its deflection x."""
-    if hasattr(term, "integral"):
+    if isinstance(term, Law):
         return term.integral, term.x
     x = scene.table.variable("the deflection")
     return term._replace(s=x).potential(scene), x

@@ -27,14 +27,14 @@ class StackedEquilibria:
     known? scale: the size of the figure along each coordinate; near: N × n, where the search begins."""
 
     def __init__(self, form: "Linearisation", values: "Mapping[str, float | np.ndarray]", names: Sequence[str],
-                 near: np.ndarray, scale: np.ndarray):
+                 near: np.ndarray, scale: np.ndarray) -> None:
         self._form, self._values, self._names, self._scale = form, dict(values), list(names), scale
         self._count = len(near)
         with np.errstate(all="ignore"):
             self.places, self._at = self._followed(near)
             self.error, self.settled = self._known()
 
-    def _followed(self, q):
+    def _followed(self, q: np.ndarray) -> tuple[np.ndarray, StackedMatrices]:
         for _ in range(STEPS):
             at = self._matrices(q)
             step = self._step(at)
@@ -43,21 +43,23 @@ class StackedEquilibria:
                 break
         return q, self._matrices(q)
 
-    def _matrices(self, q):
+    def _matrices(self, q: np.ndarray) -> StackedMatrices:
         here = {name: q[:, i] for i, name in enumerate(self._names)}
         return stacked_matrices(self._form, {**self._values, **here}, self._count)
 
-    def _step(self, at):
+    def _step(self, at: StackedMatrices) -> np.ndarray:
         """−K⁻¹ r."""
-        return -(self._flexibility(at.K) @ at.residual[:, :, None])[:, :, 0]
+        found: np.ndarray = -(self._flexibility(at.K) @ at.residual[:, :, None])[:, :, 0]
+        return found
 
-    def _flexibility(self, K):
+    def _flexibility(self, K: np.ndarray) -> np.ndarray:
         """K⁻¹ of each, of what the figure's size along the coordinates makes alike; zero where it has none."""
         felt = K * self._scale[:, None] * self._scale
         usable = np.isfinite(felt).all((1, 2))[:, None, None]
-        return np.linalg.pinv(np.where(usable, felt, 0.0)) * self._scale[:, None] * self._scale
+        found: np.ndarray = np.linalg.pinv(np.where(usable, felt, 0.0)) * self._scale[:, None] * self._scale
+        return found
 
-    def _known(self):
+    def _known(self) -> tuple[np.ndarray, np.ndarray]:
         """(the error of each place, may it be relied on?)"""
         at = self._at
         left = np.abs(at.residual) + EPSILON * (at.terms + 4) * at.residual_size

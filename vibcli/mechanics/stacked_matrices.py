@@ -39,7 +39,8 @@ class StackedMatrices(NamedTuple):
     @property
     def balanced(self) -> np.ndarray:
         """N truths: do the forces balance but for the rounding of their terms?"""
-        return (np.abs(self.residual) <= BALANCED * (self.terms + 2) * self.residual_size).all(1)
+        found: np.ndarray = (np.abs(self.residual) <= BALANCED * (self.terms + 2) * self.residual_size).all(1)
+        return found
 
 
 def stacked_matrices(form: "Linearisation", values: "Mapping[str, float | np.ndarray]", count: int) -> StackedMatrices:
@@ -68,7 +69,7 @@ def stacked_matrices(form: "Linearisation", values: "Mapping[str, float | np.nda
 class _Sums:
     """Matrices, or columns, that are added up, the sizes of their terms, and how many there are of each."""
 
-    def __init__(self, count, *shape):
+    def __init__(self, count: int, *shape: int) -> None:
         self.total, self.size, self.terms = np.zeros((count, *shape)), np.zeros((count, *shape)), Counter()
 
     def add(self, place: tuple[int, ...], term: np.ndarray) -> None:

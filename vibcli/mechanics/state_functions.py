@@ -30,7 +30,7 @@ def force(scene: "Scene", i: int) -> "Node":
     return generalised_force(scene, i) - _slope(potential(scene), scene.q[i]) - _inertia_at_rest(scene, i)
 
 
-def _inertia_at_rest(scene, i):
+def _inertia_at_rest(scene: "Scene", i: int) -> "Node":
     """What d/dt ∂T/∂q̇ − ∂T/∂q is where the scene is at rest in its driven frames."""
     still = dict.fromkeys((*scene.v, *scene.a), scene.table.zero)
     if not scene.timed and substitute([scene.energies["T"]], still)[0].is_zero:
@@ -40,5 +40,5 @@ def _inertia_at_rest(scene, i):
     return substitute([node], still)[0]
 
 
-def _slope(node, symbol):
+def _slope(node: "Node", symbol: "Node") -> "Node":
     return gradient(node).get(symbol, node.table.zero)

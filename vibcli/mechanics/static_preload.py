@@ -4,7 +4,7 @@ In the drawn position r₀ + Σ Nⱼ ∇sⱼ = 0 is linear in the unknown tensio
 that a pivoted elimination picks out in floats, in letters, so that every later question sees exact expressions.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from math import isfinite
 from typing import TYPE_CHECKING
 
@@ -17,6 +17,8 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
+    from vibcli.language.reader import Record
+    from vibcli.mechanics.linearisation import Linearisation
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
@@ -44,14 +46,14 @@ def settle_static_preloads(scene: "Scene") -> "tuple[Scene, dict[str, Node]]":
     return scene.with_preloads(values), {name: values[unknown] for name, unknown in zip(names, unknowns, strict=True)}
 
 
-def _row_of_law(scene, record):
+def _row_of_law(scene: "Scene", record: "Record") -> "dict[int, Node]":
     """∇s as drawn of a spring with a law; nothing of a linear one."""
     number = {q: i for i, q in enumerate(scene.q)}
     rows = [row_of(law.s, number) for law in scene.laws if law.owner == record.name]
     return {i: substitute([slope], scene.drawn_position)[0] for row in rows for i, slope in row.items()}
 
 
-def _column(form, unknown, of_law):
+def _column(form: "Linearisation", unknown: "Node", of_law: "Mapping[int, Node]") -> "list[Node]":
     """∂r/∂N of one tension, by coordinate: r is linear in it, for F(d₀(N)) = N of a law, too."""
     found = [of_law.get(i, form.table.zero) for i in range(form.n)]
     for force, _, row in form.curved:
@@ -62,20 +64,20 @@ def _column(form, unknown, of_law):
     return found
 
 
-def _share(force, unknown):
+def _share(force: "Node", unknown: "Node") -> "Node":
     """The coefficient of a symbol in a force that is linear in it."""
     one, zero = unknown.table.one, unknown.table.zero
     with_one = substitute([force], {unknown: one})[0]
     return with_one - substitute([force], {unknown: zero})[0] if with_one is not force else zero
 
 
-def _floats(scene, rows):
+def _floats(scene: "Scene", rows: "Sequence[list[Node]]") -> list[list[float]]:
     flat = evaluate([node for row in rows for node in row], Floats, scene.sample)
     width = len(rows[0]) if rows else 0
     return [flat[i * width:(i + 1) * width] for i in range(len(rows))]
 
 
-def _balanced(rows, units):
+def _balanced(rows: list[list[float]], units: Sequence[float]) -> list[list[float]]:
     """Rows by the natural sizes of their coordinates, columns by their largest entry: the same in all units."""
     rows = [[x * unit for x in row] for row, unit in zip(rows, units, strict=True)]
     largest = [max(map(abs, column), default=0.0) or 1.0 for column in zip(*rows, strict=True)]
@@ -119,7 +121,7 @@ def solve_linear(rows: "Sequence[list[Node]]", zero: "Node") -> "list[Node]":
     return solution
 
 
-def _consistent(scene, numbers, tensions, names):
+def _consistent(scene: "Scene", numbers: Sequence[list[float]], tensions: "list[Node]", names: list[str]) -> None:
     """All equations must hold, not only those that were solved."""
     values = evaluate(tensions, Floats, scene.sample)
     for i, row in enumerate(numbers):
@@ -132,7 +134,7 @@ def _consistent(scene, numbers, tensions, names):
                 scene.static_preloads[0][1].place("preload"))
 
 
-def _reached(scene, values):
+def _reached(scene: "Scene", values: "dict[Node, Node]") -> None:
     """Every law must have its tension at some deflection."""
     for unknown, record in scene.static_preloads:
         found = [law.s for law in scene.laws if law.owner == record.name]
@@ -145,11 +147,12 @@ def _reached(scene, values):
                 "stronger law", record.place("preload"))
 
 
-def _unit(record):
+def _unit(record: "Record") -> str:
     return "N*m" if "torsion" in record else "N"
 
 
-def _harmless(scene, form, unknowns, columns, rows, picked, free):
+def _harmless(scene: "Scene", form: "Linearisation", unknowns: "Sequence[Node]", columns: "Sequence[Sequence[Node]]",
+              rows: Sequence[int], picked: Sequence[int], free: int) -> None:
     """A tension which the conditions leave open must not change the stiffness."""
     names = [record.name for _, record in scene.static_preloads]
     if any("law" in record for _, record in scene.static_preloads):
@@ -167,13 +170,13 @@ def _harmless(scene, form, unknowns, columns, rows, picked, free):
             raise _open(scene, names, free)
 
 
-def _open(scene, names, free):
+def _open(scene: "Scene", names: Iterable[str], free: int) -> PhysicsError:
     return PhysicsError(f"the conditions of equilibrium do not fix the preloads of {_listed(names)}, and the stiffness "
                         "depends on them", "give the tension of one of them: `preload: 20 N`",
                         scene.static_preloads[free][1].place("preload"))
 
 
-def _listed(names):
+def _listed(names: Iterable[str]) -> str:
     return " and ".join(f"'{name}'" for name in names)
 
 

@@ -10,8 +10,11 @@ from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction, com
 from vibcli.symbolic.evaluation import evaluate
 
 if TYPE_CHECKING:
-    from vibcli.language.reader import Record
+    from vibcli.language.reader import Expression, Record, Reference
     from vibcli.language.signal_names import SignalName
+    from vibcli.mechanics.inputs_outputs.base_excitation import SystemWithInputs
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 PARTS = {"force": "slide", "moment": "turn"}
 
@@ -31,7 +34,8 @@ def on_the_ground(opened: Any, signal: "SignalName") -> LinearFunction:
     return combined(terms)
 
 
-def _of_element(opened, record, kind, axis):
+def _of_element(opened: "SystemWithInputs", record: "Record", kind: str,
+                axis: str) -> list[tuple[float, LinearFunction]]:
     """[(factor, LinearFunction)] of one element; none where it does not end at the ground."""
     scene = opened.scene
     if "between" not in record:
@@ -67,7 +71,7 @@ def along_the_axis(opened: Any, record: "Record", kind: str) -> int:
     return 1 if held[0] else -1
 
 
-def _axis_of(scene, end):
+def _axis_of(scene: "Scene", end: "list[Expression] | Reference") -> "tuple[str, Node] | None":
     """(slide or turn, displacement) of the ground or a lumped body; None of what has a place."""
     if isinstance(end, list):
         return None
@@ -77,7 +81,7 @@ def _axis_of(scene, end):
     return None if body is None else body.lumped
 
 
-def _moves(opened, node):
+def _moves(opened: "SystemWithInputs", node: "Node") -> bool:
     return any(node.mask & q.mask for q in opened.scene.q[:opened.n])
 
 

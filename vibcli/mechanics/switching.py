@@ -7,7 +7,7 @@ senses drive g back to zero, as dry friction does at rest, the switch slides: �
 
 from collections.abc import Mapping, Sequence
 from itertools import product
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -17,6 +17,8 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
     from vibcli.mechanics.numeric_equations import NumericEquations
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.compiled_arrays import Compiled
     from vibcli.symbolic.node import Node
 
 NOTHING = 1e-12         # of what an argument is made of: zero but for rounding
@@ -28,7 +30,7 @@ class Switching:
     """The arguments of a system's switches with their rates; bounds: σ₀ of each; names: of what bends with each."""
 
     def __init__(self, system: "NumericEquations", bounds: "Mapping[Node, Node] | None" = None,
-                 names: "Mapping[Node, str] | None" = None):
+                 names: "Mapping[Node, str] | None" = None) -> None:
         self.system, self.arguments = system, system.switches
         self.names = [(names or {}).get(node, "") for node in self.arguments]
         count = len(self.arguments)
@@ -50,7 +52,7 @@ class Switching:
             raise PhysicsError("a force of this scene bends where another one bends: its rate has kinks of its own",
                                "write it with fewer of abs, sign, min and max")
 
-    def _compiled(self, drift, slopes):
+    def _compiled(self, drift: "Node", slopes: "Mapping[int, Node]") -> "tuple[list[int], Compiled]":
         return list(slopes), self.system.compiled([drift, *slopes.values()])
 
     def values(self, t: np.ndarray, q: np.ndarray, v: np.ndarray, g: Sequence[float] | np.ndarray) -> np.ndarray:
@@ -65,11 +67,13 @@ class Switching:
         """ġ of the switches `which`, of shape (len(which), instants)."""
         return self._along(which, self._terms(which, t, q, v, g), a)
 
-    def _terms(self, which, t, q, v, g):
+    def _terms(self, which: Sequence[int], t: np.ndarray, q: np.ndarray, v: np.ndarray,
+               g: Sequence[float | np.ndarray] | np.ndarray) -> list[tuple[float | np.ndarray, ...]]:
         """What ġ of each switch is made of: its drift, its slopes by q̈."""
         return [self._rates[k][1](t, q, v, g) for k in which]
 
-    def _along(self, which, terms, a):
+    def _along(self, which: Sequence[int], terms: Sequence[tuple[float | np.ndarray, ...]],
+               a: np.ndarray) -> np.ndarray:
         """ġ of the switches for accelerations."""
         found = np.zeros((len(which), a.shape[1]))
         for row, k, of in zip(found, which, terms, strict=True):
@@ -80,7 +84,8 @@ class Switching:
         """What each argument is made of: Σ |∂g/∂x|·|x| at one instant."""
         n = len(q)
         slopes = np.array([float(np.max(value)) for value in self._slopes(np.array([t]), q[:, None], v[:, None], g)])
-        return np.abs(slopes.reshape(self.count, 2 * n)) @ np.abs(np.concatenate([q, v]))
+        found: np.ndarray = np.abs(slopes.reshape(self.count, 2 * n)) @ np.abs(np.concatenate([q, v]))
+        return found
 
     def sliding(self, which: Sequence[int], t: np.ndarray, q: np.ndarray, v: np.ndarray,
                 g: Sequence[float] | np.ndarray,
@@ -122,7 +127,7 @@ class Switching:
         if leaving:
             sigma = dict(zip(slides, self.sliding(slides, t1, q1, v1, g)[1][:, 0], strict=True))
             g[leaving] = [np.sign(sigma[k]) for k in leaving]
-        fast = [k for k in np.flatnonzero(tiny) if self._at_speed[k]]
+        fast = [k for k in np.flatnonzero(tiny).tolist() if self._at_speed[k]]
         g, slides = self._released(fast, leaving, t1, q1, v1, g) if fast else (g, ())
         for k in slow:
             if not _rate(*self._rates[k], t1, q1, v1, q1, g)[0]:
@@ -130,7 +135,8 @@ class Switching:
                 g[k] = np.sign(_rate(*self._seconds[k], t1, q1, v1, a, g)[0]) or g[k]
         return tuple(g), tuple(slides)
 
-    def _released(self, fast, leaving, t, q, v, g):
+    def _released(self, fast: list[int], leaving: Sequence[int], t: np.ndarray, q: np.ndarray, v: np.ndarray,
+                  g: np.ndarray) -> tuple[np.ndarray, tuple[int, ...]]:
         """Senses of switches of velocities that vanish, and which of them slide: as few are let go as can be, those
         that leave their slide with the sense that they have."""
         if len(fast) > MOST_TOGETHER:
@@ -158,14 +164,14 @@ class Switching:
         raise PhysicsError(f"at t = {t[0]:.6g} s the forces of friction and what they hang on contradict each other",
                            "mind the normal forces: friction that grows with itself locks")
 
-    def _goes(self, k, t, q, v, a, g):
+    def _goes(self, k: int, t: np.ndarray, q: np.ndarray, v: np.ndarray, a: np.ndarray, g: np.ndarray) -> bool:
         """Does the argument of a switch go where its sense says, but for rounding?"""
         places, compiled = self._rates[k]
         drift, *slopes = compiled(t, q, v, g)
         terms = [np.max(drift), *(np.max(slope * a[i]) for i, slope in zip(places, slopes, strict=True))]
-        return sum(terms) * g[k] >= -NOTHING * sum(map(abs, terms))
+        return bool(sum(terms) * g[k] >= -NOTHING * sum(map(abs, terms)))
 
-    def _opposed(self, fast, t, q, v, g):
+    def _opposed(self, fast: Sequence[int], t: np.ndarray, q: np.ndarray, v: np.ndarray, g: np.ndarray) -> list[int]:
         """The switches whose σ drives their own argument back."""
         found, state = [], (np.repeat(t, 2), np.repeat(q, 2, axis=1), np.repeat(v, 2, axis=1))
         for k in fast:
@@ -177,14 +183,15 @@ class Switching:
         return found
 
 
-def _balancing(slope, wanted):
+def _balancing(slope: np.ndarray, wanted: np.ndarray) -> np.ndarray:
     """σ with slope·σ = wanted, at all instants: (instants, n, n) and (instants, n). Where several switches share in any
     proportion what is wanted, so that σ is not unique, that with the least Σ |slopeₖₖ| σₖ². LinAlgError where there is
     none."""
     if slope.shape[-1] == 1:
         if not np.all(slope):
             raise np.linalg.LinAlgError
-        return wanted / slope[:, :, 0]
+        found: np.ndarray = wanted / slope[:, :, 0]
+        return found
     sizes = np.sqrt(np.abs(np.diagonal(slope, axis1=1, axis2=2)))
     if not np.all(sizes):
         return np.linalg.solve(slope, wanted[:, :, None])[:, :, 0]
@@ -195,22 +202,24 @@ def _balancing(slope, wanted):
     if np.any(np.abs(np.where(alone, 0.0, part)) > SLACK * np.abs(part).max(axis=1, keepdims=True)):
         raise np.linalg.LinAlgError
     part = np.where(alone, part / np.where(alone, s, 1.0), 0.0)
-    return np.einsum("tji,tj->ti", v, part) / sizes
+    result: np.ndarray = np.einsum("tji,tj->ti", v, part) / sizes
+    return result
 
 
-def _rate(places, compiled, t, q, v, a, g):
+def _rate(places: list[Any], compiled: "Compiled", t: np.ndarray, q: np.ndarray, v: np.ndarray, a: np.ndarray,
+          g: np.ndarray) -> np.ndarray:
     found = np.zeros(a.shape[1])
     _add(found, places, compiled(t, q, v, g), a)
     return found
 
 
-def _add(total, places, terms, a):
+def _add(total: np.ndarray, places: Sequence[int], terms: tuple[float | np.ndarray, ...], a: np.ndarray) -> None:
     drift, *slopes = terms
     total += drift
     for i, slope in zip(places, slopes, strict=True):
         total += slope * a[i]
 
 
-def _slopes(scene, node):
+def _slopes(scene: "Scene", node: "Node") -> "list[Node]":
     found = gradient(node)
     return [found.get(x, scene.table.zero) for x in (*scene.q, *scene.v)]

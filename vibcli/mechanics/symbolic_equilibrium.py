@@ -23,6 +23,7 @@ from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
+    from vibcli.analyses.modal.modal_analysis import ModalAnalysis
     from vibcli.mechanics.symbolic_system import SymbolicSystem
     from vibcli.symbolic.node import Node
 
@@ -34,9 +35,9 @@ class SymbolicEquilibrium(NamedTuple):
     modes at random values of the letters that reach this equilibrium; named: is it the place that `equilibrium:`
     names?"""
 
-    values: dict
-    calls: dict
-    reached: list
+    values: "dict[Node, Node]"
+    calls: "dict[Node, Node]"
+    reached: "list[ModalAnalysis]"
     named: bool = False
 
     def with_solution(self, q: Any, solution: SymbolicSolution, reached: Any) -> "SymbolicEquilibrium":
@@ -83,7 +84,7 @@ class _Tried:
     """Modes at random values of the letters, found when they are asked for; each about a stable equilibrium, unless
     `equilibrium:` names a place."""
 
-    def __init__(self, symbolic: "SymbolicSystem"):
+    def __init__(self, symbolic: "SymbolicSystem") -> None:
         self.symbolic, self.known, self.left = symbolic, [], iter(range(ATTEMPTS))
         self.free = [name for name in symbolic.scene.parameters.free if name not in symbolic.numeric.given]
 
@@ -112,17 +113,18 @@ class _Tried:
         self.known, self.left = list(those), iter(())
 
 
-def _stays(tried, name):
+def _stays(tried: "Sequence[ModalAnalysis]", name: str) -> bool:
     return all(abs(modal.configuration.equilibrium.values[name] - modal.numeric.drawn_floats[name])
                <= CLOSE * modal.numeric.size_along(name) for modal in tried)
 
 
-def _at_start(modal):
+def _at_start(modal: "ModalAnalysis") -> bool:
     return all(abs(way) <= CLOSE * modal.numeric.size_along(name)
                for name, way in modal.configuration.equilibrium.from_start.items())
 
 
-def _step(conditions, unknowns, tried):
+def _step(conditions: "Sequence[Node]", unknowns: "Sequence[Node]",
+          tried: _Tried) -> "tuple[Node, SymbolicSolution, list[ModalAnalysis]] | None":
     """(coordinate, Solution, those tried that reach it) from a condition with one unknown; None where there is none."""
     for node in conditions:
         inside = [q for q in unknowns if node.mask & q.mask]
@@ -134,7 +136,8 @@ def _step(conditions, unknowns, tried):
     return None
 
 
-def _chosen(candidates, q, tried):
+def _chosen(candidates: Sequence[SymbolicSolution], q: "Node",
+            tried: _Tried) -> "tuple[SymbolicSolution, list[ModalAnalysis]] | None":
     """(Solution, those tried that reach it): the first that enough of them reach, one with letters if possible; one
     without, and one for one sign of the unknown, only where all reach it."""
     reached, count = [[] for _ in candidates], 0
@@ -150,14 +153,14 @@ def _chosen(candidates, q, tried):
     return max(ranked, key=lambda pair: (_has_letters(pair[0].value), len(pair[1])), default=None)
 
 
-def _reached(modal, q, solution):
+def _reached(modal: "ModalAnalysis", q: "Node", solution: SymbolicSolution) -> bool:
     wanted, at = modal.configuration.equilibrium.values[q.name], modal.numeric.floats
     value, *turned = evaluate([part for part in (solution.value, solution.sine, solution.cosine) if part is not None],
                               Floats, at)
     if turned and not max(abs(turned[0] - math.sin(value)), abs(turned[1] - math.cos(value))) <= CLOSE:
         return False
-    return abs(value - wanted) <= CLOSE * max(modal.numeric.size_along(q.name), abs(wanted))
+    return bool(abs(value - wanted) <= CLOSE * max(modal.numeric.size_along(q.name), abs(wanted)))
 
 
-def _has_letters(node):
+def _has_letters(node: "Node") -> bool:
     return any(part.op == "symbol" for part in reachable([node]))

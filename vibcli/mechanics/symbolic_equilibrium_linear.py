@@ -1,6 +1,6 @@
 """Equilibrium in letters: does a condition vanish, and where is the equilibrium of a linear scene?"""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NoEquilibrium, NotInLetters
@@ -16,6 +16,7 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import is_zero, textbook
 
 if TYPE_CHECKING:
+    from vibcli.mechanics.linearisation import Linearisation
     from vibcli.mechanics.symbolic_system import SymbolicSystem
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
@@ -88,7 +89,7 @@ def drawn_stable(scene: "Scene") -> "Scene":
     return scene
 
 
-def _falls_as_drawn(scene):
+def _falls_as_drawn(scene: "Scene") -> bool:
     """Has K a negative diagonal entry in the drawn position, at the sample values of the symbols?"""
     values = {**dict.fromkeys((node.name for node, _ in scene.static_preloads), 0.0), **scene.sample}
     try:
@@ -99,9 +100,9 @@ def _falls_as_drawn(scene):
     return any(value < 0 for (i, j), value in numbers.elements.stiffness().items() if i == j)
 
 
-def _alone(form):
+def _alone(form: "Linearisation") -> "Linearisation":
     """What of a Linearisation the diagonal of K is made of."""
-    def diagonal(entries):
+    def diagonal(entries: "Mapping[tuple[int, int], Node]") -> "dict[tuple[int, int], Node]":
         return {pair: node for pair, node in entries.items() if pair[0] == pair[1]}
 
     curved = [(force, entries, {}) for force, curvature, _ in form.curved if (entries := diagonal(curvature))]

@@ -1,5 +1,6 @@
 """Inputs and outputs of the small oscillations in letters."""
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters
@@ -18,9 +19,12 @@ from vibcli.symbolic.syntax import NameRef
 from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.inputs_outputs.base_excitation import SystemWithInputs
+    from vibcli.mechanics.inputs_outputs.inputs import Input
     from vibcli.mechanics.symbolic_system import SymbolicSystem
     from vibcli.symbolic.node import Node
-    from vibcli.symbolic.syntax import Product, Sum
+    from vibcli.symbolic.syntax import Product, Sum, SyntaxTree
 
     Tree = NameRef | Sum | Product
     Part = dict[int, float | Node]
@@ -69,11 +73,12 @@ def outputs(symbolic: "SymbolicSystem", signal: "str | Tree") -> "tuple[list[dic
     return rows, direct
 
 
-def _summed(symbolic, tree):
+def _summed(symbolic: "SymbolicSystem", tree: "SyntaxTree") -> "dict[str, Node]":
     """{name of a signal: its factor}, nodes of the scene; NotInLetters of what is no sum of signals."""
-    table, known, names = symbolic.scene.table, symbolic.scene.parameters.nodes, {}
+    table, known = symbolic.scene.table, symbolic.scene.parameters.nodes
+    names: dict[str, Node] = {}
 
-    def symbol(name, primes, part):
+    def symbol(name: str, primes: int, part: "SyntaxTree") -> "Node":
         if name in known and not primes:
             return known[name]
         if not isinstance(part, NameRef):
@@ -88,7 +93,7 @@ def _summed(symbolic, tree):
     return factors
 
 
-def _outputs_of(symbolic, signal):
+def _outputs_of(symbolic: "SymbolicSystem", signal: str) -> "tuple[list[dict[int, Node]], Node]":
     opened, table = symbolic.configuration.with_inputs, symbolic.scene.table
     place = place_in_letters(symbolic)
     rows, direct = _slopes(symbolic.configuration, signal, place), _in_time(symbolic, signal, place)
@@ -101,7 +106,7 @@ def _outputs_of(symbolic, signal):
     return [{i: node for i, node in part.items() if i < opened.n} for part in rows], direct
 
 
-def _in_time(symbolic, signal, place):
+def _in_time(symbolic: "SymbolicSystem", signal: str, place: "Mapping[Node, Node]") -> "Node":
     """What of a signal depends on the time in equilibrium: places that are driven without being small."""
     opened, name = symbolic.configuration.with_inputs, signal_name(signal)
     still = {symbol: node for symbol, node in place.items() if symbol is not opened.scene.time}
@@ -127,7 +132,7 @@ def place_in_letters(symbolic: "SymbolicSystem") -> "dict[Node, Node]":
     return {**rest, **scene.drawn_position, **{q: nodes[q.name] for q in scene.q if q.name in nodes}}
 
 
-def _slopes(configuration, signal, place):
+def _slopes(configuration: "Configuration", signal: str, place: "dict[Node, Node]") -> "list[dict[int, Node]]":
     """∂y/∂q, ∂y/∂q̇, ∂y/∂q̈ as {i: node}."""
     scene, name = configuration.with_inputs.scene, signal_name(signal)
     node = _node(configuration.with_inputs, name.still.text)
@@ -142,7 +147,7 @@ def _slopes(configuration, signal, place):
     return [{}] * primes + rows[:3 - primes]
 
 
-def _node(opened, text):
+def _node(opened: "SystemWithInputs", text: str) -> "Node":
     """A signal as a function of the coordinates and velocities of the opened scene; None where it is not known."""
     name, part, *_ = signal_name(text)
     found = displacement(opened.scene, text)
@@ -151,13 +156,13 @@ def _node(opened, text):
     return _on_the_ground(opened, part) if found is None and name == "ground" and part in PARTS else found
 
 
-def _force(opened, name):
+def _force(opened: "SystemWithInputs", name: str) -> "Node | None":
     """The force of a spring or a linear damper; None of another element."""
     known = name in (opened.configuration.spec.get("springs") or {}) or opened.scene.terms_of(name, "dampers")
     return opened.scene.force_of(name) if known else None
 
 
-def _on_the_ground(opened, kind):
+def _on_the_ground(opened: "SystemWithInputs", kind: str) -> "Node | None":
     """Σ of what springs and dampers exert on the ground of a scene with one axis; None of other scenes."""
     total = opened.scene.table.zero
     for record in opened.configuration.spec.connections:
@@ -169,7 +174,7 @@ def _on_the_ground(opened, kind):
     return total
 
 
-def _exact(configuration, chosen):
+def _exact(configuration: "Configuration", chosen: "Input") -> "dict[int, Node]":
     """The shares of the input coordinates as nodes: a line along an axis."""
     if any(weight not in (-1.0, 0.0, 1.0) for weight in chosen.weights.values()):
         raise NotInLetters("the line of this input is along no axis", "name its component, as in drive.x")

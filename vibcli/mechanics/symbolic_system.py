@@ -11,6 +11,7 @@ from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
+    from vibcli.analyses.modal.modal_analysis import ModalAnalysis
     from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.inputs_outputs.symbolic_reactions import SymbolicForces
     from vibcli.mechanics.lagrange import EquationsOfMotion
@@ -24,7 +25,8 @@ class SymbolicSystem:
     """A Configuration in letters. `modal_of`: what finds the modes of a Configuration, by which the stable equilibria
     are told from the others."""
 
-    def __init__(self, configuration: "Configuration", modal_of: Callable):
+    def __init__(self, configuration: "Configuration",
+                 modal_of: "Callable[..., ModalAnalysis] | type[ModalAnalysis]") -> None:
         self.configuration, self.modal_of = configuration, modal_of
         self.numeric, self.system, self.spec = configuration.numeric, configuration.system, configuration.spec
         self.work, self.costs = configuration.work, configuration.costs
@@ -80,14 +82,14 @@ class SymbolicSystem:
             return tuple({pair: shorter(node) for pair, node in matrix.items()} for matrix in found)
 
     @property
-    def _written(self):
+    def _written(self) -> "Linearisation":
         """The Linearisation without fractions that stand for functions."""
         form, fractions = self.linearisation, self.scene.fractions
         weights = substitute([weight for weight, _ in form.springs], fractions) if fractions else []
         return form._replace(springs=[(weight, row) for weight, (_, row) in zip(weights, form.springs, strict=True)]
                              ) if fractions else form
 
-    def _require_held(self):
+    def _require_held(self) -> None:
         """PhysicsError where a load drives what nothing holds, so that there is no equilibrium to oscillate about."""
         if self.numeric.has_free_symbols and self.system.is_linear and not self.balanced_as_drawn:
             with suppress(NotInLetters):
@@ -169,7 +171,7 @@ class SymbolicSystem:
         return found
 
     @property
-    def _excitation_by_loads(self):
+    def _excitation_by_loads(self) -> "dict[int, Node]":
         """That of loads in time and of driven displacements."""
         if self._is_excited_as_drawn:
             return self.system.excitation_as_drawn
@@ -198,7 +200,7 @@ class SymbolicSystem:
         return {q: scene.table.number(fraction_of(values[q.name])) for q in scene.drawn}
 
     @property
-    def _is_excited_as_drawn(self):
+    def _is_excited_as_drawn(self) -> bool:
         """Do loads in time act about the drawn position, or does that place not matter or is not known?"""
         return self.equilibrium is None and (self.linearisable or self.numeric.has_free_symbols)
 

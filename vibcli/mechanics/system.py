@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from vibcli.mechanics.settled_tensions import Settled
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.watched_numbers import WatchedValues
 
 SENSES = ("sign", "abs", "min", "max")      # functions by which dry friction acts
 
@@ -44,9 +45,9 @@ class MechanicalSystem:
     one of the same expressions."""
 
     def __init__(self, spec: "Spec", given: "Mapping[str, Fraction] | None" = None, work: Work | None = None,
-                 released: Any = None, tensions: "Mapping[str, list[Fraction]] | None" = None,
-                 watched: "Callable | None" = None, known: "Mapping[str, Any] | None" = None,
-                 shared: "Callable | None" = None, like: "MechanicalSystem | None" = None):
+                released: "MechanicalSystem | None" = None, tensions: "Mapping[str, list[Fraction]] | None" = None,
+                 watched: "Callable[..., WatchedValues] | None" = None, known: Mapping[str, Any] | None = None,
+                 shared: Callable[..., Any] | None = None, like: "MechanicalSystem | None" = None) -> None:
         self.spec, self.given, self.work, self.released = spec, dict(given or {}), work or Work(), released
         self.tensions, self._watched, self._shared, self.like, self.costs = tensions, watched, shared, like, Costs()
         self.__dict__.update(known or {})
@@ -84,7 +85,7 @@ class MechanicalSystem:
         return self._itself.tensions
 
     @property
-    def _itself(self):
+    def _itself(self) -> "MechanicalSystem":
         """What has its parts."""
         return self if self.settled is None else self.settled.configuration.system
 
@@ -100,7 +101,7 @@ class MechanicalSystem:
         from vibcli.scene.build import build_preloaded, build_scene
 
         if self.settled is not None:
-            self.preloads = self._itself.preloads
+            self.preloads: dict[str, Node] = self._itself.preloads
             return self._itself.scene
         if self.released is None:
             scene = build_scene(self.spec, self.given, self.tensions, self._watched)
@@ -138,7 +139,7 @@ class MechanicalSystem:
         return (self._shared and self._shared("released_with_inputs")) or self._with_inputs(
             self.scene.with_released_supports().with_inputs())
 
-    def _with_inputs(self, scene):
+    def _with_inputs(self, scene: "Scene") -> "tuple[Scene, Linearisation, Linearisation, bool]":
         from vibcli.mechanics.autonomous import steady
         from vibcli.mechanics.linearisation import hangs_on
         from vibcli.mechanics.linearise import linearise
@@ -148,7 +149,7 @@ class MechanicalSystem:
         form = linearise(scene)
         return scene, form, steady(scene, form), hangs_on(form, scene.time)
 
-    def _with_loads_alone(self):
+    def _with_loads_alone(self) -> "tuple[Scene, Linearisation, Linearisation, bool] | None":
         """The same of a scene that only loads drive, its own Linearisation with rows of these; None of others."""
         from vibcli.mechanics.linearisation import joined
         from vibcli.mechanics.linearise import linearised_loads
@@ -211,7 +212,7 @@ class MechanicalSystem:
         vibrating = self.scene.vibrating
         return vibrating.loops is not None or hangs_on(self.time_dependent_linearisation, vibrating.time)
 
-    def _require_coordinates(self):
+    def _require_coordinates(self) -> None:
         if not self.scene.q and not self.scene.pieces and any(body.moves for body in self.scene.bodies.values()):
             from vibcli.scene.constraints import words_of_locked
 
@@ -250,8 +251,7 @@ class MechanicalSystem:
     def is_linear(self) -> bool:
         """Do the equations not depend on where the scene is linearised?"""
         form = self.linearisation
-        terms = (*form.inertias, *form.springs, *form.dampers)
-        rows = [node for _, row in terms for node in row.values()]
+        rows = [node for _, row in (*form.inertias, *form.springs, *form.dampers) for node in row.values()]
         parts = [node for part in (form.M, form.C, form.G, form.drag, *form.K) for node in part.values()]
         return not any(node.mask for node in rows + parts) and not any(curvature for _, curvature, _ in form.curved)
 

@@ -39,7 +39,7 @@ def told_matrices(configuration: "Configuration") -> "Sequence[Mapping[tuple[int
 
 def _doubted(matrix: "Mapping[tuple[int, int], Any]") -> dict[tuple[int, int], float]:
     """{(i, j): the largest entry in its row or column} of entries that may be zeros."""
-    largest: dict = {}
+    largest: dict[tuple[str, int], float] = {}
     for (i, j), value in matrix.items():
         for place in ("row", i), ("column", j):
             largest[place] = max(largest.get(place, 0.0), abs(value))
@@ -47,7 +47,7 @@ def _doubted(matrix: "Mapping[tuple[int, int], Any]") -> dict[tuple[int, int], f
     return {pair: size for pair, size in found.items() if 0 < abs(matrix[pair]) <= SMALL * size}
 
 
-def _without(matrix, zeros):
+def _without(matrix: dict[tuple[int, int], Any], zeros: set[tuple[int, int]]) -> dict[tuple[int, int], Any]:
     return {pair: value for pair, value in matrix.items() if pair not in zeros} if zeros else matrix
 
 

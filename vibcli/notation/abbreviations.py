@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.rationals import HALF, ONE
 
@@ -11,21 +12,34 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 SHORT = 2           # roots of fewer terms are left in place
+SHORTER = 0.75      # of the letters, or columns, of what is multiplied out, in which it is shown as it was before
 
 
 def abbreviated(nodes: "Sequence[Node]", known: "dict[Node, Node]") -> "tuple[list[Node], list[tuple[Node, Node]]]":
     """(nodes with long roots replaced, [(symbol, root)] of those that are new). `known` {sum: symbol} is added to; of
     sums that differ in form alone the symbol is one."""
-    table, new = nodes[0].table if nodes else None, []
+    table, new, grouped = nodes[0].table if nodes else None, [], None
     for node in nodes:
         for base in _rooted(node):
             if base not in known:
                 whole = textbook(base)
                 if whole not in known:
                     known[whole] = table.variable(f"ℓ{len(set(known.values())) + 1}")
-                    new.append((known[whole], table.power(whole, HALF)))
+                    grouped = _by_legs(table) if grouped is None else grouped
+                    new.append((known[whole], table.power(_shorter(grouped.get(whole, whole), whole), HALF)))
                 known[base] = known[whole]
     return [_replaced(table, node, known) for node in nodes], new
+
+
+def _shorter(grouped: "Node", square: "Node") -> "Node":
+    """The first where it is shorter by far: the law of cosines stays."""
+    return grouped if letters(grouped) < SHORTER * letters(square) else square
+
+
+def _by_legs(table: "Table") -> "dict[Node, Node]":
+    """{the square of a distance: the same by its two legs, (x + a)² + (y + b)²}."""
+    grouped = [dx * dx + dy * dy for dx, dy in (map(textbook, legs) for legs in table.legs)]
+    return {textbook(square): square for square in grouped}
 
 
 def _rooted(node: "Node") -> "list[Node]":

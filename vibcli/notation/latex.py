@@ -84,6 +84,10 @@ class Latex(Stacked):
         lines = f" {self.newline} & \\quad {{}}".join(texts)
         return rf"\begin{{aligned}} & {lines} \end{{aligned}}"
 
+    def matrix(self, rows: list[list[str]]) -> str:
+        lines = f" {self.newline} ".join(map(" & ".join, rows))
+        return rf"\begin{{pmatrix}} {lines} \end{{pmatrix}}"
+
     def sqrt(self, text: str) -> str:
         return rf"\sqrt{{{text}}}"
 

@@ -91,6 +91,10 @@ class MathML(Stacked):
             texts[0], *(f'<mspace width="1em"/>{text}' for text in texts[1:])])
         return f'<mtable columnalign="left" displaystyle="true">{cells}</mtable>'
 
+    def matrix(self, rows: list[list[str]]) -> str:
+        lines = "".join(f"<mtr>{''.join(f'<mtd>{row(cell)}</mtd>' for cell in cells)}</mtr>" for cells in rows)
+        return f'<mrow><mo>(</mo><mtable class="matrix">{lines}</mtable><mo>)</mo></mrow>'
+
     def sqrt(self, text: str) -> str:
         return f"<msqrt>{text}</msqrt>"
 

@@ -61,11 +61,18 @@ def rounded_up(bound: float, digits: int = 1) -> float:
     return float(f"{int(number.replace('.', '')) + 1}e{int(power) - digits + 1}")
 
 
-def supported(value: float, error: float, digits: int = SHOWN, mark: str = FEWER) -> str:
-    """A number with the digits that its absolute error allows; where that is all of it, how far it may be from 0."""
-    if error >= 0.5 * abs(value) and error > 0 and value:
-        return f"0 ± {figure(rounded_up(abs(value) + error), digits=1)}"
+def supported(value: float, error: float, digits: int = SHOWN, mark: str = FEWER, beside: float = 0.0) -> str:
+    """A number with the digits that its absolute error allows; where that is all of it, how far it may be from 0, if so
+    many digits of what is as large as `beside` show that."""
+    if is_lost(value, error):
+        off = abs(value) + error
+        return "0" if off <= 0.5 * 10.0**-digits * beside < math.inf else f"0 ± {figure(rounded_up(off), digits=1)}"
     return figure(value, error / abs(value) if value else 0.0, digits, mark)
+
+
+def is_lost(value: float, error: float) -> bool:
+    """Is the absolute error as good as all of a number?"""
+    return error >= 0.5 * abs(value) and error > 0 and bool(value)
 
 
 def with_bound(value: float, error: float) -> str:
@@ -104,6 +111,11 @@ def width(text: str) -> int:
 
 def padded(text: str, columns: int) -> str:
     return text + " " * (columns - width(text))
+
+
+def centred(text: str, columns: int) -> str:
+    left = (columns - width(text)) // 2
+    return padded(" " * left + text, columns)
 
 
 def wrapped(text: str, columns: int = 100, indent: int = 2, gap: str = " ", first: int = 0) -> list[str]:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 LAST = sys.maxsize, 0       # behind all letters
+ODD = "sin", "tan", "sinh", "tanh", "asin", "atan"
 
 
 def positive_first(pieces: list[tuple[bool, str]], rooted: int) -> list[tuple[bool, str]]:
@@ -85,12 +86,47 @@ def factor_rank(pair: "tuple[Node, Fraction | int]") -> tuple[int, int]:
     return kind, base.index
 
 
-def upright(value: Any, node: "Node") -> "tuple[Any, Sequence[tuple[Node, Fraction | int]]]":
-    """(value, factors) of value times a node, in which −(−a − b)·c is (a + b)·c."""
+def upright(value: Any, node: "Node", alone: bool = False) -> "tuple[Any, Sequence[tuple[Node, Fraction | int]]]":
+    """(value, factors) of value times a node, in which −(−a − b)·c is (a + b)·c; of what moves and what stands `alone`,
+    in which −k·(h − x) is k·(x − h), −(b·k − a·c)·x is (a·c − b·k)·x and −sin(b − t) is sin(t − b)."""
     args = node.args if node.op == "product" else ((node, ONE),)
     turned = [exponent in (1, -1) and _all_negative(base) for base, exponent in args]
     args = [(-base if turn else base, exponent) for turn, (base, exponent) in zip(turned, args, strict=True)]
-    return value * (-1) ** sum(turned), args
+    value *= (-1) ** sum(turned)
+    if not (node.mask or alone) or (value > 0 and sum(base.op in ("sum", "call") for base, _ in args) < 2):
+        return value, args
+    args = sorted(args, key=factor_rank)
+    better = {i: opposite for i, (base, exponent) in enumerate(args) if exponent == 1
+              for opposite in [_opposite(base)] if opposite is not None}
+    for i in list(better)[:len(better) - (len(better) % 2 == (value > 0))]:     # so many that a plus is left
+        args[i], value = (better[i], ONE), -value
+    return value, args
+
+
+def _opposite(base: "Node") -> "Node | None":
+    """The negative of a factor that reads better, of a sum and of an odd function of one; None of others."""
+    if base.op == "call" and base.name in ODD:
+        arg, = base.args
+        return base.table.written(base.name, -arg) if any(map(_turns, _factors(arg))) else None
+    return -base if _turns(base) else None
+
+
+def _factors(node: "Node") -> "list[Node]":
+    return [base for base, exponent in node.args if exponent == 1] if node.op == "product" else [node]
+
+
+def _turns(node: "Node") -> bool:
+    """Is it a sum with as many minus as plus that is a − x, or b·k − a·c of products of letters? R − r, which has one
+    sign, 1 − x and R − a·cos φ are none."""
+    if node.op != "sum" or node.coefficient or node.table.squares_at_sample or is_difference(node):
+        return False
+    signs = [(c * (part.coefficient if part.op == "product" else 1) > 0, part)
+             for part, c in sorted(node.args, key=term_rank)]
+    if 2 * sum(positive for positive, _ in signs) > len(signs):
+        return False
+    first = signs[0][1]
+    return not (signs[0][0] or any(base.op == "call" and base.name == "cos" for base in _factors(first))
+                ) if node.mask else any(part.op == "product" for _, part in signs)
 
 
 def _all_negative(node: "Node") -> bool:

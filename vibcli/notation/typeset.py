@@ -3,7 +3,7 @@
     numeral(text)   lettered(letter, below, primes)   marked(text, marks)   functional(name)   applied(head, text, bare)
     times(texts)   fraction(above, below)   sqrt(text)   power(base, exponent)   brackets(text)   magnitude(text)
     flat(text), in brackets that need not grow   operator(symbol)   gap(columns)   words(text)   beside(*texts)
-    rows(texts), one below the other             markup, what its texts hold beside what is seen
+    rows(texts), one below the other   matrix(rows)   markup, what its texts hold beside what is seen
 """
 
 import re

@@ -74,6 +74,9 @@ class Typst(Stacked):
         cells = "; ".join(f"display({text})" for text in [texts[0], *(f"quad {text}" for text in texts[1:])])
         return f"mat(delim: #none, align: #left, row-gap: #0.5em, {cells})"
 
+    def matrix(self, rows: list[list[str]]) -> str:
+        return f'mat(delim: "(", {"; ".join(map(", ".join, rows))})'
+
     def sqrt(self, text: str) -> str:
         return f"sqrt({text})"
 

@@ -58,13 +58,13 @@ def _count_names(spec: "Spec") -> None:
             spec.counts[name] = _of_condition(counter, name, record["so"].sides)
 
 
-def count_of_unit(record: "Record") -> dict[Any, Any]:
+def count_of_unit(record: "Record") -> "Mapping[str, Fraction | int]":
     if "unit" not in record:
         return NEITHER
     return count_of(literal_unit(parse("1 " + record["unit"]).units))
 
 
-def _of_condition(counter: Cycles, name: str, sides: "tuple[Expression, Expression]") -> dict[Any, Any]:
+def _of_condition(counter: Cycles, name: str, sides: "tuple[Expression, Expression]") -> "Mapping[str, Fraction | int]":
     """What a chosen parameter counts that is one side of its condition, perhaps times a number."""
     for side, other in (sides, sides[::-1]) if sides else ():
         factors = [part for _, part in side.tree.parts] if isinstance(side.tree, Product) else [side.tree]

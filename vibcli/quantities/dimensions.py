@@ -27,7 +27,7 @@ def asked_dimension(spec: "Spec", tree: QuantityRef) -> "Mapping[str, Fraction |
     return None if quantity.dimension is None else quantity.dimension(spec, tree)
 
 
-def dimension_of(spec: "Spec", expression: "Expression") -> "dict[str, Fraction | int] | None":
+def dimension_of(spec: "Spec", expression: "Expression") -> "Mapping[str, Fraction | int] | None":
     """The dimension of an expression of quantities and parameters; None where its parts do not fit."""
     try:
         return DimensionCheck(spec.dimensions, lambda name, primes: spec.dimensions.of(name), spec.free_numbers,

@@ -9,7 +9,7 @@ from vibcli.language.spec import MEMBERS
 if TYPE_CHECKING:
     from vibcli.language.spec import Spec
 
-MOST_COUNTED = 1000
+MOST_COUNTED, MOST_NODES = 1000, 100_000      # nodes: as many as modes
 
 
 class IndexKind(NamedTuple):
@@ -43,6 +43,12 @@ def _fraction(index: str) -> bool:
 def _free(wants: str, fits: Callable[..., bool] | type[bool], sample: str) -> IndexKind:
     """The kind of numbers that no scene limits."""
     return IndexKind(lambda spec, index: (), lambda spec, index: fits(index), sample, wants=wants)
+
+
+def _counted(most: int) -> IndexKind:
+    """The kind of what is counted so far."""
+    return _free(f"a whole number from 1 to {most}", lambda index: _whole(index) and int(index) <= most, "1")._replace(
+        letters=("k",))
 
 
 def _named(noun: str, letters: tuple[str, ...], *sections: str) -> IndexKind:
@@ -124,8 +130,7 @@ INDICES = {
     "signal": IndexKind(_near_signals, _is_signal, "signal", ("q",), "coordinate or signal"),
     "output": IndexKind(_near_signals, _is_output, "x", (), "output"),
     "input": IndexKind(_inputs, _is_input, "F", (), "input"),
-    "number": _free(f"a whole number from 1 to {MOST_COUNTED}",
-                    lambda index: _whole(index) and int(index) <= MOST_COUNTED, "1")._replace(letters=("k",)),
+    "number": _counted(MOST_COUNTED), "node": _counted(MOST_NODES),
     "root": _free("1 or 2, of two real eigenvalues by ascending |λ|", lambda index: index in ("1", "2"), "1")._replace(
         letters=("j",)),
     "fraction": _free("a fraction between 0 and 1", _fraction, "0.1"),

@@ -276,7 +276,7 @@ QUANTITIES = {
         ("mode", "signal"), size=ten, kind=COMPLEX, dimension=of_shape),
     "node": Declaration(
         "place of the k-th node of mode i on a member, from its left end, ends and supports not counted", "m", _node,
-        ("mode", "member", "number"), size=lambda problem, tree: 1.0),
+        ("mode", "member", "node"), size=lambda problem, tree: 1.0),
     "modal_mass": Declaration(
         "φᵀMφ of mode i, ∫ μ φ² dx of members included, the first coordinate that moves being 1, where none does the "
         "largest displacement of the first member that moves: a mass, or a moment of inertia", None, _modal_mass,

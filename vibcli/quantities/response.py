@@ -14,6 +14,7 @@ from vibcli.quantities.quantity import (
     ROUNDING,
     SIGNAL,
     Declaration,
+    ErrorOfZero,
     declared,
     one,
 )
@@ -41,8 +42,7 @@ def _measured(number: Callable[..., Any]) -> "Callable[[Problem, QuantityRef, Se
                 return found, 0.0
             kind = problem.response_of(tree).KIND
             if kind in EXACT or (kind == "series" and tree.head in ALONG):
-                lost = off()
-                value, error = settled(problem, tree, args, found, relative(found, lost))
+                value, error = settled(problem, tree, args, found, relative(found, lost := off()))
                 if value is found and 0.0 < lost >= abs(found):
                     _require_digit(problem, tree, args, found, lost)
                 return value, error
@@ -70,9 +70,9 @@ def _require_digit(problem: "Problem", tree: QuantityRef, args: Sequence[Any], f
 
 def relative(value: float, off: float) -> float:
     """The relative error bound of a value that may be off by so much; of 0, if it may be off at all, 1."""
-    if not value or not isfinite(off):
-        return 1.0 if off else ROUNDING
-    return max(ROUNDING, off / abs(value))
+    if value and isfinite(off):
+        return max(ROUNDING, off / abs(value))
+    return 1.0 if value else ErrorOfZero(off)
 
 
 def _doubt(problem: "Problem", tree: QuantityRef, value: float, off: Callable[..., float]) -> float:

@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import NotInLetters
 from vibcli.language.signal_names import signal_name
 from vibcli.quantities.quantity import named
+from vibcli.results.signal_nodes import node_of_signal
 from vibcli.symbolic.normal_form import textbook
-from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import NameRef, QuantityRef
 from vibcli.symbolic.transfer_between_tables import copied
 
@@ -29,7 +29,7 @@ def final(problem: "Problem", tree: QuantityRef) -> "Node":
             return scene.parameters.nodes[name]
         return at_rest(problem, name, primes) + problem.symbolic_following(name + "'" * primes, alone=True)
 
-    found = textbook(lower(tree.args[0], scene.table, signal))
+    found = textbook(node_of_signal(tree.args[0], scene.table, signal))
     if found.mask & scene.time.mask:
         raise NotInLetters("this signal grows without end: it has no limit", "ask for a difference that has one")
     return found

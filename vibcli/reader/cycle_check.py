@@ -7,7 +7,7 @@ from vibcli.symbolic.cycles import agree, fits_both, left_over
 from vibcli.symbolic.syntax import ExpressionError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping
     from fractions import Fraction
     from typing import TypeVar
 
@@ -25,9 +25,9 @@ def check_radians(spec: "Spec", reader: "Reader", expression: "Expression") -> N
     _reported(reader, expression, lambda counter: counter.require_radians(expression.tree, message, True), spec)
 
 
-def check_terms(spec: "Spec", reader: "Reader", expression: "Expression") -> "dict[str, Fraction | int] | None":
+def check_terms(spec: "Spec", reader: "Reader", expression: "Expression") -> "Mapping[str, Fraction | int] | None":
     """Report terms that cannot be added, one counting cycles and the other radians."""
-    count: dict[str, Fraction | int] | None = _reported(
+    count: Mapping[str, Fraction | int] | None = _reported(
         reader, expression, lambda counter: counter.count(expression.tree), spec)
     return count
 

@@ -192,6 +192,8 @@ def _instead(key: str, root: Mapping) -> str:
     """What was meant by a key that is no section."""
     if PROBLEMS in root.entries and basename(root.where.file or "") == SET:
         return "this is a set of problems: vibcli homework hands it out"
+    if key in ("equation", "equations"):
+        return "equations are derived; one to compare with stands under answers, as in equation[x]: m*x'' + k*x = 0"
     return f"a set of problems is a file with the name {SET}" if key == PROBLEMS else nearest(key, SECTIONS)
 
 

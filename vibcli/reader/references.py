@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from vibcli.language.reader import Reader
     from vibcli.language.spec import Spec
 
+STILL = {"wall", "floor", "ceiling", "frame", "earth", "fixed", "support", "base", "foundation", "0"}
 _KINDS = {"points": "point", "surfaces": "surface", "forces": "force", "bodies": "body", "coordinates": "coordinate",
           "members": "member"}
 # the sections whose names stand before `.force`
@@ -53,6 +54,10 @@ def check_references(spec: "Spec", reader: "Reader") -> None:
             continue
         if namespaces == ("coordinates",) and (written := _as_written(name.text, valid)):
             reader.report(name.where, f"there is no coordinate {quoted(name.text)}", f"write {written}")
+            continue
+        if name.text.lower() in STILL and "ground" in valid:
+            reader.report(name.where, f"there is no point or body {quoted(name.text)}",
+                          "what stands still is called ground, a place on it is written [x, y]")
             continue
         kind = " or ".join(_KINDS[space] for space in namespaces if space in _KINDS)
         reader.report(name.where, f"there is no {kind} {quoted(name.text)}",

@@ -11,7 +11,7 @@ yielded before. Texts are Unicode words, whatever a file says; Maths and Lines a
     Name("phi1'")         a symbol of the scene by its name
     a text                in notation: "δA = ", " + 1.44·", "ω_d = ω·√(1 − ζ²)" (report/reading.py reads it)
     Words("for ζ < 1")    words within mathematics
-    SumOfTerms, WithNumbers, Factor, Quotient, Either: what stands in no single node
+    SumOfTerms, WithNumbers, Factor, Quotient, Either, ShownMatrix: what stands in no single node
     Typed("2*L/3", tree, names): what the file holds, as it was typed
 
 A renderer never looks into a problem, and a section never at a format: `hang` is all that is said of the layout as
@@ -84,6 +84,12 @@ class Either(NamedTuple):
     node: Any
     mark: Any
     root: Any
+
+
+class ShownMatrix(NamedTuple):
+    """Rows of entries between brackets, each the parts of a formula."""
+
+    rows: tuple[tuple[tuple, ...], ...]
 
 
 class Typed(NamedTuple):

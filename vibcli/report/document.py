@@ -48,17 +48,17 @@ class Report:
             return
         write = getattr(import_module(f"vibcli.report.sections.{SECTIONS[name][0]}"), name)
         measured = name in MEASURED or (name in OF_MODES and not self.problem.scene.pieces)
-        problem = self._measured if measured else self.problem
+        problem = self.measured if measured else self.problem
         try:
             for found in write(problem, self):
                 self.sections.append(explained(found))
         except PhysicsError as error:
             self.refusal = self.refusal or error
-        if problem is not self.problem:
-            self.problem.costs.update({**problem.costs, **self.problem.costs})
+        if "measured" in vars(self) and self.measured is not self.problem:
+            self.problem.costs.update({**self.measured.costs, **self.problem.costs})
 
     @cached_property
-    def _measured(self) -> "Problem":
+    def measured(self) -> "Problem":
         """The problem in whose formulas the numbers of the file keep their units."""
         if not self.problem.scene.table.hidden:
             return self.problem

@@ -34,17 +34,20 @@ class AveragedWaves(Signal):
     KIND = "a mean over periods of a motion that is followed by travelling waves"
     sampled, leaps, extreme, zeros = _sampled, _leaps, _extreme, _zeros
 
-    def __init__(self, signal: WaveSignal, period: float, many: int):
+    def __init__(self, signal: WaveSignal, period: float, many: int) -> None:
         self.signal, self.apart, self.work = signal, period * np.arange(many), signal.work
 
     def values(self, times: np.ndarray, order: int = 0) -> np.ndarray:
-        return self.signal.values(self._at(times), order).mean(axis=-1)
+        found: np.ndarray = self.signal.values(self._at(times), order).mean(axis=-1)
+        return found
 
     def values_before(self, times: np.ndarray) -> np.ndarray:
-        return self.signal.values_before(self._at(times)).mean(axis=-1)
+        found: np.ndarray = self.signal.values_before(self._at(times)).mean(axis=-1)
+        return found
 
-    def _at(self, times):
-        return np.asarray(times, float)[..., None] - self.apart
+    def _at(self, times: np.ndarray) -> np.ndarray:
+        found: np.ndarray = np.asarray(times, float)[..., None] - self.apart
+        return found
 
     def breaks(self, end: float) -> np.ndarray:
         """The instants up to an end between which it is smooth, ascending."""

@@ -10,6 +10,8 @@ if TYPE_CHECKING:
     from vibcli.analyses.continuous.dispersed_waves import DispersedMotion
     from vibcli.analyses.continuous.modal_motion import ModalMotion
     from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.results.modal_response import ModalResponse
+    from vibcli.symbolic.syntax import NameRef
 
 
 class BoundlessSignal(ModalSignal):
@@ -22,7 +24,8 @@ class BoundlessSignal(ModalSignal):
     is_estimated = Signal.is_estimated
     error_of_mean, error_of_extreme = Signal.error_of_mean, Signal.error_of_extreme
 
-    def __init__(self, waves: "DispersedMotion", output: "LinearOutput", motion: "ModalMotion", asked: tuple):
+    def __init__(self, waves: "DispersedMotion", output: "LinearOutput", motion: "ModalMotion",
+                 asked: "tuple[ModalResponse, NameRef]") -> None:
         super().__init__(motion, output, asked)
         self.waves = waves
 

@@ -9,6 +9,7 @@ the other's shape gradually, veer (Leissa 1974).
 from collections.abc import Callable, Sequence
 from functools import cache
 from math import inf
+from typing import Any
 
 import numpy as np
 
@@ -45,14 +46,14 @@ class FollowedModes(NamedTuple):
     """branches[k]: the branch of each mode at the k-th value, None where there are no modes; meetings in their
     order."""
 
-    branches: list
-    meetings: list
+    branches: list[list[int] | None]
+    meetings: list[Meeting]
 
 
 def followed(spectra: "Sequence[NaturalModesAt | None]",
              between: "Callable[[float], NaturalModesAt | None]") -> FollowedModes:
     """The branches at ascending values; `between(value)` gives a NaturalModesAt within the range."""
-    labels: list = []
+    labels: list[Any] = []
     crossings, last, label = [], None, np.arange(0)
     known = [one for one in spectra if one is not None]
     narrow = NARROW * (known[-1].value - known[0].value) if known else 0.0
@@ -72,13 +73,14 @@ def followed(spectra: "Sequence[NaturalModesAt | None]",
     return FollowedModes(labels, sorted(meetings, key=lambda one: one.value))
 
 
-def _pair(label, a, b):
+def _pair(label: np.ndarray, a: int, b: int) -> tuple[int, int]:
     """The branches of two modes, ascending."""
     first, second = sorted((int(label[a]), int(label[b])))
     return first, second
 
 
-def _places(one, two, between, narrow, depth):
+def _places(one: NaturalModesAt, two: NaturalModesAt, between: Callable[..., Any], narrow: float,
+            depth: int) -> tuple[np.ndarray, list[tuple[int, int, float]]]:
     """(which mode of the first each mode of the second was, [(mode, mode, value)] that cross in between)."""
     overlap = _overlap(one, two)
     places = overlap.argmax(0)
@@ -95,11 +97,12 @@ def _places(one, two, between, narrow, depth):
     return first[second], met + [(int(first[a]), int(first[b]), value) for a, b, value in more]
 
 
-def _overlap(one, two):
+def _overlap(one: NaturalModesAt, two: NaturalModesAt) -> np.ndarray:
     return np.abs(np.linalg.solve(one.shapes, two.shapes))
 
 
-def _veerings(spectra, labels, crossings, between):
+def _veerings(spectra: Sequence[NaturalModesAt | None], labels: Sequence[np.ndarray | None],
+              crossings: Sequence[Meeting], between: Callable[..., Any]) -> list[Meeting]:
     """Where neighbours are nearest, and each has the other's shape beyond."""
     found = []
     known = [(one, label) for one, label in zip(spectra, labels, strict=True) if one is not None]
@@ -121,11 +124,11 @@ def _veerings(spectra, labels, crossings, between):
     return found
 
 
-def _nearest(i, low, high, between):
+def _nearest(i: int, low: float, high: float, between: Callable[..., Any]) -> tuple[float, float]:
     """(value, relative gap) where two neighbours are nearest within a range, by its golden section."""
     found = {}
 
-    def gap(value):
+    def gap(value: float) -> float:
         one = between(value)
         found[value] = inf if one is None else _gap(one, i)
         return found[value]
@@ -145,12 +148,12 @@ def _nearest(i, low, high, between):
     return best, found[best]
 
 
-def _gap(one, i):
+def _gap(one: NaturalModesAt, i: int) -> float:
     """The relative distance of the frequencies of two neighbours."""
     return float(2 * (one.omega[i + 1] - one.omega[i]) / ((one.omega[i + 1] + one.omega[i]) or 1.0))
 
 
-def _ends(gaps, k):
+def _ends(gaps: Sequence[float], k: int) -> tuple[int, int]:
     """The places on both sides where a gap is several times that of the place k, or its range ends."""
     left = next((j for j in range(k, -1, -1) if gaps[j] >= WIDER * gaps[k]), 0)
     right = next((j for j in range(k, len(gaps)) if gaps[j] >= WIDER * gaps[k]), len(gaps) - 1)

@@ -1,6 +1,7 @@
 """Signals that drift, c₁t + c₂t² + … beside what lasts of them, and functions of these in which that cancels."""
 
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.results.signal_features import beside_drift, drifting, kept_up
@@ -33,12 +34,12 @@ def next_to_zero(signal: ComposedSignal) -> dict[str, float]:
     return found
 
 
-def _mean(part):
+def _mean(part: LinearSignal) -> float:
     """Of a signal beside its drift."""
     return part.motion.steady.polynomial(part.output)[0] if kept_up(part) else beside_drift(part)[0][1].real
 
 
-def _drift(part):
+def _drift(part: LinearSignal) -> dict[Any, Any]:
     """{k: cₖ} of a signal, k ≥ 1; none of what is no linear one."""
     if not isinstance(part, LinearSignal):
         return {}
@@ -47,14 +48,14 @@ def _drift(part):
     return {k: c for k, c in enumerate(part.motion.steady.polynomial(part.output)) if k and c}
 
 
-def _drifts(signal):
+def _drifts(signal: ComposedSignal) -> list[Any]:
     """[{name: c}] of the drifts c tᵏ of its signals, of each power one."""
     found = {name: _drift(part) for name, part in signal.signals.items()}
     powers = sorted({k for one in found.values() for k in one})
     return [{name: one[k] for name, one in found.items() if k in one} for k in powers]
 
 
-def _cancels(signal, slopes, along, share):
+def _cancels(signal: ComposedSignal, slopes: "Mapping[str, Node]", along: Mapping[str, float], share: float) -> bool:
     """Is the slope of a function along a drift 0 but for rounding, so far along it?"""
     import numpy as np
 
@@ -65,4 +66,5 @@ def _cancels(signal, slopes, along, share):
     here |= {name: here[name] + share * size * c for name, c in along.items()}
     terms = [c * evaluate([slopes[name]], Floats, {**signal.floats, **here})[0] for name, c in along.items()
              if name in slopes]
-    return abs(sum(terms)) <= CANCELLED * sum(map(abs, terms))
+    found: bool = abs(sum(terms)) <= CANCELLED * sum(map(abs, terms))
+    return found

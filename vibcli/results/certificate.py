@@ -15,6 +15,8 @@ from vibcli.base.errors import PhysicsError
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    import numpy as np
+
     from vibcli.results.problem import Problem
 
 EPSILON = 2.0**-52
@@ -34,7 +36,7 @@ def certificate(problem: "Problem") -> dict[str, float]:
         return {}
 
 
-def _found(problem):
+def _found(problem: "Problem") -> dict[str, float]:
     found = {}
     if "equilibrium" in problem.timings:
         found["force balance"] = problem.configuration.equilibrium.residual / EPSILON
@@ -44,11 +46,12 @@ def _found(problem):
     return found if balance is None else found | {ENERGY: balance}
 
 
-def _of_motion(problem):
+def _of_motion(problem: "Problem") -> float | None:
     """What the energy balance of a motion is off by; None of kinds of motion that have none."""
     motion = problem.response
     if motion.KIND == "full" and motion.integrated:
-        return motion.trajectory().balance.error
+        found: float | None = motion.trajectory().balance.error
+        return found
     if motion.KIND != "small" or not motion.is_followed:        # of what is kept up alone no motion is needed
         return None
     from vibcli.results.energy_balance import energy_balance
@@ -56,7 +59,7 @@ def _of_motion(problem):
     return energy_balance(motion.alone, float(motion.until))
 
 
-def _of_modes(problem):
+def _of_modes(problem: "Problem") -> dict[str, float]:
     import numpy as np
 
     found, configuration = {}, problem.configuration
@@ -91,7 +94,7 @@ def residual_ratio(M: Any, C: Any, K: Any, modes: "Sequence[tuple[complex, Any]]
     return worst / (len(M) * EPSILON)
 
 
-def _norm(matrix):
+def _norm(matrix: "np.ndarray") -> float:
     """The largest sum of the sizes of a column."""
     return float(abs(matrix).sum(axis=0).max())
 
@@ -104,7 +107,7 @@ def orthogonality(M: Any, shapes: Any) -> float:
     return float(np.abs(off).sum(axis=0).max() / (len(M) * EPSILON))
 
 
-def _scaled(matrices):
+def _scaled(matrices: "Sequence[np.ndarray]") -> "tuple[np.ndarray, list[np.ndarray]]":
     """(the unit of each coordinate in which m_ii = 1, the matrices in these)."""
     import numpy as np
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     import numpy as np
 
+    from vibcli.results.signal import Signal
     from vibcli.results.signals import ComposedSignal
 
 ROUNDING = 2.0**-50
@@ -15,7 +16,7 @@ KINKED = 0.4            # of the second difference over twice the step, a quarte
 SLOW = 2.0**-8          # of the time in which the fastest part turns by a radian
 
 
-def propagated(function: Callable, values: Mapping[str, float], errors: Mapping[str, float]) -> float:
+def propagated(function: Callable[..., float], values: Mapping[str, float], errors: Mapping[str, float]) -> float:
     """The error of function(values) where each value is off by its error, and by a rounding."""
     total, here = 0.0, float(function(values))
     for name, off in errors.items():
@@ -31,7 +32,8 @@ def propagated(function: Callable, values: Mapping[str, float], errors: Mapping[
     return total + ROUNDING * abs(here)
 
 
-def spread(function: Callable, values: "Mapping[str, np.ndarray]", errors: "Mapping[str, np.ndarray]") -> "np.ndarray":
+def spread(function: "Callable[..., np.ndarray]", values: "Mapping[str, np.ndarray]",
+           errors: "Mapping[str, np.ndarray]") -> "np.ndarray":
     """How far function(values) may be off at many instants, where each of its values is off by its error."""
     import numpy as np
 
@@ -54,8 +56,9 @@ def of_value(signal: "ComposedSignal", t: float, errors: "dict[str, float]") -> 
     exact = [*numbers, *([signal.time.name] if signal.node.mask & signal.time.mask else [])]
     errors = errors | dict.fromkeys(exact, 0.0)
 
-    def function(known):
-        return signal.composed(at, {name: np.array([x]) for name, x in known.items()})[0]
+    def function(known: "Mapping[str, float]") -> float:
+        found: float = signal.composed(at, {name: np.array([x]) for name, x in known.items()})[0]
+        return found
 
     return propagated(function, {**values, **numbers, signal.time.name: t}, errors)
 
@@ -67,7 +70,7 @@ def of_instant(signal: "ComposedSignal", t: float, order: int) -> float:
     return at_pace(signal, t, order, max(rates, default=0.0) or 1 / (t or 1.0))
 
 
-def at_pace(signal: "ComposedSignal", t: float, order: int, fastest: float) -> float:
+def at_pace(signal: "Signal", t: float, order: int, fastest: float) -> float:
     """The same where the fastest part turns by so many radians in a second."""
     import numpy as np
 
@@ -79,8 +82,11 @@ def at_pace(signal: "ComposedSignal", t: float, order: int, fastest: float) -> f
         if abs(slope) > 2 * abs(bend) * step or not bend:
             return ROUNDING * t
         if abs(after - 2 * here + before) > KINKED * abs(last - 2 * here + first):
-            return 4 * error / (abs(bend) * step) + ROUNDING * t
-        return 2 * fastest * error / abs(bend) + ROUNDING * t
+            found: float = 4 * error / (abs(bend) * step) + ROUNDING * t
+            return found
+        result: float = 2 * fastest * error / abs(bend) + ROUNDING * t
+        return result
     if abs(slope) > abs(bend) * step:
-        return 2 * error / abs(slope) + ROUNDING * t
+        value: float = 2 * error / abs(slope) + ROUNDING * t
+        return value
     return 2 * float(np.sqrt(2 * error / abs(bend))) + ROUNDING * t if bend else t

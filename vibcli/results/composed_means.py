@@ -2,6 +2,7 @@
 that do not die out. Of powers and products they are exact, of other functions by quadrature over the common period.
 Each comes with an absolute bound of its error: (mean, bound)."""
 
+from collections.abc import Callable, Mapping, Sequence
 from math import tau
 from typing import TYPE_CHECKING
 
@@ -17,7 +18,12 @@ from vibcli.results.steady_features import common
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.analyses.transient.wave_sums import WaveSum
     from vibcli.results.envelope import Envelope
+    from vibcli.results.signal import Signal
+    from vibcli.symbolic.node import Node
 
 PANELS = 4          # of the first division for each of the fastest wave's periods
 MOST_PANELS = 10_000
@@ -37,7 +43,7 @@ def rms(signal: "ComposedSignal | Envelope") -> tuple[float, float]:
     return found, error / max(found, error**0.5) if error else 0.0
 
 
-def _over_the_beats(envelope, power):
+def _over_the_beats(envelope: "Envelope", power: int) -> tuple[float, float]:
     if envelope.period is None:
         limit = envelope.final()
         if not limit:
@@ -48,7 +54,7 @@ def _over_the_beats(envelope, power):
     return found, 2 * power * largest * max(envelope.error(envelope.period * k / SAMPLES) for k in range(SAMPLES))
 
 
-def _mean(signal, node):
+def _mean(signal: ComposedSignal, node: "Node") -> tuple[float, float]:
     """Of a node of the signals of a ComposedSignal."""
     signal.require_no_time("mean")
     require_cancelled(signal, node)
@@ -63,14 +69,14 @@ def _mean(signal, node):
     return _by_quadrature(signal, node, known)
 
 
-def _lasts(part):
+def _lasts(part: LinearSignal) -> bool:
     """Does a signal move, or stand under loads that oscillate, without end?"""
     if isinstance(part, ComposedSignal):
         return any(map(_lasts, part.signals.values()))
     return kept_up(part) or any(speed for speed, _ in beside_drift(part))
 
 
-def _wave_sum(part):
+def _wave_sum(part: LinearSignal) -> "WaveSum | None":
     """The WaveSum of what lasts of a signal, beside what drifts; None where that has harmonics without end, or is no
     polynomial."""
     from vibcli.analyses.transient.wave_sums import WaveSum
@@ -90,7 +96,7 @@ def _wave_sum(part):
     return WaveSum.of(waves, feature_errors.of_waves(part, waves))
 
 
-def _product(node, floats, parts):
+def _product(node: "Node", floats: Mapping[str, float], parts: "Mapping[str, WaveSum]") -> "WaveSum | None":
     """The WaveSum that a node is of others {name: WaveSum}; None of what is no polynomial."""
     from vibcli.analyses.transient.wave_sums import WaveSums, wave_sum
 
@@ -100,7 +106,8 @@ def _product(node, floats, parts):
         return None
 
 
-def _by_quadrature(signal, node, known):
+def _by_quadrature(signal: ComposedSignal, node: "Node",
+                   known: "Mapping[str, WaveSum]") -> tuple[float, float]:
     """Over the common period of all signals; {name: WaveSum} of those that are `known`."""
     import numpy as np
 
@@ -117,8 +124,10 @@ def _by_quadrature(signal, node, known):
 
     beside = next_to_zero(signal)
 
-    def values(t):
-        parts = {name: found.values(t) + beside.get(name, 0.0) for name, found in (*known.items(), *others.items())}
+    moving: dict[str, WaveSum | Signal] = {**known, **others}
+
+    def values(t: "np.ndarray") -> "np.ndarray":
+        parts = {name: found.values(t) + beside.get(name, 0.0) for name, found in moving.items()}
         with np.errstate(all="ignore"):
             found = evaluate([node], Arrays, {**signal.floats, **parts})[0]
         return require_finite(np.broadcast_to(found, t.shape), t)
@@ -128,12 +137,15 @@ def _by_quadrature(signal, node, known):
     return _averaged(values, period, speeds, off), 2 * off
 
 
-def _of_values(signal, node, known, others, period):
+def _of_values(signal: ComposedSignal, node: "Node", known: "Mapping[str, WaveSum]",
+               others: "Mapping[str, Signal]", period: float) -> float:
     """The largest bound of the error of the values of what is averaged, at instants of a period, twice."""
     import numpy as np
 
-    def at(t):
-        here = {name: float(found.values(np.array([t]))[0]) for name, found in (*known.items(), *others.items())}
+    moving: dict[str, WaveSum | Signal] = {**known, **others}
+
+    def at(t: float) -> float:
+        here = {name: float(found.values(np.array([t]))[0]) for name, found in moving.items()}
         errors = {name: float(found.errors.sum()) for name, found in known.items()}
         errors |= {name: found.error(t) for name, found in others.items()}
         return propagated(lambda values: evaluate([node], Floats, {**signal.floats, **values})[0], here, errors)
@@ -141,7 +153,8 @@ def _of_values(signal, node, known, others, period):
     return 2 * max(at(period * (k + 0.5) / SAMPLES) for k in range(SAMPLES))
 
 
-def _averaged(values, period, speeds, off=0.0):
+def _averaged(values: "Callable[[np.ndarray], np.ndarray]", period: float, speeds: Sequence[float],
+              off: float = 0.0) -> float:
     """(1/T) ∫ over a period T, of what is made of waves of these angular frequencies, its values `off` at most."""
     import numpy as np
 

@@ -28,10 +28,10 @@ class ComposedOfModes(ComposedSignal):
     KIND = "a signal composed of others of a motion that is followed by modes of members"
     LOOKED = ModalSignal.LOOKED
     signals: Any
-    _cells: "dict[tuple, tuple[np.ndarray, np.ndarray, np.ndarray]] | None" = None
+    _cells: "dict[tuple[float, float, int], tuple[np.ndarray, np.ndarray, np.ndarray]] | None" = None
 
     def __init__(self, node: "Node", signals: "Mapping[str, Any]", floats: "Mapping[str, Any]", time: "Node",
-                 work: "Work | None" = None, asked: tuple = ()):
+                 work: "Work | None" = None, asked: tuple[Any, ...] = ()) -> None:
         super().__init__(node, signals, floats, time, None, work)
         self.asked = asked
 
@@ -65,7 +65,7 @@ class ComposedOfModes(ComposedSignal):
             raise self._without_bound(end)
         return max(self.error(top[0]), highest - sense * top[1])
 
-    def _without_bound(self, end):
+    def _without_bound(self, end: float) -> NoBound:
         """The refusal of its extremes: that of a part, or its own."""
         for part in self.signals.values():
             for stretch in part.modal.stretches(end):
@@ -74,12 +74,12 @@ class ComposedOfModes(ComposedSignal):
                        "zero", "ask for values at instants, or for its parts")
 
     @property
-    def _others(self):
+    def _others(self) -> bool:
         """Does it hold the time by itself, or signals of other kinds?"""
         return bool(self.node.mask & self.time.mask) or not all(
             isinstance(part, ModalSignal) for part in self.signals.values())
 
-    def _searched(self, start, end, sense):
+    def _searched(self, start: float, end: float, sense: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """The cells that may hold the extreme, the values at their ends in that sense, and how far these may be off."""
         if self._cells is None:
             self._cells = {}
@@ -87,7 +87,7 @@ class ComposedOfModes(ComposedSignal):
             self._cells[start, end, sense] = self._found(start, end, sense)
         return self._cells[start, end, sense]
 
-    def _found(self, start, end, sense):
+    def _found(self, start: float, end: float, sense: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         cells, total = np.array([[start, end]]), max(part.modal.count for part in self.signals.values())
         with self.work.task("the search along a motion by modes", MOST) as task:
             for count in [*(level for level in LEVELS if level < total), total]:

@@ -11,7 +11,12 @@ from vibcli.results.not_by_modes import NotByModes
 if TYPE_CHECKING:
     from numpy import ndarray
 
+    from vibcli.analyses.continuous.coupled_modes import TiedModes
+    from vibcli.analyses.continuous.coupled_transfer import CoupledTransfer, Dampers
+    from vibcli.analyses.continuous.exact_transfer import ExactTransfer
+    from vibcli.analyses.continuous.member_damping import MemberDamping
     from vibcli.analyses.continuous.modal_motion import ModalMotion
+    from vibcli.mechanics.factored_system import FactoredSystem
 
 FEWEST, MOST = 32, 256      # modes
 ALIKE = 1e-14       # relative difference of rates that are one
@@ -37,10 +42,10 @@ class CoupledModalResponse(ModalResponse):
         return 0
 
     @property
-    def _first(self):
+    def _first(self) -> int:
         return self.most if self.most < 2 * FEWEST else 2 * FEWEST
 
-    def _noise(self, count):
+    def _noise(self, count: int) -> float:
         """What rounding leaves of the lowest of so many coupled modes."""
         vibrating = [mode for mode in self.problem.modal.modes.first(count) if mode.omega]
         if not vibrating:
@@ -49,7 +54,7 @@ class CoupledModalResponse(ModalResponse):
         return EPSILON * max(float(last.omega), float(self._given.rate(last))) / omega
 
     @cached_property
-    def _elements(self):
+    def _elements(self) -> "FactoredSystem":
         """Element data without `damping:`."""
         found = self.configuration.without_given_damping()
         if found.G:
@@ -62,7 +67,7 @@ class CoupledModalResponse(ModalResponse):
         return _without_drag(found, self._drag) if self._drag else found
 
     @cached_property
-    def _drag(self):
+    def _drag(self) -> float:
         """c/μ of all members: drag in proportion to their mass."""
         pieces = self.configuration.without_given_damping().pieces
         rates = [float(placed.piece.drag / placed.piece.inertia) if placed.piece.inertia else 0.0 for placed in pieces]
@@ -73,7 +78,7 @@ class CoupledModalResponse(ModalResponse):
         return max(rates)
 
     @cached_property
-    def _exact(self):
+    def _exact(self) -> "ExactTransfer":
         import numpy as np
 
         from vibcli.analyses.continuous.exact_transfer import ExactTransfer
@@ -85,13 +90,13 @@ class CoupledModalResponse(ModalResponse):
         return ExactTransfer(np.array([K, 0 * C, M]), pieces, (), self.spread_drives)
 
     @cached_property
-    def _dampers(self):
+    def _dampers(self) -> "Dampers":
         from vibcli.analyses.continuous.coupled_transfer import Dampers
 
         return Dampers(self._elements.with_parts(pieces=()).arrays()[1])
 
     @cached_property
-    def _given(self):
+    def _given(self) -> "MemberDamping":
         """The MemberDamping, drag among what is in proportion to mass."""
         from vibcli.analyses.continuous.member_damping import member_damping
         from vibcli.symbolic.evaluation import Floats
@@ -100,7 +105,7 @@ class CoupledModalResponse(ModalResponse):
         return found._replace(series=(found.series[0] + self._drag, *found.series[1:])) if self._drag else found
 
     @cached_property
-    def _transfer(self):
+    def _transfer(self) -> "CoupledTransfer":
         from vibcli.analyses.continuous.coupled_transfer import CoupledTransfer
         from vibcli.analyses.continuous.damped_transfer import DampedTransfer
 
@@ -116,7 +121,7 @@ class CoupledModalResponse(ModalResponse):
         H = [self._transfer.given.at(LinearOutput(0.0, q={i: 1.0}), np.array([s]))[:n, 0] for i in range(n)]
         return np.array(H), (rows * self._dampers.rates) @ rows.T
 
-    def _found(self, count) -> "ModalMotion":
+    def _found(self, count: int) -> "ModalMotion":
         from vibcli.analyses.continuous.estimated_motion import EstimatedMotion
         from vibcli.analyses.continuous.modal_motion import ModalMotion
 
@@ -124,10 +129,10 @@ class CoupledModalResponse(ModalResponse):
         return EstimatedMotion(self._modes(count), *parts, fewer=ModalMotion(self._modes(count // 2), *parts))
 
     @property
-    def _natural_elements(self):
+    def _natural_elements(self) -> "FactoredSystem":
         return self._elements
 
-    def _modes(self, count):
+    def _modes(self, count: int) -> "TiedModes":
         """The TiedModes of so many."""
         import numpy as np
 
@@ -140,7 +145,7 @@ class CoupledModalResponse(ModalResponse):
         return TiedModes(basis, inputs, self._start(basis), (damping, given.of_squares), following, given.creeps)
 
 
-def _without_drag(elements, rate):
+def _without_drag(elements: "FactoredSystem", rate: float) -> "FactoredSystem":
     """Element data whose members do not drag, where all mass does at this rate: dampers of masses take theirs back."""
     pieces = [placed._replace(piece=placed.piece._replace(drag=0.0)) for placed in elements.pieces]
     taken = [(-rate * mass, row) for mass, row in elements.inertias]

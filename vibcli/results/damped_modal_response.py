@@ -1,7 +1,8 @@
 """The motion in time of scenes with members whose modes dampers couple: as a sum over damped modes."""
 
+from collections.abc import Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from vibcli.base.errors import PhysicsError
 from vibcli.results.modal_response import FEWEST, ModalResponse
@@ -9,7 +10,14 @@ from vibcli.results.not_by_modes import NotByModes
 from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.analyses.continuous.complex_modes import ComplexModes, DampedBasis
+    from vibcli.analyses.continuous.damped_series import DampedSeries, Known
+    from vibcli.analyses.continuous.exact_transfer import ExactTransfer
+    from vibcli.analyses.continuous.left_out_energy import LeftOutEnergy
     from vibcli.analyses.continuous.modal_motion import ModalMotion
+    from vibcli.analyses.modal.damped_modes import DampedMode
     from vibcli.analyses.modal.mode_sequence import Modes
     from vibcli.symbolic.node import Node
 
@@ -46,7 +54,7 @@ class DampedModalResponse(ModalResponse):
         """Its damped modes."""
         modal = self.problem.modal
         if self.part is None:
-            return modal.damped
+            return cast("Modes", modal.damped)
         from vibcli.analyses.modal.mode_sequence import Modes
         from vibcli.analyses.modal.modes import damped_modes
 
@@ -68,11 +76,11 @@ class DampedModalResponse(ModalResponse):
         return found
 
     @property
-    def _transfer(self):
+    def _transfer(self) -> "ExactTransfer":
         return self._exact
 
     @property
-    def _first(self):
+    def _first(self) -> int:
         return FEWEST if self._graded else super()._first
 
     @property
@@ -85,7 +93,7 @@ class DampedModalResponse(ModalResponse):
     def limit(self) -> int:
         return max(2 * FINEST // max(2, len(self.placed)), LEAST) if self.most == MANY else 0
 
-    def _found(self, count) -> "ModalMotion":
+    def _found(self, count: int) -> "ModalMotion":
         import numpy as np
 
         from vibcli.analyses.continuous.complex_modes import ComplexModes, DampedBasis
@@ -98,7 +106,7 @@ class DampedModalResponse(ModalResponse):
                 reached = min(max(FURTHER * self._reached, BLOCK), count)
                 self._known.append(damped_series(self._known[-1], reached))
                 self._reached = reached
-        series = self._known[-1]
+        series = cast("DampedSeries", self._known[-1])        # as many as are counted are
         rigid = [[float(x) for x in mode.shape] for mode in self.natural.shown() if mode.rigid]
         basis = DampedBasis(series, matrix, np.array(rigid).reshape(len(rigid), matrix.n), self._transfer.pieces)
         if series.resting != basis.at_rest:
@@ -108,7 +116,7 @@ class DampedModalResponse(ModalResponse):
                              None if self.let_go else self._left_out)
         return ModalMotion(modes, self._transfer, self._forces, self.problem.work)
 
-    def _left_out(self, modes):
+    def _left_out(self, modes: "ComplexModes") -> "LeftOutEnergy":
         """The LeftOutEnergy."""
         from vibcli.analyses.continuous.field_start import StartInFields
         from vibcli.analyses.continuous.left_out_energy import LeftOutEnergy
@@ -118,7 +126,7 @@ class DampedModalResponse(ModalResponse):
         return LeftOutEnergy(modes, self._transfer, self.deviations, start)
 
     @cached_property
-    def _known(self):
+    def _known(self) -> "list[Known | DampedSeries]":
         """What is known of the λ, ever more."""
         from vibcli.analyses.continuous.damped_series import within_region
 
@@ -129,7 +137,7 @@ class DampedModalResponse(ModalResponse):
             raise PhysicsError(f"the motion in time of this scene is not found: {error}", "ask for steady(…)") from None
         return [within_region(damped.region)]
 
-    def _dragged(self, basis):
+    def _dragged(self, basis: "DampedBasis") -> "tuple[np.ndarray, np.ndarray]":
         """φᵀ C u and φᵀ C v at t = 0."""
         from vibcli.analyses.continuous.modal_start import of_field
 
@@ -142,5 +150,5 @@ class DampedModalResponse(ModalResponse):
         return place, speed
 
     @property
-    def _dying(self):
+    def _dying(self) -> "Sequence[DampedMode]":
         return self.damped.shown()

@@ -1,16 +1,25 @@
 """The motion in time of bars, shafts and strings whose waves drag or a foundation in proportion to their mass disperse:
 values at instants without any series, as long as fronts stay few."""
 
+from collections.abc import Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
 from vibcli.results.wave_response import WaveResponse
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from vibcli.analyses.continuous.dispersed_waves import DispersedMotion
     from vibcli.analyses.continuous.modal_motion import ModalMotion
+    from vibcli.analyses.continuous.travelling_waves import WaveMotion
+    from vibcli.analyses.excitation.forcing import Forcing, Wave
+    from vibcli.results.modal_response import ModalResponse
+    from vibcli.results.responses import Terms
     from vibcli.results.signal import Signal
+    from vibcli.results.wave_signals import DispersedSignal
+    from vibcli.symbolic.syntax import NameRef
 
 ALIKE = 1e-14       # relative difference of rates that are one
 NEAR = 1e-6         # of δ²: a σ² next to 0, where what two exponentials leave of one another rounds
@@ -30,7 +39,8 @@ class DispersedWaveResponse(WaveResponse):
         plain = self._pieces([one._replace(piece=one.piece._replace(drag=0, foundation=0)) for one in self.placed])
         displaced, moving = (_fields(self.fields, number) for number in range(2))
 
-        def under(waves, start, fields):
+        def under(waves: "tuple[Wave, ...]", start: "tuple[np.ndarray, np.ndarray]",
+                  fields: "list[Forcing] | None") -> "WaveMotion":
             return self._followed(plain, Forcing(forces.channels, [Segment(0.0, waves)]), start, fields)
 
         found = [WaveSource(under((Wave(channel, 1.0, 0, 0j),), (0 * q, 0 * v), None).under(forces), channel)
@@ -50,7 +60,7 @@ class DispersedWaveResponse(WaveResponse):
         self.alone.reach(until)
 
     @property
-    def _rates(self):
+    def _rates(self) -> "np.ndarray":
         """δ and κ: half of c/μ, and k/μ."""
         import numpy as np
 
@@ -64,9 +74,11 @@ class DispersedWaveResponse(WaveResponse):
         found = rates[:, :2] / rates[:, 2:]
         if (np.ptp(found, axis=0) > ALIKE * found.max(axis=0)).any():
             raise _refusal()
-        return found[0] / (2, 1)
+        result: np.ndarray = found[0] / (2, 1)
+        return result
 
-    def without_bound(self, constant: float, terms: list, motion: "ModalMotion", asked: tuple) -> "Signal | None":
+    def without_bound(self, constant: float, terms: "Terms",
+                      motion: "ModalMotion", asked: "tuple[ModalResponse, NameRef]") -> "Signal | None":
         from vibcli.results.boundless_signal import BoundlessSignal
 
         try:
@@ -76,7 +88,7 @@ class DispersedWaveResponse(WaveResponse):
             return None
         return BoundlessSignal(found.waves, found.reads, motion, asked)
 
-    def _linear(self, constant, terms, source=()):
+    def _linear(self, constant: float, terms: "Terms", source: tuple[Any, ...] = ()) -> "DispersedSignal":
         from vibcli.results.wave_signals import DispersedSignal
 
         shaken = any(channel is not None for _, channel, _ in self._numbered_ends)
@@ -87,7 +99,7 @@ class DispersedWaveResponse(WaveResponse):
         return DispersedSignal(*self._driven(constant, terms))
 
 
-def _fields(fields, number):
+def _fields(fields: "Sequence[Forcing | None]", number: int) -> "list[Forcing] | None":
     """What pieces start with on one channel alone; None where it is nothing."""
     from vibcli.analyses.excitation.forcing import Forcing
 
@@ -97,7 +109,7 @@ def _fields(fields, number):
     return found if any(piece.waves for field in found if field is not None for piece in field.pieces) else None
 
 
-def _letting_go(delta, kappa):
+def _letting_go(delta: float, kappa: float) -> tuple[tuple[complex, int, complex], tuple[complex, int, complex]]:
     """(coefficient, power, exponent) of the waves of (s + 2δ)/(s² + 2δs + κ)."""
     square = delta**2 - kappa
     if not square:
@@ -109,5 +121,5 @@ def _letting_go(delta, kappa):
     return (-fast / (2 * root), 0, slow), (slow / (2 * root), 0, fast)
 
 
-def _refusal():
+def _refusal() -> NotByWaves:
     return NotByWaves("its waves are not followed as they disperse")

@@ -49,7 +49,7 @@ def energy_balance(motion: "LinearMotion", until: float) -> float | None:
 
 
 @cache
-def _gauss():
+def _gauss() -> tuple[np.ndarray, np.ndarray]:
     return np.polynomial.legendre.leggauss(POINTS)
 
 
@@ -81,9 +81,9 @@ def _speed(entries: dict[int, float]) -> LinearOutput:
 def _states(motion: "LinearMotion", t: np.ndarray) -> StatesOverSpans:
     n, f, pieces = len(motion.M), np.zeros((len(motion.M), len(t))), motion.pieces(t.max())
     where: Any = pieces.timeline.place(t)
-    known: dict = {}
+    known: dict[Any, Any] = {}
 
-    def values(output):
+    def values(output: LinearOutput) -> np.ndarray:
         return ExponentialSum(pieces, output, 0, split=False).at(*where, known)
 
     q, v = (np.array([values(one({i: 1.0})) for i in range(n)]) for one in (_place, _speed))

@@ -71,6 +71,6 @@ def finest(response: "ModalResponse", motion: "ModalMotion", output: "LinearOutp
     return motion
 
 
-def _is_displacement(output):
+def _is_displacement(output: "LinearOutput") -> bool:
     return not any((*output.v.values(), *output.a.values())) and all(
         not place.along and not place.rates for place, factor in output.places.items() if factor)

@@ -19,7 +19,7 @@ class Envelope(Signal):
 
     KIND = "an envelope"
 
-    def __init__(self, signal: "LinearSignal"):
+    def __init__(self, signal: "LinearSignal") -> None:
         self.signal = signal
 
     @cached_property

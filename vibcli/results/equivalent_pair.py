@@ -1,5 +1,6 @@
 """A scene with the perpendicular pair that resists like the springs, and the dampers, that end at one place."""
 
+from collections.abc import Iterator, Sequence
 from math import atan2, cos, hypot, pi, sin
 from typing import TYPE_CHECKING
 
@@ -49,7 +50,7 @@ def with_pair(problem: "Problem", place: str) -> "Problem":
     return problem.with_spec(spec.with_sections(**sections))
 
 
-def _middle(problem, place, elements: "list[Concurrent]"):
+def _middle(problem: "Problem", place: str, elements: "list[Concurrent]") -> tuple[float, float]:
     """The mean direction of elements from the place to their other ends, and their mean length, as drawn."""
     from vibcli.mechanics.concurrent import same_place
 
@@ -64,7 +65,8 @@ def _middle(problem, place, elements: "list[Concurrent]"):
     return atan2(sum(y for _, y in spans), sum(x for x, _ in spans)), sum(hypot(*span) for span in spans) / len(spans)
 
 
-def _ends(pair: "Equivalent", centre, heading, length):
+def _ends(pair: "Equivalent", centre: Sequence[float], heading: float,
+          length: float) -> Iterator[tuple[str, float, tuple[float, float]]]:
     """[(name, value, place of the other end)] of the two; of what is one in every direction along x and y."""
     angle = 0.0 if pair.isotropic else float(pair.angle.value)
     for name, part, turned in (("max", "max", angle), ("min", "min", angle + pi / 2)):
@@ -75,7 +77,7 @@ def _ends(pair: "Equivalent", centre, heading, length):
             yield name, value, (centre[0] + length * cos(turned), centre[1] + length * sin(turned))
 
 
-def _record(model: Record, name, which, value, end, place):
+def _record(model: Record, name: str, which: str, value: float, end: tuple[float, float], place: str) -> Record:
     key, unit = KEYS[which]
     coordinates = [_number(f"{x!r}", model) for x in end]
     values = {key: _number(f"{value!r}", model, f"{value:.4g} {unit}"),
@@ -83,5 +85,5 @@ def _record(model: Record, name, which, value, end, place):
     return Record(model.element, f"{which}.{name}", model.where, values, {})
 
 
-def _number(text, model, shown=None):
+def _number(text: str, model: Record, shown: str | None = None) -> Expression:
     return Expression(Scalar(shown or text, model.where), parse(text))

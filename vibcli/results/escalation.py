@@ -1,8 +1,8 @@
 """Values and extremes of signals with their bounds, computed in more digits where the bound of the floats exceeds what
 is asked."""
 
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
@@ -12,8 +12,12 @@ from vibcli.results.known_digits import require_value
 if TYPE_CHECKING:
     from fractions import Fraction
 
+    import mpmath
+
     from vibcli.results.signal import Signal
     from vibcli.results.signals import LinearSignal
+
+Found = TypeVar("Found")
 
 ASKED = 1e-9            # of the largest value up to an instant: what a bound may be
 DIGITS, MOST = 25, 40   # in which more are computed; steps of a million products that this may take by itself
@@ -53,7 +57,7 @@ def value_of_signal(signal: "Signal", t: "Fraction | float") -> tuple[float, flo
     if size is None:
         return _known(signal, at, value, error)
 
-    def finer():
+    def finer() -> float:
         from fractions import Fraction
 
         from vibcli.analyses.transient.descriptor_system import real
@@ -65,7 +69,7 @@ def value_of_signal(signal: "Signal", t: "Fraction | float") -> tuple[float, flo
     return _known(signal, at, value, error) if found is None else (found, ROUNDED * abs(found) + size * 10.0**-DIGITS)
 
 
-def _known(signal, t, value, error):
+def _known(signal: "Signal", t: float, value: float, error: float) -> tuple[float, float]:
     """Both, where they tell a digit."""
     require_value(signal, t, value, error)
     return value, error
@@ -100,11 +104,12 @@ def phasors_of_signal(signal: "LinearSignal") -> list[tuple[float, complex, floa
     return found
 
 
-def _finer_phasors(signal, found, size):
+def _finer_phasors(signal: "LinearSignal", found: Sequence[tuple[float, complex, float]],
+                   size: float) -> list[tuple[float, complex, float]]:
     from vibcli.results.precise_features import phasors
     from vibcli.results.precise_signals import agreed, precise_signal
 
-    def parts():
+    def parts() -> "list[mpmath.mpf]":
         return [part for _, X in phasors(precise_signal(signal.source)) for part in (X.real, X.imag)]
 
     numbers = iter(map(float, agreed(parts, DIGITS, size)))
@@ -113,7 +118,7 @@ def _finer_phasors(signal, found, size):
     return [(Omega, finer[Omega], 2 * ROUNDED * abs(finer[Omega])) for Omega, *_ in found]
 
 
-def _exceeded(signal, t, value, error):
+def _exceeded(signal: "Signal", t: float, value: float, error: float) -> float | None:
     """The largest of samples of a signal up to an instant, where the bound of its value there exceeds what is asked and
     more digits are found; else None."""
     if error <= ASKED * abs(value) or not signal.source:
@@ -129,7 +134,7 @@ def largest(signal: "Signal", t: float) -> float:
     return float(np.abs(signal.values(np.linspace(0.0, t, SAMPLES))).max())
 
 
-def _found(compute: Callable):
+def _found(compute: Callable[[], Found]) -> Found | None:
     """What is computed; None where that is refused."""
     try:
         return compute()

@@ -23,7 +23,7 @@ class ExpandedResponse(FullResponse):
 
     WORDS = "equations to the third order in the deviations from equilibrium, integrated"
 
-    def __init__(self, problem: "Problem"):
+    def __init__(self, problem: "Problem") -> None:
         super().__init__(problem)
         if problem.digits is not None:
             raise PhysicsError("motions of expanded equations are found in the digits of floats",
@@ -51,7 +51,7 @@ class ExpandedResponse(FullResponse):
         return FullResponse(self.problem)
 
     @property
-    def _integrated(self):
+    def _integrated(self) -> "Configuration":
         return self.expanded
 
     def signal(self, tree: Any) -> "FullSignal":
@@ -71,7 +71,7 @@ class ExpandedResponse(FullResponse):
                            "leave --digits out, or ask for motion: full")
 
     @cached_property
-    def _exact_period(self):
+    def _exact_period(self) -> tuple[float, float] | None:
         from vibcli.analyses.nonlinear.period import exact_period
 
         if len(self.problem.scene.coordinates) != 1:

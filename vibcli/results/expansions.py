@@ -1,7 +1,7 @@
 """The expansion of a Problem about its equilibrium: deflections of springs, what their material and their geometry
 store, energies, and equations of motion."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import Kinked, NotInLetters, PhysicsError
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.scene.energy_terms import Spring
     from vibcli.scene.laws import Law
+    from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
 LARGEST = 6         # coordinates
@@ -121,16 +122,16 @@ def of_loads(problem: "Problem", order: int, letters: bool) -> dict[Powers, Any]
     return {} if W is None or W.is_zero else in_powers(problem, W, order, letters)
 
 
-def _in_letters(problem, scene, order):
+def _in_letters(problem: "Problem", scene: "Scene", order: int) -> Expansion:
     place, symbolic = problem.symbolic.equilibrium_position, problem.symbolic
     energies = {"V": in_letters(symbolic, "V", scene.q, up_to(order), order),
                 "T": in_letters(symbolic, "T", [*scene.q, *scene.v], up_to(order), order)}
 
-    def total(factors):
+    def total(factors: "Iterable[Node]") -> "Node | None":
         node = textbook(scene.table.sum(*((factor, 1) for factor in factors)))
         return None if is_zero(node) else node
 
-    def written(node, order):
+    def written(node: "Node", order: int) -> "dict[Powers, Node]":
         return {powers: textbook(c) for powers, c in expanded_about(
             scene, node, place, scene.q, up_to(order), order).items()}
 
@@ -139,13 +140,13 @@ def _in_letters(problem, scene, order):
     return _together(scene, True, deflections, springs, energies, total, None if W is None else written(W, order))
 
 
-def _in_numbers(problem, scene, order):
+def _in_numbers(problem: "Problem", scene: "Scene", order: int) -> Expansion:
     configuration = problem.configuration
     energies = {which: {powers: float(number_in(c)) for powers, c in in_numbers(
         configuration, which, variables, up_to(order), order).items()}
         for which, variables in (("V", scene.q), ("T", [*scene.q, *scene.v]))}
 
-    def total(factors):
+    def total(factors: "Sequence[float]") -> "float | None":
         found = sum(factors)
         return found if abs(found) > NIL * sum(map(abs, factors)) else None
 
@@ -157,13 +158,13 @@ def _in_numbers(problem, scene, order):
     return _together(scene, False, deflections, springs, energies, total, work)
 
 
-def _plain(shares):
+def _plain(shares: SpringShares) -> SpringShares:
     """The same without bounds and what vanishes."""
     parts = [{powers: float(number_in(c)) for powers, c in part.items()} for part in shares]
     return SpringShares(*({powers: c for powers, c in part.items() if c} for part in parts))
 
 
-def _stretches(problem):
+def _stretches(problem: "Problem") -> "Iterator[tuple[str, Node]]":
     """(name, expression) of the deflection of each spring."""
     from vibcli.mechanics.signals import moving
 
@@ -171,31 +172,32 @@ def _stretches(problem):
         yield name, moving(problem.system, f"{name}.stretch")
 
 
-def _together(scene, letters, deflections, springs, energies, total, work):
+def _together(scene: "Scene", letters: bool, deflections: Mapping[str, Mapping[Powers, Any]],
+              springs: Mapping[str, SpringShares], energies: Mapping[str, Mapping[Powers, Any]],
+              total: Callable[[Sequence[Any]], Any], work: Mapping[Powers, Any] | None) -> Expansion:
     n, equations = len(scene.q), None
-    energies = {which: _ascending({powers: c for powers, c in terms.items() if any(powers) and total([c]) is not None},
-                                  n) for which, terms in energies.items()}
+    kept = {which: _ascending({powers: c for powers, c in terms.items() if any(powers) and total([c]) is not None}, n)
+            for which, terms in energies.items()}
     if work is not None:
         equations = []
         for i in range(n):
-            parts = truncated_equation(energies["T"], [*energies["V"].items(), *((p, -c) for p, c in work.items())],
-                                       i, n)
+            parts = truncated_equation(kept["T"], [*kept["V"].items(), *((p, -c) for p, c in work.items())], i, n)
             sums = {powers: total(factors) for powers, factors in parts.items()}
             equations.append(_ascending({powers: c for powers, c in sums.items() if c is not None}, n))
-    deflections = {name: _ascending({powers: c for powers, c in terms.items() if any(powers)}, n)
-                   for name, terms in deflections.items()}
-    springs = {name: SpringShares(*(_ascending(part, n) for part in found)) for name, found in springs.items()}
+    of_springs = {name: _ascending({powers: c for powers, c in terms.items() if any(powers)}, n)
+                  for name, terms in deflections.items()}
+    shares = {name: SpringShares(*(_ascending(part, n) for part in found)) for name, found in springs.items()}
     timed = scene.timed or any(term.weight.mask & scene.time.mask for term in scene.forces)
-    return Expansion(letters, deflections, springs, energies, equations, [*scene.q, *scene.v, *scene.a], timed)
+    return Expansion(letters, of_springs, shares, kept, equations, [*scene.q, *scene.v, *scene.a], timed)
 
 
-def _ascending(terms, n):
+def _ascending(terms: Mapping[Powers, Any], n: int) -> dict[Powers, Any]:
     """By their order; of equal ones accelerations first, then by the coordinates."""
     return dict(sorted(terms.items(), key=lambda term: (
         sum(term[0]), [-power for power in (*term[0][2 * n:], *term[0][:2 * n])])))
 
 
-def _work(scene):
+def _work(scene: "Scene") -> "Node | None":
     """The work of steady loads; None where loads follow the motion."""
     if any(term.weight.mask & ~scene.time.mask for term in scene.forces):
         return None

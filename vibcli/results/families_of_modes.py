@@ -17,14 +17,16 @@ from vibcli.symbolic.compiled_arrays import Compiled
 from vibcli.symbolic.derivatives import gradient
 
 if TYPE_CHECKING:
+    from vibcli.analyses.nonlinear.family_of_mode import MotionOfAmplitude
     from vibcli.results.problem import Problem
     from vibcli.symbolic.running_errors import Rounded
+    from vibcli.symbolic.syntax import NameRef
 
 
 class FamiliesOfModes:
     """About the equilibrium of a Problem; PhysicsError where motions do not run backwards as well."""
 
-    def __init__(self, problem: "Problem"):
+    def __init__(self, problem: "Problem") -> None:
         self.problem, self.scene = problem, problem.scene.resting
 
     @cached_property
@@ -67,13 +69,14 @@ class FamiliesOfModes:
                           f"resonance 1:{found[1]}): κ tells ω at amplitudes far below those where they may "
                           "exchange energy.")
 
-    def _require_number(self, number):
+    def _require_number(self, number: int) -> None:
         n = len(self.scene.q)
         if not 1 <= number <= n:
             raise PhysicsError(f"this scene has {n} families of free motions, found the index {number}",
                                f"write an index from 1 to {n}")
 
-    def _told(self, tree, family, found, number):
+    def _told(self, tree: "NameRef", family: FamilyOfMode, found: "Sequence[MotionOfAmplitude]",
+              number: int) -> str | None:
         """The first motion with an internal resonance, in words."""
         for one in found:
             if (shared := family.resonance(one.motion)) is not None:
@@ -83,7 +86,7 @@ class FamiliesOfModes:
                         "the kinetic energy.")
         return None
 
-    def _range(self, tree):
+    def _range(self, tree: "NameRef") -> AmplitudeOfSignal:
         node, speeds = node_of(self.problem, tree), self.scene.v
         require_changing(node)
         slopes = gradient(node)

@@ -52,7 +52,7 @@ def of_part(signal: "LinearSignal", part: "Part") -> PartErrors:
     return _with_phase(part, float(np.real(amplitude)), decay, speed)
 
 
-def _with_phase(part, amplitude, rate, omega):
+def _with_phase(part: "Part", amplitude: float, rate: float, omega: float) -> PartErrors:
     amplitude += ROUNDING * abs(part.amplitude)
     return PartErrors(amplitude, min(pi, amplitude / (abs(part.amplitude) or 1e-300)) + ROUNDING, rate, omega)
 
@@ -134,13 +134,13 @@ def of_lasting(signal: "LinearSignal") -> list[float]:
     return [_at_last(signal), *(error for _, error in _lasting(signal))]
 
 
-def _lasting(signal):
+def _lasting(signal: "LinearSignal") -> list[tuple[float, float]]:
     """[(amplitude, its error)] of the vibrations that do not die out."""
     return [(abs(part.amplitude), of_part(signal, part).amplitude) for part in signal_features.free_parts(signal)
             if part.omega and abs(part.rate) <= signal_features.UNDYING * part.omega]
 
 
-def _at_last(signal):
+def _at_last(signal: "LinearSignal") -> float:
     """Of the value at the last change of the loads."""
     import numpy as np
 

@@ -1,6 +1,6 @@
 """Families of free motions about the equilibrium of a Problem that nothing drives, dampers left out."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from math import tau
 from typing import TYPE_CHECKING, Any
@@ -18,15 +18,17 @@ from vibcli.symbolic.compiled_arrays import Compiled
 from vibcli.symbolic.evaluation import multiprecision
 
 if TYPE_CHECKING:
+    from vibcli.analyses.nonlinear.motions_by_amplitude import MotionsOfFamily
     from vibcli.results.families_of_modes import FamiliesOfModes
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import NameRef, Product
 
 
 class FreeMotions:
     """Those of scenes whose forces have a potential; PhysicsError of others."""
 
-    def __init__(self, problem: "Problem"):
+    def __init__(self, problem: "Problem") -> None:
         self.problem, self.scene = problem, problem.scene.resting
         require_families(problem)
 
@@ -45,7 +47,7 @@ class FreeMotions:
         well = Well(self.scene, self.problem.numeric.floats)
         return FamilyOfMotions(well, self._bottom(well), self.scene.unit_of(self.scene.coordinates[0]))
 
-    def _bottom(self, well):
+    def _bottom(self, well: Well) -> float:
         """The place of the equilibrium; where the slope of a force is infinite there, it is as drawn."""
         name = self.scene.q[0].name
         try:
@@ -108,7 +110,7 @@ class FreeMotions:
         found = self._motions(tree, node_of(self.problem, tree), np.array([amplitude]))
         return float(found.left[0, 0]), float(found.right[0, 0])
 
-    def _motions(self, tree, node, amplitudes):
+    def _motions(self, tree: "NameRef | Product", node: "Node", amplitudes: np.ndarray) -> "MotionsOfFamily":
         require_changing(node)
         try:
             return motions_by_amplitude(self.family, self._signal(node), amplitudes)
@@ -118,12 +120,12 @@ class FreeMotions:
             raise PhysicsError(f"{error.message}: they end at {amplitude_told(self.problem, tree, error.largest)}",
                                "beyond that a motion passes a top of V, or nothing turns it round") from None
 
-    def _signal(self, node):
+    def _signal(self, node: "Node") -> Callable[[np.ndarray], np.ndarray]:
         compiled = Compiled(self.scene, self.problem.numeric.floats, None, [node])
         return function_of_place(self.family.well, compiled, node)
 
 
-def _require_first(number):
+def _require_first(number: int) -> None:
     if number != 1:
         raise PhysicsError(f"one degree of freedom has one family of free motions, found the index {number}",
                            "write backbone[1]")

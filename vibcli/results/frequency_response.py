@@ -1,5 +1,6 @@
 """The frequency response of a signal of a scene to an input, and what is read off its graph."""
 
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from functools import cached_property
 from math import isfinite
@@ -31,7 +32,7 @@ class Listing(NamedTuple):
 class FrequencyResponse:
     """H(iΩ) of `signal` (a name, primes for rates) to a unit of the input `driver`."""
 
-    def __init__(self, problem: "Problem", signal: str, driver: str):
+    def __init__(self, problem: "Problem", signal: str, driver: str) -> None:
         from vibcli.analyses.frequency_response.transfer_function import transfer
 
         self.problem, self.signal, self.driver = problem, signal, driver
@@ -111,7 +112,7 @@ class FrequencyResponse:
         """Ω of an antiresonance, counted from 1."""
         return self._numbered(number, "antiresonances", "antiresonance")[0].Omega
 
-    def _numbered(self, number, kind, noun):
+    def _numbered(self, number: int, kind: str, noun: str) -> "tuple[Extreme, Listing]":
         """(the one of this number, the Listing it is in), which reaches as far as it has to."""
         end = self.transfer.end
         found = self.listed(end)
@@ -130,7 +131,7 @@ class FrequencyResponse:
 
         return held(self.peak(number), *self._kept("half power", [number], self._half_power)[0])
 
-    def _half_power(self, numbers):
+    def _half_power(self, numbers: Sequence[int]) -> list[tuple[float, float]]:
         from vibcli.analyses.frequency_response.peaks import half_power
 
         peak, found = self._numbered(numbers[0], "peaks", "peak")
@@ -156,7 +157,8 @@ class FrequencyResponse:
         whole = [number for (what, number), points in self._known.items() if what == "half power" and sum(points) > 0]
         self._kept("levels", whole, self._errors_of_levels)
 
-    def _kept(self, what, numbers, find):
+    def _kept(self, what: str, numbers: range | Sequence[int],
+              find: Callable[..., list[tuple[float, float]]]) -> list[tuple[float, float]]:
         """What is found of peaks, of those together of which it is not known."""
         missing = [number for number in numbers if (what, number) not in self._known]
         if missing:
@@ -180,13 +182,14 @@ class FrequencyResponse:
             free = transfer(other.configuration, self.signal, self.driver, modal=other.modal)
             with self.problem.work.task("the search for fixed points", MOST):
                 self._fixed[damper] = free, fixed_points(free, self.transfer)
-        return self._fixed[damper][1]
+        found: list[FixedPoint] = self._fixed[damper][1]
+        return found
 
     def error_of_peak(self, number: int) -> tuple[float, float]:
         """(|δΩ|, relative error of |H|) of a peak, counted from 1."""
         return self._kept("top", [number], self._errors_of_peaks)[0]
 
-    def _errors_of_peaks(self, numbers):
+    def _errors_of_peaks(self, numbers: Sequence[int]) -> list[tuple[float, float]]:
         import numpy as np
 
         tops = [self.peak(number) for number in numbers]
@@ -212,15 +215,16 @@ class FrequencyResponse:
 
         return self._errors_of_antiresonances(np.array([Omega]))[0]
 
-    def _errors_of_antiresonances(self, Omega):
+    def _errors_of_antiresonances(self, Omega: "np.ndarray") -> list[float]:
         found = self.errors.of_zeros(Omega) if self.undamped else self.errors.of_tops(Omega)[0]
-        return found.tolist()
+        result: list[float] = found.tolist()
+        return result
 
     def errors_of_half_power(self, number: int) -> tuple[float, float]:
         """(|δΩ₁|, |δΩ₂|) of the half-power points about a peak."""
         return self._kept("levels", [number], self._errors_of_levels)[0]
 
-    def _errors_of_levels(self, numbers):
+    def _errors_of_levels(self, numbers: Sequence[int]) -> list[tuple[float, float]]:
         import numpy as np
 
         places = np.array([self.half_power_of(number) for number in numbers])

@@ -1,41 +1,44 @@
 """The motion of the full equations, integrated, and what it shares with motions that are prescribed."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence, ValuesView
 from contextlib import suppress
 from fractions import Fraction
 from functools import cached_property
-from math import log, tau
+from math import log
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, Unknown
 from vibcli.language.signals import is_reaction
+from vibcli.results.duration_beside_loads import duration_beside_loads
 from vibcli.results.full_signals import FullSignal
 from vibcli.results.response import Response
+from vibcli.results.signal_nodes import node_of_signal
 from vibcli.symbolic.evaluation import evaluate
-from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import NameRef, Power, QuantityRef, Sum
 
 if TYPE_CHECKING:
     import mpmath
     import numpy as np
 
+    from vibcli.analyses.time_integration.agreement import Shared
     from vibcli.analyses.time_integration.trajectory import Trajectory
     from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.inputs_outputs.forces_along_motion import ForcesAlong
     from vibcli.results.motion_in_series import MotionInSeries
     from vibcli.results.problem import Problem
     from vibcli.results.shared_friction import SharedFriction
+    from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
 LOOK = 1.0          # seconds, to tell what rests for ever
 FOLLOWED, LOST = 12, 13         # digits that are offered beyond the horizon; those that are lost there
-SWINGS, LONGER = 2, 200         # swings of the slowest load that are looked at, as long as that is no longer so often
 SOON = 1e-3         # seconds, as far as a motion is followed of which the start alone is asked
 
 
 class StatesInTime(Response):
     """A motion whose places, velocities and accelerations are known at any instant, and with them all forces."""
 
-    signal_of: Callable
+    signal_of: Callable[..., FullSignal]
 
     def signal(self, tree: Any) -> FullSignal:
         """The signal of a tree: a function of the coordinates, velocities and accelerations, and of forces."""
@@ -44,7 +47,7 @@ class StatesInTime(Response):
 
         scene, forces, frictions = self.problem.scene, {}, set()
 
-        def symbol(name, primes, part):
+        def symbol(name: str, primes: int, part: NameRef) -> "Node":
             if isinstance(part, QuantityRef):
                 getattr(self.signal_of(scene.table.zero, {}), part.head)      # says why there is none
             if name in scene.parameters.nodes and not primes:
@@ -57,7 +60,7 @@ class StatesInTime(Response):
                 frictions.add(name)
             return moving(self.problem.system, name, primes)
 
-        node = lower(tree, scene.table, symbol)
+        node = node_of_signal(tree, scene.table, symbol)
         return self.signal_of(node, forces, SharedFriction.of(scene, tree, frictions, symbol) if frictions else None)
 
     def state_signal(self, node: Any) -> FullSignal:
@@ -65,7 +68,7 @@ class StatesInTime(Response):
         return self.signal_of(node, {})
 
     @cached_property
-    def _forces(self):
+    def _forces(self) -> "ForcesAlong":
         from vibcli.mechanics.inputs_outputs.forces_along_motion import ForcesAlong
 
         return ForcesAlong(self.problem.numeric)
@@ -77,7 +80,8 @@ class StatesInTime(Response):
         found = self._forces.values(list(dict.fromkeys(wanted.values())), states, self.senses(states, trajectory))
         return {symbol: found[name] for symbol, name in wanted.items()}
 
-    def senses(self, states: Any, trajectory: "Trajectory | None") -> Callable | None:
+    def senses(self, states: Any,
+               trajectory: "Trajectory | None") -> "Callable[[Scene, list[Node]], list[np.ndarray]] | None":
         """Gives the σ of arguments of a scene at the `states`; None where their signs are those of the arguments."""
         return None
 
@@ -100,7 +104,7 @@ class FullResponse(StatesInTime):
 
     KIND, WORDS = "full", "full equations, integrated"
 
-    def __init__(self, problem: "Problem"):
+    def __init__(self, problem: "Problem") -> None:
         super().__init__(problem)
         self._trajectory: Any = None
         self._periods: dict[str, tuple[float, float]] = {}
@@ -123,7 +127,8 @@ class FullResponse(StatesInTime):
 
             self._trajectory = known_motion(self._integrated, until, self.problem.initial.given,
                                             self.problem.spec.accuracy)
-        return self._trajectory
+        result: Trajectory = self._trajectory
+        return result
 
     @cached_property
     def precise(self) -> "MotionInSeries":
@@ -145,7 +150,7 @@ class FullResponse(StatesInTime):
             return Unknown(refusal.message, f"{refusal.hint}; --digits {FOLLOWED} carries as many as it takes")
         return refusal
 
-    def _is_affordable(self, shared, t):
+    def _is_affordable(self, shared: "Shared", t: float) -> bool:
         """Can a series follow the motion up to an instant?"""
         loss = max(LOST / shared.horizon, 0.0 if shared.folding is None else 1 / (shared.folding * log(10)))
         try:
@@ -162,7 +167,8 @@ class FullResponse(StatesInTime):
         except PhysicsError:
             if self._trajectory is None:
                 raise
-            return self._trajectory.end
+            found: float = self._trajectory.end
+            return found
         return min(until, self.trajectory().end)
 
     def reaching(self, t: float) -> "Trajectory":
@@ -172,25 +178,10 @@ class FullResponse(StatesInTime):
                 return self.trajectory(max(t, self.until))
             except PhysicsError:
                 return self.trajectory(t or SOON)
-        return self._trajectory
-
-    def _beside_loads(self, modes, damped):
-        """The duration of modes, of loads that change their form or die out, and of some swings of these where nothing
-        grows."""
-        from vibcli.analyses.excitation.load_times import load_times
-        from vibcli.analyses.transient.duration import duration
-
-        problem = self.problem
-        loads = load_times(problem.scene, problem.numeric.floats, problem.work)
-        alone, found = duration(modes, damped, 0.0, []), duration(modes, damped, loads.last, [], loads.fading)
-        if loads.speeds and not any(mode.growth_rate for mode in (damped or modes)):
-            found = max(found, loads.last + SWINGS * tau / loads.speeds[0])
-        if found > LONGER * alone * problem.work.patience:
-            raise PhysicsError(f"loads are so late or slow that this motion would be followed up to t = {found:.4g} s, "
-                               f"{found / alone:.3g} times as long as without them", self._say_until())
+        found: Trajectory = self._trajectory
         return found
 
-    def _say_until(self):
+    def _say_until(self) -> str:
         return f"say until when: find: [{{response: {{until: {self.problem.spec.example('10 s')}}}}}]"
 
     def lasting(self) -> float:
@@ -200,7 +191,7 @@ class FullResponse(StatesInTime):
             modes = self.problem.modal.modes.shown(), damped and damped.shown()
         except PhysicsError:
             raise PhysicsError("it is not known how long this motion is to be looked at", self._say_until()) from None
-        return self._beside_loads(*modes)
+        return duration_beside_loads(self.problem, *modes, self._say_until)
 
     def by_quadrature(self, tree: NameRef | Power | Sum) -> tuple[float, float] | None:
         """(period, relative error) of a coordinate of a conservative scene that has no other; else None."""
@@ -209,7 +200,7 @@ class FullResponse(StatesInTime):
         return None
 
     @cached_property
-    def _exact_period(self):
+    def _exact_period(self) -> tuple[float, float] | None:
         import mpmath
 
         from vibcli.analyses.nonlinear.high_precision_period import DIGITS
@@ -225,7 +216,7 @@ class FullResponse(StatesInTime):
             (q,), (v,) = self._precise_start(values)
         return exact_period(problem.scene, values, q, v)
 
-    def _require_start(self):
+    def _require_start(self) -> None:
         """PhysicsError of a period where nothing starts to move."""
         from vibcli.analyses.time_integration.motionless import starts_at_rest
 
@@ -235,7 +226,7 @@ class FullResponse(StatesInTime):
         if found.rests == found.end:
             raise PhysicsError("the scene is at rest: its motion has no period", "give it an `initial` state")
 
-    def _precise_start(self, values):
+    def _precise_start(self, values: "dict[str, mpmath.mpf]") -> tuple[ValuesView[Any], ValuesView[Any]]:
         """The places and velocities at t = 0, to more digits than floats have where they are given."""
         from vibcli.results.high_precision_response import start
 
@@ -254,7 +245,7 @@ class FullResponse(StatesInTime):
             self._periods[str(tree)] = self._searched_period(tree)
         return self._periods[str(tree)]
 
-    def _searched_period(self, tree):
+    def _searched_period(self, tree: NameRef | Power | Sum) -> tuple[float, float]:
         from vibcli.analyses.time_integration.periodicity import searched_period
 
         try:
@@ -264,7 +255,8 @@ class FullResponse(StatesInTime):
         found, error = searched_period(self.signal(tree), first)
         return found, error / found
 
-    def senses(self, states: Any, trajectory: "Trajectory | None") -> Callable | None:
+    def senses(self, states: Any,
+               trajectory: "Trajectory | None") -> "Callable[[Scene, list[Node]], list[np.ndarray]] | None":
         """By the windows of the motion; PhysicsError where friction that sticks is shared in any proportion."""
         if trajectory is None or not trajectory.switching.count:
             return None
@@ -275,8 +267,8 @@ class FullResponse(StatesInTime):
         times, names = states[self.problem.scene.time.name], trajectory.names
         require_unshared(trajectory, times, states)
 
-        def of(scene, arguments):
-            def of_states(t, q, v):
+        def of(scene: "Scene", arguments: "list[Node]") -> "list[np.ndarray]":
+            def of_states(t: "np.ndarray", q: "np.ndarray", v: "np.ndarray") -> "list[np.ndarray]":
                 return evaluate(arguments, Arrays, self.states(self.named(names, t, q, v, 0.0 * v), trajectory))
 
             return senses(trajectory, scene, arguments, evaluate(arguments, Arrays, states), times, of_states)

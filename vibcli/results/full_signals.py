@@ -1,6 +1,6 @@
 """Signals of motions whose places, velocities and accelerations are known at any instant: integrated or prescribed."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, NoReturn
 
 from vibcli.base.errors import PhysicsError
@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     import numpy as np
 
     from vibcli.analyses.time_integration.signal_error import SignalError
+    from vibcli.analyses.time_integration.trajectory import Trajectory
     from vibcli.analyses.transient.composition import Composition
     from vibcli.base.work import Work
     from vibcli.results.shared_friction import SharedFriction
@@ -32,7 +33,7 @@ class FullSignal(Signal):
     KIND = "a motion that is integrated"
 
     def __init__(self, motion: Any, node: "Node", forces: Mapping[Any, Any] | None = None,
-                 shared: "SharedFriction | None" = None):
+                 shared: "SharedFriction | None" = None) -> None:
         self.motion, self.node, self.forces, self.shared = motion, node, forces or {}, shared
         self._errors: dict[Any, SignalError] = {}
 
@@ -56,7 +57,7 @@ class FullSignal(Signal):
         found = float(max(one.at(t) for one in self._about(trajectory, t)))
         return found if trajectory.fast is None or t < trajectory.fast.since else found + self._of_fast(trajectory, t)
 
-    def _of_fast(self, trajectory, t):
+    def _of_fast(self, trajectory: "Trajectory", t: float) -> float:
         """What an oscillation that was stepped over may make of the signal: Σ |∂s/∂q| of its amplitudes."""
         import numpy as np
 
@@ -70,8 +71,9 @@ class FullSignal(Signal):
         rows = zip(("", "'", "''"), (fast.q, fast.v, fast.a), strict=True)
         amplitudes = {name + primes: size for primes, sizes in rows
                       for name, size in zip(trajectory.names, sizes, strict=True)}
-        return sum(amplitudes[symbol.name] * abs(float(FullSignal(self.motion, slope).values(np.array([t]))[0]))
-                   for symbol, slope in slopes.items() if symbol.name in amplitudes)
+        found: float = sum(amplitudes[symbol.name] * abs(float(FullSignal(self.motion, slope).values(np.array([t]))[0]))
+                           for symbol, slope in slopes.items() if symbol.name in amplitudes)
+        return found
 
     def error_of_time(self, t: float) -> float:
         from math import isfinite
@@ -84,7 +86,7 @@ class FullSignal(Signal):
         found = [one.of_time(t) for one in self._about(trajectory, t)]
         return float(next(filter(isfinite, found), t))      # before it sticks: what rests has an extreme at any instant
 
-    def _about(self, trajectory, t):
+    def _about(self, trajectory: "Trajectory", t: float) -> "list[SignalError]":
         """The SignalError of each window in which an instant lies."""
         from vibcli.analyses.time_integration.signal_error import SignalError
 
@@ -94,7 +96,7 @@ class FullSignal(Signal):
                 self._errors[id(trajectory), k] = SignalError(trajectory, self._along, k)
         return [self._errors[id(trajectory), k] for k in numbers]
 
-    def _along(self, trajectory, times):
+    def _along(self, trajectory: "Trajectory", times: "np.ndarray") -> "np.ndarray":
         """The values along one solution."""
         import numpy as np
 
@@ -104,20 +106,24 @@ class FullSignal(Signal):
         if self.forces:
             values |= self.motion.forces(self.forces, values, trajectory)
 
-        def value(node, values):
+        def value(node: "Node", values: "dict[str, float | np.ndarray]") -> "float | np.ndarray":
             with np.errstate(all="ignore"):
-                return evaluate([self._with_senses(node, trajectory, times, values)], Arrays, values)[0]
+                found: float | np.ndarray = evaluate([self._with_senses(node, trajectory, times, values)], Arrays,
+                                                     values)[0]
+                return found
 
         found = value(self.node, values)
         self._require_fixed(trajectory, times, values, value)
         return require_finite(np.broadcast_to(found, times.shape), times)
 
-    def _require_fixed(self, trajectory, times, values, value):
+    def _require_fixed(self, trajectory: "Trajectory", times: "np.ndarray", values: "dict[str, float | np.ndarray]",
+                       value: "Callable[[Node, dict[str, float | np.ndarray]], float | np.ndarray]") -> None:
         """PhysicsError where the signal is a force that elements share in any proportion."""
         if self.shared is not None:
             self.shared.require_fixed(trajectory, times, values, value)
 
-    def _with_senses(self, node, trajectory, times, values):
+    def _with_senses(self, node: "Node", trajectory: "Trajectory", times: "np.ndarray",
+                     values: "dict[str, float | np.ndarray]") -> "Node":
         """The node with a symbol for each sign in it that may be held, whose value is added to `values`."""
         from vibcli.symbolic.array_arithmetic import Arrays
         from vibcli.symbolic.derivatives import substitute
@@ -130,7 +136,7 @@ class FullSignal(Signal):
 
         scene, arguments = self.motion.problem.scene, [part.args[0] for part in signs]
 
-        def of_states(t, q, v):
+        def of_states(t: "np.ndarray", q: "np.ndarray", v: "np.ndarray") -> Any:
             return evaluate(arguments, Arrays, self.motion.named(trajectory.names, t, q, v))
 
         found = senses(trajectory, scene, arguments, evaluate(arguments, Arrays, values), times, of_states)
@@ -161,7 +167,7 @@ class FullSignal(Signal):
         top = max(sense * value for _, value in found)
         return min((t, value) for t, value in found if sense * value >= top - ALIKE * search.range)
 
-    def _bends(self, trajectory, start, end):
+    def _bends(self, trajectory: "Trajectory", start: float, end: float) -> "np.ndarray":
         """The instants at which the signal bends by itself: where the motion switches, windows end anyhow."""
         import numpy as np
 
@@ -199,12 +205,15 @@ class PrescribedSignal(FullSignal):
 
     @property
     def work(self) -> "Work":
-        return self.motion.problem.work
+        found: Work = self.motion.problem.work
+        return found
 
-    def _require_fixed(self, trajectory, times, values, value):
+    def _require_fixed(self, trajectory: "Trajectory | None", times: "np.ndarray", values: Mapping[str, Any],
+                       value: float) -> None:
         """Speeds that are prescribed are held by the drives."""
 
-    def _with_senses(self, node, trajectory, times, values):
+    def _with_senses(self, node: "Node", trajectory: "Trajectory | None", times: "np.ndarray",
+                     values: Mapping[str, Any]) -> "Node":
         return node
 
     def final(self) -> NoReturn:

@@ -1,7 +1,8 @@
 """Forces and moments within members along each: of a mode, at an instant of the motion, amplitudes of what lasts."""
 
+from collections.abc import Callable, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -14,11 +15,17 @@ from vibcli.results.known_digits import require_value
 from vibcli.symbolic.syntax import NameRef, QuantityRef
 
 if TYPE_CHECKING:
+    from vibcli.analyses.continuous.shapes import Moved
     from vibcli.results.problem import Problem
+    from vibcli.results.signal import Signal
+    from vibcli.results.signals import LinearSignal
+    from vibcli.results.wave_signals import WaveSignal
 
 SAME, COARSE, A_HALF_WAVE = 1e-9, 24, 16      # of the length; parts of a stretch in time; of a half-wave of a mode
 ORDERS = {("beam", "moment"): 2, ("beam", "shear"): 3, ("beam", "force"): 1, ("bar", "force"): 1,
           ("shaft", "moment"): 1}
+
+Along = Callable[[Sequence[str], np.ndarray], np.ndarray]       # (names of signals, their places) → values
 
 
 def forces_of_mode(problem: "Problem", index: int, normalise: str = "first") -> list[InternalForce]:
@@ -35,7 +42,7 @@ def forces_of_mode(problem: "Problem", index: int, normalise: str = "first") -> 
     return found
 
 
-def _moved(moved, order, factor):
+def _moved(moved: "Moved", order: int, factor: complex) -> CurveStretch:
     piece = moved.piece
     stiffness = piece.bending or piece.tension
     waves = (max(-moved.kappa, 0.0) / stiffness) ** (1 / piece.order) * piece.length / np.pi
@@ -48,16 +55,17 @@ def forces_in_time(problem: "Problem", instant: float) -> tuple[list[InternalFor
     """(those at an instant of the motion, why others are not found)."""
     at = np.array([instant])
 
-    def signal(name):
-        return problem.response.signal(NameRef(0, len(name), name, 0))
+    def signal(name: str) -> "WaveSignal":
+        found: WaveSignal = problem.response.signal(NameRef(0, len(name), name, 0))
+        return found
 
-    def values(name, between):
+    def values(name: str, between: "tuple[float, float]") -> Along:
         beside = _beside(problem, name, signal(name), between)
         return _one_by_one(lambda one: float(signal(one).values(at)[0])) if beside is None else (
             lambda names, places: np.array([float((signal(one) if x in between else beside(x)).values(at)[0])
                                             for one, x in zip(names, places.tolist(), strict=True)]))
 
-    def require(force):
+    def require(force: InternalForce) -> None:
         for stretch in force.stretches:
             amid = signal(f"{force.member}.{force.part}({(stretch.start + stretch.end) / 2!r} m)")
             require_value(amid, instant, force.largest, amid.error(instant))
@@ -65,7 +73,8 @@ def forces_in_time(problem: "Problem", instant: float) -> tuple[list[InternalFor
     return _of_signals(problem, values, lambda name: signal(name).error(instant), require)
 
 
-def _beside(problem, name, signal, between):
+def _beside(problem: "Problem", name: str, signal: "WaveSignal",
+            between: tuple[float, float]) -> "Callable[[float], Signal] | None":
     """(place between two stations) → the signal there of one that is read by modes in the middle; None of others."""
     from vibcli.results.modal_signals import ModalSignal
 
@@ -85,16 +94,17 @@ def amplitudes(problem: "Problem") -> tuple[list[InternalForce], list[str]]:
     """(amplitudes of the steady state, why others are not found)."""
     from vibcli.results import feature_errors, steady_features
 
-    def steady(name):
+    def steady(name: str) -> QuantityRef:
         return QuantityRef(0, 0, f"steady({name})", "steady", args=(NameRef(0, len(name), name, 0),))
 
-    def response(name):
+    def response(name: str) -> Any:
         return problem.response_of(QuantityRef(0, 0, f"amplitude({name})", "amplitude", args=(steady(name),)))
 
-    def signal(name):
-        return response(name).signal(steady(name))
+    def signal(name: str) -> "LinearSignal":
+        found: LinearSignal = response(name).signal(steady(name))
+        return found
 
-    def values(name, between):
+    def values(name: str, between: "tuple[float, float]") -> Along:
         found = response(name).amplitudes_along(name, between) if response(name).KIND == "steady" else None
         return _one_by_one(lambda one: steady_features.amplitude(signal(one))) if found is None else (
             lambda names, places: found(places))
@@ -102,17 +112,18 @@ def amplitudes(problem: "Problem") -> tuple[list[InternalForce], list[str]]:
     return _of_signals(problem, values, lambda name: feature_errors.amplitude(signal(name)))
 
 
-def _one_by_one(value):
+def _one_by_one(value: Callable[[str], float]) -> Along:
     """(names of signals, their places) → values; each of them is found once."""
     seen: dict[str, float] = {}
 
-    def values(names, _):
+    def values(names: "Sequence[str]", _: np.ndarray) -> np.ndarray:
         seen.update((name, value(name)) for name in names if name not in seen)
         return np.array([seen[name] for name in names])
     return values
 
 
-def _of_signals(problem, values, error, require=None):
+def _of_signals(problem: "Problem", values: Callable[[str, tuple[float, float]], Along], error: Callable[[str], float],
+                require: Callable[[InternalForce], None] | None = None) -> tuple[list[InternalForce], list[str]]:
     """Those whose values signals tell: values(name of one, stations it lies between) → (names, places) → values;
     require: refuses one of which no digit is known."""
     scene, found, refused = problem.scene, [], []
@@ -134,11 +145,12 @@ def _of_signals(problem, values, error, require=None):
     return found, [f"the {what} is not found: {refusal.message}" for what, refusal in refused]
 
 
-def _of_signal(signal, between, values):
+def _of_signal(signal: str, between: tuple[float, float],
+               values: Callable[[str, tuple[float, float]], Along]) -> CurveStretch:
     """The CurveStretch of a signal."""
     along = values(f"{signal}({sum(between) / 2!r} m)", between)
 
-    def at(places):
+    def at(places: np.ndarray) -> np.ndarray:
         return along([f"{signal}({x!r} m{LEFT_OF * (x >= between[1])})" for x in places.tolist()], places)
 
     return CurveStretch(*between, kept(at), COARSE)
@@ -150,4 +162,6 @@ def require_numbers(problem: "Problem") -> None:
         raise PhysicsError("this scene has no members: no diagram of forces within them can be drawn",
                            "`vibcli draw FILE` draws the scene")
     if problem.numeric.has_free_symbols:
-        raise PhysicsError("diagrams need numbers, and this scene has symbols without value", "give them with --set")
+        from vibcli.language.parameters import require_values
+
+        require_values(problem.scene.parameters, "a diagram of forces")

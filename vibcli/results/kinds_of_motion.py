@@ -7,7 +7,9 @@ from vibcli.mechanics.factored_system import require_dense
 
 if TYPE_CHECKING:
     from vibcli.language.spec import Spec
+    from vibcli.results.precise_response import PreciseResponse
     from vibcli.results.problem import Problem
+    from vibcli.results.steady_response import SteadyResponse
 
 
 def motion_in_time(problem: "Problem") -> Any:
@@ -44,6 +46,18 @@ def motion_in_time(problem: "Problem") -> Any:
     return SmallResponse(problem, _precise_response)
 
 
+def kept_up_by_loads(problem: "Problem") -> "SteadyResponse | None":
+    """What loads that oscillate without end keep up in a scene with members, apart from the motion that leads to it;
+    None where none does, or the motion is not one of small oscillations."""
+    from vibcli.results.steady_response import SteadyResponse
+
+    if problem.spec.in_full or (problem.spec.motion is None and problem.scene.laws):
+        return None
+    found = SteadyResponse(problem, PhysicsError("this is not found of small oscillations of members",
+                                                 "ask for max(x), min(x) or values in time"))
+    return found if found.drives else None
+
+
 def _nonlinear(spec: "Spec", owner: str) -> PhysicsError:
     """The refusal of a motion in time that nobody said to linearise."""
     record = spec.connection(owner)
@@ -52,14 +66,14 @@ def _nonlinear(spec: "Spec", owner: str) -> PhysicsError:
                         "write motion: full, or motion: small where the motion stays small", record and record.where)
 
 
-def _require_no_accuracy(spec):
+def _require_no_accuracy(spec: "Spec") -> None:
     """PhysicsError where an accuracy is asked of a motion that is not integrated."""
     if spec.accuracy is not None:
         raise PhysicsError("this motion is exact in time: it is not integrated, and no accuracy can be asked of it",
                            "leave the accuracy out, or ask for motion: full")
 
 
-def _precise_response(problem):
+def _precise_response(problem: "Problem") -> "PreciseResponse":
     from vibcli.results.precise_response import PreciseResponse
 
     return PreciseResponse(problem)

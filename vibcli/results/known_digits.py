@@ -5,6 +5,7 @@ A value next to a passage through zero is small beside its bound, and is known w
 what is zero all along where it is small beside others of its kind.
 """
 
+from contextlib import suppress
 from math import inf
 from typing import TYPE_CHECKING
 
@@ -41,17 +42,29 @@ def require_value(signal: "Signal", t: float, value: float, error: float) -> Non
 
 def size_of(signal: "Signal", t: float) -> float:
     """The largest of samples of a signal up to an instant and up to the end of its motion, or what tells its zeros."""
+    try:
+        found = signal.whole.told_zero(t)
+    except PhysicsError:        # more than is known of it
+        return 0.0
+    return max(found, largest(signal, t)) if found < inf else found
+
+
+def largest(signal: "Signal", t: float) -> float:
+    """The largest of samples of a signal up to an instant and, as far as that is known, up to the end of its motion."""
     import numpy as np
 
     signal, found = signal.whole, 0.0
-    try:
-        found = signal.told_zero(t)
-        for further in (False, True) if found < inf else ():
+    with suppress(PhysicsError):
+        for further in (False, True):
             end = max(t, signal.end or 0.0) if further else t
             found = max(found, float(np.abs(signal.values(np.linspace(0.0, end, SAMPLES))).max()))
-    except PhysicsError:        # more than is known of it
-        pass
     return found
+
+
+def size_beside(signal: "Signal", t: float) -> float:
+    """What a value is small beside that is lost in its error: a finite size_of, else the largest."""
+    found = size_of(signal, t)
+    return found if found < inf else largest(signal, t)
 
 
 def share_of_terms(motion: "LinearMotion", output: "LinearOutput", t: float) -> float:
@@ -89,7 +102,7 @@ def known_alone(signal: "Signal", times: "np.ndarray", values: "np.ndarray") -> 
     return np.where(bad[part] | bad[part + 1], np.nan, values)
 
 
-def _error(signal, t):
+def _error(signal: "Signal", t: float) -> float:
     try:
         return signal.error(t)
     except PhysicsError:

@@ -6,7 +6,7 @@ What modes left out add are vibrations of other frequencies, of the product of w
 """
 
 from math import inf
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeGuard
 
 import numpy as np
 
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from vibcli.results.signals import ComposedSignal
+    from vibcli.symbolic.node import Node
 
 ALIKE = 1e-9        # relative: angular frequencies whose vibrations are taken together and apart
 
@@ -77,8 +78,9 @@ def mean_of_products(signal: "ComposedSignal", start: float,
     known = {**signal.floats, **values}
     vibrations = {name: swings(part, start) for name, part in parts.items()}     # type: ignore[arg-type]
 
-    def function(here):
-        return evaluate([signal.node], Floats, {**signal.floats, **here})[0]
+    def function(here: "Mapping[str, float]") -> float:
+        found: float = evaluate([signal.node], Floats, {**signal.floats, **here})[0]
+        return found
     total, off = function(values), propagated(function, values, errors)
     for (one, other), slope in curved.items():
         size = evaluate([slope], Floats, known)[0] / 2
@@ -88,12 +90,12 @@ def mean_of_products(signal: "ComposedSignal", start: float,
     return total, off
 
 
-def is_of_modes(signal: Any) -> bool:
+def is_of_modes(signal: Any) -> "TypeGuard[ComposedSignal]":
     """Is it a function of ModalSignals alone?"""
     return all(isinstance(part, ModalSignal) for part in signal.signals.values())
 
 
-def _second_slopes(signal):
+def _second_slopes(signal: "ComposedSignal") -> "dict[tuple[str, str], Node]":
     """{(name, name): ∂²f} of a function of second degree; PhysicsError of others."""
     from vibcli.analyses.transient.wave_sums import WaveSum, WaveSums
 

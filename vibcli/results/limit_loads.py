@@ -16,7 +16,7 @@ DIGITS, GUARD = 17, 25       # of numbers that are floats in the end; beyond tho
 class LimitLoads:
     """Those of a parameter, on the path of equilibria through the one that is reached at the given values."""
 
-    def __init__(self, problem: "Problem", name: str):
+    def __init__(self, problem: "Problem", name: str) -> None:
         self.problem, self.name = problem, name
 
     @cached_property
@@ -42,7 +42,8 @@ class LimitLoads:
     @property
     def both(self) -> bool:
         """Are limit points of both signs counted?"""
-        return self.problem.spec.parameters[self.name].get("sign") == "any"
+        found: bool = self.problem.spec.parameters[self.name].get("sign") == "any"
+        return found
 
     def limit_point(self, number: int) -> "LimitPoint":
         """That of a number, counted from 1; PhysicsError where there is none, or one before it may have been missed."""
@@ -80,13 +81,13 @@ class LimitLoads:
     def told(self, value: Any) -> str:
         return with_unit(float(value), self.problem.spec.dimensions.of(self.name))
 
-    def _missing(self, number, count):
+    def _missing(self, number: int, count: int) -> str:
         low, high = self.path.reached
         found = f"only {count} {'is' if count == 1 else 'are'}" if count else "none is"
         return (f"there is no fold {number} of '{self.name}': {found} met by the equilibria that are followed from "
                 f"{self.told(low)} to {self.told(high)}")
 
-    def _hint(self):
+    def _hint(self) -> str:
         """What was met in place of a fold, or where the path ends."""
         path, other = self.path, [one for one in self.path.limits if one not in self.path.counted(self.both)]
         if path.branchings:
@@ -100,7 +101,7 @@ class LimitLoads:
         broken = next((end for end in path.ends if end.broken), path.ends[0])
         return f"followed to {self.told(broken.value)}: {broken.why}"
 
-    def _require_complete(self, found):
+    def _require_complete(self, found: "LimitPoint") -> None:
         """PhysicsError where the path was left before as large a value, so that another may come before."""
         path = self.path
         for value, why in [(end.value, end.why) for end in path.ends if end.broken] + [

@@ -1,9 +1,10 @@
 """What motions of members come to long after their loads have: to the equilibrium under these, about which vibrates
 what nothing damps. Signals that come to rest are seen to; of all others the mean over all times is the same."""
 
+from collections.abc import Mapping
 from functools import cached_property
 from math import tau
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -27,6 +28,9 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.syntax import NameRef
 
 if TYPE_CHECKING:
+    from vibcli.analyses.excitation.forcing import Forcing
+    from vibcli.mechanics.factored_system import FactoredSystem
+    from vibcli.numerics.pieces.piece import Piece
     from vibcli.results.response_of_members import ResponseOfMembers
     from vibcli.results.signal import Signal
 
@@ -38,7 +42,7 @@ REPEATED = 64.0     # times rounding: how far what repeats itself is from itself
 class LongAfter:
     """Of the signal that a tree asks of a response whose loads come to rest."""
 
-    def __init__(self, response: "ResponseOfMembers", tree: Any):
+    def __init__(self, response: "ResponseOfMembers", tree: Any) -> None:
         self.response, self.tree, self.problem = response, tree, response.problem
 
     @cached_property
@@ -61,31 +65,32 @@ class LongAfter:
         return value + shift, error + off
 
     @property
-    def _drifts(self):
+    def _drifts(self) -> bool:
         """Does it see a motion that nothing holds?"""
         if self._steady or (isinstance(self.tree, NameRef) and signal_name(self.tree.name).kind in INNER):
             return False
         return _drifts(self._by_modes)
 
     @property
-    def _steady(self):
+    def _steady(self) -> bool:
         """Is only the steady state of a signal asked?"""
         return getattr(self.tree, "head", "") == "steady"
 
     @property
-    def _by_modes(self):
+    def _by_modes(self) -> "Signal":
         """The signal as modes tell it, of whatever motion is followed."""
         signal = self.signal
         if isinstance(signal, WaveSignal | ComposedOfWaves):
-            return self.response.modal.signal(self.tree)      # type: ignore[attr-defined]
+            found: Signal = self.response.modal.signal(self.tree)      # type: ignore[attr-defined]
+            return found
         return signal
 
     @cached_property
-    def _kept(self):
-        return self.response.kept_up.signal(self.tree)
+    def _kept(self) -> LinearSignal | ComposedSignal:
+        return cast("LinearSignal | ComposedSignal", self.response.kept_up.signal(self.tree))
 
     @property
-    def _loads(self):
+    def _loads(self) -> "Forcing":
         return self.response.kept_up.input_forcing
 
     @cached_property
@@ -102,7 +107,7 @@ class LongAfter:
         return value, error + left
 
     @cached_property
-    def _left(self):
+    def _left(self) -> float | None:
         """How far it may be from its limit long after; None where it is seen to move then."""
         if _dies_out(self.signal):
             return 0.0
@@ -118,29 +123,29 @@ class LongAfter:
         return known if apart <= known + self.still[1] else None
 
     @property
-    def _last(self):
+    def _last(self) -> float:
         """From when on its loads do not change but for what dies out."""
         fades = [-wave.exponent.real for wave in self._loads.last.waves if wave.exponent.real < 0]
         return self._loads.last.start + (GONE / min(fades) if fades else 0.0)
 
     @cached_property
-    def _damped(self):
+    def _damped(self) -> list[Any]:
         damped = self.problem.modal.damped
         return [] if damped is None else damped.first(MODES)
 
     @property
-    def _decays(self):
+    def _decays(self) -> list[float]:
         """Those of damped modes that are seen to be damped."""
         return [decay for decay, error in self._pairs if decay > error]
 
     @property
-    def _pairs(self):
+    def _pairs(self) -> list[Any]:
         """[(decay, how far it may be off)] of the first damped modes."""
         return [(-float(mode.eigenvalue.real), abs(complex(mode.eigenvalue)) * float(mode.error))
                 for mode in self._damped if mode.eigenvalue]
 
     @cached_property
-    def _longest(self):
+    def _longest(self) -> float:
         """A time in which all that vibrates has swung once, and each wave has come back."""
         periods = [tau / float(mode.omega) for mode in self.problem.modal.modes.shown() if mode.omega]
         return max(periods, default=0.0) + 2 * sum(_way(placed.piece) for placed in self.response.placed)
@@ -157,15 +162,15 @@ class LongAfter:
         return found if isinstance(self._kept, LinearSignal) else self._of_function
 
     @property
-    def _of_function(self):
+    def _of_function(self) -> tuple[float, float]:
         """Of a function of signals."""
-        signal, repeats = self._by_modes, self.repeating
+        signal, kept, repeats = self._by_modes, self._kept, self.repeating
         if repeats is not None:
             return repeats.mean
-        if self.problem.modal.damped is not None or not is_of_modes(signal):
+        if self.problem.modal.damped is not None or not is_of_modes(signal) or isinstance(kept, LinearSignal):
             raise PhysicsError("means of functions of these signals are not found: some of what vibrates dies out, or "
                                "is read off waves and modes together", "ask for mean(x) of a single signal")
-        still = {name: _still(part) for name, part in self._kept.signals.items()}
+        still = {name: _still(part) for name, part in kept.signals.items()}
         return mean_of_products(signal, self._loads.last.start, still)
 
     @cached_property
@@ -182,7 +187,7 @@ class LongAfter:
         return found, (2 * abs(mean) * error + off) / found if found else (error**2 + off) ** 0.5
 
     @property
-    def _square(self):
+    def _square(self) -> tuple[float, float]:
         """(mean square about the mean, how far it may be off)."""
         if self._steady:
             return 0.0, 0.0
@@ -233,15 +238,16 @@ class LongAfter:
         return self.repeating.period, DEAD * self.repeating.period
 
 
-def _still(signal):
+def _still(signal: LinearSignal | ComposedSignal) -> tuple[float, float]:
     """(value, how far it may be off) of what loads keep up that do not oscillate."""
     if not isinstance(signal, LinearSignal):
         signal.require_no_time("limit")
         parts = {name: _still(part) for name, part in signal.signals.items()}
         values, errors = ({name: part[k] for name, part in parts.items()} for k in range(2))
 
-        def function(known):
-            return evaluate([signal.node], Floats, {**signal.floats, **known})[0]
+        def function(known: "Mapping[str, float]") -> float:
+            found: float = evaluate([signal.node], Floats, {**signal.floats, **known})[0]
+            return found
         return function(values), propagated(function, values, errors)
     steady = signal.motion.steady
     if any(rate for rate, _ in steady.phasors(signal.output)):
@@ -249,7 +255,7 @@ def _still(signal):
     return steady.mean(signal.output), float(steady.errors(signal.output, np.zeros(1))[0])
 
 
-def _dies_out(signal):
+def _dies_out(signal: "Signal") -> bool:
     """Do all modes that a signal is read off, those too that are left out?"""
     if isinstance(signal, ComposedSignal):
         return all(map(_dies_out, signal.signals.values()))
@@ -261,7 +267,7 @@ def _dies_out(signal):
     return modes.fading < 0 and bool((rates.real < -least).all())
 
 
-def _driven(system):
+def _driven(system: "FactoredSystem") -> bool:
     """Is there damping that drives, of stations or along pieces? Modes far up may grow then."""
     from vibcli.analyses.continuous.dynamic_matrix import dynamic_matrix
 
@@ -271,24 +277,24 @@ def _driven(system):
         placed.piece.drag < 0 or placed.retardation < 0 for placed in system.pieces)
 
 
-def _drifts(signal):
+def _drifts(signal: "Signal") -> bool:
     """Does a signal see a motion that nothing holds, or is that not told?"""
     if isinstance(signal, ComposedSignal):
         return any(map(_drifts, signal.signals.values()))
     if not isinstance(signal, ModalSignal):
         return True
     motion, reads = signal.modal, signal.reads
-    kinds = [reads.q, reads.v, reads.a, {}, reads.places]
+    kinds: list[dict[Any, Any]] = [reads.q, reads.v, reads.a, {}, reads.places]
     parts = [LinearOutput(0.0, *({key: x} if i == k else {} for i in range(5)))
              for k, kind in enumerate(kinds) for key, x in kind.items()]
 
-    def seen(output):
+    def seen(output: LinearOutput) -> np.ndarray:
         read = Read(motion, output, 0)
         return np.concatenate([read.rigid.ravel(), read.states[motion.states.rates == 0]])
     sizes = sum(abs(seen(part)) for part in parts)
     return bool((abs(seen(reads)) > SEEN * sizes).any())
 
 
-def _way(piece):
+def _way(piece: "Piece") -> float:
     """The time in which a wave runs along a piece; 0 where it has no speed."""
     return float(piece.length) * (float(piece.inertia / mean_tension(piece)) ** 0.5 if piece.order == 2 else 0.0)

@@ -7,8 +7,12 @@ from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
 from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
+    from vibcli.results.coupled_modal_response import CoupledModalResponse
+    from vibcli.results.damped_modal_response import DampedModalResponse
+    from vibcli.results.dispersed_wave_response import DispersedWaveResponse
     from vibcli.results.problem import Problem
     from vibcli.results.responses import SmallResponse
+    from vibcli.results.wave_response import WaveResponse
 
 
 
@@ -33,7 +37,7 @@ def members_in_time(problem: "Problem") -> "SmallResponse":
     return waves
 
 
-def _dispersed(problem):
+def _dispersed(problem: "Problem") -> "DispersedWaveResponse | None":
     """The response of which instants are read where drag or a foundation disperses waves; None of all else."""
     from vibcli.results.dispersed_wave_response import DispersedWaveResponse
 
@@ -45,7 +49,7 @@ def _dispersed(problem):
     return found
 
 
-def _by_modes(problem, waves=None):
+def _by_modes(problem: "Problem", waves: "WaveResponse | None" = None) -> "SmallResponse":
     """The ModalResponse, beside waves that are followed for a while, or a response of which steady states alone are
     found."""
     from vibcli.results.modal_response import ModalResponse
@@ -74,7 +78,7 @@ def _by_modes(problem, waves=None):
     return parted(modes)
 
 
-def _by_coupled_modes(problem, waves):
+def _by_coupled_modes(problem: "Problem", waves: "WaveResponse | None") -> "CoupledModalResponse | DampedModalResponse":
     """By damped modes where these are all that moves, else by those without damping, which dampers couple."""
     from vibcli.results.coupled_modal_response import CoupledModalResponse
     from vibcli.results.damped_modal_response import DampedModalResponse

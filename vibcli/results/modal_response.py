@@ -1,21 +1,36 @@
 """The motion in time of scenes with members by modes beside what loads do exactly: of beams, and of bars, shafts and
 strings whose waves are not followed."""
 
+from collections.abc import Callable, Mapping
 from functools import cached_property, partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.base.errors import PhysicsError
+from vibcli.results.damping_of_modes import damping_of_modes
 from vibcli.results.enough_modes import FINEST, enough, finest, first_modes
+from vibcli.results.fields_along_pieces import given_along, over_place
 from vibcli.results.not_by_modes import CoupledModes, NotByModes, ShakenSupports
 from vibcli.results.response_of_members import ResponseOfMembers
 from vibcli.results.resting_shape import less_rest
 
 if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.analyses.continuous.damped_transfer import DampedTransfer
+    from vibcli.analyses.continuous.disturbances import Disturbances
     from vibcli.analyses.continuous.estimated_motion import EstimatedMotion
+    from vibcli.analyses.continuous.exact_transfer import DrivenEnd, ExactTransfer
     from vibcli.analyses.continuous.modal_motion import ModalMotion
+    from vibcli.analyses.continuous.mode_basis import ModeBasis
+    from vibcli.analyses.continuous.shaken_modes import Shaking
+    from vibcli.analyses.continuous.start_of_fields import FieldStart
+    from vibcli.analyses.excitation.forcing import Forcing
     from vibcli.analyses.modal.mode_sequence import Modes
-    from vibcli.mechanics.factored_system import FactoredSystem
+    from vibcli.mechanics.factored_system import FactoredSystem, PlacedPiece
+    from vibcli.mechanics.initial_fields import MemberFields
     from vibcli.results.part_of_members import PartOfMembers
+    from vibcli.results.problem import Problem
+    from vibcli.results.responses import PartOfSignal, Terms
     from vibcli.results.signal import Signal
     from vibcli.results.wave_response import WaveResponse
     from vibcli.symbolic.node import Node
@@ -32,7 +47,7 @@ class ModalResponse(ResponseOfMembers):
     _first = FIRST      # so many are counted at first
     _waves: "WaveResponse | None"
 
-    def __init__(self, problem: Any, waves: Any = None, part: "PartOfMembers | None" = None):
+    def __init__(self, problem: "Problem", waves: Any = None, part: "PartOfMembers | None" = None) -> None:
         super().__init__(problem, waves, part)
         self._motions: dict[int, ModalMotion | PhysicsError] = {}
 
@@ -40,7 +55,7 @@ class ModalResponse(ResponseOfMembers):
     def natural(self) -> "Modes":
         """Its modes without dampers."""
         if self.part is None:
-            return self.problem.modal.modes
+            return cast("Modes", self.problem.modal.modes)
         from vibcli.analyses.modal.mode_sequence import Modes
         from vibcli.analyses.modal.modes import natural_modes
 
@@ -69,7 +84,7 @@ class ModalResponse(ResponseOfMembers):
                     raise
 
     @cached_property
-    def _graded(self):
+    def _graded(self) -> bool:
         """Does the tension vary along what moves? Each mode costs much then."""
         return any(one.piece.gradient for one in self.placed)
 
@@ -101,7 +116,7 @@ class ModalResponse(ResponseOfMembers):
             raise found.told()
         return found
 
-    def _found(self, count):
+    def _found(self, count: int) -> "ModalMotion":
         from vibcli.analyses.continuous.modal_motion import ModalMotion
         from vibcli.analyses.continuous.real_modes import RealModes
 
@@ -113,13 +128,14 @@ class ModalResponse(ResponseOfMembers):
         modes = RealModes(basis, inputs, start, damping, creeping, disturbed if shaking is None else None, shaking)
         return ModalMotion(modes, self._transfer, self._forces, self.problem.work)
 
-    def apart(self, count: int) -> tuple:
+    def apart(self, count: int) -> "tuple[ModeBasis, np.ndarray, np.ndarray, tuple[np.ndarray, np.ndarray]]":
         """(the ModeBasis of the first modes, what each feels of each channel of `loaded`, c of each, (η, η̇) at t = 0);
         NotByModes where what damps couples them."""
         basis = self._basis(count)
-        return basis, self._felt(basis), self._damping(basis), self._start(basis)
+        felt, damping = self._felt(basis), damping_of_modes(self, self._transfer.pieces, len(basis.squares))
+        return basis, felt, damping, self._start(basis)
 
-    def _basis(self, count):
+    def _basis(self, count: int) -> "ModeBasis":
         """The ModeBasis of the first modes, shapes of near ones orthogonal."""
         from vibcli.analyses.continuous.mode_basis import ModeBasis
         from vibcli.analyses.continuous.near_modes import orthogonal
@@ -130,11 +146,11 @@ class ModalResponse(ResponseOfMembers):
         return ModeBasis(modes[:count], linear.pieces, numbers[:count])
 
     @property
-    def _natural_elements(self):
+    def _natural_elements(self) -> "FactoredSystem":
         """The element data that its modes without dampers are of."""
         return self.linear
 
-    def _felt(self, basis):
+    def _felt(self, basis: "ModeBasis") -> "np.ndarray":
         """What each mode feels of each channel."""
         import numpy as np
 
@@ -144,7 +160,8 @@ class ModalResponse(ResponseOfMembers):
                    *(of_drive(basis, drive)[:, None] for drive in self.spread_drives)]
         return np.concatenate(columns, axis=1)
 
-    def _disturbed(self, basis, inputs, damping):
+    def _disturbed(self, basis: "ModeBasis", inputs: "np.ndarray",
+                   damping: "np.ndarray") -> "tuple[list[FieldStart], Callable[[Any], Disturbances]]":
         """The FieldStarts of displacements and rates, and what gives the Disturbances of the modes that are left
         out."""
         import numpy as np
@@ -164,7 +181,7 @@ class ModalResponse(ResponseOfMembers):
         return found, lambda segments: Disturbances(uncounted, start, segments, creeping)
 
     @cached_property
-    def _driven_ends(self):
+    def _driven_ends(self) -> "list[DrivenEnd]":
         """DrivenEnds of all ends that the time moves."""
         from vibcli.analyses.continuous.exact_transfer import DrivenEnd
 
@@ -172,7 +189,7 @@ class ModalResponse(ResponseOfMembers):
         return [DrivenEnd(*at) for at, (_, node) in zip(ends, self.ends_of_pieces, strict=True) if node is not None]
 
     @cached_property
-    def _exact(self):
+    def _exact(self) -> "ExactTransfer":
         """The ExactTransfer of all but `damping:`."""
         import numpy as np
 
@@ -187,7 +204,7 @@ class ModalResponse(ResponseOfMembers):
         return ExactTransfer(np.array([K, C, M]), pieces, self._driven_ends, self.spread_drives)
 
     @cached_property
-    def _transfer(self):
+    def _transfer(self) -> "DampedTransfer | ExactTransfer":
         found, damping = self._exact, self.problem.modal.member_damping
         if self.matrices[1].any():
             raise CoupledModes("dampers couple the modes of members", "ask for steady(…)")
@@ -200,7 +217,7 @@ class ModalResponse(ResponseOfMembers):
         return DampedTransfer(found, self.natural, damping)
 
     @cached_property
-    def _forces(self):
+    def _forces(self) -> "Forcing":
         """The Forcing of all channels."""
         from vibcli.analyses.excitation.decompose import forcing_of
         from vibcli.notation.plain import plain
@@ -218,28 +235,10 @@ class ModalResponse(ResponseOfMembers):
         n = len(self.matrices[0])
         return self.loads | dict(enumerate(driven, n)), n + len(driven)
 
-    def _shaking(self, basis):
+    def _shaking(self, basis: "ModeBasis") -> "Shaking | None":
         """The Shaking of supports that are channels of their own; None where ends of pieces are."""
 
-    def _damping(self, basis):
-        """c of each mode: given, or of drag c/μ that is the same everywhere, which damps each by itself."""
-        import numpy as np
-
-        transfer, given = self._transfer, self.problem.modal.member_damping
-        if given is not None:
-            return np.array([float(given.rate(mode)) for mode in first_modes(self.natural, len(basis.squares))])
-        rates = {placed.piece.drag / placed.piece.inertia for placed in transfer.pieces}
-        most = max(rates)
-        if any(placed.retardation for placed in self.linear.pieces):
-            raise CoupledModes("damping in proportion to stiffness stands beside drag", "ask for steady(…)")
-        if not most:
-            return np.zeros(len(basis.squares))
-        if most - min(rates) > 1e-14 * most or self.matrices[0].any():
-            raise CoupledModes("drag that differs from place to place couples the modes of members",
-                               "ask for steady(…), or give all the same drag by mass")
-        return np.full(len(basis.squares), most)
-
-    def _start(self, basis):
+    def _start(self, basis: "ModeBasis") -> "tuple[np.ndarray, np.ndarray]":
         """η and η̇ at t = 0."""
         from vibcli.analyses.continuous.modal_start import of_field
 
@@ -250,7 +249,7 @@ class ModalResponse(ResponseOfMembers):
                 0.0 if speed is None else of_field(basis, number, speed, 0))
         return eta, rate
 
-    def _displaced(self, basis, number):
+    def _displaced(self, basis: "ModeBasis", number: int) -> "np.ndarray":
         """μ ∫ φ u dx over one piece at t = 0."""
         import numpy as np
 
@@ -264,10 +263,10 @@ class ModalResponse(ResponseOfMembers):
             raise NotByModes("a load along what nothing holds lets go", "let a force at a point of it go")
         return found
 
-    def _field(self, piece, given):
+    def _field(self, piece: "PlacedPiece", given: "MemberFields | None") -> "tuple[Forcing | None, Forcing | None]":
         """(u, u̇) over one piece as Forcings; None of a u that is the shape at rest between its ends, and of no u̇."""
-        nodes, orders = self._given_along(piece, given), (piece.piece.order, 0)
-        u, speed = (self.over_place(piece, {0: nodes[rate]}, [orders[rate]]) if rate in nodes else None
+        nodes, orders = given_along(self.problem.scene, piece, given), (piece.piece.order, 0)
+        u, speed = (over_place(self.problem, piece, {0: nodes[rate]}, [orders[rate]]) if rate in nodes else None
                     for rate in range(2))
         if u is not None:
             u = less_rest(u, self.configuration, piece, 4)
@@ -280,7 +279,7 @@ class ModalResponse(ResponseOfMembers):
         """The same motion, read with nodes of the time on further channels."""
         return self.alone.under(self.forcing(direct)) if direct else self.alone
 
-    def _linear(self, constant, terms, source=()):
+    def _linear(self, constant: float, terms: "Terms", source: tuple[Any, ...] = ()) -> "Signal":
         from vibcli.results.modal_signals import ModalSignal
 
         motion, output = self._driven(constant, terms)
@@ -288,10 +287,10 @@ class ModalResponse(ResponseOfMembers):
         found = None if told else self._waves.without_bound(constant, terms, motion, source)
         return found or ModalSignal(enough(self, motion, output), output, source, partial(finest, self))
 
-    def _composed(self, node, parts, source=()):
+    def _composed(self, node: "Node", parts: "Mapping[Node, PartOfSignal]", source: tuple[Any, ...] = ()) -> "Signal":
         return self.composed_of({symbol.name: self._one(part) for symbol, part in parts.items()}, node, source)
 
-    def composed_of(self, signals: "dict[str, Any]", node: "Node", source: tuple = ()) -> "Signal":
+    def composed_of(self, signals: "dict[str, Any]", node: "Node", source: tuple[Any, ...] = ()) -> "Signal":
         """A function of signals."""
         from vibcli.results.composed_of_modes import ComposedOfModes
 

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 
     from vibcli.analyses.continuous.modal_motion import ModalMotion
     from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.results.modal_response import ModalResponse
+    from vibcli.symbolic.syntax import NameRef
 
 SAMPLES, ZERO = 65, 1e-3        # of what is alike on members: a bound as small tells a zero
 SHARES = 1 / 64, 1 / 16, 1 / 4      # of the time in which zeros are looked for
@@ -27,11 +29,12 @@ class ModalSignal(Signal):
     LOOKED = 32
     MORE = "let loads rise within a time; bounds of displacements are smaller than those of forces and rates"
 
-    def __init__(self, motion: "ModalMotion", output: "LinearOutput", asked: tuple = (),
-                 finest: "Callable | None" = None, whole: "ModalSignal | None" = None):
+    def __init__(self, motion: "ModalMotion", output: "LinearOutput",
+                 asked: tuple[Any, ...] = (),
+                 finest: "Callable[..., Any] | None" = None, whole: "ModalSignal | None" = None) -> None:
         self.modal, self.reads, self.work, self.asked, self._finest = motion, output, motion.work, asked, finest
         self._whole = whole
-        self._tops: dict[tuple, tuple[ModalMotion, tuple[float, float]]] = {}
+        self._tops: dict[tuple[float, ...], tuple[ModalMotion, tuple[float, float]]] = {}
         self._of_waves: dict[tuple[float, float], Signal] = {}      # tops that waves tell
 
     def read_at(self, t: float) -> Signal:
@@ -141,7 +144,7 @@ class ModalSignal(Signal):
             self._tops[start, end, sense] = self._top(start, end, sense)
         return self._tops[start, end, sense][1]
 
-    def _top(self, start, end, sense):
+    def _top(self, start: float, end: float, sense: int) -> "tuple[ModalMotion, tuple[float, float]]":
         """The motion that the extreme is read of, and it."""
         from vibcli.analyses.continuous.fine_search import highest
         from vibcli.analyses.continuous.modal_search import candidates, extreme
@@ -191,7 +194,7 @@ class ModalSignal(Signal):
         raise PhysicsError(f"the limit of {self.KIND} is not found", "ask for its value at a late instant")
 
 
-def by_waves(signal: Signal, asked: tuple, t: float) -> Signal:
+def by_waves(signal: Signal, asked: "tuple[ModalResponse, NameRef]", t: float) -> Signal:
     """The same by waves where these are followed up to an instant."""
     found = asked[0].by_waves(asked[1], t) if asked else None
     return signal if found is None else found.read_at(t)

@@ -1,7 +1,7 @@
 """Motions of the full equations to any number of digits, from the exact data of a scene."""
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.time_integration.motion_series import fixed_point
 from vibcli.analyses.time_integration.motionless import starts_at_rest
@@ -31,7 +31,7 @@ class MotionInSeries:
     """The motion of a Problem; it is followed as far as is asked for. taut: is looked after elsewhere that its ropes
     are?"""
 
-    def __init__(self, problem: "Problem", taut: bool = False):
+    def __init__(self, problem: "Problem", taut: bool = False) -> None:
         self.problem, self._values, self._until = problem, {}, 0.0
         self._motion: ProvenMotion | None = None
         scene = problem.numeric.scene
@@ -50,7 +50,7 @@ class MotionInSeries:
 
     def value(self, node: "Node", time: "Fraction", digits: int) -> "mpmath.mpf":
         """An expression of coordinates, their rates and the time at an instant, to so many correct digits."""
-        def question(march):
+        def question(march: "TaylorMarch") -> "mpmath.mpf":
             import mpmath
 
             with mpmath.workprec(march.bits):
@@ -81,7 +81,7 @@ class MotionInSeries:
         return self._motion
 
     @property
-    def _rests(self):
+    def _rests(self) -> bool:
         """Does it start at rest in the equilibrium, where nothing acts on it in time?"""
         timed = any(node.mask & self.scene.time.mask for node in self.parts.nodes())
         configuration = self.problem.configuration
@@ -95,7 +95,8 @@ class MotionInSeries:
         if bits not in self._values:
             with mpmath.workprec(2 * bits):
                 self._values[bits] = self.problem.numeric.values(multiprecision())
-        return self._values[bits]
+        found: Mapping[str, mpmath.mpf] = self._values[bits]
+        return found
 
     def start(self, bits: int) -> list[int]:
         """[q, q̇] at t = 0 in fixed point."""
@@ -109,7 +110,7 @@ class MotionInSeries:
             q, v = self._closed(values, q, v) if self.parts.gaps else (q, v)
             return [fixed_point(row[name], bits) for row in (q, v) for name in self.scene.coordinates]
 
-    def _rest(self, values):
+    def _rest(self, values: "Mapping[str, mpmath.mpf]") -> "dict[str, int | mpmath.mpf]":
         """Where the scene rests, of what `initial` leaves open; as drawn, or where `equilibrium:` says, what falls."""
         problem, record = self.problem, self.problem.spec.get("initial")
         configuration, names = problem.configuration, problem.scene.coordinates
@@ -118,9 +119,12 @@ class MotionInSeries:
         if configuration.falls:
             drawn = {q.name: node for q, node in problem.scene.drawn.items()} | problem.system.named_start
             return in_its_place({q: drawn[q.name] for q in problem.scene.q}, values, multiprecision())
-        return PreciseConfiguration(configuration.preloaded or configuration).equilibrium.values
+        rest = PreciseConfiguration(configuration.preloaded or configuration).equilibrium
+        found: dict[str, int | mpmath.mpf] = rest.values
+        return found
 
-    def _closed(self, values, q, v):
+    def _closed(self, values: Mapping[str, Any], q: "Mapping[str, mpmath.mpf]",
+                v: "Mapping[str, mpmath.mpf]") -> "tuple[dict[str, mpmath.mpf], dict[str, mpmath.mpf]]":
         """The start with the coordinates that close loops, and their velocities."""
         import mpmath
 
@@ -134,7 +138,7 @@ class MotionInSeries:
         q = {**{names[i]: mpmath.mpf(near[names[i]]) for i in open_ones}, **q}
         v = {**{names[i]: mpmath.mpf(0) for i in open_ones}, **v}
 
-        def step(nodes):
+        def step(nodes: "Sequence[Node]") -> "dict[str, mpmath.mpf]":
             state = {**known, **q, **{name + "'": speed for name, speed in v.items()}}
             flat = evaluate([*nodes, *slopes], multiprecision(), state)
             n = len(open_ones)

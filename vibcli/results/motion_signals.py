@@ -6,6 +6,7 @@ from vibcli.analyses.nonlinear.period import has_potential
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signals import signal_dimension
 from vibcli.notation.numbers import with_unit
+from vibcli.results.signal_nodes import node_of_signal
 from vibcli.symbolic.syntax import NameRef, QuantityRef
 
 if TYPE_CHECKING:
@@ -36,18 +37,17 @@ def require_positive(amplitude: float) -> None:
 def node_of(problem: "Problem", tree: Any) -> "Node":
     """The expression of a signal, by the coordinates of the scene at rest."""
     from vibcli.mechanics.signals import moving
-    from vibcli.symbolic.semantics import lower
 
     scene, system = problem.scene.resting, problem.system
 
-    def symbol(name, primes, part):
+    def symbol(name: str, primes: int, part: NameRef) -> "Node":
         if isinstance(part, QuantityRef):
             raise PhysicsError(f"'{part.text}' has no amplitude in a family of motions",
                                "ask for the amplitude of a coordinate, of a place or of a spring's force")
         found = scene.parameters.nodes.get(name) if not primes else None
         return found if found is not None else moving(system, name, primes)
 
-    return lower(tree, scene.table, symbol)
+    return node_of_signal(tree, scene.table, symbol)
 
 
 def require_changing(node: "Node") -> None:

@@ -15,11 +15,11 @@ if TYPE_CHECKING:
 class PartOfMembers:
     """coordinates, pieces: their numbers in the scene, by which they are numbered anew."""
 
-    def __init__(self, coordinates: Sequence[int], pieces: Sequence[int]):
+    def __init__(self, coordinates: Sequence[int], pieces: Sequence[int]) -> None:
         self.coordinates, self.pieces = list(coordinates), list(pieces)
 
     @cached_property
-    def _numbers(self):
+    def _numbers(self) -> tuple[dict[int, int], ...]:
         return tuple({old: new for new, old in enumerate(one)} for one in (self.coordinates, self.pieces))
 
     def row(self, row: Mapping[int, Any]) -> dict[int, Any]:
@@ -40,10 +40,10 @@ class PartOfMembers:
         numbers = self._numbers[1]
         places = {place._replace(piece=numbers[place.piece]): x
                   for place, x in output.places.items() if place.piece in numbers}
-        return LinearOutput(0.0, *map(self.row, (output.q, output.v, output.a)), {}, places)
+        return LinearOutput(0.0, self.row(output.q), self.row(output.v), self.row(output.a), {}, places)
 
     def read_among_all(self, output: LinearOutput) -> LinearOutput:
         """The same in the numbers of the scene."""
         own, pieces = self._numbers
-        rows = ({i: x for i, x in row.items() if i in own} for row in (output.q, output.v, output.a))
-        return LinearOutput(0.0, *rows, {}, {place: x for place, x in output.places.items() if place.piece in pieces})
+        q, v, a = ({i: x for i, x in row.items() if i in own} for row in (output.q, output.v, output.a))
+        return LinearOutput(0.0, q, v, a, {}, {place: x for place, x in output.places.items() if place.piece in pieces})

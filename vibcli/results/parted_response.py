@@ -1,6 +1,7 @@
 """The motion in time of scenes whose members move apart: a straight beam that stretches, a bar beside a beam.
 What waves travel through is followed by these, the rest is found by its own modes."""
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
@@ -18,6 +19,10 @@ if TYPE_CHECKING:
     from vibcli.analyses.continuous.estimated_motion import EstimatedMotion
     from vibcli.analyses.continuous.modal_motion import ModalMotion
     from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.mechanics.factored_system import PlacedPiece
+    from vibcli.results.responses import PartOfSignal, Terms
+    from vibcli.results.signal import Signal
+    from vibcli.symbolic.node import Node
 
     Followed = tuple[Any, Callable[[LinearOutput], LinearOutput]]
 
@@ -33,7 +38,7 @@ class PartedResponse(ResponseOfMembers):
     WORDS = "small oscillations about the equilibrium, by travelling waves where these keep their form, else by modes"
 
     def __init__(self, whole: ModalResponse, parts: "Sequence[Followed]", followed: WaveResponse | None = None,
-                 waves: "PartedResponse | None" = None):
+                 waves: "PartedResponse | None" = None) -> None:
         super().__init__(whole.problem, waves)
         self.whole, self.parts, self.followed, self.estimated = whole, parts, followed, whole.estimated
 
@@ -52,7 +57,7 @@ class PartedResponse(ResponseOfMembers):
         return self.whole
 
     @property
-    def _forces(self):
+    def _forces(self) -> Any:
         return self.whole._forces
 
     def reach(self, until: float) -> None:
@@ -62,7 +67,7 @@ class PartedResponse(ResponseOfMembers):
     def instants(self, signals: "Sequence[Any]", points: int) -> "np.ndarray":
         return super().instants(signals, points) if self.followed is None else self.followed.instants(signals, points)
 
-    def _linear(self, constant, terms, source=()):
+    def _linear(self, constant: float, terms: "Terms", source: tuple[Any, ...] = ()) -> "Signal":
         constant += sum(factor * output.constant for factor, (output, _) in terms)
         found = []
         for number, (one, read) in enumerate(self.parts, 1):
@@ -72,13 +77,14 @@ class PartedResponse(ResponseOfMembers):
                 found.append((one, own))
         if len(found) < 2:
             one, own = found[0] if found else (self.parts[-1][0], [])
-            return one._linear(constant, own, source)
+            result: Signal = one._linear(constant, own, source)
+            return result
         symbols = [self.problem.scene.table.variable(f"signal of part {k}") for k in range(len(found))]
         signals = {symbol.name: one._linear(0.0 if k else constant, own, source)
                    for k, (symbol, (one, own)) in enumerate(zip(symbols, found, strict=True))}
         return self.whole.composed_of(signals, sum(symbols[1:], symbols[0]), source)
 
-    def _composed(self, node, parts, source=()):
+    def _composed(self, node: "Node", parts: "Mapping[Node, PartOfSignal]", source: tuple[Any, ...] = ()) -> "Signal":
         return self.whole.composed_of({symbol.name: self._one(part) for symbol, part in parts.items()}, node, source)
 
 
@@ -107,7 +113,7 @@ def parted(whole: ModalResponse) -> ResponseOfMembers:
     return found
 
 
-def _by_own_modes(whole, part):
+def _by_own_modes(whole: ModalResponse, part: PartOfMembers) -> ModalResponse:
     """The response of a part by its own modes, damped ones where dampers couple these."""
     found = ModalResponse(whole.problem, part=part)
     try:
@@ -117,7 +123,7 @@ def _by_own_modes(whole, part):
     return found
 
 
-def _divided(whole):
+def _divided(whole: ModalResponse) -> tuple[list[PartOfMembers], list[PartOfMembers]]:
     """The parts with pieces that waves travel through, and the others, coordinates of no piece among these."""
     from vibcli.analyses.continuous.uncoupled_parts import tied_parts
 
@@ -132,13 +138,13 @@ def _divided(whole):
     return found
 
 
-def _joined(parts):
+def _joined(parts: "Sequence[PartOfMembers]") -> PartOfMembers:
     """Several parts as one."""
     return PartOfMembers(*(sorted(i for part in parts for i in numbers(part)) for numbers in (
         lambda part: part.coordinates, lambda part: part.pieces)))
 
 
-def _travels(placed):
+def _travels(placed: "PlacedPiece") -> bool:
     """Do waves keep their form along a piece?"""
     from vibcli.analyses.continuous.travelling_waves_march import wave_piece
 

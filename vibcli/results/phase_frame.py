@@ -13,6 +13,7 @@ from vibcli.base.errors import PhysicsError
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from vibcli.analyses.nonlinear.energy_levels import Orbit
     from vibcli.analyses.nonlinear.equilibrium_kinds import StateEquilibrium
     from vibcli.analyses.nonlinear.phase_portrait import StatePath
     from vibcli.analyses.nonlinear.state_field import StateField
@@ -58,7 +59,7 @@ def bounds_of(well: "Well", middle: float, start: tuple[float, float] | None, un
     return middle - WIDE * reach, middle + WIDE * reach
 
 
-def _turn(middle, start, well):
+def _turn(middle: float, start: tuple[float, float] | None, well: "Well") -> tuple[float, float]:
     """Of an angle after a turn of which nothing has changed: the turn in which the motion starts, and more."""
     if start is not None:
         middle += math.tau * round((start[0] - middle) / math.tau)
@@ -67,7 +68,7 @@ def _turn(middle, start, well):
     return min([*marks, *(q - MARGIN for q in beyond)]), max([*marks, *(q + MARGIN for q in beyond)])
 
 
-def _turns(well, start):
+def _turns(well: "Well", start: tuple[float, float] | None) -> list[float]:
     """The start, and where it would turn without dampers."""
     if start is None:
         return []
@@ -83,7 +84,7 @@ def _turns(well, start):
     return found
 
 
-def _ends_of_separatrices(well, bounds, places):
+def _ends_of_separatrices(well: "Well", bounds: tuple[float, float], places: "Sequence[float]") -> list[float]:
     """Where levels through tops of V turn, within bounds."""
     low, high = bounds
     if not len(places) > 1:
@@ -94,11 +95,11 @@ def _ends_of_separatrices(well, bounds, places):
     return [q for one in found for q, ended in zip((float(one.q[0]), float(one.q[-1])), one.ends, strict=True) if ended]
 
 
-def _is_top(levels, i):
+def _is_top(levels: EnergyLevels, i: int) -> bool:
     return 0 < i < levels.stops.size - 1 and not (levels.gains[i] > 0 and levels.gains[i - 1] < 0)
 
 
-def _reach(well, place, unit):
+def _reach(well: "Well", place: float, unit: float) -> float:
     """About one place alone: as far as twice where its force differs from a linear one, at most as far as the figure
     is large."""
     if well is None:
@@ -126,7 +127,7 @@ def speed_of(field: "StateField", levels: EnergyLevels | None, items: "Sequence[
     return max(ABOVE * max(speeds), own) if speeds and max(speeds) > 0 else max(own, _speed_to_the_edge(levels, rests))
 
 
-def _speed_on(orbit, start):
+def _speed_on(orbit: "Orbit", start: tuple[float, float] | None) -> float:
     """The largest one; of an orbit that does not turn on both sides, as before a pole, that of most of its places."""
     if all(orbit.ends):
         return float(orbit.v.max())
@@ -134,7 +135,7 @@ def _speed_on(orbit, start):
                                               np.sort(orbit.v))))
 
 
-def _speed_to_the_edge(levels, rests):
+def _speed_to_the_edge(levels: EnergyLevels, rests: "Sequence[int]") -> float:
     """With which the lower one of both ends is reached from the lowest equilibrium; of V without a bottom, that of most
     places."""
     heights = levels.heights
@@ -145,7 +146,8 @@ def _speed_to_the_edge(levels, rests):
     return float(math.sqrt(2 * gain / m)) or (levels.stops[-1] - levels.stops[0]) / 2
 
 
-def _speed_of_field(field, items, start, ends):
+def _speed_of_field(field: "StateField", items: "Sequence[StateEquilibrium]", start: tuple[float, float] | None,
+                    ends: tuple[float, float]) -> float:
     """By the fastest of the vibrations about equilibria."""
     rates = [math.sqrt(abs(field.slopes(one.q)[0])) for one in items if one.eigenvalues is not None]
     return max([ABOVE_OWN * abs(start[1]) if start else 0.0, *(rate * (ends[1] - ends[0]) / 2 for rate in rates)]

@@ -1,7 +1,7 @@
 """The phase plane of a Problem with one degree of freedom: its equilibria, each of its kind, and what is drawn."""
 
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -34,7 +34,9 @@ from vibcli.results.state_equilibria import StateEquilibria
 
 if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.equilibrium.all_equilibria import Equilibria
     from vibcli.results.problem import Problem
+    from vibcli.scene.scene import Scene
 
 
 MARGIN_ABOVE = 1.5      # of the speed on a limit cycle
@@ -58,7 +60,7 @@ class OwnMotion(NamedTuple):
 class PhasePlane:
     """PhysicsError of scenes that have none."""
 
-    def __init__(self, problem: "Problem"):
+    def __init__(self, problem: "Problem") -> None:
         require_plane(problem)
         self.problem = problem
         self.configuration = _configuration(problem)
@@ -105,12 +107,12 @@ class PhasePlane:
         return limit_cycles(self.field, places, self.unit)
 
     @property
-    def _is_reversible(self):
+    def _is_reversible(self) -> bool:
         q = self.start[0] if self.start is not None else self.configuration.numeric.drawn_floats[self.name]
         return self.conservative or self.field.is_reversible(q - self.unit, q + self.unit, self.unit)
 
     @cached_property
-    def _search(self):
+    def _search(self) -> "Equilibria":
         """All equilibria within the bounds of the file; else within default ones, and as far as the motion goes and the
         forces are bent."""
         found = self._by_default
@@ -131,12 +133,11 @@ class PhasePlane:
         return find_equilibria(self.configuration, {self.name: (min(low, known[0]), max(high, known[1]))})
 
     @property
-    def _by_default(self):
+    def _by_default(self) -> "Equilibria | None":
         """None where no figure says how far equilibria are searched."""
         try:
-            if self.configuration is self.problem.configuration:
-                return self.problem.equilibria
-            return find_equilibria(self.configuration)
+            own = self.configuration is self.problem.configuration
+            return self.problem.equilibria if own else find_equilibria(self.configuration)
         except PhysicsError:
             if self.well is None or typical_length(self.configuration.numeric):
                 raise
@@ -164,11 +165,9 @@ class PhasePlane:
         return PhaseFrame((low, high), (-speed, speed))
 
     @property
-    def _moving(self):
+    def _moving(self) -> tuple[float, float] | None:
         """The start, unless the scene rests there."""
-        if self.start is None or (not self.start[1] and self.rests):
-            return None
-        return self.start
+        return None if self.start is None or (not self.start[1] and self.rests) else self.start
 
     @property
     def rests(self) -> bool:
@@ -208,7 +207,7 @@ class PhasePlane:
             return self._closed(found, (float(orbit.q[0]), float(orbit.q[-1])))
         return found._replace(reason="it leaves what is shown")
 
-    def _end(self):
+    def _end(self) -> StateEquilibrium | None:
         """The equilibrium near which the orbit of the damped motion stops."""
         for path in self.portrait.branches:
             for one in self.portrait.equilibria if path.role == OWN else ():
@@ -217,7 +216,7 @@ class PhasePlane:
                     return one
         return None
 
-    def _closed(self, found, turns):
+    def _closed(self, found: OwnMotion, turns: tuple[float, float]) -> OwnMotion:
         if self.scene.timed:        # the energy is that of the frame, whose period more digits do not know
             period, error = period_between(self.well, *(TurningPoint(q, 2**-52 * abs(q)) for q in turns))
             return found._replace(turns=turns, period=(period, error / period))
@@ -226,7 +225,7 @@ class PhasePlane:
         except PhysicsError as error:
             return found._replace(turns=turns, reason=error.message)
 
-    def _energy(self):
+    def _energy(self) -> float | None:
         if self.levels is None:
             return None
         numbers = [self.levels.index(one.q) for one in self.equilibria.items]
@@ -237,7 +236,7 @@ class PhasePlane:
         return float(climb) + kinetic_energy(self.levels, self.start)
 
 
-def _well(scene, floats, field, unit):
+def _well(scene: "Scene", floats: dict[str, Any], field: StateField, unit: float) -> Well | None:
     """That of a scene whose forces have a potential, in a frame that turns steadily too; None of others."""
     if has_potential(scene):
         return Well(scene, floats)
@@ -250,7 +249,7 @@ def _well(scene, floats, field, unit):
     return found if np.allclose(found.force(q), forces, rtol=SAME, atol=SAME * np.abs(forces).max()) else None
 
 
-def _is_seen(branch: StatePath, frame):
+def _is_seen(branch: StatePath, frame: PhaseFrame) -> bool:
     """Is it more than what a frame cuts off?"""
     return bool((~frame.beyond(np.stack((branch.q, branch.v)))).any())
 
@@ -272,7 +271,7 @@ def require_plane(problem: "Problem") -> None:
     _require_free(problem)
 
 
-def _require_free(problem):
+def _require_free(problem: "Problem") -> None:
     """PhysicsError of what is not drawn yet, or not true of wide motions."""
     spec, scene = problem.spec, problem.scene
     if spec.get("damping") is not None:
@@ -291,7 +290,7 @@ def _require_free(problem):
                            "plane", "leave it out, or ask for its motion in time")
 
 
-def _configuration(problem) -> "Configuration":
+def _configuration(problem: "Problem") -> "Configuration":
     """Of the equations whose motion it is."""
     if not problem.spec.expanded:
         return problem.configuration

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 class PreciseEnvelope:
     """Of a signal, whose vibrations the floats find as Parts."""
 
-    def __init__(self, signal: PreciseLinear, parts: "Sequence[Part]"):
+    def __init__(self, signal: PreciseLinear, parts: "Sequence[Part]") -> None:
         self.waves = [_kept_up(signal, part) if part.forced else (residue(signal, part), eigenvalue(signal, part))
                       for part in parts]
 
@@ -31,7 +31,7 @@ class PreciseEnvelope:
         return []
 
 
-def _kept_up(signal, part):
+def _kept_up(signal: PreciseLinear, part: "Part") -> "tuple[mpmath.mpc, mpmath.mpc]":
     """(a, λ) of a vibration that a load keeps up."""
     near = [(X, mp.mpc(0, speed)) for speed, X in harmonics(signal) if abs(speed - part.omega) <= NEAR * part.omega]
     if len(near) != 1:
@@ -42,7 +42,7 @@ def _kept_up(signal, part):
 class EnvelopeInstant:
     """A PreciseEnvelope at an instant."""
 
-    def __init__(self, waves: "Sequence[tuple[mpmath.mpc, mpmath.mpc]]", time: "mpmath.mpf"):
+    def __init__(self, waves: "Sequence[tuple[mpmath.mpc, mpmath.mpc]]", time: "mpmath.mpf") -> None:
         self.waves, self.time = waves, time
 
     def read(self, highest: int, by: "mpmath.mpf | int" = 0) -> "list[mpmath.mpf]":

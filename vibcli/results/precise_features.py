@@ -13,6 +13,8 @@ from vibcli.results.precise_signals import PreciseLinear
 if TYPE_CHECKING:
     import mpmath
 
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.analyses.transient.high_precision import PreciseMotion
     from vibcli.analyses.transient.textbook_form import Part
 
 STEPS, LOST, ALONE = 12, 8, 1e-10
@@ -82,7 +84,7 @@ def residue(signal: PreciseLinear, part: "Part") -> "mpmath.mpc":
     return 2 * share * _read(motion, A, signal.output, right)
 
 
-def _read(motion, A, output, right):
+def _read(motion: "PreciseMotion", A: "mpmath.matrix", output: "LinearOutput", right: "mpmath.matrix") -> "mpmath.mpc":
     """The output of the state e^{λt} v: of the rows Q of its coordinates."""
     rate, Q = A * right, motion.system.Q
     turn = A * rate
@@ -90,13 +92,13 @@ def _read(motion, A, output, right):
                    for part, state in ((output.q, right), (output.v, rate), (output.a, turn)) for i, x in part.items())
 
 
-def _matrix(signal):
+def _matrix(signal: PreciseLinear) -> "mpmath.matrix":
     if not isinstance(signal, PreciseLinear) or not hasattr(signal.motion, "system"):
         raise _unknown()
     return mp.matrix(signal.motion.system.A.tolist())
 
 
-def _eigenpair(A, near):
+def _eigenpair(A: "mpmath.matrix", near: "mpmath.mpc") -> "tuple[mpmath.mpc, mpmath.matrix]":
     """(λ, v) of A v = λ v by Rayleigh's quotients from a value in floats."""
     size, λ = A.rows, near
     vector = mp.matrix([mp.mpc(1, k % 3) / (k + 1) for k in range(size)])
@@ -115,5 +117,5 @@ def _eigenpair(A, near):
     raise _unknown()
 
 
-def _unknown():
+def _unknown() -> PhysicsError:
     return PhysicsError("more digits of this number are not found", "ask for values at instants, or leave --digits out")

@@ -4,7 +4,7 @@ passes a level, has a pole or vanishes, by Newton's method from the place that t
 With x = D⁻¹ b its rates by s follow from D x′ = b′ − D′ x and D x″ = b″ − 2 D′ x′ − D″ x.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import mpmath
@@ -18,6 +18,7 @@ from vibcli.results.precise_signals import agreed
 from vibcli.results.precise_work import MOST, require_quick
 
 if TYPE_CHECKING:
+    from vibcli.results.precise_member_response import PreciseMemberCurve
     from vibcli.results.problem import Problem
 
 PRICE = 4e-5        # steps of a million products, of a complex elimination of one coordinate, by n³
@@ -28,7 +29,7 @@ TURN, POLE, ZERO, LEVEL = "turn", "pole", "zero", "level"
 class PreciseCurve:
     """H of a signal to a unit of an input, at the working precision."""
 
-    def __init__(self, problem: "Problem", signal: str, driver: str):
+    def __init__(self, problem: "Problem", signal: str, driver: str) -> None:
         configuration = PreciseConfiguration(problem.configuration)
         row, chosen = linear_row(configuration, signal), named_input(configuration, driver)
         if chosen.carried:
@@ -40,13 +41,13 @@ class PreciseCurve:
         self.b, self.c = self._columns(b), self._columns((row.q, row.v, row.a))
         self.d = [mp.mpmathify(x) for x in direct_part(row, chosen)]
 
-    def _matrix(self, entries):
+    def _matrix(self, entries: Mapping[tuple[int, int], float]) -> mpmath.matrix:
         found = mp.matrix(self.n, self.n)
         for (i, j), x in entries.items():
             found[i, j] = x
         return found
 
-    def _columns(self, parts):
+    def _columns(self, parts: Iterable[Mapping[int, Any]]) -> list[mpmath.matrix]:
         return [mp.matrix([mp.mpmathify(part.get(i, 0)) for i in range(self.n)]) for part in parts]
 
     def at(self, Omega: "mpmath.mpf", order: int = 0) -> "list[mpmath.mpc]":
@@ -67,7 +68,7 @@ class PreciseCurve:
             H.append(-(_dot(c[2], x[0]) + 2 * _dot(c[1], x[1]) + _dot(c[0], x[2]) + d[2]))
         return H
 
-    def _solved(self, D, right):
+    def _solved(self, D: mpmath.matrix, right: mpmath.matrix) -> mpmath.matrix:
         try:
             return mp.lu_solve(D, right)
         except ZeroDivisionError:
@@ -86,7 +87,7 @@ class PreciseCurve:
                 return Omega
         raise PhysicsError(f"more digits of what lies at Ω = {near:.12g} rad/s are not found", "leave --digits out")
 
-    def _step(self, Omega, kind, level):
+    def _step(self, Omega: mpmath.mpf, kind: str, level: float) -> mpmath.mpf:
         H, *rates = self.at(Omega, 2 if kind == TURN else 1)
         if kind == POLE:            # of 1/H
             return mp.re(H / rates[0])
@@ -98,7 +99,7 @@ class PreciseCurve:
         return -slope / (abs(rates[0]) ** 2 + mp.re(mp.conj(H) * rates[1]))
 
 
-def _dot(one, two):
+def _dot(one: Iterable[mpmath.mpc], two: Iterable[mpmath.mpc]) -> mpmath.mpc:
     return mp.fsum(x * y for x, y in zip(one, two, strict=True))
 
 
@@ -111,7 +112,7 @@ def precise_response(problem: "Problem", signal: str, driver: str, omega: "Calla
     except LostDigits:          # near places on a member, of which floats do not tell even the size
         size = 0.0
 
-    def parts():
+    def parts() -> "list[mpmath.mpf]":
         H, = _curve(problem, signal, driver).at(omega())
         return [mp.re(H), mp.im(H)]
 
@@ -129,7 +130,7 @@ def precise_place(problem: "Problem", signal: str, driver: str, read: "Callable[
     return agreed(lambda: [read(PreciseCurve(problem, signal, driver))], digits)[0]
 
 
-def _curve(problem, signal, driver):
+def _curve(problem: "Problem", signal: str, driver: str) -> "PreciseCurve | PreciseMemberCurve":
     if not problem.configuration.linear_system.pieces:
         return PreciseCurve(problem, signal, driver)
     from vibcli.results.precise_member_response import PreciseMemberCurve

@@ -17,17 +17,20 @@ from vibcli.results.precise_signals import GUARD, agreed, precise_signal
 from vibcli.results.precise_work import MOST, estimated_steps, require_quick
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
     from fractions import Fraction
 
     import mpmath
 
+    from vibcli.results.precise_envelope import PreciseEnvelope
+    from vibcli.results.precise_signals import PreciseComposed, PreciseLinear
     from vibcli.results.signal import Signal
 
 ROUNDING = 1e-14        # relative: values that floats do not tell apart
 NEAR = 2.0**-48         # relative: instants that floats do not tell apart
 SIMPLE = 1e-3           # y ÿ/ẏ² beside a single zero; 1/2 beside a double one
 STEPS, LOST = 40, 8     # of Newton's method; digits that its last step may lack
-EXTREMES: "WeakKeyDictionary[Signal, dict[tuple, tuple[mpmath.mpf, mpmath.mpf]]]" = WeakKeyDictionary()
+EXTREMES: "WeakKeyDictionary[Signal, dict[tuple[float, ...], tuple[mpmath.mpf, mpmath.mpf]]]" = WeakKeyDictionary()
 
 
 def value_to(signal: "Signal", t: "Fraction | int", digits: int) -> "mpmath.mpf":
@@ -53,10 +56,11 @@ def extreme_to(signal: "Signal", start: float, end: float, sense: int, digits: i
     return known[asked]
 
 
-def _extreme_to(signal, start, end, sense, digits, size, most):
+def _extreme_to(signal: "Signal", start: float, end: float, sense: int, digits: int, size: float,
+                most: float) -> "tuple[mpmath.mpf, mpmath.mpf]":
     source = required(signal)
 
-    def one_near(t):
+    def one_near(t: float) -> "list[mpmath.mpf]":
         return agreed(lambda: _extreme(precise_signal(source), t, start, end, sense), digits, size,
                       _died_out(source, t))
 
@@ -67,7 +71,8 @@ def _extreme_to(signal, start, end, sense, digits, size, most):
     return min(((t, value) for t, value in found if abs(sense * value - best) <= small), key=lambda pair: pair[0])
 
 
-def _rivals(signal, near, value, start, end, sense, digits, most):
+def _rivals(signal: "Signal", near: float, value: float, start: float, end: float, sense: int, digits: int,
+            most: float) -> list[float]:
     """The instants at which floats leave open whether the extreme is there."""
     require_quick(estimated_steps(signal, near, digits), digits, signal.source[0].problem.work, most)
     if _rests(signal, end, digits):
@@ -81,7 +86,7 @@ def _rivals(signal, near, value, start, end, sense, digits, most):
     return found
 
 
-def _rests(signal, end, digits):
+def _rests(signal: "Signal", end: float, digits: int) -> bool:
     """Is it of a motion that starts at rest and that nothing drives, constant and no approximation to it?"""
     response = signal.source[0]
     with mp.workdps(digits + GUARD):
@@ -90,9 +95,9 @@ def _rests(signal, end, digits):
             piece.waves or piece.impulses for piece in motion.forcing.segments(end))
 
 
-def _died_out(source, t):
+def _died_out(source: "Sequence[Any]", t: float) -> float:
     """By how many digits parts of a motion may have died out until an instant."""
-    motion = source[0].alone
+    motion: Any = source[0].alone
     rates = [node.real for block in motion.blocks for node in block.nodes]
     rates += [wave.exponent.real for piece in motion.forcing.segments(t) for wave in piece.waves]
     return max(map(abs, rates), default=0.0) * t / math.log(10)
@@ -116,12 +121,13 @@ def required(signal: "Signal") -> tuple[Any, ...]:
     return signal.source
 
 
-def _breaks(signal, near):
+def _breaks(signal: "PreciseComposed | PreciseEnvelope | PreciseLinear", near: float) -> list[Any]:
     """The exact instants near that in floats at which loads bend or jump, before which there is a motion."""
     return [at for at in signal.breaks(near) if at and abs(at - near) <= NEAR * near]
 
 
-def _extreme(signal, near, start, end, sense):
+def _extreme(signal: "PreciseEnvelope | PreciseLinear", near: float, start: float, end: float,
+             sense: int) -> "list[mpmath.mpf]":
     """[instant, value]."""
     for at in (*_breaks(signal, near), *(real(x) for x in (start, end) if x == near)):
         sides = [signal.at(at, before).read(1) for before in (True, False) if at != (start if before else end)]
@@ -138,7 +144,7 @@ def _extreme(signal, near, start, end, sense):
     return [real(near) + by, value]
 
 
-def _zero(signal, near):
+def _zero(signal: "PreciseComposed | PreciseLinear", near: float) -> "list[mpmath.mpf]":
     """[instant, what the signal is there where it only touches zero]."""
     nothing = mp.mpf(0)
     for at in _breaks(signal, near):
@@ -171,6 +177,6 @@ def _root(function: "Callable[[mpmath.mpf], list[mpmath.mpf]]", near: float) -> 
     raise _lost(near)
 
 
-def _lost(near):
+def _lost(near: float) -> PhysicsError:
     return PhysicsError(f"more digits of what lies at t = {near:.12g} s are not found: the signal is too flat there",
                         "leave --digits out")

@@ -1,5 +1,6 @@
 """H(iΩ) of scenes with members to any number of digits: D(s) X = load with the exact stiffness of every piece."""
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from mpmath import mp
@@ -20,14 +21,16 @@ from vibcli.symbolic.evaluation import multiprecision
 
 if TYPE_CHECKING:
     import mpmath
+    import numpy as np
 
+    from vibcli.mechanics.factored_system import PlacedPiece
     from vibcli.results.problem import Problem
 
 
 class PreciseMemberCurve:
     """H of a signal to a unit of an input, at the working precision."""
 
-    def __init__(self, problem: "Problem", signal: str, driver: str):
+    def __init__(self, problem: "Problem", signal: str, driver: str) -> None:
         configuration = PreciseConfiguration(problem.configuration)
         damping = problem.modal.member_damping
         if damping is not None and not damping.whole:
@@ -56,7 +59,7 @@ class PreciseMemberCurve:
         sigma, factor = self._undamped(s)
         return [factor * x for x in self._answer(s, sigma)]
 
-    def _undamped(self, s):
+    def _undamped(self, s: "mpmath.mpc") -> "tuple[mpmath.mpc, int | mpmath.mpc]":
         """(σ, factor): H(s) is the factor times what it is at σ without `damping:`, in displacements."""
         if self.damping is None:
             return s, 1
@@ -64,7 +67,7 @@ class PreciseMemberCurve:
         slope = 1 + beta * s
         return mp.sqrt(s * (s + alpha) / slope), 1 if self.supports else 1 / slope
 
-    def _answer(self, s, sigma):
+    def _answer(self, s: "mpmath.mpc", sigma: "mpmath.mpc") -> "list[mpmath.mpc]":
         """H where stiffnesses are those at σ, and rates those of e^{st}."""
         d = [_stiffness(placed, sigma) for placed in self.pieces]
         D, free = self._matrix(sigma, d), [i for i in range(self.n) if i not in self.driven]
@@ -90,7 +93,7 @@ class PreciseMemberCurve:
                          for factor, piece, end in self.output.ends for number, j, loads in put if number == piece)
         return [(self._seen(X, s, d) - loaded) * s**self.rates]
 
-    def _seen(self, X, s, d):
+    def _seen(self, X: "Sequence[mpmath.mpc | mpmath.mpf]", s: "mpmath.mpc", d: "Sequence[np.ndarray]") -> "mpmath.mpc":
         total = mp.fsum(mp.mpmathify(x) * s**power * X[i]
                         for power, row in enumerate(self.output.rows) for i, x in row.items())
         for factor, number, end in self.output.ends:
@@ -99,7 +102,7 @@ class PreciseMemberCurve:
                 total += factor * d[number][end, b] * moved / (1 + self.pieces[number].retardation * s)
         return total
 
-    def _matrix(self, s, d):
+    def _matrix(self, s: "mpmath.mpc", d: "Sequence[np.ndarray]") -> "mpmath.matrix":
         """D with the inputs among its coordinates."""
         elements, D = self.elements, mp.matrix(self.n, self.n)
         rows: list[Any] = [*elements.springs, *((s * w, row) for w, row in elements.dampers),
@@ -121,9 +124,10 @@ class PreciseMemberCurve:
         return D
 
 
-def _stiffness(placed, s):
+def _stiffness(placed: "PlacedPiece", s: "mpmath.mpc") -> "np.ndarray":
     """d(s), with what stiffness resists rates by."""
     beta = placed.retardation
     if not beta:
         return dynamic_stiffness(placed.piece, s)
-    return (1 + beta * s) * stiffness(placed.piece, retarded_reaction(placed.piece, s, beta))
+    found: np.ndarray = (1 + beta * s) * stiffness(placed.piece, retarded_reaction(placed.piece, s, beta))
+    return found

@@ -3,6 +3,7 @@
 It answers at the working precision at which it is made.
 """
 
+from collections.abc import Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -25,13 +26,15 @@ if TYPE_CHECKING:
     from vibcli.analyses.transient.high_precision import PreciseMotion
     from vibcli.analyses.transient.textbook_form import Part
     from vibcli.results.problem import Problem
+    from vibcli.results.responses import PartOfSignal, Terms
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import NameRef, Sum, SyntaxTree
 
 
 class PreciseResponse(SmallResponse):
     """Small oscillations about the equilibrium, its signals being PreciseLinear and PreciseComposed."""
 
-    def __init__(self, problem: "Problem"):
+    def __init__(self, problem: "Problem") -> None:
         super().__init__(problem)
         self.configuration: PreciseConfiguration = PreciseConfiguration(problem.configuration)
         self.arithmetic, self.values = self.configuration.arithmetic, self.configuration.values
@@ -78,10 +81,12 @@ class PreciseResponse(SmallResponse):
         """That of a signal whose vibrations are near Parts in floats."""
         return PreciseEnvelope(signal, parts)
 
-    def _composed(self, node, parts, source=None):
+    def _composed(self, node: "Node", parts: "Mapping[Node, PartOfSignal]",
+                  source: "tuple[PreciseResponse, SyntaxTree] | None" = None) -> PreciseComposed:
         scene, closing = self.problem.scene, self._closing(node)
         signals = {symbol.name: self._one(part) for symbol, part in parts.items()}
         return PreciseComposed(node, signals, self.values, scene.time, self.arithmetic, closing)
 
-    def _linear(self, constant, terms, source=None):
+    def _linear(self, constant: float, terms: "Terms",
+                source: "tuple[NameRef | PreciseResponse | Sum, ...] | None" = None) -> PreciseLinear:
         return PreciseLinear(*self._driven(constant, terms))

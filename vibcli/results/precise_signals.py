@@ -47,7 +47,7 @@ def agreed(compute: "Callable[[], list[mpmath.mpf]]", digits: int, size: float =
                        "not tell", "ask for it at an earlier instant, or leave --digits out")
 
 
-def _vanishes(tries):
+def _vanishes(tries: Sequence[tuple[int, mpmath.mpf]]) -> bool:
     """Is a number zero at two precisions, or but rounding, x·10^precision not growing over three or more?"""
     sizes = [abs(x) * mp.mpf(10) ** places for places, x in tries if x]
     return (len(tries) > 1 and not sizes) or (len(tries) > 2 and all(
@@ -57,7 +57,7 @@ def _vanishes(tries):
 class PreciseLinear:
     """A linear output of a PreciseMotion, or of what is left of one."""
 
-    def __init__(self, motion: Any, output: "LinearOutput"):
+    def __init__(self, motion: Any, output: "LinearOutput") -> None:
         self.motion, self.output = motion, output
 
     def at(self, time: "mpmath.mpf", before: bool = False) -> "LinearInstant":
@@ -66,7 +66,8 @@ class PreciseLinear:
 
     def breaks(self, until: float) -> "list[mpmath.mpf]":
         """The instants up to a time at which its loads bend or jump."""
-        return self.motion.breaks(until)
+        found: list[mpmath.mpf] = self.motion.breaks(until)
+        return found
 
     @cached_property
     def steady(self) -> "PreciseLinear":
@@ -88,7 +89,7 @@ class PreciseLinear:
 class LinearInstant:
     """A PreciseLinear at an instant."""
 
-    def __init__(self, state: Any, output: "LinearOutput"):
+    def __init__(self, state: Any, output: "LinearOutput") -> None:
         self.state, self.output = state, output
 
     def read(self, highest: int, by: Any = 0) -> "list[mpmath.mpf]":
@@ -101,7 +102,7 @@ class PreciseComposed:
     """A function of signals, instant by instant; closing: Closing of coordinates that close loops, or None."""
 
     def __init__(self, node: "Node", signals: "Mapping[str, PreciseLinear]", values: "Mapping[str, mpmath.mpf]",
-                 time: "Node", arithmetic: Any, closing: Any = None):
+                 time: "Node", arithmetic: Any, closing: Any = None) -> None:
         self.node, self.signals, self.values, self.time = node, signals, values, time
         self.arithmetic, self.closing = arithmetic, closing
 
@@ -138,7 +139,7 @@ class PreciseComposed:
 class ComposedInstant:
     """A PreciseComposed at an instant."""
 
-    def __init__(self, signal: PreciseComposed, time: "mpmath.mpf", parts: Mapping[str, LinearInstant]):
+    def __init__(self, signal: PreciseComposed, time: "mpmath.mpf", parts: Mapping[str, LinearInstant]) -> None:
         self.signal, self.time, self.parts = signal, time, parts
 
     def read(self, highest: int, by: Any = 0) -> "list[mpmath.mpf]":
@@ -156,7 +157,7 @@ class ComposedInstant:
         return found
 
 
-    def _closed(self, values, highest):
+    def _closed(self, values: Mapping[str, mpmath.mpf], highest: int) -> dict[str, mpmath.mpf]:
         """{name: number} of the coordinates that close loops."""
         if highest:
             raise PhysicsError("more digits of extremes and zeros are not found of what hangs on coordinates that "
@@ -169,7 +170,7 @@ class ComposedInstant:
 class PreciseDifference:
     """One signal less another."""
 
-    def __init__(self, one: Any, two: Any):
+    def __init__(self, one: Any, two: Any) -> None:
         self.parts = one, two
 
     def at(self, time: "mpmath.mpf", before: bool = False) -> "DifferenceInstant":
@@ -184,7 +185,7 @@ class PreciseDifference:
 class DifferenceInstant:
     """A PreciseDifference at an instant."""
 
-    def __init__(self, one: Any, two: Any):
+    def __init__(self, one: Any, two: Any) -> None:
         self.one, self.two = one, two
 
     def read(self, highest: int, by: Any = 0) -> "list[mpmath.mpf]":

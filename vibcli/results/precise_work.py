@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
+    from vibcli.analyses.transient.linear_response import LinearMotion
     from vibcli.base.work import Work
     from vibcli.results.signal import Signal
 
@@ -35,7 +36,7 @@ def estimated_steps(signal: "Signal", until: float, digits: int) -> float:
     return OWN + 2 * passed / 1e6
 
 
-def _of_segments(motion, until):
+def _of_segments(motion: "LinearMotion", until: float) -> tuple[int, int, int, list[float]]:
     """(how many stretches there are, how many are unlike, how many functions drive the widest, their speeds)."""
     import numpy as np
 
@@ -46,7 +47,7 @@ def _of_segments(motion, until):
             [abs(wave.exponent) for piece in pieces for wave in piece.waves])
 
 
-def _of_records(motion, until):
+def _of_records(motion: Any, until: float) -> tuple[int, int, int, list[float]]:
     """The same of stretches that are not told one by one: no two are alike."""
     count, waves = motion.forcing.count(until), motion.forcing.waves
     return (count, count, sum((wave.power + 1) * len(wave.shares) for wave in waves),

@@ -27,7 +27,7 @@ class PrescribedResponse(StatesInTime):
 
     KIND, WORDS = "prescribed", "prescribed by what drives it"
 
-    def __init__(self, problem: "Problem"):
+    def __init__(self, problem: "Problem") -> None:
         super().__init__(problem)
         self._closed = self._start()
 
@@ -47,7 +47,7 @@ class PrescribedResponse(StatesInTime):
         raise PhysicsError("the period of what is prescribed is that of what drives it",
                            "ask for zero[1](x), zero[2](x), argmax(x)")
 
-    def _start(self):
+    def _start(self) -> dict[str, float]:
         """{name: float} of all symbols at t = 0."""
         problem = self.problem
         values = {**problem.numeric.floats, problem.scene.time.name: 0.0, **problem.numeric.drawn_floats}
@@ -68,7 +68,7 @@ class PrescribedResponse(StatesInTime):
         if problem.scene.loops is not None:
             raise PhysicsError("more digits of closed loops that are driven are not found", "leave --digits out")
 
-        def found(working):
+        def found(working: int) -> "mpmath.mpf":
             with mpmath.workdps(working):
                 arithmetic = multiprecision()
                 instant = mpmath.mpf(time.numerator) / time.denominator
@@ -101,7 +101,7 @@ class PrescribedResponse(StatesInTime):
         order, values = np.argsort(times, kind="stable"), np.empty((len(loops.names), len(times)))
         reached = loops.through(self._closed, {time: times[order]})
         if reached.shape[1] < len(times):
-            raise _not_closed(times[order[reached.shape[1]]])
+            raise _not_closed(float(times[order[reached.shape[1]]]))
         values[:, order] = reached
         return {**found, **dict(zip(loops.names, values, strict=True))}
 
@@ -110,6 +110,6 @@ class PrescribedResponse(StatesInTime):
         return PrescribedSignal(self, node, forces, shared)
 
 
-def _not_closed(time):
+def _not_closed(time: float) -> PhysicsError:
     return PhysicsError(f"the loops of this scene cannot close at t = {time:.6g} s",
                         "mind the lengths of its links, and dead centres")

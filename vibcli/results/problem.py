@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import NotInLetters, PhysicsError
+from vibcli.base.errors import NotInLetters
 from vibcli.base.stage import Stage
 from vibcli.mechanics.system import MechanicalSystem
 
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from vibcli.results.frequency_response import FrequencyResponse
     from vibcli.results.limit_loads import LimitLoads
     from vibcli.results.phase_plane import PhasePlane
-    from vibcli.results.response import Response
+    from vibcli.results.shared_solutions import KnownModes
     from vibcli.results.signals import LinearSignal
     from vibcli.results.steady_response import SteadyResponse
     from vibcli.scene.scene import Scene
@@ -56,7 +56,7 @@ class Problem:
     def __init__(self, spec: "Spec", given: "Mapping[str, Fraction] | None" = None, work: "Work | None" = None,
                  modal: "ModalAnalysis | None" = None, choice: Any = None, earlier: Mapping[str, float] | None = None,
                  end: Any = None, signed: bool = False, rough: bool = False, digits: int | None = None,
-                 symbolic: "SymbolicSystem | None" = None):
+                 symbolic: "SymbolicSystem | None" = None) -> None:
         self.spec, self.system = spec, MechanicalSystem(spec, given, work) if modal is None else modal.system
         self.work, self.costs = self.system.work, self.system.costs
         self.given: Mapping[str, Fraction] = self.system.given
@@ -67,7 +67,9 @@ class Problem:
             self.symbolic = symbolic
         self.choice, self.earlier, self.end, self.signed = choice, earlier or {}, end, signed
         self.rough, self.digits = rough, digits
-        self._cases, self._curves, self._limits = {}, {}, {}
+        self._cases: dict[str, Problem] = {}
+        self._curves: dict[tuple[str, str], FrequencyResponse] = {}
+        self._limits: dict[str, LimitLoads] = {}
         self.measured: dict[str, tuple[float, float]] = {}     # {quantity as it is written: (value, error)}
         self.lettered: dict[str, tuple[Any, Any]] = {}         # {the same: (its Expression, its node or why none)}
 
@@ -115,7 +117,7 @@ class Problem:
         """The same scene with values for its symbols, drawn anew."""
         return Problem(self.spec, {**self.given, **given}, self.work)
 
-    def sharing(self, given: "Mapping[str, Fraction]", known: tuple = (None, None),
+    def sharing(self, given: "Mapping[str, Fraction]", known: "KnownModes" = (None, None),
                 equilibrium: "Equilibrium | None" = None) -> "Problem":
         """The same with the expressions of this scene: for values on which no sign in its geometry hangs; `known`: its
         natural modes and its damped ones, each None where they are to be found, as `equilibrium` is."""
@@ -157,9 +159,9 @@ class Problem:
         """The same scene about another of its equilibria; `free`: in how many directions it moves freely there."""
         return self._copy(modal=_modes_of(configuration, free), end=None)
 
-    def _copy(self, **changes):
-        kept = {"spec": self.spec, "modal": self.modal, "choice": self.choice, "earlier": self.earlier, "end": self.end,
-                "signed": self.signed, "rough": self.rough, "digits": self.digits}
+    def _copy(self, **changes: Any) -> "Problem":
+        kept: dict[str, Any] = {"spec": self.spec, "modal": self.modal, "choice": self.choice, "earlier": self.earlier,
+                                "end": self.end, "signed": self.signed, "rough": self.rough, "digits": self.digits}
         return Problem(**{**kept, **changes})
 
     def case(self, name: str) -> "Problem":
@@ -207,8 +209,8 @@ class Problem:
         return [self.about(about(self.configuration, item, forces), len(item.free)) for item in self.equilibria.items]
 
     @Stage
-    def response(self) -> "Response":
-        """The motion in time, as `motion:` of the file says."""
+    def response(self) -> Any:
+        """The motion in time, as `motion:` of the file says: a Response of the kind that this asks for."""
         from vibcli.results.kinds_of_motion import motion_in_time
 
         return motion_in_time(self)
@@ -222,16 +224,9 @@ class Problem:
 
     @cached_property
     def _kept_up(self) -> "SteadyResponse | None":
-        """What loads that oscillate without end keep up in a scene with members, apart from the motion that leads to
-        it; None where none does, or the motion is not one of small oscillations."""
-        from vibcli.results.steady_response import SteadyResponse
+        from vibcli.results.kinds_of_motion import kept_up_by_loads
 
-        kind = self.spec.motion
-        if self.spec.in_full or (kind is None and self.scene.laws):
-            return None
-        found = SteadyResponse(self, PhysicsError("this is not found of small oscillations of members",
-                                                  "ask for max(x), min(x) or values in time"))
-        return found if found.drives else None
+        return kept_up_by_loads(self)
 
     @cached_property
     def free_motions(self) -> "FreeMotions":
@@ -293,7 +288,7 @@ class Problem:
         return self._curves[signal, driver]
 
 
-def _modes_of(configuration, free=0, known=(None, None)):
+def _modes_of(configuration: "Configuration", free: int = 0, known: "KnownModes" = (None, None)) -> "ModalAnalysis":
     """The ModalAnalysis of a Configuration."""
     from vibcli.analyses.modal.modal_analysis import ModalAnalysis
 

@@ -43,14 +43,15 @@ def states(problem: Any) -> "tuple[dict[str, np.ndarray], list[slice]]":
     """
     if problem not in KNOWN:
         KNOWN[problem] = _states(problem)
-    return KNOWN[problem]
+    found: tuple[dict[str, np.ndarray], list[slice]] = KNOWN[problem]
+    return found
 
 
-def _states(problem):
+def _states(problem: "Problem") -> "tuple[dict[str, np.ndarray], list[slice]]":
     import numpy as np
 
     scene, names = problem.scene, problem.scene.coordinates
-    groups = [(1, 1, 1, names), (1, 0, 0, names), (NEAR, 0, 0, names), (0, 1, 0, names), (0, 0, 1, names)]
+    groups: list[Any] = [(1, 1, 1, names), (1, 0, 0, names), (NEAR, 0, 0, names), (0, 1, 0, names), (0, 0, 1, names)]
     if 1 < len(names) <= SEPARATE:
         groups += [(*kind, [name]) for name in names for kind in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
     each, found = STATES + 3 * len(names), {}
@@ -65,7 +66,7 @@ def _states(problem):
 
 
 @lru_cache(8)
-def _units(coordinates, count):
+def _units(coordinates: int, count: int) -> "tuple[np.ndarray, np.ndarray]":
     """(random numbers from 0 to 1 for the places, velocities and accelerations of so many coordinates, as many for the
     time)."""
     import numpy as np
@@ -76,7 +77,7 @@ def _units(coordinates, count):
     return rows[:-1].reshape(coordinates, 3, count), rows[-1]
 
 
-def _closed(problem, found):
+def _closed(problem: "Problem", found: "dict[str, Any]") -> "dict[str, np.ndarray]":
     """The states with their dependent coordinates; those whose loops cannot close are drawn nearer, until they can."""
     import numpy as np
 

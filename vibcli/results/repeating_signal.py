@@ -2,7 +2,7 @@
 that what it started with has died out. Nothing is cut off: fronts stand where they are, and what modes leave out keeps
 its bound."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from math import ceil
 from typing import TYPE_CHECKING, Any
@@ -20,7 +20,10 @@ from vibcli.results.without_bound import whenever
 from vibcli.symbolic.syntax import NameRef
 
 if TYPE_CHECKING:
+    from vibcli.analyses.excitation.forcing import Forcing
+    from vibcli.results.problem import Problem
     from vibcli.results.steady_response import SteadyResponse
+    from vibcli.symbolic.syntax import Power, Sum
 
 FIRST, MOST = 16, 2048      # periods after which it is looked at first, and at most
 JUMPS = 16_384      # pieces of a load that are followed
@@ -41,18 +44,19 @@ class RepeatingSignal(Signal):
 
     KIND = "a steady state that repeats itself"
 
-    def __init__(self, signal: Signal, period: float, start: float, left: float, aside: float = 0.0):
+    def __init__(self, signal: Signal, period: float, start: float, left: float, aside: float = 0.0) -> None:
         self.signal, self.start, self.left, self.aside = signal, start, left, aside
         self.period: Any = period
         self._tops: dict[tuple[float, float], tuple[float, float]] = {}     # as told, and as the signal has them
 
-    def _late(self, times):
-        late = np.asarray(times, float) % self.period + self.start
+    def _late(self, times: np.ndarray | float) -> np.ndarray:
+        late: np.ndarray = np.asarray(times, float) % self.period + self.start
         fronts = self.signal.fronts(self.start + self.period)
         if not len(fronts):
             return late
         after = fronts[np.minimum(np.searchsorted(fronts, late), len(fronts) - 1)]
-        return np.where((after >= late) & (after - late <= BEHIND * late), after, late)
+        found: np.ndarray = np.where((after >= late) & (after - late <= BEHIND * late), after, late)
+        return found
 
     def values(self, times: np.ndarray, order: int = 0) -> np.ndarray:
         late = self._late(times)
@@ -114,13 +118,13 @@ class RepeatingSignal(Signal):
         """(its mean over a period, how far that may be off)."""
         return self._averaged(lambda values: values - self.aside, lambda most: 1.0)
 
-    def _averaged(self, function, slope):
+    def _averaged(self, function: Callable[..., Any], slope: Callable[..., Any]) -> tuple[float, float]:
         """(the mean of a function of its values over a period, how far that may be off); slope: by how much it changes
         with some of them at most."""
         with _all_along():
             return self._by_panels(function, slope)
 
-    def _by_panels(self, function, slope):
+    def _by_panels(self, function: Callable[..., Any], slope: Callable[..., Any]) -> tuple[float, float]:
         self.signal.require_bounded(self.start + self.period)
         edges = _edges(self.period, [self.signal.fronts(self.start + self.period) - self.start])
         known = float(slope(self.signal.values(self.start + edges))) * (
@@ -196,7 +200,7 @@ def repeating(response: "SteadyResponse", tree: Any) -> RepeatingSignal:
     raise _lasting(count // 2)
 
 
-def _require_dying(signal, before, period, more, known):
+def _require_dying(signal: ModalSignal, before: int, period: float, more: int, known: float) -> None:
     """The same PhysicsError where what some mode changes by from one period to the next, after so many of them, is more
     than is known even some more later."""
     sizes, rates = signal.modal.changes(signal.reads, before * period, period)
@@ -205,13 +209,13 @@ def _require_dying(signal, before, period, more, known):
         raise _lasting(before + 1 + more, float(abs(rates[np.argmax(left)])))
 
 
-def _lasting(periods, omega=None):
+def _lasting(periods: int, omega: float | None = None) -> PhysicsError:
     own = "" if omega is None else f", that of {omega:.5g} rad/s least of all"
     return PhysicsError(f"free vibrations of these members have not died out after {periods} periods of this load{own}",
                         f"damp them more, where they move, or {HARMONICS}")
 
 
-def _undamped(problem, tree, forcing):
+def _undamped(problem: "Problem", tree: "NameRef | Power | Sum", forcing: "Forcing") -> RepeatingSignal:
     found = averaged(problem, problem.response.signal(tree), float(forcing.period), float(forcing.since))
     if found is None:
         raise PhysicsError("free vibrations of these members never die out, and some harmonic of this load may meet "
@@ -220,7 +224,7 @@ def _undamped(problem, tree, forcing):
     return RepeatingSignal(signal, float(forcing.period), start, left)
 
 
-def _ahead(problem, period):
+def _ahead(problem: "Problem", period: float) -> float:
     """How far any free vibration is from itself a period later, as a part of itself; PhysicsError where that is 0:
     what is not damped and fits into the period is not told from what loads keep up."""
     found = 2.0
@@ -233,7 +237,7 @@ def _ahead(problem, period):
     return found
 
 
-def _aside(response, tree, signal, start):
+def _aside(response: "SteadyResponse", tree: NameRef, signal: ModalSignal, start: float) -> tuple[float, float]:
     """(by how much the mean of a motion in the period from `start` on is larger than that which loads keep up, a bound
     of the error of that): where nothing holds the members, it is what they started with that sets it."""
     if not any(not mode.eigenvalue for mode in response.problem.modal.damped.first(MODES)) or (
@@ -243,26 +247,27 @@ def _aside(response, tree, signal, start):
     if not isinstance(still, LinearSignal):
         raise PhysicsError("the steady state of functions of signals is not found of members that nothing holds",
                            "ask for that of single signals")
-    edges = _edges(forcing.period, [signal.fronts(start + forcing.period) - start,
-                                    [(piece.start - forcing.since) % forcing.period for piece in forcing.pieces]])
+    changes = np.array([(piece.start - forcing.since) % forcing.period for piece in forcing.pieces])
+    edges = _edges(forcing.period, [signal.fronts(start + forcing.period) - start, changes])
     fine, coarse = (_mean(signal.values, start, edges, order) for order in NODES)
     mean = still.motion.steady.mean(still.output)
     size = float(np.abs(signal.values(start + edges)).max())
     return fine - mean, abs(fine - coarse) + DEAD * size + signal.error_of_mean(start, start + float(edges[-1]))
 
 
-def _edges(period, bends):
+def _edges(period: float, bends: Sequence[np.ndarray]) -> np.ndarray:
     """Of the panels of a period, and what bends within it."""
     found = np.concatenate([np.linspace(0.0, period, PANELS + 1), *bends])
     return np.unique(found[(found >= 0.0) & (found <= period)])
 
 
-def _mean(values, start, edges, order):
+def _mean(values: Callable[[np.ndarray], np.ndarray], start: float, edges: np.ndarray, order: int) -> float:
     """The mean of a function between edges."""
-    return float(_panels(values, start, edges, order).sum()) / (edges[-1] - edges[0])
+    found: float = float(_panels(values, start, edges, order).sum()) / (edges[-1] - edges[0])
+    return found
 
 
-def _panels(values, start, edges, order):
+def _panels(values: Callable[[np.ndarray], np.ndarray], start: float, edges: np.ndarray, order: int) -> np.ndarray:
     """The integrals of a function over the stretches between edges by Gauss's rule on each of them."""
     at, weights = np.polynomial.legendre.leggauss(order)
     middle, half = (edges[1:] + edges[:-1]) / 2, np.diff(edges) / 2

@@ -10,6 +10,7 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 if TYPE_CHECKING:
     import numpy as np
 
+    from vibcli.language.reader import Record
     from vibcli.results.problem import Problem
     from vibcli.results.signal import Signal
     from vibcli.symbolic.node import Node
@@ -27,7 +28,7 @@ class Response:
     signal: Callable[[Any], "Signal"]
     known: float
 
-    def __init__(self, problem: "Problem"):
+    def __init__(self, problem: "Problem") -> None:
         self.problem = problem
 
     @property
@@ -41,9 +42,10 @@ class Response:
         return self.problem.end is not None or "until" in (self._asked or ())
 
     @property
-    def _asked(self):
+    def _asked(self) -> "Record | None":
         find = self.problem.spec.get("find")
-        return find.in_time if find is not None else None
+        found: Record | None = find.in_time if find is not None else None
+        return found
 
     @cached_property
     def until(self) -> float:
@@ -57,10 +59,11 @@ class Response:
         if not 0 < end < LONGEST:
             raise PhysicsError(f"a motion cannot end at t = {end:.6g} s",
                                f"ask for an instant between its start, t = 0, and {LONGEST:.0e} s", where)
-        return end
+        found: float = end
+        return found
 
     @cached_property
-    def _signals(self):
+    def _signals(self) -> dict[Any, Any]:
         """{tree: Signal}"""
         return {}
 
@@ -68,7 +71,8 @@ class Response:
         """The signal of a tree, the same to all who ask, which keeps what is found of it."""
         if tree not in self._signals:
             self._signals[tree] = self.signal(tree)
-        return self._signals[tree]
+        found: Signal = self._signals[tree]
+        return found
 
     def instants(self, signals: "Sequence[Signal]", points: int) -> "np.ndarray":
         """The instants at which it is sampled for pictures and files, ascending."""
@@ -79,7 +83,8 @@ class Response:
     @property
     def start(self) -> tuple[dict[str, float], dict[str, float]]:
         """({coordinate: value}, {coordinate: velocity}) at t = 0."""
-        return self.problem.initial.start
+        found: tuple[dict[str, float], dict[str, float]] = self.problem.initial.start
+        return found
 
     @property
     def title(self) -> str:

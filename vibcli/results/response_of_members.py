@@ -1,7 +1,7 @@
 """What all motions in time of scenes with members share: pieces between stations, what moves their ends, the fields
 that they start with, and signals of places between stations."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -10,23 +10,30 @@ import numpy as np
 from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
 from vibcli.analyses.excitation.linear_output import FieldPoint, LinearOutput
 from vibcli.base.errors import PhysicsError
+from vibcli.results.fields_along_pieces import given_along, over_place
 from vibcli.results.responses import SmallResponse
 from vibcli.results.resting_shape import ROUNDING, less_rest, polynomial_at_rest, with_polynomials
 from vibcli.results.unloaded_ends import is_unloaded
 from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
+    from vibcli.analyses.continuous.spread_drives import SpreadDrive
     from vibcli.analyses.excitation.forcing import Forcing
+    from vibcli.analyses.modal.damped_modes import DampedMode
+    from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.factored_system import PlacedPiece
+    from vibcli.mechanics.initial_fields import MemberFields
     from vibcli.results.long_after import LongAfter
     from vibcli.results.part_of_members import PartOfMembers
     from vibcli.results.parted_response import PartedResponse
     from vibcli.results.problem import Problem
+    from vibcli.results.responses import PartOfSignal
     from vibcli.results.signal import Signal
     from vibcli.results.steady_response import SteadyResponse
     from vibcli.results.wave_response import WaveResponse
     from vibcli.scene.spread_forces import SpreadForce
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import SyntaxTree
 
 EARLY = "; values at instants by travelling waves as long as their fronts stay few"
 
@@ -36,7 +43,7 @@ class ResponseOfMembers(SmallResponse):
     FieldPoints; `matrices` leave the pieces out. part: what of the scene it is the motion of, alone; None of all."""
 
     def __init__(self, problem: "Problem", waves: "WaveResponse | PartedResponse | None" = None,
-                 part: "PartOfMembers | None" = None):
+                 part: "PartOfMembers | None" = None) -> None:
         super().__init__(problem)
         self._waves, self.part = waves, part
 
@@ -83,11 +90,11 @@ class ResponseOfMembers(SmallResponse):
         q, v = self.deviations
         return np.maximum(np.abs(q), self._among(self._subtracted)), np.abs(v)
 
-    def _among(self, values):
+    def _among(self, values: np.ndarray) -> np.ndarray:
         return values if self.part is None else values[self.part.coordinates]
 
     @cached_property
-    def _subtracted(self):
+    def _subtracted(self) -> np.ndarray:
         """How large the coordinates are, both at the start and at rest, of which the deviations are the differences:
         the largest of each unit."""
         names, unit = self.problem.scene.coordinates, self.problem.spec.dimensions.of
@@ -100,7 +107,7 @@ class ResponseOfMembers(SmallResponse):
         return found if self.part is None else self.part.row(found)
 
     @cached_property
-    def _inputs(self):
+    def _inputs(self) -> "dict[int, Node]":
         """{number of an input: what moves it, a node of the time} of displacements that drive the scene."""
         from vibcli.symbolic.transfer_between_tables import copied
 
@@ -108,7 +115,7 @@ class ResponseOfMembers(SmallResponse):
         nodes = {i: one.node for i, one in enumerate(opened.scene.inputs.values(), opened.n) if one.node is not None}
         return dict(zip(nodes, copied(list(nodes.values()), self.problem.scene.table), strict=True))
 
-    def _driven_by(self, row):
+    def _driven_by(self, row: Mapping[int, float]) -> "Node | None":
         """What moves the end of a piece beside the coordinates, a node of the time, or None."""
         table, n = self.problem.scene.table, self.configuration.with_inputs.n
         terms = [self._inputs[i] * table.number(fraction_of(x)) for i, x in row.items() if i >= n and x]
@@ -121,7 +128,7 @@ class ResponseOfMembers(SmallResponse):
         return [(self._own({i: float(x) for i, x in row.items() if i < n and x}), self._driven_by(row))
                 for piece in self.placed for row in piece.rows]
 
-    def _own(self, row):
+    def _own(self, row: dict[int, float]) -> dict[int, float]:
         return row if self.part is None else self.part.row(row)
 
     @cached_property
@@ -144,7 +151,7 @@ class ResponseOfMembers(SmallResponse):
                 if not force.weight.is_zero and force.member in members]
 
     @cached_property
-    def spread_drives(self) -> list:
+    def spread_drives(self) -> "list[SpreadDrive]":
         """The SpreadDrives of loads along members in time, and behind them of what lets go, none from then on."""
         from vibcli.analyses.continuous.spread_drives import spread_drive
         from vibcli.symbolic.evaluation import Floats
@@ -153,7 +160,7 @@ class ResponseOfMembers(SmallResponse):
         return [*(spread_drive(force, place, Floats) for force in self.spread_forces), *self.let_go]
 
     @cached_property
-    def let_go(self) -> list:
+    def let_go(self) -> "list[SpreadDrive]":
         """The SpreadDrives of a load along members that lets go."""
         from vibcli.analyses.continuous.spread_drives import spread_drive
         from vibcli.symbolic.evaluation import Floats
@@ -178,11 +185,13 @@ class ResponseOfMembers(SmallResponse):
         driven = any(node is not None for _, node in self.ends_of_pieces)
         return not (started or driven or self.let_go or self.spread_forces or self.loads)
 
-    def _field(self, piece, given):
+    def _field(self, piece: "PlacedPiece", given: "MemberFields | None") -> "Forcing | None":
         """u and u̇ over one piece, channels of the place along it; None of what rests straight between its ends."""
-        scene, held, nodes = self.problem.scene, self.configuration.preloaded, self._given_along(piece, given)
+        scene, held = self.problem.scene, self.configuration.preloaded
+        nodes = given_along(scene, piece, given)
         if 0 in nodes:
-            found = less_rest(self.over_place(piece, nodes, [piece.piece.order, 0]), self.configuration, piece, 2)
+            field = over_place(self.problem, piece, nodes, [piece.piece.order, 0])
+            found = less_rest(field, self.configuration, piece, 2)
             return found or self._no_polynomial(piece)
         if held is not None and (given is not None or scene.gravity or held.scene.spread_loads):
             added = [self._resting(held, piece), -self._resting(self.configuration, piece)]
@@ -190,48 +199,21 @@ class ResponseOfMembers(SmallResponse):
             added = [self._straight(piece)]
         else:
             return None
-        field = self.over_place(piece, nodes, [piece.piece.order, 0])
+        field = over_place(self.problem, piece, nodes, [piece.piece.order, 0])
         return with_polynomials(field, 0, added, float(piece.piece.length))
 
-    def _given_along(self, piece, given):
-        """{0: u, 1: u̇} of those that are given, nodes; the time of the scene stands for the place along a piece."""
-        from vibcli.symbolic.derivatives import substitute
-
-        scene, parts = self.problem.scene, () if given is None else (given.displacement, given.rate)
-        place = {scene.time: scene.time + scene.table.number(fraction_of(float(piece.start)))}
-        return {rate: substitute([part], place)[0] for rate, part in enumerate(parts) if part is not None}
-
-    def _straight(self, piece):
+    def _straight(self, piece: "PlacedPiece") -> np.ndarray:
         """u of a piece straight between its ends as they start."""
         q = self.deviations[0]
         left, right = (sum(x * q[i] for i, x in self._own(row).items() if i < len(q)) for row in piece.rows)
         return np.array([left, (right - left) / float(piece.piece.length)])
 
-    def over_place(self, piece: "PlacedPiece", nodes: "dict[int, Node]", orders: "list[int]") -> "Forcing":
-        """{channel: node} of functions of the place on a piece as Forcing; as polynomials to rounding where they are no
-        sums of powers, exponentials and sines, of derivatives of these orders."""
-        from vibcli.analyses.continuous.smooth_fields import smooth_field
-        from vibcli.analyses.excitation.decompose import forcing_of
-        from vibcli.notation.plain import plain
-        from vibcli.symbolic.smooth_panels import NotSmooth
-
-        table, time, floats = self.problem.scene.table, self.problem.scene.time, self.problem.numeric.floats
-        try:
-            return forcing_of(nodes, time, floats, len(orders), write=plain, work=self.problem.work)
-        except PhysicsError:
-            pass
-        try:
-            return smooth_field(nodes, time, table.number(fraction_of(float(piece.piece.length))), floats, orders)
-        except NotSmooth as error:
-            raise PhysicsError(f"the field with which '{piece.owner}' starts, or what bends it, {error.message} of its "
-                               "piece", error.hint) from None
-
-    def _resting(self, configuration, piece):
+    def _resting(self, configuration: "Configuration", piece: "PlacedPiece") -> np.ndarray:
         """u of a piece in the equilibrium of a Configuration: a parabola, as weight may lengthen it."""
         found = polynomial_at_rest(configuration, piece, 2)
         return self._no_polynomial(piece) if found is None else found
 
-    def _no_polynomial(self, piece):
+    def _no_polynomial(self, piece: "PlacedPiece") -> NoReturn:
         raise NotByWaves(f"'{piece.owner}' rests under a load that varies along it")
 
     @cached_property
@@ -248,8 +230,8 @@ class ResponseOfMembers(SmallResponse):
 
         return LongAfter(self, tree)
 
-    def _one(self, part, source=()):
-        if getattr(part[0], "head", "") == "steady":
+    def _one(self, part: "PartOfSignal", source: tuple[Any, ...] = ()) -> Any:
+        if len(part) == 1 and part[0].head == "steady":
             return self.kept_up.signal(part[0])
         return super()._one(part, source)
 
@@ -268,7 +250,7 @@ class ResponseOfMembers(SmallResponse):
         return bool(self._forces.speeds or fading(self._forces))
 
     @property
-    def _dying(self):
+    def _dying(self) -> "Sequence[DampedMode] | None":
         """The damped modes that tell when it has died out; None where those without dampers tell how long it lasts."""
 
     @cached_property
@@ -276,7 +258,8 @@ class ResponseOfMembers(SmallResponse):
         """The Forcing of all channels."""
         raise NotImplementedError
 
-    def _part(self, parts, name, primes, part):
+    def _part(self, parts: "dict[Node, PartOfSignal]", name: str, primes: int,
+              part: "SyntaxTree | tuple[str]") -> "Node":
         from vibcli.mechanics.inputs_outputs.place_signals import place_output
 
         found = place_output(self.configuration, name + "'" * primes) if isinstance(name, str) else None
@@ -288,7 +271,7 @@ class ResponseOfMembers(SmallResponse):
                               places={} if is_unloaded(self, found) else {point: float(found.factor)})
         return self._named(parts, f"signal {name}" + "'" * primes, (output, None))
 
-    def _at_rest(self, name):
+    def _at_rest(self, name: str) -> float:
         """A signal in equilibrium."""
         from vibcli.mechanics.rest_curves import value_at_rest
 

@@ -4,7 +4,7 @@ A signal is an expression of coordinates, places, forces (vibcli/language/signal
 constant factors is exact at any time; products and powers are evaluated instant by instant, their extremes refined.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -13,15 +13,16 @@ from vibcli.language.signals import ENERGIES
 from vibcli.results.closing import Closing
 from vibcli.results.given_start import check_start
 from vibcli.results.response import Response
+from vibcli.results.signal_nodes import node_of_signal
 from vibcli.results.signals import ComposedSignal, LinearSignal
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import fraction_of
-from vibcli.symbolic.semantics import lower
-from vibcli.symbolic.syntax import NameRef, Power, QuantityRef, Sum
+from vibcli.symbolic.syntax import NameRef, QuantityRef
 
 if TYPE_CHECKING:
+    import mpmath
     import numpy as np
 
     from vibcli.analyses.excitation.forcing import Forcing
@@ -30,10 +31,16 @@ if TYPE_CHECKING:
     from vibcli.analyses.transient.linear_response import LinearMotion
     from vibcli.results.precise_response import PreciseResponse
     from vibcli.results.problem import Problem
+    from vibcli.results.signal import Signal
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import SyntaxTree
+
+    Read = tuple[LinearOutput, Node | None]         # off the motion, and what moves by itself
+    PartOfSignal = Read | tuple[QuantityRef]
+    Terms = list[tuple[float | mpmath.mpf, Read]]   # (factor, what is read)
 
 
-def _jumps(node, symbols):
+def _jumps(node: "Node", symbols: "Iterable[Node]") -> bool:
     """Does a function stand in the node that has no slope but where it jumps, of one of these symbols?"""
     return any(part.name == "sign" and any(part.mask & symbol.mask for symbol in symbols) for part in reachable([node]))
 
@@ -44,12 +51,12 @@ class SmallResponse(Response):
     KIND, WORDS = "small", "small oscillations about the equilibrium"
     arithmetic: Any = Floats
 
-    def __init__(self, problem: "Problem", finely: Callable | None = None):
+    def __init__(self, problem: "Problem", finely: "Callable[[Problem], PreciseResponse] | None" = None) -> None:
         super().__init__(problem)
         self.configuration, self.finely, self.finer = problem.configuration, finely, {}
         self._moved: dict[tuple[Node, ...], LinearMotion] = {}      # by what of them depends on the time alone
         self._outputs: dict[str, tuple[LinearOutput, Node | None]] = {}
-        self._signals: dict[Node, LinearSignal | ComposedSignal] = {}
+        self._signals: dict[Node, Signal] = {}
 
     @cached_property
     def values(self) -> dict[str, Any]:
@@ -63,7 +70,8 @@ class SmallResponse(Response):
 
         if mp.prec not in self.finer:
             self.finer[mp.prec] = self.finely(self.problem)
-        return self.finer[mp.prec]
+        found: PreciseResponse = self.finer[mp.prec]
+        return found
 
     @property
     def known(self) -> float:
@@ -133,7 +141,8 @@ class SmallResponse(Response):
         elements = self.problem.configuration.linear_system
         if elements.G or elements.circulatory or elements.massless:
             return None
-        return self.problem.modal.modes
+        found: Modes | None = self.problem.modal.modes
+        return found
 
     @cached_property
     def rigid(self) -> "np.ndarray | None":
@@ -164,27 +173,29 @@ class SmallResponse(Response):
         damped = problem.modal.damped and problem.modal.damped.shown()
         return duration(modes, damped, last, sorted(forcing.speeds), fading(forcing))
 
-    def signal(self, tree: NameRef | Power | Sum) -> LinearSignal | ComposedSignal:
+    def signal(self, tree: "SyntaxTree") -> "Signal":
         """The signal of a tree, one for all that is asked of it."""
-        parts = {}
-        node = lower(tree, self.problem.scene.table, lambda *named: self._part(parts, *named))
+        parts: dict[Node, PartOfSignal] = {}
+        node = node_of_signal(tree, self.problem.scene.table, lambda *named: self._part(parts, *named))
         if node not in self._signals:
             self._signals[node] = self._of_node(node, parts, (self, tree))
         return self._signals[node]
 
-    def _of_node(self, node, parts, source):
+    def _of_node(self, node: "Node", parts: "Mapping[Node, PartOfSignal]", source: tuple[Any, ...]) -> "Signal":
         if node in parts:
-            return self._one(parts[node], source)
+            found: Signal = self._one(parts[node], source)
+            return found
         slopes = gradient(node)
-        if (any(slope.mask for slope in slopes.values()) or _jumps(node, parts)
-                or not all(isinstance(part[0], LinearOutput) for part in parts.values())):
+        outputs = {symbol: part for symbol, part in parts.items() if len(part) == 2}
+        if any(slope.mask for slope in slopes.values()) or _jumps(node, parts) or len(outputs) < len(parts):
             return self._composed(node, parts, source)
-        used = [symbol for symbol in parts if symbol in slopes]
+        used = [symbol for symbol in outputs if symbol in slopes]
         values = {**self.values, **{symbol.name: 0.0 for symbol in parts}}
         constant, *factors = evaluate([node, *(slopes[symbol] for symbol in used)], self.arithmetic, values)
-        return self._linear(constant, list(zip(factors, (parts[symbol] for symbol in used), strict=True)), source)
+        return self._linear(constant, list(zip(factors, (outputs[symbol] for symbol in used), strict=True)), source)
 
-    def _part(self, parts, name, primes, part):
+    def _part(self, parts: "dict[Node, PartOfSignal]", name: str, primes: int,
+              part: "SyntaxTree | tuple[str]") -> "Node":
         """The node of a name within a signal; a symbol for what is read off the motion."""
         from vibcli.analyses.excitation.signal_outputs import quadratic_output
         from vibcli.mechanics.inputs_outputs.outputs import is_quadratic
@@ -208,7 +219,7 @@ class SmallResponse(Response):
             return total
         return self._named(parts, text, self._output(name + "'" * primes))
 
-    def _output(self, name):
+    def _output(self, name: str) -> "tuple[LinearOutput, Node | None]":
         """(Output, node on its channel or None) of what is a linear function of the motion."""
         from vibcli.analyses.excitation.signal_outputs import linear_output
 
@@ -216,7 +227,7 @@ class SmallResponse(Response):
             self._outputs[name] = self._apart(*linear_output(self.configuration, name))
         return self._outputs[name]
 
-    def _named(self, parts, text, found):
+    def _named(self, parts: "dict[Node, PartOfSignal]", text: str, found: "PartOfSignal") -> "Node":
         """The symbol of what is read off the motion: of what is there already that which it has, so that equals
         cancel."""
         symbol = next((symbol for symbol, known in parts.items() if known == found), None)
@@ -227,16 +238,17 @@ class SmallResponse(Response):
 
     def state_signal(self, node: "Node") -> ComposedSignal:
         """The signal of an expression of coordinates, velocities and accelerations."""
-        parts = {}
+        parts: dict[Node, PartOfSignal] = {}
         return self._composed(self._at_states(parts, node), parts)
 
-    def _composed(self, node, parts, source=()):
+    def _composed(self, node: "Node", parts: "Mapping[Node, PartOfSignal]",
+                  source: tuple[Any, ...] = ()) -> ComposedSignal:
         """The function `node` of the signals of `parts`, and of coordinates that close loops where it holds some."""
         signals = {symbol.name: self._one(part) for symbol, part in parts.items()}
         return ComposedSignal(node, signals, self.values, self.problem.scene.time, self._closing(node),
                               self.problem.work, source)
 
-    def _closing(self, node):
+    def _closing(self, node: "Node") -> Closing | None:
         scene = self.problem.scene
         if scene.loops is None or not any(part.op == "symbol" and part.name in scene.loops.names
                                           for part in reachable([node])):
@@ -244,7 +256,7 @@ class SmallResponse(Response):
         return Closing(scene.loops, self.configuration.at_rest,
                        {q: self.signal(NameRef(0, 0, q, 0)) for q in scene.coordinates})
 
-    def _at_states(self, parts, node):
+    def _at_states(self, parts: dict[Any, Any], node: "Node") -> "Node":
         """The same with the coordinates and their rates replaced by symbols of their signals."""
         scene = self.problem.scene
         states = {symbol: (name, primes) for primes, kind in enumerate((scene.q, scene.v, scene.a))
@@ -253,23 +265,23 @@ class SmallResponse(Response):
         return substitute([node], {symbol: self._part(parts, name, primes, ("name",))
                                    for symbol, (name, primes) in states.items() if symbol in below})[0]
 
-    def _apart(self, output, direct):
+    def _apart(self, output: LinearOutput, direct: "Mapping[int, Node]") -> "tuple[LinearOutput, Node | None]":
         """(Output without its channel, the node on it or None)."""
         from vibcli.symbolic.transfer_between_tables import copied
 
         nodes = copied(list(direct.values()), self.problem.scene.table)
         return output._replace(channels={}), next(iter(nodes), None)
 
-    def _one(self, part, source=()):
-        if isinstance(part[0], LinearOutput):
+    def _one(self, part: "PartOfSignal", source: tuple[Any, ...] = ()) -> Any:
+        if len(part) == 2:
             return self._linear(0.0, [(1.0, part)], source)
         return getattr(self.signal(part[0].args[0]), part[0].head)
 
-    def _linear(self, constant, terms, source=()):
+    def _linear(self, constant: float, terms: "Terms", source: tuple[Any, ...] = ()) -> LinearSignal:
         motion, output = self._driven(constant, terms)
         return LinearSignal(motion, output, source=source)
 
-    def _driven(self, constant, terms):
+    def _driven(self, constant: float, terms: "Terms", ) -> tuple[Any, LinearOutput]:
         """(motion, output) of a constant and of terms [(factor, (output, node of the time or None))]."""
         direct = tuple(node for _, (_, node) in terms if node is not None)
         if direct and direct not in self._moved:

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
 
     from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.factored_system import PlacedPiece
+    from vibcli.mechanics.rest_curves import ShapeAtRest
 
 CHECKED, SAME = 0.2, 1e-9       # where on a piece a polynomial is checked, relative to its length, and how closely
 NEAR, MOST = 1e-12, 16      # of a length: no place of its own; panels that are not few any more
@@ -31,7 +32,8 @@ def polynomial_at_rest(configuration: "Configuration", piece: "PlacedPiece", deg
     if abs(np.polynomial.polynomial.polyval(CHECKED, powers) - other) > SAME * max(map(abs, values)):
         return None
     small = np.abs(powers) <= ROUNDING * np.abs(powers).max()
-    return np.where(small, 0.0, powers) / length ** np.arange(degree + 1)
+    found: np.ndarray | None = np.where(small, 0.0, powers) / length ** np.arange(degree + 1)
+    return found
 
 
 def less_rest(field: Forcing, configuration: "Configuration", piece: "PlacedPiece", degree: int) -> Forcing | None:
@@ -48,10 +50,10 @@ def less_rest(field: Forcing, configuration: "Configuration", piece: "PlacedPiec
     if powers is not None:
         return with_polynomials(field, 0, [-powers], length)
     resting = _on_panels(shape) if shape.bent and shape.piece.order == piece.piece.order else None
-    return resting and Forcing(field.channels, difference(field.segments(length), resting, length))
+    return Forcing(field.channels, difference(field.segments(length), resting, length)) if resting else None
 
 
-def _on_panels(shape):
+def _on_panels(shape: "ShapeAtRest") -> list[Segment] | None:
     """u of a ShapeAtRest, Segments of polynomials to rounding; None where there are not few."""
     from vibcli.analyses.continuous.smooth_fields import integrated
     from vibcli.mechanics.smooth_forms import powers_between

@@ -1,6 +1,6 @@
 """The motion of the full equations where more digits are asked for: by series, as far as it is looked at."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from vibcli.analyses.time_integration.series_trajectory import SeriesTrajectory
     from vibcli.analyses.time_integration.signal_series import SignalAlong, SignalSeries
     from vibcli.analyses.time_integration.taylor_march import TaylorMarch
+    from vibcli.analyses.time_integration.trajectory import Trajectory
+    from vibcli.analyses.transient.sampled_extremes import SampledSearch
     from vibcli.results.shared_friction import SharedFriction
     from vibcli.symbolic.node import Node
 
@@ -54,7 +56,8 @@ class SeriesResponse(FullResponse):
             instant = Fraction(until)
             march = self.precise.until(instant).followed(self.digits, instant)
             self._trajectory = SeriesTrajectory(march, self.precise.scene.coordinates, until)
-        return self._trajectory
+        found: SeriesTrajectory = self._trajectory
+        return found
 
     def reaching(self, t: float) -> "SeriesTrajectory":
         return self.trajectory(max(t, ROUNDING))
@@ -76,7 +79,7 @@ class SeriesSignal(FullSignal):
     KIND = "a motion that is followed by series"
 
     def __init__(self, motion: Any, node: "Node", forces: Mapping[Any, Any] | None = None,
-                 shared: "SharedFriction | None" = None):
+                 shared: "SharedFriction | None" = None) -> None:
         super().__init__(motion, node, forces, shared)
         self._seen: dict[TaylorMarch, SignalAlong] = {}
 
@@ -106,7 +109,7 @@ class SeriesSignal(FullSignal):
         t, value = self.precise_extreme(start, end, sense, self.motion.digits)
         return float(t), float(value)
 
-    def _sampled(self, start, end, level=0.0):
+    def _sampled(self, start: float, end: float, level: float = 0.0) -> "SampledSearch":
         """The SampledSearch of a signal that bends or jumps, in floats."""
         from vibcli.analyses.transient.sampled_extremes import SampledSearch
 
@@ -114,7 +117,7 @@ class SeriesSignal(FullSignal):
         return SampledSearch(lambda times: measure(times) - level, start, end, self.motion.problem.work)
 
     def precise_extreme(self, start: float, end: float, sense: int, digits: int) -> "tuple[mpmath.mpf, mpmath.mpf]":
-        def look(along, bits):
+        def look(along: "SignalAlong", bits: int) -> "tuple[int, int, int]":
             place = along.extreme(_fixed(start, bits), _fixed(end, bits), sense, digits)
             return along.time(place), along.value(place), along.largest(_fixed(start, bits), _fixed(end, bits))
 
@@ -129,12 +132,13 @@ class SeriesSignal(FullSignal):
         return [to_float(along.time(place), march.bits) for place in found]
 
     def precise_zero(self, near: float, digits: int) -> "mpmath.mpf":
-        def look(along, bits):
+        def look(along: "SignalAlong", bits: int) -> "tuple[int, int, int]":
             return along.time(along.zero_near(Fraction(near))), 0, 0
 
         return self._found(look, digits, Fraction(near))[0]
 
-    def _found(self, look, digits, until):
+    def _found(self, look: "Callable[[SignalAlong, int], tuple[int, int, int]]", digits: int,
+               until: Fraction) -> "tuple[mpmath.mpf, mpmath.mpf]":
         """An instant and a value that are looked for along a march, correct to so many digits; look(signal, bits): both
         and the size of the signal."""
         import mpmath
@@ -143,8 +147,8 @@ class SeriesSignal(FullSignal):
             raise PhysicsError("more digits of what bends or jumps are not found", "ask for values at instants")
         seen = {}
 
-        def number(i):
-            def question(march):
+        def number(i: int) -> "Callable[[TaylorMarch], mpmath.mpf]":
+            def question(march: "TaylorMarch") -> "mpmath.mpf":
                 if march not in seen:
                     seen[march] = look(self._along_march(march), march.bits)
                 with mpmath.workprec(2 * march.bits):
@@ -154,7 +158,7 @@ class SeriesSignal(FullSignal):
         motion = self.motion.precise.until(until)
         return motion.found(number(0), digits, until), motion.found(number(1), digits, until, number(2))
 
-    def _along_march(self, march):
+    def _along_march(self, march: "TaylorMarch") -> "SignalAlong":
         if march not in self._seen:
             self._seen[march] = self.series.along(march, self.motion.precise.values(march.bits))
         return self._seen[march]
@@ -169,10 +173,11 @@ class SeriesSignal(FullSignal):
     def error_of_time(self, t: float) -> float:
         return ROUNDING * t if self.series is not None else SEARCHED * self.motion.until
 
-    def _with_senses(self, node, trajectory, times, values):
+    def _with_senses(self, node: "Node", trajectory: "Trajectory", times: np.ndarray,
+                     values: Mapping[str, Any]) -> "Node":
         return node
 
 
-def _fixed(x, bits):
+def _fixed(x: float, bits: int) -> int:
     """A float in fixed point, exactly but for its last bits."""
     return (Fraction(x).numerator << bits) // Fraction(x).denominator

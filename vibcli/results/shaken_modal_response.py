@@ -1,15 +1,21 @@
 """The motion in time of scenes with members whose supports are driven while `damping:` damps their modes."""
 
+from collections.abc import Callable
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from vibcli.results.damping_of_modes import damping_of_modes
 from vibcli.results.modal_response import ModalResponse
 from vibcli.results.not_by_modes import NotByModes
 from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.analyses.continuous.disturbances import Disturbances
     from vibcli.analyses.continuous.mode_basis import ModeBasis
-    from vibcli.analyses.continuous.shaken_modes import Shaking
+    from vibcli.analyses.continuous.shaken_modes import ShakenTransfer, Shaking, Support
+    from vibcli.analyses.continuous.start_of_fields import FieldStart
     from vibcli.symbolic.node import Node
 
 
@@ -20,7 +26,7 @@ class ShakenModalResponse(ModalResponse):
     estimated = True
 
     @cached_property
-    def _transfer(self):
+    def _transfer(self) -> "ShakenTransfer":
         import numpy as np
 
         from vibcli.analyses.continuous.exact_transfer import ExactTransfer
@@ -35,7 +41,7 @@ class ShakenModalResponse(ModalResponse):
         return ShakenTransfer(loads, moved, self._supports, modal.modes, modal.member_damping)
 
     @cached_property
-    def _supports(self):
+    def _supports(self) -> "list[Support]":
         """What each displacement that drives the scene puts on coordinates and driven ends."""
         import numpy as np
 
@@ -64,7 +70,8 @@ class ShakenModalResponse(ModalResponse):
         ends = np.array([-basis.end_forces(*drive) for drive in self._driven_ends]).reshape(-1, len(basis.squares))
         g = np.array([one.forces[0] @ basis.shapes + one.ends @ ends for one in self._supports]).T
         m = np.array([one.forces[1] @ basis.shapes for one in self._supports]).T
-        r = rate_share(self.problem.modal.member_damping, basis.squares, self._damping(basis), g, m)
+        c = damping_of_modes(self, self._transfer.pieces, len(basis.squares))
+        r = rate_share(self.problem.modal.member_damping, basis.squares, c, g, m)
         scene, nodes = self.problem.scene, list(self._inputs.values())
         known = {**self.problem.numeric.floats, scene.time.name: 0.0}
         start = np.array([evaluate(part, Floats, known) for part in (nodes, [scene.rate(node) for node in nodes])])
@@ -72,10 +79,11 @@ class ShakenModalResponse(ModalResponse):
             raise NotByModes("a support jumps at t = 0 beside `damping:` of members", "let it begin without a jump")
         return Shaking(np.array([g, r, m]), start)
 
-    def _disturbed(self, basis, inputs, damping):
+    def _disturbed(self, basis: "ModeBasis", inputs: "np.ndarray",
+                   damping: "np.ndarray") -> "tuple[list[FieldStart], Callable[..., Disturbances]]":
         return super()._disturbed(basis, super()._felt(basis), damping)
 
-    def _felt(self, basis):
+    def _felt(self, basis: "ModeBasis") -> "np.ndarray":
         import numpy as np
 
         from vibcli.analyses.continuous.modal_start import of_drive

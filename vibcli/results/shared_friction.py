@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.time_integration.trajectory import Trajectory
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import NameRef
 
 TINY = 1e-7         # of what the forces alone would change
 
@@ -18,11 +19,12 @@ TINY = 1e-7         # of what the forces alone would change
 class SharedFriction:
     """A signal with a change of each friction force in it: does it change if these still balance?"""
 
-    def __init__(self, node: "Node", changes: "Mapping[str, Node]"):
+    def __init__(self, node: "Node", changes: "Mapping[str, Node]") -> None:
         self.node, self.changes = node, changes
 
     @classmethod
-    def of(cls, scene: "Scene", tree: Any, names: Set[str], symbol: Callable) -> "SharedFriction | None":
+    def of(cls, scene: "Scene", tree: Any, names: Set[str],
+           symbol: "Callable[[str, int, NameRef], Node]") -> "SharedFriction | None":
         """That of a tree with the forces `names`; None where none of them is one of dry friction."""
         from vibcli.mechanics.equilibrium.dry_friction import signs_of_speeds
 
@@ -32,14 +34,14 @@ class SharedFriction:
         if not changes:
             return None
 
-        def changed(name, primes, part):
+        def changed(name: str, primes: int, part: "NameRef") -> "Node":
             node, owner = symbol(name, primes, part), name.removesuffix(".force")
             return node + changes[owner] if owner in changes and owner != name and not primes else node
 
         return cls(lower(tree, scene.table, changed), changes)
 
     def require_fixed(self, trajectory: "Trajectory", times: Any, values: "Mapping[str, float | np.ndarray]",
-                      value: Callable) -> None:
+                      value: "Callable[[Node, dict[str, float | np.ndarray]], float | np.ndarray]") -> None:
         """PhysicsError at instants at which statics does not fix the signal; value(node, values): of a node there."""
         import numpy as np
 
@@ -65,7 +67,8 @@ def require_unshared(trajectory: "Trajectory", times: "np.ndarray", values: "Map
             raise shared(owner)
 
 
-def _moves(trajectory, times, values):
+def _moves(trajectory: "Trajectory", times: "np.ndarray",
+           values: "Mapping[str, Any]") -> "dict[str, np.ndarray]":
     """The changes of friction forces that still balance, {owner: array}; empty where none is held."""
     import numpy as np
 

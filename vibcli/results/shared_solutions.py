@@ -4,7 +4,7 @@ A scene that does not rest as drawn is followed from the corners of blocks of th
 itself. Nothing that arrays find is taken where at one of them they find something else.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import product
 from math import prod
 from typing import TYPE_CHECKING, Any
@@ -24,8 +24,12 @@ if TYPE_CHECKING:
     from fractions import Fraction
 
     from vibcli.analyses.modal.damped_modes import DampedMode
+    from vibcli.analyses.modal.mode_sequence import Modes
     from vibcli.analyses.modal.undamped import Mode
+    from vibcli.mechanics.linearisation import Linearisation
     from vibcli.results.problem import Problem
+
+    KnownModes = tuple[list[Mode] | None, list[DampedMode] | None]      # natural ones, damped ones
 
 ALIKE = 1e-12               # relative: of frequencies found by arrays and by themselves at a corner
 SMOOTH = {"sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp", "log", "power"}
@@ -38,7 +42,7 @@ Block = tuple[tuple[int, int], ...]
 class SharedSolution(NamedTuple):
     """(natural modes, damped ones or None) and the Equilibrium, each None where arrays do not find it."""
 
-    modes: "tuple[list[Mode] | None, list[DampedMode] | None]"
+    modes: "KnownModes"
     equilibrium: Equilibrium | None
 
 
@@ -93,19 +97,19 @@ def shared_solutions(base: "Problem", corners: "Mapping[Place, Problem]", blocks
     return known if all(_agrees(problem, known.at(corner)) for corner, problem in corners.items()) else None
 
 
-def _free(corners):
+def _free(corners: "Mapping[Place, Problem]") -> bool | None:
     """Has the scene one mode without frequency at all corners? None where it has more, or not everywhere."""
     counts = {sum(mode.rigid for mode in problem.modal.modes) for problem in corners.values()}
     return bool(*counts) if counts in ({0}, {1}) else None
 
 
-def _rest(corners):
+def _rest(corners: "Mapping[Place, Problem]") -> dict[Place, Mapping[str, float]]:
     """{corner: {coordinate: value}} at rest; empty where all rest as drawn."""
     found = {corner: problem.configuration.equilibrium for corner, problem in corners.items()}
     return {} if all(one.drawn for one in found.values()) else {corner: one.values for corner, one in found.items()}
 
 
-def _form(problem, rest):
+def _form(problem: "Problem", rest: Mapping[Any, Any]) -> "Linearisation | None":
     """The Linearisation that holds for all values of a scene whose natural modes arrays may find; None of others."""
     system, scene = problem.system, problem.scene
     table, loops, damping = scene.table, scene.loops, problem.spec.get("damping")
@@ -116,14 +120,16 @@ def _form(problem, rest):
     return None if any(form.G.values()) or any(form.drag.values()) else form
 
 
-def _values(problem, exact: "Mapping[str, np.ndarray]") -> "dict[str, Any]":
+def _values(problem: "Problem", exact: "Mapping[str, np.ndarray]") -> "dict[str, Any]":
     """{parameter: number, or array of numbers where it hangs on these}."""
     given = {name: float(value) for name, value in problem.numeric.given.items()}
     still = {v.name: 0.0 for v in problem.scene.v}
     return {**problem.scene.parameters.values(Arrays, {**given, **exact}), problem.scene.time.name: 0.0, **still}
 
 
-def _at_rest(base, form, values, rest, blocks, places) -> "tuple[StackedMatrices, list[Equilibrium | None]] | None":
+def _at_rest(base: "Problem", form: "Linearisation", values: Mapping[str, Any],
+             rest: Mapping[Place, Mapping[str, float]], blocks: Sequence[Block],
+             places: Sequence[Place]) -> "tuple[StackedMatrices, list[Equilibrium | None]] | None":
     """(the matrices where it rests, the Equilibrium of each place, None where arrays do not tell); None where the
     places do not lead on to one another."""
     names, number = base.scene.coordinates, {place: i for i, place in enumerate(places)}
@@ -140,7 +146,8 @@ def _at_rest(base, form, values, rest, blocks, places) -> "tuple[StackedMatrices
     return found.matrices(), rests
 
 
-def _between(place, rest, blocks, names):
+def _between(place: Place, rest: Mapping[Place, Mapping[str, float]], blocks: Sequence[Block],
+             names: Sequence[str]) -> np.ndarray:
     """The coordinates between those at the corners of the block in which a place lies, by multilinear interpolation."""
     block = next(block for block in blocks
                  if all(low <= i <= high for i, (low, high) in zip(place, block, strict=True)))
@@ -153,7 +160,7 @@ def _between(place, rest, blocks, names):
     return total
 
 
-def _agrees(problem, known):
+def _agrees(problem: "Problem", known: SharedSolution) -> bool:
     """Has a corner, solved by itself, the modes that arrays found?"""
     if known is None:
         return True
@@ -164,15 +171,16 @@ def _agrees(problem, known):
         return False
 
 
-def _same(modes, found, value):
+def _same(modes: "Modes", found: "Sequence[DampedMode | Mode]", value: Callable[..., Any]) -> bool:
     return modes is not None and len(modes) == len(found) and all(
         one.kind == other.kind and abs(value(one) - value(other)) <= ALIKE * abs(value(one))
         for one, other in zip(modes, found, strict=True))
 
 
-def _eigenvalue(mode):
+def _eigenvalue(mode: "DampedMode") -> complex:
     return mode.eigenvalue
 
 
-def _rate(mode):
-    return mode.omega if mode.growth_rate is None else mode.growth_rate
+def _rate(mode: "Mode") -> float:
+    found: float = mode.omega if mode.growth_rate is None else mode.growth_rate
+    return found

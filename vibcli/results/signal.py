@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from functools import cached_property
 from math import inf
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 
@@ -37,8 +37,8 @@ class Signal:
     KIND, period = "a signal", None
     MORE = "ask for an earlier instant"     # of which digits may be known where none is
     LOOKED = 0      # parts of the time of samples, at whose ends it is looked whether they are known
-    source: tuple = ()
-    asked: tuple = ()
+    source: tuple[Any, ...] = ()
+    asked: tuple[Any, ...] = ()
     values: Callable[..., "np.ndarray"]
     extreme: Callable[..., tuple[float, float]]
     zeros: "Callable[[float, float], Sequence[float]]"
@@ -99,7 +99,7 @@ class Signal:
         return extreme_to(self, start, end, sense, digits)
 
     @cached_property
-    def _extremes(self):
+    def _extremes(self) -> dict[Any, Any]:
         """{(start, end, sense): BoundedExtreme}"""
         return {}
 
@@ -110,7 +110,8 @@ class Signal:
         asked = start, end, sense
         if asked not in self._extremes:
             self._extremes[asked] = extreme_of_signal(self, *asked)
-        return self._extremes[asked]
+        found: BoundedExtreme = self._extremes[asked]
+        return found
 
     def error_of_mean(self, start: float, end: float) -> float:
         """How far its mean between two instants may be off."""
@@ -150,7 +151,8 @@ class Signal:
     def end(self) -> float | None:
         """That of the motion it is read off, where this is followed at once [s]."""
         response = next(iter(self.source or self.asked), None)
-        return response.until if response is not None and response.KIND in AT_ONCE else None
+        found: float | None = response.until if response is not None and response.KIND in AT_ONCE else None
+        return found
 
     @property
     def is_estimated(self) -> bool:
@@ -193,6 +195,6 @@ class Signal:
         raise PhysicsError(f"{self.KIND} has no envelope that is found", "ask for max(x), min(x) or values in time")
 
 
-def part_of(source: tuple, part: str) -> tuple:
+def part_of(source: tuple[Any, ...], part: str) -> tuple[Any, ...]:
     """The source of the steady or transient part of what has a source."""
     return (*source, part) if source else ()

@@ -124,7 +124,7 @@ def cycles_to(signal: "LinearSignal", fraction: float) -> float:
     return cycles_to(fraction, -tau * part.rate / part.omega)
 
 
-def _decaying(signal):
+def _decaying(signal: "LinearSignal") -> "Part":
     part = vibration(signal)
     if not part.rate < 0:
         raise PhysicsError("this vibration does not die out: its amplitude never falls to a fraction", "add a damper")
@@ -161,10 +161,11 @@ def mean(signal: "LinearSignal") -> float:
 
 def rms(signal: "LinearSignal") -> float:
     """√(c² + Σ A²/2) of c + Σ A cos(ω t − φ), what lasts of a free motion."""
-    return sum(abs(X) ** 2 / (2 if speed else 1) for speed, X in _vibrating(signal)) ** 0.5
+    found: float = sum(abs(X) ** 2 / (2 if speed else 1) for speed, X in _vibrating(signal)) ** 0.5
+    return found
 
 
-def _vibrating(signal):
+def _vibrating(signal: "LinearSignal") -> list[tuple[float, complex]]:
     """The waves that last, of which there is one at least."""
     found = lasting(signal)
     if not any(speed for speed, _ in found):

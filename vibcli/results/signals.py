@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
     from vibcli.analyses.transient.composition import Composition, Leaf
     from vibcli.analyses.transient.linear_response import LinearMotion
+    from vibcli.analyses.transient.sampled_extremes import SampledSearch
     from vibcli.results.envelope import Envelope
     from vibcli.symbolic.node import Node
 
@@ -30,7 +31,8 @@ class LinearSignal(Signal):
 
     LOOKED = 1
 
-    def __init__(self, motion: "LinearMotion", output: "LinearOutput", part: str = "", source: tuple = ()):
+    def __init__(self, motion: "LinearMotion", output: "LinearOutput", part: str = "",
+                 source: tuple[Any, ...] = ()) -> None:
         self.motion, self.output, self.part, self.source = motion, output, part, source
 
     def values(self, times: "np.ndarray", order: int = 0) -> "np.ndarray":
@@ -126,7 +128,8 @@ class ComposedSignal(Signal):
     KIND, LOOKED, MORE = "a signal composed of others", 1, "ask for its parts"
 
     def __init__(self, node: "Node", signals: Mapping[str, LinearSignal], floats: Mapping[str, Any], time: "Node",
-                 closing: Any = None, work: Work | None = None, source: tuple = ()):
+                 closing: Any = None, work: Work | None = None,
+                 source: tuple[Any, ...] = ()) -> None:
         self.node, self.signals, self.floats, self.time, self.closing = node, signals, floats, time, closing
         self.work, self.source = work or Work(), source
 
@@ -213,7 +216,7 @@ class ComposedSignal(Signal):
         except KeyError:
             return self._sampled(start, end).extreme(sense)
 
-    def _sampled(self, start, end):
+    def _sampled(self, start: float, end: float) -> "SampledSearch":
         """The SampledSearch between two instants, kept until others are asked for."""
         from vibcli.analyses.transient.sampled_extremes import SampledSearch
 
@@ -235,7 +238,8 @@ class ComposedSignal(Signal):
         from vibcli.analyses.transient.zeros import zeros
 
         try:
-            return zeros(self.along(end), None, start, end, self.work).tolist()
+            found: list[float] = zeros(self.along(end), None, start, end, self.work).tolist()
+            return found
         except KeyError:
             return self._sampled(start, end).zeros()
 
@@ -256,7 +260,8 @@ class ComposedSignal(Signal):
         except PhysicsError as error:
             raise PhysicsError("no limit of a signal composed of others is found where one of them has none: "
                                + error.message, "ask for a value at a late instant") from None
-        return evaluate([self.node], Floats, {**self.floats, **values})[0]
+        found: float = evaluate([self.node], Floats, {**self.floats, **values})[0]
+        return found
 
     @cached_property
     def steady(self) -> "ComposedSignal":

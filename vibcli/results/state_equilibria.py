@@ -1,7 +1,7 @@
 """The equilibria of one degree of freedom in its phase plane, each of its kind."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.nonlinear.state_field import StateField
     from vibcli.analyses.nonlinear.well import Well
     from vibcli.mechanics.configuration import Configuration
-    from vibcli.mechanics.equilibrium.all_equilibria import Equilibria
+    from vibcli.mechanics.equilibrium.all_equilibria import Equilibria, Item
 
 BESIDE = 1e-3           # of the way to the next equilibrium or kink
 SAME, NEAR = 1e-9, 1e-6  # of the range
@@ -26,7 +26,7 @@ class StateEquilibria:
     """Those within a `range` that hangs on the first search, or on the wider one that it makes necessary."""
 
     def __init__(self, configuration: "Configuration", search: "Equilibria | None", field: "StateField",
-                 well: "Well | None", reversible: bool, ranged: Callable):
+                 well: "Well | None", reversible: bool, ranged: "Callable[[Equilibria], tuple[float, float]]") -> None:
         self.configuration, self.field, self.well, self.reversible = configuration, field, well, reversible
         search = search or find_equilibria(configuration)
         self.range = ranged(search)
@@ -36,12 +36,12 @@ class StateEquilibria:
         self.items: list[StateEquilibrium] = [self._judged(q, item, around)
                                               for (q, item), around in zip(found, self.around, strict=True)]
 
-    def _judged(self, q, item, around):
+    def _judged(self, q: float, item: "Item | None", around: Around) -> StateEquilibrium:
         if self._rests_beside(q):
             return line_of_rest(self.field, *self._line(q))
         return kind_of(self.field, q, around, item is not None and self._is_flat(item), self._bends(q))
 
-    def _wide_enough(self, search):
+    def _wide_enough(self, search: "Equilibria | None") -> "Equilibria":
         for name in [name for item in search.items if not search.forces.names for name in item.free[0]]:
             raise rests_anywhere(name)
         name, = search.forces.names
@@ -50,7 +50,7 @@ class StateEquilibria:
             return search
         return find_equilibria(self.configuration, {name: self.range})
 
-    def _places(self):
+    def _places(self) -> "list[tuple[float, Item | None]]":
         """[(q, Item or None of a place where the force jumps)] ascending, images a turn apart included."""
         (name,), (low, high) = self.search.forces.names, self.range
         known = [(item.equilibrium.values[name], item) for item in self.search.items]
@@ -63,18 +63,18 @@ class StateEquilibria:
         inside += [(q, None) for q in self._kinks if not any(self._same(q, p) for p, _ in inside) and self._turned(q)]
         return sorted(inside, key=lambda one: one[0])
 
-    def _rests(self, q):
+    def _rests(self, q: float) -> bool:
         """Is the force smaller there than beside it? At a pole, to which a scene falls, it is not."""
         step = NEAR * (self.range[1] - self.range[0])
         left, here, right = np.abs(self.field.acceleration(np.array([q - step, q, q + step]), np.zeros(3)))
         return not here or here < max(left, right)
 
-    def _rests_beside(self, q):
+    def _rests_beside(self, q: float) -> bool:
         """Does no force act on either side either?"""
         step = SAME * (self.range[1] - self.range[0])
         return not self.field.acceleration(np.array([q - step, q + step]), np.zeros(2)).any()
 
-    def _line(self, q):
+    def _line(self, q: float) -> tuple[float, float]:
         """The ends of the places about one at which it rests as well."""
         stops = [self.range[0], *self._kinks, self.range[1]]
         low, high = max(p for p in stops if p <= q), min(p for p in stops if p >= q)
@@ -83,29 +83,30 @@ class StateEquilibria:
         return low, high
 
     @cached_property
-    def _kinks(self):
+    def _kinks(self) -> list[float]:
         return [] if self.well is None else self.well.kinks(*self.range)
 
-    def _same(self, p, q):
+    def _same(self, p: float, q: float) -> bool:
         return abs(p - q) <= SAME * (self.range[1] - self.range[0])
 
-    def _turned(self, q):
+    def _turned(self, q: float) -> bool:
         """Does the force jump there to the other sense?"""
         step = SAME * (self.range[1] - self.range[0])
         left, right = self.well.force(np.array([q - step, q + step]))
         far = np.abs(self.well.force(np.linspace(self.range[0], self.range[1], 9)))
-        return left * right < 0 and min(abs(left), abs(right)) > 1e-6 * float(np.max(far[np.isfinite(far)], initial=0))
+        least = 1e-6 * float(np.max(far[np.isfinite(far)], initial=0))
+        return bool(left * right < 0 and min(abs(left), abs(right)) > least)
 
-    def _around(self, q, places):
+    def _around(self, q: float, places: Sequence[float]) -> Around:
         others = [abs(p - q) for p in (*places, *self._kinks, *self.range) if not self._same(p, q)]
         reach = BESIDE * min(others)
         left, right = self.field.acceleration(np.array([q - reach, q + reach]), np.zeros(2))
         return Around(float(left), float(right), reach, self.reversible)
 
-    def _bends(self, q):
+    def _bends(self, q: float) -> bool:
         return any(self._same(q, kink) for kink in self._kinks)
 
-    def _is_flat(self, item):
+    def _is_flat(self, item: "Item") -> bool:
         """Has it no linear stiffness?"""
         if not item.singular:
             return False

@@ -27,7 +27,8 @@ def fundamental(signal: "LinearSignal") -> float:
     """The angular frequency of a periodic steady state; PhysicsError where it is not periodic."""
     steady = signal.motion.steady
     if steady.period is not None:
-        return tau / steady.period
+        result: float = tau / steady.period
+        return result
     speeds = [Omega for Omega, _ in harmonics(signal)]
     if not speeds:
         raise PhysicsError("this steady state is at rest: it has no period", "ask for max(steady(x))")

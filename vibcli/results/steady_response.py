@@ -20,8 +20,12 @@ if TYPE_CHECKING:
 
     from vibcli.analyses.continuous.kept_up_motion import Harmonic, KeptUpMotion
     from vibcli.analyses.excitation.forcing import Forcing
+    from vibcli.analyses.frequency_response.driven_fields import DrivenFields
     from vibcli.analyses.transient.data_errors import DataErrors
     from vibcli.results.problem import Problem
+    from vibcli.results.responses import PartOfSignal
+    from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import SyntaxTree
 
 MOST = 10_000       # steps of a million products
 
@@ -31,7 +35,7 @@ class SteadyResponse(SmallResponse):
 
     KIND = "steady"
 
-    def __init__(self, problem: "Problem", reason: PhysicsError, only: int | None = None):
+    def __init__(self, problem: "Problem", reason: PhysicsError, only: int | None = None) -> None:
         super().__init__(problem)
         self.reason, self.only = reason, only
         self._channels: dict[str, int] = {}
@@ -79,14 +83,15 @@ class SteadyResponse(SmallResponse):
         """Energies of members are spread along them: they are not found."""
         raise self.reason
 
-    def _one(self, part, source=()):
-        if self.only is None and self.input_forcing.period is not None and getattr(part[0], "head", "") == "steady":
+    def _one(self, part: "PartOfSignal", source: tuple[Any, ...] = ()) -> Any:
+        if self.only is None and self.input_forcing.period is not None and len(part) == 1 and part[0].head == "steady":
             from vibcli.results.repeating_signal import repeating
 
             return repeating(self, part[0].args[0])
         return super()._one(part, source)
 
-    def _part(self, parts, name, primes, part):
+    def _part(self, parts: "dict[Node, PartOfSignal]", name: str, primes: int,
+              part: "SyntaxTree | tuple[str]") -> "Node":
         if name in self.problem.scene.parameters.nodes or isinstance(part, QuantityRef):
             return super()._part(parts, name, primes, part)
         text = name + "'" * primes
@@ -96,7 +101,7 @@ class SteadyResponse(SmallResponse):
             self._harmonics += found
         return self._named(parts, f"signal {text}", (LinearOutput(0.0, channels={self._channels[text]: 1.0}), None))
 
-    def _found(self, text, channel):
+    def _found(self, text: str, channel: int) -> "list[Harmonic]":
         """The Harmonics of a signal, Σ H(iΩ) times what each input has of the frequency, and its value at rest."""
         import numpy as np
 
@@ -119,7 +124,7 @@ class SteadyResponse(SmallResponse):
             found += self._drifting(text, channel, drifting) if lost else [Harmonic(channel, 0.0, complex(H), error)]
         return found
 
-    def _drifting(self, text, channel, weights):
+    def _drifting(self, text: str, channel: int, weights: dict[int, complex]) -> "list[Harmonic]":
         """The Harmonics of what a signal has of a motion that nothing holds, t and t²/2, and beside it."""
         from vibcli.analyses.continuous.kept_up_motion import Harmonic
 
@@ -129,13 +134,14 @@ class SteadyResponse(SmallResponse):
         return [Harmonic(channel, 0.0, c / max(k, 1), off / max(k, 1), k)
                 for k, (c, off) in enumerate([(rest.value, rest.error), *rest.drift])]
 
-    def _curve(self, text, weights):
+    def _curve(self, text: str, weights: dict[int, complex]) -> Any:
         from vibcli.analyses.frequency_response.member_system import MemberInput
         from vibcli.analyses.frequency_response.member_transfer import transfer_to
 
         return transfer_to(self.configuration, signal_name(text), MemberInput(weights), 0, self.problem.modal)
 
-    def _answered(self, text, weights, Omega):
+    def _answered(self, text: str, weights: dict[int, complex],
+                  Omega: "np.ndarray") -> list[tuple[complex, float, bool]]:
         """[(H, how far it may be off, whether there is a pole)] of a signal to some inputs at once."""
         from vibcli.analyses.frequency_response.evaluate import sampled
 
@@ -154,19 +160,21 @@ class SteadyResponse(SmallResponse):
         if found is None or found.primes or None in self._fields.values():
             return None
 
-        def amplitudes(places):
+        def amplitudes(places: "np.ndarray") -> "np.ndarray":
             import numpy as np
+
+            from vibcli.results.amplitude_of_waves import amplitude_of_waves
 
             waves = {Omega: field.along(found.owner, between, places, found.order) * float(found.factor)
                      for Omega, field in self._fields.items() if Omega}
             if len(waves) < 2:
                 return np.abs(sum(waves.values(), np.zeros(len(places))))
-            return np.array([_amplitude({Omega: X[i] for Omega, X in waves.items()}, self.problem.work)
+            return np.array([amplitude_of_waves({Omega: X[i] for Omega, X in waves.items()}, self.problem.work)
                              for i in range(len(places))])
         return amplitudes
 
     @cached_property
-    def _fields(self):
+    def _fields(self) -> "dict[float, DrivenFields | None]":
         """{Ω: the DrivenFields of what all inputs have of it, or None where these are not found at once}."""
         from vibcli.analyses.frequency_response.driven_fields import driven_fields
 
@@ -178,7 +186,7 @@ class SteadyResponse(SmallResponse):
         return {Omega: None if damped else driven_fields(self.configuration, weights, Omega)
                 for Omega, weights in together.items() if Omega}
 
-    def _at_rest(self, text):
+    def _at_rest(self, text: str) -> float:
         """A signal in equilibrium."""
         from vibcli.analyses.excitation.signal_outputs import linear_output
         from vibcli.mechanics.inputs_outputs.place_signals import place_output
@@ -231,7 +239,7 @@ class SteadyResponse(SmallResponse):
             waves[rate] = waves.get(rate, 0.0) + A
         return {number: list(waves.items()) for number, waves in found.items()}
 
-    def _of_harmonic(self, forcing):
+    def _of_harmonic(self, forcing: "Forcing") -> dict[int, list[tuple[float, complex]]]:
         """The waves of one harmonic."""
         if self.only is None:
             all_of_them = "max(steady(x)), amplitude(x), or for " if self.problem.modal.damped is not None else ""
@@ -243,7 +251,7 @@ class SteadyResponse(SmallResponse):
                 for number, A in enumerate(forces, self.configuration.with_inputs.n) if A}
 
     @cached_property
-    def _lost(self):
+    def _lost(self) -> dict[int, float]:
         """{coordinate of an input: how far what it does may be off by rounding}."""
         if self.only is None:
             return dict.fromkeys(self.waves, 0.0)
@@ -258,20 +266,10 @@ class SteadyResponse(SmallResponse):
         return KeptUpMotion(len(self._channels), self._harmonics, self.problem.work)
 
 
-def _amplitude(waves, work):
-    """Half the range of Σ Re(X e^{iΩt}), {Ω: X}."""
-    from vibcli.analyses.continuous.kept_up_motion import Harmonic, KeptUpMotion
-    from vibcli.results.signals import LinearSignal
-    from vibcli.results.steady_features import amplitude
-
-    kept = KeptUpMotion(1, [Harmonic(0, Omega, complex(X), 0.0) for Omega, X in waves.items()], work)
-    return amplitude(LinearSignal(kept, LinearOutput(0.0, channels={0: 1.0})))
-
-
 class NotFollowed:
     """A motion of which only the steady state is found."""
 
-    def __init__(self, response: SteadyResponse):
+    def __init__(self, response: SteadyResponse) -> None:
         self._response = response
 
     @property

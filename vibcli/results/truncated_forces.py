@@ -30,7 +30,7 @@ def truncated_forces(problem: "Problem", order: int) -> list[TruncatedForce]:
     return [one for one in found if one is not None]
 
 
-def _truncated(problem, name, order):
+def _truncated(problem: "Problem", name: str, order: int) -> TruncatedForce | None:
     floats = problem.numeric.floats
     try:
         law = characteristic(problem.scene, name)

@@ -31,7 +31,7 @@ def is_unloaded(response: "ResponseOfMembers", place: "PlaceOutput") -> bool:
     return driven is None and len(row) == 1 and _stands_alone(response, at, *row)
 
 
-def _stands_alone(response, at, i):
+def _stands_alone(response: "ResponseOfMembers", at: int, i: int) -> bool:
     """Is coordinate i that of an end of a piece alone?"""
     others = any(i in row for number, (row, _) in enumerate(response.ends_of_pieces) if number != at)
     return not (others or i in response.loads or any(part[i].any() or part[:, i].any() for part in response.matrices))

@@ -1,6 +1,6 @@
 """Signals of what waves travel through: smooth between fronts, and at a front two values."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from vibcli.base.errors import PhysicsError
 from vibcli.numerics.chebyshev import N
@@ -14,19 +14,20 @@ if TYPE_CHECKING:
     from vibcli.analyses.continuous.travelling_waves import WaveMotion
     from vibcli.analyses.continuous.travelling_waves_search import Stretches
     from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.results.boundless_signal import BoundlessSignal
 
 BENDING = "abs", "sign", "ramp", "step", "min", "max"
 FRONT = 1e-12       # relative: how far the instant of a front may be off
 RUNS = 4            # stretches of the time in which an extreme is looked for
 
 
-def _at_front(signal, t):
+def _at_front(signal: "AtFronts", t: float) -> bool:
     import numpy as np
 
     return bool((np.abs(signal.fronts(t) - t) <= FRONT * t).any())
 
 
-def _of_instant(signal, t, order):
+def _of_instant(signal: "AtFronts", t: float, order: int) -> float:
     """The error of an instant between fronts by difference quotients, in the pace of its series there."""
     from vibcli.results.composed_errors import at_pace
 
@@ -35,15 +36,15 @@ def _of_instant(signal, t, order):
     return at_pace(signal, t, order, N / float(_along(signal, 0.0, t).lengths[-1]))
 
 
-def _error_of_top(signal, t: float) -> float:
+def _error_of_top(signal: "AtFronts", t: float) -> float:
     return _of_instant(signal, t, 1)
 
 
-def _error_of_zero(signal, t: float) -> float:
+def _error_of_zero(signal: "AtFronts", t: float) -> float:
     return _of_instant(signal, t, 0)
 
 
-def _before(signal, t: float) -> float | None:
+def _before(signal: "AtFronts", t: float) -> float | None:
     """Its value before an instant at which it leaps, else None."""
     import numpy as np
 
@@ -53,7 +54,7 @@ def _before(signal, t: float) -> float | None:
     return before if t > 0 and abs(before - after) > rounding else None
 
 
-def _sampled(signal, times: "np.ndarray") -> "np.ndarray":
+def _sampled(signal: "AtFronts", times: "np.ndarray") -> "np.ndarray":
     """Its values; where two samples stand at one instant, the first is that before it."""
     import numpy as np
 
@@ -64,32 +65,33 @@ def _sampled(signal, times: "np.ndarray") -> "np.ndarray":
     return found
 
 
-def _along(signal, start, end) -> "Stretches":
+def _along(signal: "AtFronts", start: float, end: float) -> "Stretches":
     from vibcli.analyses.continuous.travelling_waves_search import stretches
 
     signal.require_bounded(end)
     return stretches(signal.values, signal.breaks(end), start, end, signal.work)
 
 
-def _extreme(signal, start: float, end: float, sense: int) -> tuple[float, float]:
+def _extreme(signal: "AtFronts", start: float, end: float, sense: int) -> tuple[float, float]:
     """(instant, value) of the largest (sense 1) or smallest (−1) value, at a front that before it or after it."""
     from vibcli.analyses.continuous.travelling_waves_search import extreme
 
     return extreme(_along(signal, start, end), sense, signal.error(end))
 
 
-def _zeros(signal, start: float, end: float) -> list[float]:
+def _zeros(signal: "AtFronts", start: float, end: float) -> list[float]:
     """Instants at which it passes, touches or leaps over zero."""
     from vibcli.analyses.continuous.travelling_waves_search import zeros
 
-    return zeros(_along(signal, start, end), end, signal.error(end)).tolist()
+    found: list[float] = zeros(_along(signal, start, end), end, signal.error(end)).tolist()
+    return found
 
 
-def _read_at(signal, t: float) -> Signal:
+def _read_at(signal: "WaveSignal | ComposedOfWaves", t: float) -> Signal:
     return signal.asked[0].best_at(signal, t) if signal.asked else signal
 
 
-def _leaps(signal, end: float) -> list[tuple[float, float, float]]:
+def _leaps(signal: "AtFronts", end: float) -> list[tuple[float, float, float]]:
     """[(instant, value before, value after)] of its fronts."""
     import numpy as np
 
@@ -104,7 +106,7 @@ def _leaps(signal, end: float) -> list[tuple[float, float, float]]:
     return found
 
 
-def _without_limit(signal):
+def _without_limit(signal: "AtFronts") -> PhysicsError:
     return PhysicsError(f"the limit of {signal.KIND} is not found", "ask for its value at a late instant")
 
 
@@ -115,24 +117,27 @@ class DispersedSignal(Signal):
     sampled, before, leaps, extreme, zeros = _sampled, _before, _leaps, _extreme, _zeros
     error_of_time, error_of_zero = _error_of_top, _error_of_zero
 
-    def __init__(self, waves: "WaveMotion | DispersedMotion", output: "LinearOutput"):
+    def __init__(self, waves: "WaveMotion | DispersedMotion", output: "LinearOutput") -> None:
         self.waves: Any = waves
         self.reads, self.work = output, waves.work
 
-    def values(self, times: "np.ndarray", order: int = 0) -> "np.ndarray":
-        return self.waves.values(self.reads, times, order)
+    def values(self: "OfWaves", times: "np.ndarray", order: int = 0) -> "np.ndarray":
+        found: np.ndarray = self.waves.values(self.reads, times, order)
+        return found
 
-    def values_before(self, times: "np.ndarray") -> "np.ndarray":
-        return self.waves.values(self.reads, times, before=True)
+    def values_before(self: "OfWaves", times: "np.ndarray") -> "np.ndarray":
+        found: np.ndarray = self.waves.values(self.reads, times, before=True)
+        return found
 
-    def breaks(self, end: float) -> "np.ndarray":
+    def breaks(self: "OfWaves", end: float) -> "np.ndarray":
         """The instants up to an end between which it is smooth, ascending."""
-        return self.waves.breaks(self.reads, end)
+        found: np.ndarray = self.waves.breaks(self.reads, end)
+        return found
 
-    def fronts(self, end: float) -> "np.ndarray":
+    def fronts(self: "OfWaves", end: float) -> "np.ndarray":
         return self.breaks(end)
 
-    def require_bounded(self, end: float) -> None:
+    def require_bounded(self: "OfWaves", end: float) -> None:
         self.waves.require_bounded(self.reads, end)
 
     def highest(self, cells: "np.ndarray", sense: int) -> tuple[float, float] | None:
@@ -152,7 +157,7 @@ class DispersedSignal(Signal):
         t, value = extreme(Stretches(*(np.concatenate(part) for part in zip(*found, strict=True))), sense)
         return t, float(value)
 
-    def error(self, t: float) -> float:
+    def error(self: "OfWaves", t: float) -> float:
         import numpy as np
 
         self.waves.require_bounded(self.reads, t, np.array([t]))
@@ -169,7 +174,8 @@ class WaveSignal(DispersedSignal):
     KIND = "a motion that is followed by travelling waves"
     read_at = _read_at
 
-    def __init__(self, waves: "WaveMotion", output: "LinearOutput", asked: tuple = ()):
+    def __init__(self, waves: "WaveMotion", output: "LinearOutput",
+                 asked: tuple[Any, ...] = ()) -> None:
         super().__init__(waves, output)
         self.asked = asked
 
@@ -204,7 +210,7 @@ class ComposedOfWaves(ComposedSignal):
     read_at, sampled, before, leaps, extreme, zeros = _read_at, _sampled, _before, _leaps, _extreme, _zeros
     error_of_time, error_of_zero = _error_of_top, _error_of_zero
 
-    def __init__(self, *composed: Any, asked: tuple = ()):
+    def __init__(self, *composed: Any, asked: tuple[Any, ...] = ()) -> None:
         super().__init__(*composed)
         self.asked = asked
 
@@ -220,7 +226,7 @@ class ComposedOfWaves(ComposedSignal):
         return np.unique(np.concatenate([self.fronts(end), *(part.zeros(0.0, end) for part in self._turning)]))
 
     @property
-    def _turning(self):
+    def _turning(self) -> "list[ComposedOfWaves]":
         """What is zero where a function within it bends."""
         from vibcli.symbolic.expression_graph import reachable
 
@@ -238,3 +244,8 @@ class ComposedOfWaves(ComposedSignal):
     def final(self) -> float:
         """It is not found: waves are followed up to an instant."""
         raise _without_limit(self)
+
+
+if TYPE_CHECKING:
+    OfWaves: TypeAlias = "DispersedSignal | BoundlessSignal"
+    AtFronts: TypeAlias = "DispersedSignal | BoundlessSignal | ComposedOfWaves"

@@ -192,6 +192,7 @@ class Expressions:
         root = root_of_square(square)
         if root is not None:
             return self.absolute(root)
+        self.table.legs[dx, dy] = None
         return self.table.sqrt(textbook(square) if square.mask & self.coordinates.time.mask else square)
 
     def unrooted(self, nodes: "list[Node]") -> "list[Node]":

@@ -26,7 +26,6 @@ if TYPE_CHECKING:
     from vibcli.scene.closed_loops import Loops
     from vibcli.scene.contents import Contents
     from vibcli.scene.coordinates import SceneCoordinates
-    from vibcli.scene.energy_terms import Term
     from vibcli.symbolic.defined_functions import Ending
     from vibcli.symbolic.node import Node
 
@@ -261,9 +260,9 @@ class Scene:
                 found |= {ending.what: ending} if ending else {}
         return next(iter(found.values()))._replace(what=" or ".join(found)) if found else None
 
-    def undriven(self, kind: str) -> "list[Term]":
+    def undriven(self, kind: str) -> list[Any]:
         """Terms, or laws, as functions of the symbols of driven displacements, which are zero as drawn."""
-        terms: list[Term] = self.shaken[kind] if self.shaken else getattr(self, kind)
+        terms: list[Any] = self.shaken[kind] if self.shaken else getattr(self, kind)
         return terms
 
     @cached_property
@@ -276,7 +275,7 @@ class Scene:
         """{symbol: node} of driven displacements, zero of those that oscillate."""
         return self.driven | dict.fromkeys(self.oscillating, self.table.zero)
 
-    def at_still(self, kind: str) -> "list[Term]":
+    def at_still(self, kind: str) -> list[Any]:
         """The springs, dampers, inertias or loads with the driven displacements that oscillate left out."""
         terms = self.undriven(kind)
         if not self.shaken:

@@ -31,7 +31,7 @@ def openings(nodes: "Sequence[Node]", angle: "Node") -> dict[Any, Any]:
     return known
 
 
-def _split(argument, angle):
+def _split(argument: "Node", angle: "Node") -> "tuple[int, Node] | None":
     """(c, rest) of c·angle + rest, None where it has another form."""
     table = angle.table
     if argument.op == "product" and argument.args == ((angle, 1),):
@@ -45,7 +45,7 @@ def _split(argument, angle):
     return (int(times), rest) if whole and not rest.mask & angle.mask else None
 
 
-def _combined(times, rest, angle):
+def _combined(times: int, rest: "Node", angle: "Node") -> "tuple[Node, Node]":
     """(sin, cos) of times·angle + rest."""
     table = angle.table
     turn = table.call("sin", angle), table.call("cos", angle)

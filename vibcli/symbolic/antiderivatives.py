@@ -6,6 +6,7 @@
     sin u, cos u, tan u, exp u, sinh u, cosh u, tanh u:  F(u)/a            1/u:  log|u|/a
 """
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.symbolic.derivatives import gradient, substitute
@@ -15,6 +16,8 @@ from vibcli.symbolic.normal_form import TooLong, collected, expanded, is_zero, r
 from vibcli.symbolic.rationals import ONE
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
     from vibcli.symbolic.node import Node
 
 _DEGREES = {"abs": 1, "sign": 0, "ramp": 1, "step": 0, "min": 1, "max": 1}
@@ -53,7 +56,7 @@ def from_zero(node: "Node", x: "Node") -> "Node":
     return found - start
 
 
-def _of_sum(node, x):
+def _of_sum(node: "Node", x: "Node") -> "Node | None":
     table = node.table
     if node.op != "sum":
         return _of_term(node, x)
@@ -63,7 +66,7 @@ def _of_sum(node, x):
     return table.sum((x, node.coefficient), *parts)
 
 
-def _of_term(node, x):
+def _of_term(node: "Node", x: "Node") -> "Node | None":
     """Of a product of factors, those without x taken out."""
     table = node.table
     if not node.mask & x.mask:
@@ -76,15 +79,16 @@ def _of_term(node, x):
     return None if found is None else constant * found
 
 
-def _of_call(factors, x):
+def _of_call(factors: "list[tuple[Node, Fraction | int]]", x: "Node") -> "Node | None":
     (base, e), *rest = factors
     if rest or e != 1 or base.op != "call" or base.name not in _PRIMITIVES:
         return None
     slope = _slope(base.args[0], x)
-    return None if slope is None else _PRIMITIVES[base.name](base.table.call, base.args[0]) / slope
+    found: Node | None = None if slope is None else _PRIMITIVES[base.name](base.table.call, base.args[0]) / slope
+    return found
 
 
-def _homogeneous(factors, x):
+def _homogeneous(factors: "list[tuple[Node, Fraction | int]]", x: "Node") -> "Node | None":
     """Of a function of the degree n in one u = a x + b."""
     table, u, degree, total = x.table, None, x.table.zero, x.table.one
     for base, e in factors:
@@ -110,7 +114,7 @@ def _homogeneous(factors, x):
     return u * total / ((degree + 1) * _slope(u, x))
 
 
-def _is_odd(factors, u):
+def _is_odd(factors: "Sequence[tuple[Node, Fraction | int]]", u: "Node") -> bool | None:
     """Of powers of |u|, u and sign u: are they |u|ⁿ sign u, and not |u|ⁿ? None of others, and of powers of u alone."""
     odd, bent = False, False
     for base, e in factors:
@@ -126,7 +130,7 @@ def _is_odd(factors, u):
     return odd if bent else None
 
 
-def _begins(factors, u):
+def _begins(factors: "Sequence[tuple[Node, Fraction | int]]", u: "Node") -> bool:
     """Is it nothing where u < 0, and the positive powers of u where u > 0?"""
     begun = False
     for base, e in factors:
@@ -142,7 +146,7 @@ def _begins(factors, u):
     return begun
 
 
-def _degree(base, x):
+def _degree(base: "Node", x: "Node") -> "tuple[Node, Node]":
     """(u, degree in it) of a factor; (None, None) where it is no power of a linear u."""
     if base.op != "call":
         return base, base.table.one
@@ -156,7 +160,7 @@ def _degree(base, x):
     return None, None
 
 
-def _slope(u, x):
+def _slope(u: "Node", x: "Node") -> "Node | None":
     """a of u = a x + b; None where u is not linear in x."""
     slope = gradient(u).get(x)
     return None if slope is None or slope.mask & x.mask else slope

@@ -1,7 +1,7 @@
 """NumPy arithmetic for `evaluate`: one walk over the expressions for many states at once."""
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -19,17 +19,18 @@ class Arrays:
     """Float arrays; what has no real value is NaN, for the caller to refuse."""
 
     pi = np.pi
-    functions = {"sin": np.sin, "cos": np.cos, "tan": np.tan, "asin": np.arcsin, "acos": np.arccos, "atan": np.arctan,
-                 "atan2": np.arctan2, "sinh": np.sinh, "cosh": np.cosh, "tanh": np.tanh, "exp": np.exp, "log": np.log,
-                 "abs": np.abs, "sign": np.sign, "min": np.minimum, "max": np.maximum, "power": np.power,
-                 **discontinuous_functions.on_arrays()}
+    functions: dict[str, Callable[..., Any]] = {
+        "sin": np.sin, "cos": np.cos, "tan": np.tan, "asin": np.arcsin, "acos": np.arccos, "atan": np.arctan,
+        "atan2": np.arctan2, "sinh": np.sinh, "cosh": np.cosh, "tanh": np.tanh, "exp": np.exp, "log": np.log,
+        "abs": np.abs, "sign": np.sign, "min": np.minimum, "max": np.maximum, "power": np.power,
+        **discontinuous_functions.on_arrays()}
 
     @staticmethod
-    def record(name: str, samples: "Samples") -> Callable:
+    def record(name: str, samples: "Samples") -> Callable[..., np.ndarray]:
         return samples.on_arrays
 
     @staticmethod
-    def called(function: "DefinedFunction") -> Callable:
+    def called(function: "DefinedFunction") -> Callable[..., np.ndarray]:
         return function.on_arrays
 
     @staticmethod
@@ -41,5 +42,6 @@ class Arrays:
         if exponent == HALF:
             return np.sqrt(base)
         if exponent.denominator == 1:
-            return np.power(np.asarray(base, dtype=float), exponent.numerator)
+            found: float | np.ndarray = np.power(np.asarray(base, dtype=float), exponent.numerator)
+            return found
         return np.power(base, exponent.numerator / exponent.denominator)

@@ -41,7 +41,7 @@ class Side(NamedTuple):
 class BranchInSeries:
     """laws(d): (forces, slopes) at an array d of the shape (count, places)."""
 
-    def __init__(self, laws: "Laws", count: int):
+    def __init__(self, laws: "Laws", count: int) -> None:
         self.laws, self.count = laws, count
         rising = {sense: RisingLaws(laws, count, sense) for sense in (1, -1)}
         self.sides = {sense: _side(rising[sense], rising[-sense]) for sense in (1, -1)}
@@ -64,7 +64,7 @@ class BranchInSeries:
             told = {0: told[1].replace("deflection of ", "deflection of ±").replace("and ", "and ±")}
         return " and ".join(told.values()) or None
 
-    def _on(self, side, sense, total):
+    def _on(self, side: Side, sense: int, total: np.ndarray) -> np.ndarray:
         k = np.clip(np.searchsorted(side.totals, total, side="right") - 1, 0, len(side.totals) - 2)
         low, high = side.deflections[:, k], side.deflections[:, k + 1]
         share = (total - side.totals[k]) / (side.totals[k + 1] - side.totals[k])
@@ -76,7 +76,7 @@ class BranchInSeries:
             d[:, lost] = self._by_halving(low[:, lost], high[:, lost], total[lost], sense, side.weak)
         return d
 
-    def _by_newton(self, d, total, sense):
+    def _by_newton(self, d: np.ndarray, total: np.ndarray, sense: int) -> tuple[np.ndarray, np.ndarray]:
         """(dᵢ, have they settled)."""
         for _ in range(ROUNDS):
             forces, slopes = self.laws(sense * d)
@@ -87,7 +87,7 @@ class BranchInSeries:
                 break
         return d, settled
 
-    def _by_halving(self, low, high, total, sense, weak):
+    def _by_halving(self, low: np.ndarray, high: np.ndarray, total: np.ndarray, sense: int, weak: int) -> np.ndarray:
         """Within cells of the branch, in which every dᵢ goes one way."""
         at_low, at_high = low[weak], high[weak]
         for _ in range(HALVINGS):
@@ -97,7 +97,7 @@ class BranchInSeries:
             at_low, at_high = np.where(short, middle, at_low), np.where(short, at_high, middle)
         return self._with(at_high, low, high, sense, weak)
 
-    def _with(self, of_weak, low, high, sense, weak):
+    def _with(self, of_weak: np.ndarray, low: np.ndarray, high: np.ndarray, sense: int, weak: int) -> np.ndarray:
         """The deflections where the weak part has its own."""
         force = sense * self.laws(sense * np.array([of_weak] * self.count))[0][weak]
         least, most = np.minimum(low, high), np.maximum(low, high)
@@ -105,11 +105,12 @@ class BranchInSeries:
             middle = 0.5 * (least + most)
             below = sense * self.laws(sense * middle)[0] < force
             least, most = np.where(below, middle, least), np.where(below, most, middle)
-        most[weak] = of_weak
-        return most
+        found: np.ndarray = most
+        found[weak] = of_weak
+        return found
 
 
-def _told(side, sense, unit):
+def _told(side: Side, sense: int, unit: str) -> str:
     end, again = (f"{sense * x:.6g} {unit}" for x in (side.end, side.again))
     if not side.snaps:
         return f"are not known beyond a deflection of {end}"
@@ -127,18 +128,21 @@ def newton_step(d: np.ndarray, total: np.ndarray, forces: np.ndarray, slopes: np
     gap = np.where(others, _of(forces, softest) - forces, 0) / slopes_of_others
     follows = np.where(others, _of(slopes, softest) / slopes_of_others, 1)
     step = (total - d.sum(axis=0) - gap.sum(axis=0)) / follows.sum(axis=0)
-    return gap + follows * step
+    found: np.ndarray = gap + follows * step
+    return found
 
 
-def _softest(slopes):
-    return np.argmin(abs(slopes), axis=0)
+def _softest(slopes: np.ndarray) -> np.ndarray:
+    found: np.ndarray = np.argmin(abs(slopes), axis=0)
+    return found
 
 
-def _of(rows, number):
-    return np.take_along_axis(rows, number[None], axis=0)[0]
+def _of(rows: np.ndarray, number: np.ndarray) -> np.ndarray:
+    found: np.ndarray = np.take_along_axis(rows, number[None], axis=0)[0]
+    return found
 
 
-def _side(rising, other):
+def _side(rising: RisingLaws, other: RisingLaws) -> Side:
     """To the side of `rising`, `other` being the laws to the other one."""
     weak = rising.weak()
     top = rising.tops[weak]
@@ -159,7 +163,7 @@ def _side(rising, other):
 
 
 @np.errstate(all="ignore")
-def _along(rising, other, weak, places):
+def _along(rising: RisingLaws, other: RisingLaws, weak: int, places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(deflections, dD/ddⱼ) where the weak part has its deflections at places; NaN where others do not reach its
     force."""
     f = rising.at(np.array([places] * rising.count))[0][weak]
@@ -170,7 +174,7 @@ def _along(rising, other, weak, places):
     return d, 1 + np.where(slopes[weak] == 0, 0.0, slopes[weak] * give)
 
 
-def _last(rising, other, weak, low, high):
+def _last(rising: RisingLaws, other: RisingLaws, weak: int, low: float, high: float) -> np.ndarray:
     """The deflections at the end of the branch between two places of the weak part."""
     for _ in range(CUTS):
         places = np.linspace(low, high, CELLS + 1)

@@ -35,7 +35,7 @@ def reached(law: "Law", force: float) -> Reached:
     if force == start:
         return Reached(0.0)
 
-    def rising(d):
+    def rising(d: np.ndarray) -> "tuple[np.ndarray, np.ndarray]":
         F, slope = _values(law, sense * d)
         return sense * F, slope
 
@@ -43,12 +43,12 @@ def reached(law: "Law", force: float) -> Reached:
     return found._replace(d=sense * found.d, where=sense * found.where, most=sense * found.most)
 
 
-def _values(law, d):
+def _values(law: "Law", d: np.ndarray) -> tuple[np.ndarray, ...]:
     with np.errstate(all="ignore"):
         return tuple(np.broadcast_to(part, d.shape) for part in law(d))
 
 
-def _first(rising, places, force):
+def _first(rising: "Law", places: np.ndarray, force: float) -> Reached:
     """Between the places, the first of which has less than the force."""
     cell, end = _cell(rising, places, force)
     if cell is not None:
@@ -65,7 +65,8 @@ def _first(rising, places, force):
     return Reached(np.nan, most, top, ends=not np.isfinite(rising(np.array([end[1]]))[0][0]))
 
 
-def _cell(rising, places, force):
+def _cell(rising: "Law", places: np.ndarray,
+          force: float) -> tuple[tuple[float, float] | None, tuple[float, float] | None]:
     """((a, b) with F(a) < force ≤ F(b), None), or (None, the first cell after which F falls or is not defined, if there
     is one)."""
     F, slope = rising(places)
@@ -79,7 +80,7 @@ def _cell(rising, places, force):
     return None, (float(places[max(ends[0] - 1, 0)]), float(places[ends[0] + 1]))
 
 
-def _top(rising, low, high):
+def _top(rising: "Law", low: float, high: float) -> tuple[float, float]:
     """(place, force) of the maximum in a cell, or of the last place where F is defined."""
     for _ in range(STEPS):
         middle = 0.5 * (low + high)
@@ -91,7 +92,7 @@ def _top(rising, low, high):
     return low, float(rising(np.array([low]))[0][0])
 
 
-def _zero(rising, low, high, force):
+def _zero(rising: "Law", low: float, high: float, force: float) -> Reached:
     """Where F has the force, F(low) < force ≤ F(high)."""
     d = high
     for _ in range(STEPS):

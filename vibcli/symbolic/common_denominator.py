@@ -1,5 +1,6 @@
 """One fraction bar: a sum of quotients over a common denominator, all coefficients whole, common factors cancelled."""
 
+from collections.abc import Mapping
 from fractions import Fraction
 from math import gcd, lcm
 from typing import TYPE_CHECKING
@@ -11,7 +12,8 @@ from vibcli.symbolic.normal_form import TooLong, cleared, expanded, factors_of, 
 from vibcli.symbolic.rationals import ONE, ZERO
 
 if TYPE_CHECKING:
-    from vibcli.symbolic.node import Node
+    from vibcli.symbolic.expression import Table
+    from vibcli.symbolic.node import Monomial, Node, Terms
 
 
 def single(node: "Node") -> "Node":
@@ -32,7 +34,7 @@ def divides(node: "Node") -> bool:
 
 
 @remembered
-def fraction(node: "Node") -> "tuple[tuple[Node, Fraction | int], ...]":
+def fraction(node: "Node") -> "Monomial":
     """((base, exponent), …): the node as a rational and powers of letters and of sums with whole coefficients. The node
     alone where it is too long."""
     table = node.table
@@ -49,7 +51,7 @@ def fraction(node: "Node") -> "tuple[tuple[Node, Fraction | int], ...]":
     return *_written(table, above), *factors
 
 
-def _denominator(terms):
+def _denominator(terms: "Mapping[Monomial, Fraction | int]") -> "Monomial":
     """((atom, exponent), …): the lowest negative exponent of each atom but letters of units, as a positive one."""
     lowest = {}
     for monomial in terms:
@@ -59,12 +61,12 @@ def _denominator(terms):
     return tuple((atom, -e) for atom, e in sorted(lowest.items(), key=lambda pair: pair[0].index))
 
 
-def _parts(table, atom):
+def _parts(table: "Table", atom: "Node") -> "Monomial":
     """A base of the denominator as factors with whole coefficients."""
     return _written(table, reduced(expanded(atom, ()))) if atom.op == "sum" else ((atom, ONE),)
 
 
-def _written(table, terms):
+def _written(table: "Table", terms: "Mapping[Monomial, Fraction | int]") -> "Monomial":
     """A polynomial as factors: a rational, common letters, and a sum with whole coefficients, but for those with units
     beside others."""
     bare = [value for monomial, value in terms.items() if not any(is_measure(atom) for atom, _ in monomial)]
@@ -75,7 +77,7 @@ def _written(table, terms):
             *((nested(table, expanded(base, ())) if base.op == "sum" else base, e) for base, e in factors))
 
 
-def _cancelled(above, base, e):
+def _cancelled(above: "Terms", base: "Node", e: Fraction | int) -> "tuple[Terms, Fraction | int]":
     """(polynomial, exponent left) after dividing by a sum of the denominator as often as it goes."""
     if base.op != "sum":
         return above, e

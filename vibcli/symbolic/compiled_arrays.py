@@ -4,7 +4,7 @@ Parts that depend on the time alone are a function of their own, so that an iter
 once. Compiled with named constants, the same code serves other data.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence, ValuesView
 from copy import copy
 from typing import TYPE_CHECKING, Any
 
@@ -25,7 +25,7 @@ class Compiled:
     `prepared(t)`: the parts that depend on the time alone, at the instants t; named: as of a Source."""
 
     def __init__(self, scene: Any, floats: Mapping[str, float], switches: "dict[Node, str] | None", nodes: Any,
-                 named: bool = False):
+                 named: bool = False) -> None:
         time = scene.time
         below = reachable(nodes)
         _require_known(below, time)
@@ -49,7 +49,7 @@ class Compiled:
         if not named:
             self._fill({}, {})
 
-    def _fill(self, *values):
+    def _fill(self, *values: Mapping[str, float]) -> None:
         self.prepared, self._evaluate = (
             made(one, [*source.called.values(), *data.items()]) if one else _nothing
             for one, source, data in zip(self._codes, self._sources, values, strict=True))
@@ -76,16 +76,16 @@ class Compiled:
         return found
 
 
-def _nothing(t):
+def _nothing(t: "np.ndarray") -> tuple[Any, ...]:
     """What depends on the time alone where nothing does."""
     return ()
 
 
-def _tuple(texts):
+def _tuple(texts: Iterator[Any] | Sequence[str] | ValuesView[Any]) -> str:
     return "(" + "".join(text + "," for text in texts) + ")"
 
 
-def _require_known(below, time):
+def _require_known(below: "Sequence[Node]", time: "Node") -> None:
     """Pulses that repeat, impulses and records are functions of the time."""
     for part in below:
         if part.mask & ~time.mask and (part.name in part.table.records or
@@ -94,7 +94,7 @@ def _require_known(below, time):
                                "write it of t, as in square(Omega*t)")
 
 
-def _outermost(driven, below, nodes):
+def _outermost(driven: "Sequence[Node]", below: "Sequence[Node]", nodes: "Sequence[Node]") -> "list[Node]":
     """Those of `driven` which something that is not driven is made of, or which are wanted themselves."""
     kept, inner = set(driven), set()
     for part in below:

@@ -27,7 +27,7 @@ def without_contents(node: "Node", found: "dict[Node, Node] | None" = None) -> "
     return found[node]
 
 
-def _factors(base, e):
+def _factors(base: "Node", e: Fraction | int) -> "list[tuple[Node, Fraction | int]]":
     """base^e as a number and a sum without content; of roots and of what is no sum itself."""
     values = [c for _, c in base.args] + [base.coefficient] * bool(base.coefficient) if base.op == "sum" else [ONE]
     content = Fraction(gcd(*(value.numerator for value in values)), _common(value.denominator for value in values))

@@ -21,12 +21,12 @@ if TYPE_CHECKING:
 def in_closed_form(force: "Node") -> "Node":
     """An expression in which the forces of such pairs are written out."""
     functions = force.table.functions
-    calls = {part: _cubic(part, functions[part.name]) for part in reachable([force])
-             if part.op == "call" and isinstance(functions.get(part.name), Force)}
+    calls = {part: _cubic(part, function) for part in reachable([force])
+             if part.op == "call" and isinstance(function := functions.get(part.name), Force)}
     return substitute([force], {part: found for part, found in calls.items() if found is not None})[0]
 
 
-def _cubic(call, function):
+def _cubic(call: "Node", function: Force) -> "Node | None":
     """The force of a pair; None of other parts in series."""
     parts = function.parts
     powers = [odd_powers(law, d) for law, d in zip(parts.forces, parts.d, strict=True)]

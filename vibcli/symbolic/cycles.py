@@ -20,13 +20,14 @@ if TYPE_CHECKING:
     from fractions import Fraction
 
     from vibcli.base.units import Unit
+    from vibcli.symbolic.syntax import Call, Equation, Power, QuantityRef, SyntaxTree
 
 CYCLE, PERIOD, RADIAN, PI = "cycle", "period", "radian", "pi"
 NEITHER = {}
 OF_ANGLES = "an angular frequency is 2*pi*f: "
 
 
-def count_of(unit: "Unit") -> "dict[str, Fraction | int]":
+def count_of(unit: "Unit") -> "Mapping[str, Fraction | int]":
     return {key: power for key, power in ((CYCLE, unit.cycles), (RADIAN, unit.radians)) if power}
 
 
@@ -65,7 +66,8 @@ def fits_both(count: Any, dimension: "Mapping[str, Fraction | int] | None") -> b
     return left_over(count) == 0 and not angular and dimension in (units.NONE, units.RATE, ANY)
 
 
-def agree(counts: "Sequence[dict[str, Fraction | int]]", dimensions: "Sequence[Mapping[str, Fraction | int]]") -> bool:
+def agree(counts: "Sequence[Mapping[str, Fraction | int]]",
+          dimensions: "Sequence[Mapping[str, Fraction | int]]") -> bool:
     """Can these be added or compared? All count as many cycles, or fit both."""
     over = set(map(left_over, counts))
     if over == {0, -1}:
@@ -78,13 +80,14 @@ class Cycles(NamedTuple):
     """Counts of the parts of trees, given `of(name)` and `quantity(tree)`, the counts of names and quantities, and
     `dimension(tree)`; every misfit is raised as an ExpressionError."""
 
-    of: Callable
-    quantity: Callable
-    dimension: Callable
+    of: "Callable[[str], Mapping[str, Fraction | int]]"
+    quantity: "Callable[[Any], Mapping[str, Fraction | int]]"
+    dimension: Callable[[Any], Any]
     text: str = ""
 
-    def count(self, tree: Any) -> Any:
-        return getattr(self, "_" + tree.kind)(tree)
+    def count(self, tree: Any) -> "Mapping[str, Fraction | int]":
+        found: Mapping[str, Fraction | int] = getattr(self, "_" + tree.kind)(tree)
+        return found
 
     def require_radians(self, tree: Any, message: str = "this counts cycles (Hz) where radians are due",
                         whole: bool = False) -> None:
@@ -95,7 +98,7 @@ class Cycles(NamedTuple):
             start, end = (0, len(self.text)) if whole else (tree.start, tree.end)
             raise ExpressionError(start, end - start, message, self.advice(tree))
 
-    def advice(self, tree: NameRef | Number | Product | Sum) -> str:
+    def advice(self, tree: "SyntaxTree") -> str:
         """The place where a factor 2π is missing: at the first literal in Hz, or the first name that counts cycles."""
         if left_over(self.count(tree)) < 0 and self.dimension(tree) == units.TIME:
             return "the period of a frequency f in Hz is 1/f"
@@ -109,34 +112,34 @@ class Cycles(NamedTuple):
             found = OF_ANGLES + f"write (2*pi*{self._text(part) if isinstance(part, (NameRef, Number)) else 'f'})"
         return found + ("; a period T = 1/f is a parameter of its own" if left_over(self.count(tree)) < 0 else "")
 
-    def _uncleared(self, tree):
+    def _uncleared(self, tree: "SyntaxTree") -> "SyntaxTree":
         """The first name or literal that brings in cycles without their factors π."""
         parts = tree.children
         while part := next((part for part in parts if left_over(self.count(part))), None):
             tree, parts = part, part.children
         return tree
 
-    def _text(self, part):
+    def _text(self, part: "SyntaxTree") -> str:
         return self.text[part.start:part.end].strip()
 
-    def _number(self, tree):
+    def _number(self, tree: Number) -> "Mapping[str, Fraction | int]":
         if not tree.units:
             return NEITHER
         return count_of(literal_unit(tree.units))
 
-    def _name(self, tree):
+    def _name(self, tree: NameRef) -> "Mapping[str, Fraction | int]":
         return {PI: 1} if tree.name == "pi" and not tree.primes else self.of(tree.name)
 
-    def _quantity(self, tree):
+    def _quantity(self, tree: "QuantityRef") -> "Mapping[str, Fraction | int]":
         return self.quantity(tree)
 
-    def _product(self, tree):
+    def _product(self, tree: Product) -> "Mapping[str, Fraction | int]":
         found = NEITHER
         for power, part in tree.parts:
             found = units.times(found, self.count(part), power)
         return cleared(found)
 
-    def _power(self, tree):
+    def _power(self, tree: "Power") -> "Mapping[str, Fraction | int]":
         exponent = constant(tree.exponent)
         if exponent is None:
             self.require_radians(tree.exponent)
@@ -144,13 +147,13 @@ class Cycles(NamedTuple):
             return NEITHER
         return cleared(units.raised(self.count(tree.base), exponent))
 
-    def _equation(self, tree):
+    def _equation(self, tree: "Equation") -> "Mapping[str, Fraction | int]":
         return self._joined([tree.left, tree.right], "compared")
 
-    def _sum(self, tree):
+    def _sum(self, tree: Sum) -> "Mapping[str, Fraction | int]":
         return self._joined([part for _, part in tree.parts], "added")
 
-    def _joined(self, parts, done):
+    def _joined(self, parts: "Sequence[SyntaxTree]", done: str) -> "Mapping[str, Fraction | int]":
         """The count of terms that measure the same."""
         parts = [part for part in parts if not (isinstance(part, Number) and not part.value)]
         counts = [self.count(part) for part in parts]
@@ -167,7 +170,7 @@ class Cycles(NamedTuple):
         most = max(over, default=0) or (min(over, default=0) if 0 not in over else 0)
         return {CYCLE: most} if most else NEITHER
 
-    def _call(self, tree):
+    def _call(self, tree: "Call") -> "Mapping[str, Fraction | int]":
         name, args = tree.name, tree.args
         if name == "sqrt":
             return cleared(units.raised(self.count(args[0]), HALF))

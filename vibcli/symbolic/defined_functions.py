@@ -41,7 +41,7 @@ class DefinedFunction:
         raise NotImplementedError
 
     def on_arrays(self, *args: "float | np.ndarray") -> "np.ndarray":
-        """The values for arrays, or some of them floats."""
+        """The values for arrays of one shape, or some of them floats."""
         raise NotImplementedError
 
     def rounding(self, unit: Any, found: Any, _args: "Sequence[Any]") -> Any:
@@ -59,8 +59,7 @@ class DefinedFunction:
         values = {symbol.name: c for symbol, c in zip(symbols, args, strict=True)}
         return evaluate(nodes, ring.inner, values)
 
-    def on_senses(self, args: "Sequence[float | np.ndarray]",
-                  _senses: "Sequence[float | np.ndarray]") -> "np.ndarray":
+    def on_senses(self, args: "Sequence[float | np.ndarray]", _senses: "Sequence[float | np.ndarray]") -> "np.ndarray":
         """The values for arrays where each of `kinks` has a sense, ±1; smooth beyond its zero, where that is known."""
         return self.on_arrays(*args)
 

@@ -36,12 +36,12 @@ def at_impulses(node: "Node", time: "Node") -> "Node":
     return table.sum(*kept)
 
 
-def _is_impulse(atom):
+def _is_impulse(atom: "Node") -> bool:
     """δ or δ′?"""
     return atom.op == "call" and atom.name == "impulse" and (len(atom.args) == 1 or atom.args[1].coefficient == 1)
 
 
-def _taken(rest, blow, time, slope, instant):
+def _taken(rest: "Node", blow: "Node", time: "Node", slope: "Node", instant: "Node") -> "list[tuple[Node, Node]]":
     """[(impulse, factor)] of rest·blow with the rest at the instant of the blow."""
     at = {time: instant}
     value, = substitute([rest], at)
@@ -51,7 +51,7 @@ def _taken(rest, blow, time, slope, instant):
     return [(blow, value), (rest.table.call("impulse", blow.args[0]), rest.table.scaled(rate / slope, -ONE))]
 
 
-def _place(argument, time):
+def _place(argument: "Node", time: "Node") -> "tuple[Node, Node] | None":
     """(slope, time at which it vanishes) of a linear function of the time; None of others."""
     slope = gradient(argument).get(time)
     if slope is None or slope.mask or argument.mask != time.mask:

@@ -1,19 +1,23 @@
 """Derivatives and substitution, each memoised: a shared part is treated once."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from operator import attrgetter, is_, itemgetter
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.expression_graph import dependent, reachable
 from vibcli.symbolic.node import Node, union
 from vibcli.symbolic.rationals import HALF, ONE
 
+if TYPE_CHECKING:
+    from vibcli.symbolic.expression import Table
+    from vibcli.symbolic.variable_sets import VariableSet
+
 _CONSTANT: dict[Node, Node] = {}        # the gradient of what depends on no variable
 FEW = 64        # symbols whose variables are looked for: of many that takes longer than to walk over all
 
 
-def gradient(node: Any) -> dict[Node, Node]:
+def gradient(node: Node) -> dict[Node, Node]:
     """{variable: ∂node/∂variable} for every variable that the node depends on. Memoised on the node."""
     if node.gradient is None:
         for part in _unfinished(node):
@@ -21,7 +25,7 @@ def gradient(node: Any) -> dict[Node, Node]:
     return node.gradient
 
 
-def _unfinished(node):
+def _unfinished(node: Node) -> list[Node]:
     seen, pending = set(), [node]
     while pending:
         part = pending.pop()
@@ -35,7 +39,7 @@ def _unfinished(node):
     return sorted(seen, key=attrgetter("index"))
 
 
-def _collect(table, pairs):
+def _collect(table: "Table", pairs: Sequence[tuple[Node, Fraction | int | Node]]) -> dict[Node, Node]:
     """Σ weight·(∂part/∂v) by variable, of (part, weight node or rational) pairs."""
     terms = {}
     for part, weight in pairs:
@@ -46,31 +50,31 @@ def _collect(table, pairs):
     return {variable: slope for variable, slope in found.items() if not slope.is_zero}
 
 
-def _symbol(node):
+def _symbol(node: Node) -> dict[Node, Node]:
     return {node: node.table.one} if node.mask else {}
 
 
-def _sum(node):
+def _sum(node: Node) -> dict[Node, Node]:
     return _collect(node.table, node.args)
 
 
-def _product(node):
+def _product(node: Node) -> dict[Node, Node]:
     table = node.table
     return _collect(table, [(_inside(base, power), table.scaled(table.product((node, ONE), (base, -ONE)), power))
                             for base, power in node.args if base.mask])
 
 
-def _inside(base, power):
+def _inside(base: Node, power: Fraction | int) -> Node:
     """What is differentiated of a factor: of max(u, 0)ⁿ, min(u, 0)ⁿ, ramp(u)ⁿ with n > 1, which are smooth and whose
     slopes n max(u, 0)ⁿ⁻¹ u′ … vanish where they do, it is u."""
     if power > 1 and base.op == "call" and base.name in ("max", "min", "ramp"):
-        args = [arg for arg in base.args if not arg.is_zero]
+        args: list[Node] = [arg for arg in base.args if not arg.is_zero]
         if len(args) == 1:
             return args[0]
     return base
 
 
-def _call(node):
+def _call(node: Node) -> dict[Node, Node]:
     if not node.mask:
         return {}
     if node.name in node.table.functions:
@@ -83,31 +87,32 @@ def _call(node):
     return _collect(node.table, [(arg, slope) for arg, slope in zip(node.args, outer, strict=True) if arg.mask])
 
 
-_RULES = {"number": lambda node: {}, "pi": lambda node: {}, "symbol": _symbol, "sum": _sum, "product": _product,
-          "call": _call}
+_RULES: dict[str, Callable[[Node], dict[Node, Node]]] = {
+    "number": lambda node: {}, "pi": lambda node: {}, "symbol": _symbol, "sum": _sum, "product": _product,
+    "call": _call}
 
 
-def _extreme(sign):
-    def slopes(node, a, b):
+def _extreme(sign: int) -> Callable[[Node, Node, Node], tuple[Node, Node]]:
+    def slopes(node: Node, a: Node, b: Node) -> "tuple[Node, Node]":
         step = node.table.call("sign", a - b) * Fraction(sign, 2)
         return (step + HALF, HALF - step)
     return slopes
 
 
-def _sign_slope(node, u):
+def _sign_slope(node: Node, u: Node) -> tuple[Node]:
     """The jump of sign u, by 2 where a function u of the time alone vanishes; of other kinks see kinks.py."""
     time = node.table.time
     return (node.table.call("impulse", u) * 2 if time is not None and u.mask == time.mask else node.table.zero,)
 
 
-def _higher(node, u, order=None):
+def _higher(node: Node, u: Node, order: Node | None = None) -> tuple[Node, ...]:
     """The next rate of an impulse, or of a train of jumps: the same function with its order as second argument."""
     following = node.table.number(1) if order is None else order + 1
     slope = node.table.call(node.name, u, following)
     return (slope,) if order is None else (slope, node.table.zero)
 
 
-_OUTER = {
+_OUTER: dict[str, Callable[..., tuple[Node, ...]]] = {
     "sin": lambda node, u: (node.table.call("cos", u),),
     "cos": lambda node, u: (-node.table.call("sin", u),),
     "tan": lambda node, u: (node * node + 1,),
@@ -147,13 +152,13 @@ def substitute(nodes: Any, values: Mapping[Node, Node]) -> list[Node]:
     return [changed.get(node, node) for node in nodes]
 
 
-def _held(nodes, values):
+def _held(nodes: Sequence[Node], values: Mapping[Node, Node]) -> list[Node]:
     """The nodes below `nodes` in which one of a few symbols may be, in an order of evaluation."""
-    masks = [symbol.mask for symbol in values] if len(values) <= FEW else [0]
+    masks: list[VariableSet | int] = [symbol.mask for symbol in values] if len(values) <= FEW else [0]
     return dependent(nodes, union(masks)) if all(masks) else reachable(nodes)
 
 
-def _rebuilt(node, parts):
+def _rebuilt(node: Node, parts: Sequence[Node]) -> Node:
     """The same of other parts."""
     table = node.table
     if node.op == "call":

@@ -10,10 +10,11 @@ argument. A value is that between the impulses; where one acts there is none (Na
 
 import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     import mpmath
+    import numpy as np
 
 PULSES = ("step", "ramp", "impulse", "square", "sawtooth")
 
@@ -30,16 +31,16 @@ def impulse(u: "float | mpmath.mpf", order: int = 0) -> float:
     return 0.0 if u else math.nan
 
 
-def on(pi: "float | mpmath.mpf", floor: Callable) -> dict[str, Callable]:
+def on(pi: Any, floor: Callable[..., Any]) -> dict[str, Callable[..., Any]]:
     """square and sawtooth in numbers that compare, `floor` being that of their kind."""
-    def square(u, order=0):
+    def square(u: "float | mpmath.mpf", order: int = 0) -> float:
         turns = u / pi
         below = floor(turns)
         if order:
             return 0.0 if turns != below else math.nan
         return 1.0 if below % 2 == 0 else -1.0
 
-    def sawtooth(u, order=0):
+    def sawtooth(u: "float | mpmath.mpf", order: int = 0) -> "float | mpmath.mpf":
         turns = u / (2 * pi)
         below = floor(turns)
         if order:
@@ -48,21 +49,21 @@ def on(pi: "float | mpmath.mpf", floor: Callable) -> dict[str, Callable]:
     return {"step": step, "ramp": ramp, "impulse": impulse, "square": square, "sawtooth": sawtooth}
 
 
-def on_arrays() -> dict[str, Callable]:
+def on_arrays() -> "dict[str, Callable[..., np.ndarray]]":
     """The same for NumPy arrays."""
     import numpy as np
 
-    def impulse(u, order=0):
+    def impulse(u: "np.ndarray", order: int = 0) -> "np.ndarray":
         return np.where(np.asarray(u) == 0, np.nan, 0.0)
 
-    def square(u, order=0):
+    def square(u: "np.ndarray", order: int = 0) -> "np.ndarray":
         turns = np.asarray(u, dtype=float) / np.pi
         below = np.floor(turns)
         if np.any(order):
             return np.where(turns == below, np.nan, 0.0)
         return np.where(np.mod(below, 2) == 0, 1.0, -1.0)
 
-    def sawtooth(u, order=0):
+    def sawtooth(u: "np.ndarray", order: int = 0) -> "np.ndarray":
         turns = np.asarray(u, dtype=float) / math.tau
         below = np.floor(turns)
         if np.any(order):

@@ -4,7 +4,7 @@ Forward-mode automatic differentiation over any arithmetic of evaluate.py. What 
 a plain number of that arithmetic, so a Dual is met only where there is a derivative.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.evaluation import FunctionsWhenAsked
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     import mpmath
 
     from vibcli.symbolic.defined_functions import DefinedFunction
-    from vibcli.symbolic.interval_arithmetic import Interval
+    from vibcli.symbolic.floats import Floats
 
 
 class Dual:
@@ -24,7 +24,7 @@ class Dual:
 
     __slots__ = ("slope", "value")
 
-    def __init__(self, value: "float | mpmath.mpc | mpmath.mpf", slope: "float | mpmath.mpc | mpmath.mpf"):
+    def __init__(self, value: "float | mpmath.mpc | mpmath.mpf", slope: "float | mpmath.mpc | mpmath.mpf") -> None:
         self.value, self.slope = value, slope
 
     def __add__(self, other: "int | mpmath.mpf | Dual") -> "mpmath.mpf | Dual":
@@ -39,13 +39,13 @@ class Dual:
 
     __radd__, __rmul__ = __add__, __mul__
 
-    def __neg__(self):
+    def __neg__(self) -> "Dual":
         return Dual(-self.value, -self.slope)
 
-    def __sub__(self, other: Any):
+    def __sub__(self, other: Any) -> "mpmath.mpf | Dual":
         return self + -other
 
-    def __rsub__(self, other: "Interval"):
+    def __rsub__(self, other: Any) -> "mpmath.mpf | Dual":
         return -self + other
 
     def __abs__(self) -> "Dual":
@@ -73,7 +73,7 @@ class Duals:
 
     ordered = False
 
-    def __init__(self, inner: Any):
+    def __init__(self, inner: Any) -> None:
         self.inner, self.number, self.pi = inner, inner.number, inner.pi
         self.functions = FunctionsWhenAsked(self._function)
 
@@ -83,30 +83,30 @@ class Duals:
         steep = self.number(exponent) * self.inner.power(base.value, exponent - ONE)
         return dual(self.inner.power(base.value, exponent), steep * base.slope)
 
-    def record(self, name: str, samples: Sequence[dict[str, float]]) -> Callable:
+    def record(self, name: str, samples: Any) -> Callable[..., Any]:
         plain = self.inner.record(name, samples)
 
-        def at(u, order):
+        def at(u: Any, order: int) -> Any:
             return dual(plain(value(u), order), plain(value(u), order + 1) * slope(u))
         return at
 
-    def called(self, function: "DefinedFunction") -> Callable:
+    def called(self, function: "DefinedFunction") -> Callable[..., Dual]:
         from vibcli.symbolic.defined_functions import slopes_at
 
         plain = self.inner.called(function)
 
-        def at(*args):
+        def at(*args: "Dual | float") -> Dual:
             values, moving = [value(x) for x in args], [i for i, x in enumerate(args) if x.__class__ is Dual]
             steep = slopes_at(function, self.inner, values, moving)
             return dual(plain(*values), sum(by * slope(args[i]) for by, i in zip(steep, moving, strict=True)))
         return at
 
-    def _function(self, name):
+    def _function(self, name: str) -> Callable[..., Dual | float]:
         plain, slopes = self.inner.functions[name], _SLOPES[name]
 
-        def call(*args):
+        def call(*args: "Dual | float") -> "Dual | float":
             values = [value(x) for x in args]
-            found = plain(*values)
+            found: Dual | float = plain(*values)
             if not any(x.__class__ is Dual for x in args):
                 return found
             outer = slopes(self.inner, found, *values)
@@ -114,24 +114,24 @@ class Duals:
         return call
 
 
-def _arc(inner, x):
+def _arc(inner: "type[Floats]", x: float) -> float:
     return inner.power(1 - x * x, -HALF)
 
 
-def _extreme(direction):
-    def slopes(inner, y, a, b):
+def _extreme(direction: int) -> "Callable[[type[Floats], float, float, float], tuple[float, float]]":
+    def slopes(inner: "type[Floats]", y: float, a: float, b: float) -> "tuple[float, float]":
         step = direction * inner.functions["sign"](a - b)
         return (1 + step) / 2, (1 - step) / 2
     return slopes
 
 
-def _power(inner, y, base, exponent):
+def _power(inner: Any, y: Any, base: Any, exponent: Any) -> tuple[Any, Any]:
     by_base = exponent * inner.functions["power"](base, exponent - 1)
     return by_base, y * inner.functions["log"](base) if base else 0
 
 
 # the derivatives of f at x, y being f(x): by each argument
-_SLOPES = {
+_SLOPES: dict[str, Callable[..., tuple[Any, ...]]] = {
     "sin": lambda inner, y, x: (inner.functions["cos"](x),),
     "cos": lambda inner, y, x: (-inner.functions["sin"](x),),
     "tan": lambda inner, y, x: (1 + y * y,),

@@ -6,6 +6,7 @@ sums and products use the operators of the numbers themselves.
 
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic import discontinuous_functions
@@ -15,6 +16,7 @@ from vibcli.symbolic.floats import Floats as Floats
 from vibcli.symbolic.rationals import HALF, ONE, bits, exact_root
 
 if TYPE_CHECKING:
+    import mpmath
     import sympy
 
     from vibcli.symbolic.defined_functions import DefinedFunction
@@ -31,7 +33,8 @@ def evaluate(nodes: "Sequence[Node]", arithmetic: Any, values: Any) -> list[Any]
     if not key:
         return []
     if arithmetic is Floats and hasattr(values, "watching"):
-        return values.watching(key, evaluate(key, Floats, values.plain))
+        found: list[Any] = values.watching(key, evaluate(key, Floats, values.plain))
+        return found
     if len(key) == 1 and key[0].op == "number":
         return [arithmetic.number(key[0].coefficient)]
     programs = key[0].table.programs
@@ -49,10 +52,10 @@ class _Program:
 
     __slots__ = ("in_any", "in_floats", "nodes", "order", "times")
 
-    def __init__(self, nodes: "tuple[Node, ...]"):
+    def __init__(self, nodes: "tuple[Node, ...]") -> None:
         self.nodes, self.order, self.times = nodes, evaluable(nodes), 0
-        self.in_floats: Callable | None = None
-        self.in_any: Callable | None = None
+        self.in_floats: Callable[..., list[Any]] | None = None
+        self.in_any: Callable[..., list[Any]] | None = None
 
     def run(self, arithmetic: Any, values: Any) -> list[Any]:
         function = self.in_floats if arithmetic is Floats else self.in_any
@@ -64,7 +67,7 @@ class _Program:
         self._compile(arithmetic)
         return self.run(arithmetic, values)
 
-    def _compile(self, arithmetic):
+    def _compile(self, arithmetic: Any) -> None:
         from vibcli.symbolic import evaluation_code
 
         if arithmetic is Floats:
@@ -73,7 +76,7 @@ class _Program:
             self.in_any = evaluation_code.in_any_arithmetic(self.nodes, self.order)
 
 
-def _interpreted(nodes, order, arithmetic, values):
+def _interpreted(nodes: "Sequence[Node]", order: "list[Node]", arithmetic: Any, values: Mapping[str, Any]) -> list[Any]:
     number, power, functions = arithmetic.number, arithmetic.power, arithmetic.functions
     done = {}
     for node in order:
@@ -107,15 +110,15 @@ def _interpreted(nodes, order, arithmetic, values):
     return [done[node] for node in nodes]
 
 
-class FunctionsWhenAsked(dict[str, Callable]):
+class FunctionsWhenAsked(dict[str, Callable[..., Any]]):
     """The functions of an arithmetic over the numbers of another one, {name: function}: each is made by `make(name)`
     when it is first asked for."""
 
-    def __init__(self, make: Callable[[str], Callable]):
+    def __init__(self, make: Callable[[str], Callable[..., Any]]) -> None:
         super().__init__()
         self._make = make
 
-    def __missing__(self, name: str) -> Callable:
+    def __missing__(self, name: str) -> Callable[..., Any]:
         found = self[name] = self._make(name)
         return found
 
@@ -135,11 +138,11 @@ class Rationals:
     number = Fraction
 
     @classmethod
-    def record(cls, name: str, samples: Sequence[dict[str, float]]) -> Callable:
+    def record(cls, name: str, samples: Sequence[dict[str, float]]) -> None:
         raise cls.Irrational
 
     @classmethod
-    def called(cls, function: "DefinedFunction") -> Callable:
+    def called(cls, function: "DefinedFunction") -> None:
         raise cls.Irrational
 
     @classmethod
@@ -166,6 +169,14 @@ def multiprecision() -> Any:
     """mpmath numbers at the working precision of mpmath.mp."""
     import mpmath
 
+    return _of_precision(mpmath.mp.prec)
+
+
+@cache
+def _of_precision(binary_digits: int) -> Any:
+    """Those while mpmath.mp has so many binary digits."""
+    import mpmath
+
     class Multiprecision:
         pi, ordered = +mpmath.mp.pi, True
         isfinite = staticmethod(mpmath.isfinite)
@@ -173,12 +184,12 @@ def multiprecision() -> Any:
         record, called = staticmethod(Floats.record), staticmethod(Floats.called)
 
         @staticmethod
-        def number(value):
+        def number(value: "Fraction | int") -> "mpmath.mpf":
             above, below = mpmath.mpf(value.numerator), value.denominator
             return above if below == 1 else above / below       # a division by 1 costs as much as any other
 
         @staticmethod
-        def power(base, exponent):
+        def power(base: "mpmath.mpc | mpmath.mpf", exponent: "Fraction | int") -> "mpmath.mpc | mpmath.mpf":
             if exponent.denominator == 1:
                 return base**exponent.numerator
             if exponent == HALF:
@@ -199,19 +210,19 @@ def sympy_arithmetic() -> Any:
         pi = sympy.pi
 
         @staticmethod
-        def number(value):
+        def number(value: "Fraction | int") -> Any:
             return sympy.Rational(value.numerator, value.denominator)
 
         @staticmethod
-        def record(name, samples):
+        def record(name: str, samples: Any) -> "sympy.Function":
             return sympy.Function(name, real=True)
 
         @staticmethod
-        def called(function):
+        def called(function: "DefinedFunction") -> "sympy.Function":
             return sympy.Function(function.name, real=True)
 
         @staticmethod
-        def power(base, exponent):
+        def power(base: Any, exponent: "Fraction | int") -> Any:
             return sympy.Pow(base, sympy.Rational(exponent.numerator, exponent.denominator))
 
         functions = {name: getattr(sympy, name) for name in (*ELEMENTARY, "sign")}

@@ -8,10 +8,11 @@ from vibcli.symbolic.node import times
 from vibcli.symbolic.rationals import ZERO
 
 if TYPE_CHECKING:
-    from vibcli.symbolic.node import Node
+    from vibcli.symbolic.node import Monomial, Node
 
 
-def without(total: "Node", terms: Any, cleared: Callable, expanded: Callable) -> Any:
+def without(total: "Node", terms: Any, cleared: "Callable[[Mapping[Monomial, Fraction | int], Any], dict[Any, Any]]",
+            expanded: Callable[..., dict[Any, Any]]) -> Any:
     """The polynomial without a sum that it is divided by, where that goes into all of it, and without brackets that
     stood for it above the line; itself where it does not. `cleared(terms, below)`: what stands above."""
     below = max(0, *(-dict(monomial).get(total, 0) for monomial in terms))
@@ -24,7 +25,7 @@ def without(total: "Node", terms: Any, cleared: Callable, expanded: Callable) ->
     return terms if found is None else found
 
 
-def divided(terms: "Mapping[tuple[tuple[Node, int], ...], Fraction | int]", divisor: Any) -> dict[Any, Any] | None:
+def divided(terms: "Mapping[Monomial, Fraction | int]", divisor: Any) -> dict[Any, Any] | None:
     """The polynomial terms/divisor where the division leaves no rest, else None."""
     lead = max(divisor, key=_rank)
     rest: dict[Any, Any] = dict(terms)
@@ -44,6 +45,6 @@ def divided(terms: "Mapping[tuple[tuple[Node, int], ...], Fraction | int]", divi
     return found
 
 
-def _rank(monomial):
+def _rank(monomial: "Monomial") -> tuple[Fraction | int, list[tuple[int, Fraction | int]]]:
     """Lexicographic order by the indices of the atoms, the degree first."""
     return sum(e for _, e in monomial), [(-atom.index, e) for atom, e in monomial]

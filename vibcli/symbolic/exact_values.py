@@ -20,8 +20,9 @@ _EXACT = {"sin": (0, 0), "cos": (0, 1), "tan": (0, 0), "asin": (0, 0), "atan": (
 _ODD = {"sin", "tan", "asin", "atan", "sinh", "tanh", "sign"}
 _EVEN = {"cos", "cosh", "abs"}
 _STARTS = ("step", "ramp", "impulse")
-_SQUARED_SINES = {ZERO: ZERO, Fraction(1, 12): Fraction(1, 4), Fraction(1, 8): HALF, Fraction(1, 6): Fraction(3, 4),
-                  Fraction(1, 4): ONE}
+_SQUARED_SINES: dict[Fraction | int, Fraction | int] = {
+    ZERO: ZERO, Fraction(1, 12): Fraction(1, 4), Fraction(1, 8): HALF, Fraction(1, 6): Fraction(3, 4),
+    Fraction(1, 4): ONE}
 
 
 def folded(table: "Table", name: str, args: "Sequence[Node]") -> "Node | None":
@@ -53,7 +54,7 @@ def folded(table: "Table", name: str, args: "Sequence[Node]") -> "Node | None":
     return args[0] if name == "abs" and table.is_positive(args[0]) else None
 
 
-def _power_of_zero(table, exponent):
+def _power_of_zero(table: "Table", exponent: "Node") -> "Node | None":
     """0ⁿ, by the sign that n has at the sample values."""
     if exponent.mask or (table.sample is None and exponent.op != "number"):
         return None
@@ -68,7 +69,7 @@ def _power_of_zero(table, exponent):
     return table.zero if n else table.one
 
 
-def _at_multiple_of_pi(table, name, angle):
+def _at_multiple_of_pi(table: "Table", name: str, angle: "Node") -> "Node | None":
     """sin or cos of a multiple of π/6 or π/4, of another of π that of an angle below π/2; None of other angles."""
     if angle is not table.pi and not (angle.op == "product" and angle.args == ((table.pi, ONE),)):
         return None
@@ -83,13 +84,13 @@ def _at_multiple_of_pi(table, name, angle):
     return None if small == angle.coefficient else table.scaled(table.call(name, table.pi * small), sign)
 
 
-def _is_negative(node):
+def _is_negative(node: "Node") -> bool:
     """Is -node the shorter way to write it? Only a matter of form."""
     if node.op == "sum":
         return all(c < 0 for _, c in node.args) and node.coefficient <= 0
     return node.coefficient < 0
 
 
-def _turns_positive(node):
+def _turns_positive(node: "Node") -> bool:
     """Is it negative, its opposite not? A number too long to be multiplied out is negative under either sign."""
     return _is_negative(node) and not _is_negative(-node)

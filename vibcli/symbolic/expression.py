@@ -2,8 +2,7 @@
 
 Rationals are ints where they are whole, else Fractions. Only rational literals fold, and only while the result stays
 within BITS; parameters are leaves. Every walk is iterative, because a node is always made after its parts: ascending
-`index` is an order of evaluation.
-"""
+`index` is an order of evaluation."""
 
 from collections.abc import Collection, Iterable
 from fractions import Fraction
@@ -24,18 +23,18 @@ class Table:
     """All nodes of one scene. Symbols are made by `parameter` and `variable`; the rest by the operators. `sample`:
     float values of the parameters, once they are known; they decide only how R − r is written, and with
     `squares_at_sample` how (R − r)² is; dimension(name): that of a letter, if known; `hidden`: literals whose
-    units no letter tells."""
+    units no letter tells; `legs`: (dx, dy) of which it has roots √(dx² + dy²)."""
 
     time: Node
 
     def __init__(self, records: dict[Any, Any] | None = None, squares_at_sample: bool = False,
                  functions: "dict[str, DefinedFunction] | None" = None, dimension: Any = None,
-                 hidden: "Collection[Any] | None" = None):
+                 hidden: "Collection[Any] | None" = None) -> None:
         """`records`: {name: samples} of functions of the time; `functions`: {name: DefinedFunction}."""
-        self._nodes, self._count, self.dimension, self.hidden = {}, 0, dimension, set() if hidden is None else hidden
-        self.variables, self.called = [], set()
-        self.sample, self.signs, self.squares_at_sample = None, {}, squares_at_sample
-        self.time, self.records, self.functions = None, records or {}, functions or {}
+        self._nodes: dict[tuple[Any, ...], Node] = {}
+        self._count, self.dimension, self.hidden = 0, dimension, set() if hidden is None else hidden
+        self.variables, self.called, self.legs, self.sample, self.signs, self.time = [], set(), {}, None, {}, None
+        self.squares_at_sample, self.records, self.functions = squares_at_sample, records or {}, functions or {}
         self.positive, self.definitions, self.programs, self.kept = set(), {}, {}, {}
         self.zero, self.one = self.number(ZERO), self.number(ONE)
         self.pi = self._make("pi", (), ONE, 0, "pi")
@@ -44,7 +43,8 @@ class Table:
     def __len__(self) -> int:
         return self._count
 
-    def _make(self, op, args, coefficient, mask=0, name=None):
+    def _make(self, op: str, args: tuple[Any, ...], coefficient: Fraction | int, mask: "VariableSet | int" = 0,
+              name: str | None = None) -> Node:
         """The one node like this; what has parts depends on the variables of these."""
         key = (op, name, coefficient, args)
         if (node := self._nodes.get(key)) is None:
@@ -101,7 +101,7 @@ class Table:
             return node
         return self.sum((node, factor))
 
-    def sum(self, *terms: Any) -> Node:
+    def sum(self, *terms: tuple[Node, Any]) -> Node:
         """Σ cᵢ·nodeᵢ of (node, rational c) pairs; sums within sums are flattened, equal terms collected."""
         if len(terms) == 1 and terms[0][1] == 1 and (terms[0][0].op != "product" or terms[0][0].coefficient == 1):
             return terms[0][0]
@@ -128,14 +128,14 @@ class Table:
             collected[node] = collected[node] + factor if node in collected else factor
         return self._sum(constant, collected)
 
-    def _bare(self, product):
+    def _bare(self, product: Node) -> Node:
         """A product without its rational coefficient."""
-        args = product.args
+        args: tuple[tuple[Node, Any], ...] = product.args
         if len(args) == 1 and args[0][1] == 1:
             return args[0][0]
         return self._make("product", args, ONE)
 
-    def _sum(self, constant, collected):
+    def _sum(self, constant: Fraction | int, collected: dict[Node, Fraction | int]) -> Node:
         if constant and bits(constant) > BITS:
             collected[self.number(constant)] = ONE
             constant = ZERO
@@ -186,7 +186,8 @@ class Table:
             args.sort(key=by_index)
         return self._make("product", tuple(args), exact(coefficient))
 
-    def _gather(self, node, exponent, coefficient, collected):
+    def _gather(self, node: Node, exponent: Fraction | int, coefficient: Fraction | int,
+                collected: dict[Node, Fraction | int]) -> Fraction | int:
         """Multiply node^exponent into (coefficient, {base: exponent}); returns the new coefficient."""
         pending = [(node, exponent)]
         while pending:
@@ -213,7 +214,8 @@ class Table:
                 collected[base] = e
         return coefficient
 
-    def _gather_number(self, value, e, coefficient, collected):
+    def _gather_number(self, value: Fraction | int, e: Fraction | int, coefficient: Fraction | int,
+                       collected: dict[Node, Fraction | int]) -> Fraction | int:
         """value^e into the coefficient as far as that is rational and short; of √8 = 2√2 the root stays."""
         if not value:
             return coefficient * rational_power(value, exact(e) if e <= 0 else ONE)
@@ -233,7 +235,7 @@ class Table:
             collected[base] = e
         return coefficient
 
-    def _leads_negative(self, total):
+    def _leads_negative(self, total: Node) -> bool:
         """Of a sum and its negative only one stands in products, so that R − r and r − R cancel: of parameters the
         one that is positive at the sample values."""
         leads = (total.coefficient or total.args[0][1]) < 0
@@ -252,7 +254,7 @@ class Table:
         """Decide by other values of the parameters from now on how R − r is written."""
         self.sample, self.signs, self.kept = sample, {}, {}
 
-    def _splits(self, product):
+    def _splits(self, product: Node) -> bool:
         """(Π bᵢ^eᵢ)^e = Π bᵢ^(eᵢe) holds for fractional e where every base is positive."""
         return product.coefficient > 0 and all(self.is_positive(base) for base, _ in product.args)
 
@@ -264,10 +266,9 @@ class Table:
             return True
         if node.mask or not depth or node.op not in ("sum", "product") or node.coefficient < 0:
             return False
-        found = all(self.is_positive(part, depth - 1) and (c > 0 or node.op == "product") for part, c in node.args)
-        if found:
+        if all(self.is_positive(part, depth - 1) and (c > 0 or node.op == "product") for part, c in node.args):
             self.positive.add(node)
-        return found
+        return node in self.positive
 
     def power(self, base: Node, exponent: Fraction | int | Node) -> Node:
         """base^exponent, the exponent a rational or a node."""
@@ -289,8 +290,11 @@ class Table:
 
     def call(self, name: str, *args: Node) -> Node:
         """A function of nodes; its value is folded only where it is exact (sin 0 = 0)."""
-        value = folded(self, name, args)
-        if value is not None:
-            return value
-        self.called.add(name)
-        return self._make("call", tuple(args), ONE, name=name)
+        if (value := folded(self, name, args)) is None:
+            self.called.add(name)
+            value = self.written(name, *args)
+        return value
+
+    def written(self, name: str, *args: Node) -> Node:
+        """A call of a function as it stands: sin(x − a) where its value is −sin(a − x)."""
+        return self._make("call", args, ONE, name=name)

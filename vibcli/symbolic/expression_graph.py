@@ -5,6 +5,8 @@ from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
     from vibcli.symbolic.defined_functions import DefinedFunction
     from vibcli.symbolic.node import Node
 
@@ -53,11 +55,11 @@ def called_functions(nodes: "Sequence[Node]") -> "list[DefinedFunction]":
             if part.op == "call" and part.name in part.table.functions]
 
 
-def fingerprint(nodes: "Sequence[Node]") -> tuple:
+def fingerprint(nodes: "Sequence[Node]") -> tuple[tuple[Any, ...], ...]:
     """What tells expressions of different tables apart: equal of those that were built alike, in the same order."""
-    order = {node: number for number, node in enumerate(evaluable(nodes))}
+    order: dict[Node, Fraction | int] = {node: number for number, node in enumerate(evaluable(nodes))}
 
-    def told(arg):
+    def told(arg: "Node | tuple[Node, Fraction | int]") -> "tuple[Fraction | int, Fraction | int | None]":
         part, factor = arg if isinstance(arg, tuple) else (arg, None)
         return order.get(part, part.coefficient), factor
 

@@ -3,12 +3,14 @@
 import math
 from collections.abc import Callable
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic import discontinuous_functions
 from vibcli.symbolic.rationals import HALF
 
 if TYPE_CHECKING:
+    import mpmath
+
     from vibcli.symbolic.defined_functions import DefinedFunction
     from vibcli.symbolic.sampled_functions import Samples
 
@@ -20,8 +22,8 @@ def sign(x: float) -> int:
     return 1 if x > 0 else -1 if x < 0 else 0       # truths of NumPy cannot be subtracted
 
 
-def _guarded(function):
-    def call(*args):
+def _guarded(function: Callable[..., Any]) -> Callable[..., float]:
+    def call(*args: float) -> float:
         try:
             value = function(*args)
         except UNDEFINED:
@@ -35,7 +37,7 @@ class Floats:
     refuse."""
 
     pi, ordered = math.pi, True
-    functions = {
+    functions: dict[str, Callable[..., Any]] = {
         **{name: _guarded(getattr(math, name)) for name in ELEMENTARY},
         "abs": abs, "sign": sign, "min": min, "max": max, "power": _guarded(lambda b, e: b**e),
         **{name: _guarded(f) for name, f in discontinuous_functions.on(math.pi, math.floor).items()}}
@@ -64,9 +66,9 @@ class Floats:
         return -math.inf < value < math.inf
 
     @staticmethod
-    def record(name: str, samples: "Samples") -> Callable:
+    def record(name: str, samples: "Samples") -> Callable[..., float]:
         return samples.at
 
     @staticmethod
-    def called(function: "DefinedFunction") -> Callable:
+    def called(function: "DefinedFunction") -> "Callable[..., float | mpmath.mpf]":
         return function.at

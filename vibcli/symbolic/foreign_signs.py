@@ -37,7 +37,7 @@ def of_digits(text: str, at: int) -> str | None:
     return _POINT if text[at] == "," else None
 
 
-def _ungrouped(number):
+def _ungrouped(number: str) -> str:
     """1,500 and 1.500,0 as they are written here; one comma alone may be that of a decimal."""
     *groups, last = re.split(r"[ ,.'’\u00a0\u202f]", number)
     signs = re.findall(r"\D", number)

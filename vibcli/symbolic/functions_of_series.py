@@ -42,7 +42,7 @@ class FunctionOfSeries(DefinedFunction):
     kind: Any
     letter = ""
 
-    def __init__(self, parts: "SeriesOfLaws"):
+    def __init__(self, parts: "SeriesOfLaws") -> None:
         self.parts, self.name = parts, f"{parts.name}.{self.kind}"
         self.about = f"the inner equilibrium of '{parts.name.partition('.')[0]}' is solved in floats along a motion"
         self.templates: dict[int, Node] = {}
@@ -72,7 +72,7 @@ class FunctionOfSeries(DefinedFunction):
         rests = ring.side(args[0]) == 0
         force, inner = expanded(self.parts, ring, args, ring.order + 1)
 
-        def value(function=self):
+        def value(function: DefinedFunction = self) -> Any:
             return ring.inner.number(0) if rests else ring.inner.called(function)(*args)
         force[0] = value(self.parts.functions[f"{self.parts.name}.force"])
         return self.from_series(force, inner, ring.inner.number, value)[:ring.order + 1]
@@ -87,15 +87,16 @@ class FunctionOfSeries(DefinedFunction):
     def on_arrays(self, *args: "float | np.ndarray") -> "np.ndarray":
         from vibcli.symbolic.array_arithmetic import Arrays
 
-        return self._value(self.parts.solution(args), args, Arrays)
+        found: np.ndarray = self._value(self.parts.solution(args), args, Arrays)
+        return found
 
-    def _value(self, found, args, arithmetic):
+    def _value(self, found: InnerState, args: tuple[Any, ...], arithmetic: Any) -> Any:
         return self.from_parts(found, lambda what: self.parts.evaluated(what, args, arithmetic, found.deflections))
 
-    def on_senses(self, args: "Sequence[float | np.ndarray]",
-                  senses: "Sequence[float | np.ndarray]") -> "np.ndarray":
+    def on_senses(self, args: "Sequence[float | np.ndarray]", senses: "Sequence[float | np.ndarray]") -> "np.ndarray":
         found, of_parts = self.parts.on_senses(args, senses)
-        return self.from_parts(found, of_parts.__getitem__)
+        result: np.ndarray = self.from_parts(found, of_parts.__getitem__)
+        return result
 
     def folded(self, table: Table, args: "Sequence[Node]") -> "Node | None":
         return table.zero if args[0].is_zero else None
@@ -196,7 +197,7 @@ class Stiffness(FunctionOfSeries):
 class Deflection(FunctionOfSeries):
     """dᵢ(D)."""
 
-    def __init__(self, parts: "SeriesOfLaws", i: int):
+    def __init__(self, parts: "SeriesOfLaws", i: int) -> None:
         self.i, self.kind = i, i + 1
         super().__init__(parts)
 

@@ -7,13 +7,19 @@ equal steps of t (tanh-sinh, Takahasi and Mori 1974).
 from fractions import Fraction
 from functools import cache
 from math import cos, pi
+from typing import TYPE_CHECKING
 
+if TYPE_CHECKING:
+    import mpmath
+
+
+Points = tuple[tuple[Fraction, Fraction], ...]      # ((r, weight), …)
 BITS = 208              # behind the point
 STEP, REACH = 16, 67    # points of tanh-sinh at t = k/STEP, |k| <= REACH
 
 
 @cache
-def gauss_points(n: int) -> tuple[tuple[Fraction, Fraction], ...]:
+def gauss_points(n: int) -> Points:
     """((r, weight), …) on 0 … 1, n even, from left to right."""
     found = []
     for k in range(n // 2):
@@ -28,7 +34,7 @@ def gauss_points(n: int) -> tuple[tuple[Fraction, Fraction], ...]:
 
 
 @cache
-def ends_apart() -> tuple[tuple[Fraction, Fraction], ...]:
+def ends_apart() -> Points:
     """((r, weight), …) of tanh-sinh; every second of them, with twice the weight, is a rule too."""
     import mpmath
 
@@ -43,11 +49,11 @@ def ends_apart() -> tuple[tuple[Fraction, Fraction], ...]:
     return tuple(found)
 
 
-def _rational(x):
+def _rational(x: "mpmath.mpf") -> Fraction:
     return Fraction(int(x * 2**BITS), 2**BITS)
 
 
-def _legendre(n, x):
+def _legendre(n: int, x: Fraction) -> tuple[Fraction, Fraction]:
     """Pₙ and its slope."""
     before, value = Fraction(1), x
     for k in range(2, n + 1):
@@ -55,5 +61,5 @@ def _legendre(n, x):
     return value, n * (before - x * value) / (1 - x * x)
 
 
-def _short(x):
+def _short(x: Fraction) -> Fraction:
     return Fraction(x.numerator * 2**BITS // x.denominator, 2**BITS)

@@ -44,7 +44,7 @@ def integrals(f: "Callable[[np.ndarray, np.ndarray], np.ndarray]", u: np.ndarray
     where f bends or changes fast, arrays like u."""
     at, weights = np.polynomial.legendre.leggauss(POINTS)
 
-    def over(panels):
+    def over(panels: _Panels) -> "tuple[np.ndarray, np.ndarray]":
         half = 0.5 * (panels.high - panels.low)
         x = (panels.low + half)[:, None] + half[:, None] * at
         values = np.broadcast_to(f(x, panels.owner), x.shape)
@@ -52,7 +52,7 @@ def integrals(f: "Callable[[np.ndarray, np.ndarray], np.ndarray]", u: np.ndarray
 
     panels, count = _graded(u, places), len(u)
 
-    def added(owner, values):
+    def added(owner: np.ndarray, values: np.ndarray) -> np.ndarray:
         return np.bincount(owner, values, count)
 
     whole, size = over(panels)
@@ -73,11 +73,11 @@ def integrals(f: "Callable[[np.ndarray, np.ndarray], np.ndarray]", u: np.ndarray
     return Integrals(value + added(panels.owner, whole), scale, left + added(panels.owner, np.abs(whole)))
 
 
-def _joined(a, b):
+def _joined(a: _Panels, b: _Panels) -> _Panels:
     return _Panels(*(np.concatenate(pair) for pair in zip(a, b, strict=True)))
 
 
-def _graded(u, places):
+def _graded(u: np.ndarray, places: "Sequence[np.ndarray]") -> _Panels:
     """Panels between 0, the places on the way, and u, cut in halves towards both ends."""
     zero = np.zeros_like(u)
     edges = [np.clip(place, np.minimum(u, 0), np.maximum(u, 0)) for place in places]

@@ -20,6 +20,7 @@ from vibcli.symbolic.normal_form import TooLong, collected, expanded, reduced
 from vibcli.symbolic.rationals import HALF
 
 if TYPE_CHECKING:
+    from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
 
 BENT = ("abs", "min", "max", "ramp")
@@ -29,7 +30,7 @@ class Hinged(NamedTuple):
     """straight + Σ factor·max(p, 0), {p: factor}; straight and all p are linear in x."""
 
     straight: Any
-    bends: dict
+    bends: "dict[Node, Node]"
 
 
 def unnested(node: "Node", x: "Node") -> "Node":
@@ -46,19 +47,19 @@ def unnested(node: "Node", x: "Node") -> "Node":
     return substitute([node], {part: found[part] for part in outer})[0] if outer else node
 
 
-def _holds_another(node, x):
+def _holds_another(node: "Node", x: "Node") -> bool:
     return _bends(node, x) and any(_bends(part, x) for part in reachable(list(node.args)))
 
 
-def _bends(node, x):
+def _bends(node: "Node", x: "Node") -> bool:
     return node.op == "call" and node.name in BENT and bool(node.mask & x.mask)
 
 
-def _written(hinged, table):
+def _written(hinged: Hinged, table: "Table") -> "Node":
     return table.total([hinged.straight, *(c * table.call("max", p, table.zero) for p, c in hinged.bends.items())])
 
 
-def _of(node, x):
+def _of(node: "Node", x: "Node") -> Hinged | None:
     """A node as Hinged; None where it is none."""
     if _is_straight(node, x):
         return Hinged(node, {})
@@ -76,7 +77,7 @@ def _of(node, x):
     return _of_bend(node, x) if _bends(node, x) else None
 
 
-def _of_product(node, x):
+def _of_product(node: "Node", x: "Node") -> Hinged | None:
     moving = [base for base, e in node.args if base.mask & x.mask]
     if len(moving) != 1 or dict(node.args)[moving[0]] != 1:
         return None
@@ -84,7 +85,7 @@ def _of_product(node, x):
     return None if inner is None else _scaled(inner, node / moving[0])
 
 
-def _of_bend(node, x):
+def _of_bend(node: "Node", x: "Node") -> Hinged | None:
     zero = node.table.zero
     parts = [_of(arg, x) for arg in node.args]
     if any(part is None for part in parts):
@@ -101,7 +102,7 @@ def _of_bend(node, x):
     return _plus(second, positive)
 
 
-def _positive_part(h, x):
+def _positive_part(h: Hinged, x: "Node") -> Hinged | None:
     """max(h, 0)."""
     table = x.table
     h = _tidied(h, x)
@@ -119,7 +120,7 @@ def _positive_part(h, x):
     return None if rest.mask & x.mask else _of_both_sides(rest, c * HALF, p)
 
 
-def _of_one_side(a, c, p):
+def _of_one_side(a: "Node", c: "Node", p: "Node") -> Hinged | None:
     """Of a + c max(p, 0)."""
     sense = _sense(c)
     if sense > 0:
@@ -130,7 +131,7 @@ def _of_one_side(a, c, p):
     return None
 
 
-def _of_both_sides(a, c, p):
+def _of_both_sides(a: "Node", c: "Node", p: "Node") -> Hinged | None:
     """Of a + c |p|."""
     sense, q = _sense(c), _larger(-a / c)
     if sense > 0:
@@ -138,24 +139,24 @@ def _of_both_sides(a, c, p):
     return Hinged(p.table.zero, _bends_at((p + q, -c), (p, 2 * c), (p - q, -c))) if sense < 0 else None
 
 
-def _bends_at(*bends):
+def _bends_at(*bends: "tuple[Node, Node]") -> "dict[Node, Node]":
     found: dict[Node, Node] = {}
     for p, c in bends:
         found[p] = found[p] + c if p in found else c
     return found
 
 
-def _sense(c):
+def _sense(c: "Node") -> int:
     return 1 if c.table.is_positive(c) else -1 if c.table.is_positive(-c) else 0
 
 
-def _larger(a):
+def _larger(a: "Node") -> "Node":
     """max(a, 0) of what is free of x."""
     sense = _sense(a)
     return a if sense > 0 else a.table.zero if sense < 0 or a.is_zero else a.table.call("max", a, a.table.zero)
 
 
-def _tidied(h, x):
+def _tidied(h: Hinged, x: "Node") -> Hinged:
     """With the bends that lie at one place taken together, as those of max(p, 0) and max(−p, 0)."""
     straight, bends = h.straight, {}
     for p, c in h.bends.items():
@@ -172,27 +173,27 @@ def _tidied(h, x):
     return Hinged(_plain(straight, x), {p: c for p, c in kept.items() if not c.is_zero})
 
 
-def _plus(a, b):
+def _plus(a: Hinged, b: Hinged) -> Hinged:
     bends = dict(a.bends)
     for p, c in b.bends.items():
         bends[p] = bends[p] + c if p in bends else c
     return Hinged(a.straight + b.straight, bends)
 
 
-def _scaled(hinged, factor):
+def _scaled(hinged: Hinged, factor: "Node") -> Hinged:
     return Hinged(hinged.straight * factor, {p: c * factor for p, c in hinged.bends.items()})
 
 
-def _is_straight(node, x):
+def _is_straight(node: "Node", x: "Node") -> bool:
     slope = gradient(node).get(x)
     return slope is None or not (slope.mask & x.mask or any(_bends(part, x) for part in reachable([node])))
 
 
-def _slope(node, x):
+def _slope(node: "Node", x: "Node") -> "Node":
     return gradient(node).get(x, node.table.zero)
 
 
-def _plain(node, x):
+def _plain(node: "Node", x: "Node") -> "Node":
     """With like terms collected."""
     try:
         return collected(x.table, reduced(expanded(node)))

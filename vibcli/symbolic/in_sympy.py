@@ -20,7 +20,7 @@ def in_sympy(nodes: "Sequence[Node]", moving: Sequence[str] = ()) -> "list[sympy
     time = next((node.table.time for node in nodes), None)
     t = sympy.Symbol("t" if time is None else time.name)
 
-    def symbol(node):
+    def symbol(node: "Node") -> "sympy.Expr":
         name = node.name.rstrip("'")
         if name in moving:
             function = sympy.Function(name)(t)

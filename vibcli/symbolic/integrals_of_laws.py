@@ -1,5 +1,6 @@
 """V(u) = ∫₀ᵘ F(x) dx of a law F that no rule integrates, by quadrature; ∂V/∂u = F(u), ∂V/∂p = ∫₀ᵘ ∂F/∂p dx."""
 
+from collections.abc import Callable
 from functools import cache
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     import mpmath
     import numpy as np
 
+    from vibcli.symbolic.graded_quadrature import Integrals
     from vibcli.symbolic.node import Node
 
 HALVINGS, DEGREE = 200, 4       # of panels in many digits; of the rule on one: 24 places
@@ -42,12 +44,12 @@ def by_quadrature(name: str, force: "Node", x: "Node") -> "Node":
 class IntegralOfLaw(DefinedFunction):
     """∫₀ᵘ f(x, p) dx as a function of u and p, f being an expression of the symbols x and p."""
 
-    def __init__(self, name: str, integrand: "Node", x: "Node", p: "Sequence[Node]"):
+    def __init__(self, name: str, integrand: "Node", x: "Node", p: "Sequence[Node]") -> None:
         self.name, self.integrand, self.x, self.p = name, integrand, x, list(p)
         self.about = f"the energy of the law of '{name.partition('.')[0]}' is found by quadrature along a motion"
         self.places = _marked_places(integrand, x)
         self._slopes: dict[int, Node] = {}
-        self._known: tuple[Any, dict] = None, {}
+        self._known: tuple[Any, dict[Any, Any]] = None, {}
 
     @property
     def symbol(self) -> str:
@@ -70,7 +72,7 @@ class IntegralOfLaw(DefinedFunction):
                    for share in (0.5, 1.0))
         return 4 * unit * float(known.size) + float(known.open) + abs(u) * lost
 
-    def _found(self, args):
+    def _found(self, args: "Sequence[Any]") -> "Integrals":
         """The Integrals, NaN where one did not settle, in the shape of the arguments."""
         import numpy as np
 
@@ -80,18 +82,19 @@ class IntegralOfLaw(DefinedFunction):
         columns = np.broadcast_arrays(*(np.asarray(arg, dtype=float) for arg in args))
         u, *p = (column.ravel() for column in columns)
 
-        def f(x, owner):
-            return evaluate([self.integrand], Arrays, self._values(x, [c[owner][:, None] for c in p]))[0]
+        def f(x: "np.ndarray", owner: "np.ndarray") -> "np.ndarray":
+            found: np.ndarray = evaluate([self.integrand], Arrays, self._values(x, [c[owner][:, None] for c in p]))[0]
+            return found
         with np.errstate(all="ignore"):
             places = evaluate(self.places, Arrays, self._values(u, p))
             found = integrals(f, u, [place + 0 * u for place in places])
         value = np.where(found.open > ENOUGH * found.size, np.nan, found.value)
         return Integrals(*(part.reshape(columns[0].shape) for part in (value, found.size, found.open)))
 
-    def _values(self, x, p):
+    def _values(self, x: Any, p: "Sequence[Any]") -> dict[str, Any]:
         return {self.x.name: x, **{symbol.name: value for symbol, value in zip(self.p, p, strict=True)}}
 
-    def _precisely(self, u, *p):
+    def _precisely(self, u: "mpmath.mpf", *p: "mpmath.mpf") -> "mpmath.mpf":
         """From the nearest place at which it was asked for."""
         import mpmath
 
@@ -103,7 +106,7 @@ class IntegralOfLaw(DefinedFunction):
         if u not in known:
             start = min(known, key=lambda place: abs(place - u))
 
-            def f(x):
+            def f(x: "mpmath.mpf") -> "mpmath.mpf":
                 return evaluate([self.integrand], arithmetic, self._values(x, p))[0]
             places = evaluate(self.places, arithmetic, self._values(u, p)) if self.places else []
             low, high = min(u, start), max(u, start)
@@ -119,7 +122,7 @@ class IntegralOfLaw(DefinedFunction):
         return written_in(table, [self._slopes[i]], dict(zip(
             [self.x.name, *(p.name for p in self.p)], node.args, strict=True)))[0]
 
-    def _by_parameter(self, i):
+    def _by_parameter(self, i: int) -> Any:
         slope = gradient(self.integrand).get(self.p[i], self.x.table.zero)
         return from_zero(slope, self.x) or by_quadrature(f"{self.name}.{i + 1}", slope, self.x)
 
@@ -131,7 +134,7 @@ class IntegralOfLaw(DefinedFunction):
             [self.x.name, *(p.name for p in self.p)], node.args, strict=True)))
 
 
-def _marked_places(node, x):
+def _marked_places(node: "Node", x: "Node") -> "list[Node]":
     """Where what is linear in x vanishes, as a function bends or changes fast there."""
     found = {}
     for part in [*reachable([node]), *kinks_of([node], x)]:
@@ -142,12 +145,13 @@ def _marked_places(node, x):
     return list(found)
 
 
-def _between(f, edges, size):
+def _between(f: "Callable[[mpmath.mpf], mpmath.mpf]", edges: "Sequence[mpmath.mpf]",
+             size: "mpmath.mpf") -> "mpmath.mpf":
     """∫ f dx between places next to each other, on panels that are halved until the halves tell no more than the whole;
     `size`: of what it is added to."""
     import mpmath
 
-    def over(low, high):
+    def over(low: "mpmath.mpf", high: "mpmath.mpf") -> "mpmath.mpf":
         return sum((weight * f(x) for x, weight in _rule().get_nodes(low, high, DEGREE, mpmath.mp.prec)), mpmath.mpf(0))
     panels = [(*piece, over(*piece), HALVINGS) for piece in pairwise(edges)]
     size, found = size + sum(abs(whole) for _, _, whole, _ in panels), mpmath.mpf(0)
@@ -164,7 +168,7 @@ def _between(f, edges, size):
 
 
 @cache
-def _rule():
+def _rule() -> Any:
     import mpmath
     from mpmath.calculus.quadrature import GaussLegendre
 

@@ -5,7 +5,7 @@ may be any number there: such bounds prove nothing, but nothing false.
 """
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -25,7 +25,7 @@ class Interval:
 
     __slots__ = ("high", "low")
 
-    def __init__(self, low: float | np.ndarray, high: float | np.ndarray):
+    def __init__(self, low: float | np.ndarray, high: float | np.ndarray) -> None:
         unknown = np.isnan(low) | np.isnan(high)
         if unknown.any():
             low, high = np.where(unknown, -np.inf, low), np.where(unknown, np.inf, high)
@@ -44,7 +44,7 @@ class Interval:
 
     @property
     def size(self) -> float | np.ndarray:
-        """The largest magnitude."""
+        """The largest magnitude, of each where they are arrays."""
         return np.maximum(np.abs(self.low), np.abs(self.high))
 
     def holds_zero(self) -> bool | np.ndarray:
@@ -66,7 +66,7 @@ def exact(value: float | np.ndarray) -> Interval:
     return Interval(value, value)
 
 
-def _known(where, found):
+def _known(where: bool | np.ndarray, found: Interval) -> Interval:
     """An interval where it is known, else any number."""
     return Interval(np.where(where, found.low, -np.inf), np.where(where, found.high, np.inf))
 
@@ -80,7 +80,7 @@ def inverse(u: Interval) -> Interval:
                   outward(low, high))
 
 
-def _whole(u, n):
+def _whole(u: Interval, n: int) -> Interval:
     """uⁿ for n = 1, 2, …"""
     with np.errstate(over="ignore"):
         low, high = np.power(u.low, n), np.power(u.high, n)
@@ -90,7 +90,7 @@ def _whole(u, n):
     return padded(least, np.maximum(low, high), 0.0)
 
 
-def _power(u, exponent):
+def _power(u: Interval, exponent: "Fraction | int") -> Interval:
     """u to a rational power."""
     if exponent < 0:
         return inverse(_power(u, -exponent))
@@ -102,16 +102,17 @@ def _power(u, exponent):
     return _known(u.low >= 0, padded(low - wider * np.abs(low), high + wider * np.abs(high), 0.0))
 
 
-def _rising(function, least=-np.inf, most=np.inf, low=-np.inf, high=np.inf):
+def _rising(function: Callable[..., Any], least: float = -np.inf, most: float = np.inf, low: float = -np.inf,
+            high: float = np.inf) -> Callable[[Interval], Interval]:
     """A rising function, defined from `low` to `high`, with values from `least` to `most`."""
-    def call(u):
+    def call(u: Interval) -> Interval:
         with np.errstate(all="ignore"):
             found = padded(function(u.low), function(u.high), least, most)
         return _known((u.low >= low) & (u.high <= high), found)
     return call
 
 
-def _cos(u):
+def _cos(u: Interval) -> Interval:
     """The cosine is ±1 where a multiple of π, even or odd, lies within, or nearly so."""
     near = PAD * (4 + u.size)
     first, last = np.ceil((u.low - near) / np.pi - PAD), np.floor((u.high + near) / np.pi + PAD)
@@ -125,31 +126,31 @@ def _cos(u):
     return Interval(np.where(known, found.low, -1.0), np.where(known, found.high, 1.0))
 
 
-def _sin(u):
+def _sin(u: Interval) -> Interval:
     return _cos(u - Intervals.pi * exact(0.5))
 
 
-def _cosh(u):
+def _cosh(u: Interval) -> Interval:
     with np.errstate(over="ignore"):
         a, b = np.cosh(u.low), np.cosh(u.high)
     return padded(np.where(u.holds_zero(), 1.0, np.minimum(a, b)), np.maximum(a, b), 1.0)
 
 
-def _acos(u):
+def _acos(u: Interval) -> Interval:
     turned = _rising(np.arcsin, low=-1.0, high=1.0)(u)
     return Intervals.pi * exact(0.5) - turned
 
 
-def _abs(u):
+def _abs(u: Interval) -> Interval:
     return Interval(np.where(u.holds_zero(), 0.0, np.minimum(np.abs(u.low), np.abs(u.high))), u.size)
 
 
-def _sign(u):
+def _sign(u: Interval) -> Interval:
     return Interval(np.where(u.low > 0, 1.0, np.where((u.low == 0) & (u.high == 0), 0.0, -1.0)),
                     np.where(u.high < 0, -1.0, np.where((u.low == 0) & (u.high == 0), 0.0, 1.0)))
 
 
-def _step(u):
+def _step(u: Interval) -> Interval:
     return Interval(np.where(u.low >= 0, 1.0, 0.0), np.where(u.high >= 0, 1.0, 0.0))
 
 
@@ -166,14 +167,14 @@ class Intervals:
     power = staticmethod(_power)
 
     @staticmethod
-    def record(name: str, samples: Sequence[dict[str, float]]) -> Callable:
+    def record(name: str, samples: Sequence[dict[str, float]]) -> None:
         raise KeyError(name)
 
     @staticmethod
-    def called(function: "DefinedFunction") -> Callable:
+    def called(function: "DefinedFunction") -> None:
         raise KeyError(function.name)
 
-    functions = {
+    functions: dict[str, Callable[..., Any]] = {
         "sin": _sin, "cos": _cos, "tan": lambda u: _sin(u) * inverse(_cos(u)), "cosh": _cosh, "acos": _acos,
         "asin": _rising(np.arcsin, low=-1.0, high=1.0), "atan": _rising(np.arctan), "sinh": _rising(np.sinh),
         "tanh": _rising(np.tanh, -1.0, 1.0), "exp": _rising(np.exp, 0.0),

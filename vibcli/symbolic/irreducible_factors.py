@@ -5,6 +5,7 @@ irreducible (Gauss's lemma), and so is what is left of a x² + b x + c where b²
 some numbers is none. The others are SymPy's, whose search takes far longer.
 """
 
+from collections.abc import Sequence
 from functools import reduce
 from math import isqrt, prod
 from typing import Any
@@ -30,32 +31,32 @@ def irreducible_factors(polynomial: Any) -> tuple[Any, list[tuple[Any, int]]]:
     return value, sorted(found, key=lambda pair: _complexity(*pair)) if len(found) > 1 else found
 
 
-def _primitive(polynomial):
+def _primitive(polynomial: Any) -> tuple[Any, Any]:
     """(rational, polynomial): what is left has whole coefficients without a common factor, the leading one positive."""
     value, rest = polynomial.primitive()
     return (-value, -rest) if rest.LC < 0 else (value, rest)
 
 
-def _without_letters(polynomial):
+def _without_letters(polynomial: Any) -> tuple[tuple[int, ...], Any]:
     """(powers, polynomial): the letters that all terms hold, and what is left."""
     common = tuple(map(min, zip(*polynomial.monoms(), strict=True)))
     return common, polynomial.ring.from_dict({tuple(a - b for a, b in zip(powers, common, strict=True)): value
                                               for powers, value in polynomial.terms()})
 
 
-def _coefficients(polynomial):
+def _coefficients(polynomial: Any) -> list[Any]:
     """Those of the powers of the letter of least degree, that of the highest power having the fewest terms."""
     degrees, terms = polynomial.degrees(), polynomial.terms()
     least = min(degree for degree in degrees if degree)
     i = min((i for i, degree in enumerate(degrees) if degree == least),
             key=lambda i: sum(powers[i] == least for powers, _ in terms))
-    found: list[dict] = [{} for _ in range(least + 1)]
+    found: list[dict[tuple[int, ...], Any]] = [{} for _ in range(least + 1)]
     for powers, value in terms:
         found[powers[i]][(*powers[:i], 0, *powers[i + 1:])] = value
     return [polynomial.ring.from_dict(part) for part in found[::-1]]
 
 
-def _no_square(polynomial):
+def _no_square(polynomial: Any) -> bool:
     """Is it no square at some whole numbers, so that it is none?"""
     for k in range(POINTS):
         x = _value(polynomial, [2 + (7 * i + 3 * k * (i + 1)) % 31 for i in range(polynomial.ring.ngens)])
@@ -64,12 +65,12 @@ def _no_square(polynomial):
     return False
 
 
-def _value(polynomial, numbers):
+def _value(polynomial: Any, numbers: Sequence[int]) -> Any:
     return sum(value * prod(x**power for x, power in zip(numbers, powers, strict=True) if power)
                for powers, value in polynomial.terms())
 
 
-def _complexity(factor, power):
+def _complexity(factor: Any, power: int) -> tuple[int, int, list[list[list[Any]]]]:
     """SymPy's order of factors."""
     dense = factor.to_dense()
     return len(dense), power, dense

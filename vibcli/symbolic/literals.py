@@ -2,7 +2,7 @@
 
 import re
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.units import UNITS
 from vibcli.symbolic.syntax import ExpressionError, Number, UnitPower
@@ -17,7 +17,7 @@ _UNIT = re.compile(r"\s*([*/·])?\s*([A-Za-zµ°%]+)(?:\s*(?:\^|\*\*)\s*(?:"
 _SUPERSCRIPTS = {"²": "2", "³": "3", "⁴": "4"}
 
 
-def literal(text: str, number: "Match") -> Number:
+def literal(text: str, number: "Match[str]") -> Number:
     """The Number of a match of one in a text, with the units that follow it."""
     start, digits = number.start(), number.group()
     mantissa, _, exponent = digits.lower().partition("e")
@@ -32,7 +32,7 @@ def literal(text: str, number: "Match") -> Number:
     return Number(start, end, value, tuple(chain))
 
 
-def _units(text, start, at):
+def _units(text: str, start: int, at: int) -> tuple[list[UnitPower], int]:
     """The longest chain of units at a place, after the number at `start`, and its end."""
     chain = []
     while True:
@@ -52,7 +52,7 @@ def _units(text, start, at):
                                   f"write {word}^2 or {word}^(1/2), or brackets around what is raised")
 
 
-def _unit_power(match):
+def _unit_power(match: Any) -> Fraction | int:
     """The power of a unit: 2, -1, 0.5 or (3/2)."""
     text = match.group(3) or match.group(4) or _SUPERSCRIPTS.get(match.group(5), "1")
     if text in ("1", "2", "3", "4"):
@@ -64,7 +64,7 @@ def _unit_power(match):
     return int(power) if power.denominator == 1 else power
 
 
-def _unknown_unit(text, match, start, at):
+def _unknown_unit(text: str, match: re.Match[str], start: int, at: int) -> ExpressionError:
     from vibcli.base.unit_suggestions import TAKEN, unit_meant
 
     word = match.group(2)

@@ -47,7 +47,7 @@ def slopes(u: Sequence[Fraction], F: Sequence[Fraction]) -> list[Fraction]:
     return [_at_end(h[:2], rise[:2]), *inner, _at_end(h[:-3:-1], rise[:-3:-1])]
 
 
-def _mean(steps, rises):
+def _mean(steps: tuple[Fraction, Fraction], rises: tuple[Fraction, Fraction]) -> Fraction:
     (h, following), (before, after) = steps, rises
     if before * after <= 0:
         return Fraction(0)
@@ -55,7 +55,7 @@ def _mean(steps, rises):
     return (first + second) / (first / before + second / after)
 
 
-def _at_end(steps, rises):
+def _at_end(steps: list[Fraction], rises: list[Fraction]) -> Fraction:
     """By the parabola through three points, as far as that keeps the cubic between the values of its ends."""
     (h, following), (rise, after) = steps, rises
     found = ((2 * h + following) * rise - h * after) / (h + following)
@@ -91,7 +91,7 @@ def energies(pieces: Sequence[Cubic], precision: int) -> list[Fraction]:
     return found
 
 
-def _rounded(x, precision):
+def _rounded(x: Fraction, precision: int) -> Fraction:
     if bits(x) <= precision or not x:
         return x
     scale = precision - (abs(x.numerator).bit_length() - x.denominator.bit_length())

@@ -11,7 +11,7 @@ from vibcli.symbolic.rationals import HALF, ONE
 
 if TYPE_CHECKING:
     from vibcli.symbolic.expression import Table
-    from vibcli.symbolic.node import Node
+    from vibcli.symbolic.node import Node, Terms
 
 MANY = 12       # terms, above which a polynomial is left flat
 
@@ -42,7 +42,7 @@ def letters(node: "Node") -> int:
     return 1 + sum(map(letters, node.args)) if node.op == "call" else 1
 
 
-def _nested(table, terms, known):
+def _nested(table: "Table", terms: "Terms", known: "dict[frozenset[Any], Node]") -> "Node":
     key = frozenset(terms.items())
     if key not in known:
         factors = factors_of(table, terms)
@@ -53,7 +53,7 @@ def _nested(table, terms, known):
     return known[key]
 
 
-def _shortest(table, total, known):
+def _shortest(table: "Table", total: "Node", known: "dict[frozenset[Any], Node]") -> "Node":
     """The shortest of a sum of terms without a common letter: flat, or with one letter taken out of its terms."""
     terms = expanded(total, ())
     best, size = total, letters(total)

@@ -33,7 +33,7 @@ class Node:
     __slots__ = ("args", "coefficient", "gradient", "index", "mask", "name", "op", "parts", "table")
     table: "Table"
     op: str
-    args: tuple
+    args: tuple[Any, ...]
     parts: "tuple[Node, ...]"
     coefficient: Fraction | int
     mask: "VariableSet | int"
@@ -45,10 +45,10 @@ class Node:
         """Keep {variable: derivative}, which is worked out once."""
         self.gradient = gradient
 
-    def __add__(self, other: "int | Node") -> "Node":
+    def __add__(self, other: "Fraction | int | Node") -> "Node":
         return self.table.sum((self, ONE), (self.table.node(other), ONE))
 
-    def __sub__(self, other: "int | Node") -> "Node":
+    def __sub__(self, other: "Fraction | int | Node") -> "Node":
         return self.table.sum((self, ONE), (self.table.node(other), -ONE))
 
     def __mul__(self, other: "Fraction | int | Node") -> "Node":
@@ -59,7 +59,7 @@ class Node:
                 return factor
         return table.product((self, ONE), (other, ONE))
 
-    def __truediv__(self, other: "int | Node") -> "Node":
+    def __truediv__(self, other: "Fraction | int | Node") -> "Node":
         return self.table.product((self, ONE), (self.table.node(other), -ONE))
 
     def __pow__(self, exponent: Fraction | int) -> "Node":
@@ -71,7 +71,7 @@ class Node:
     def __rsub__(self, other: Fraction | int) -> "Node":
         return self.table.node(other) - self
 
-    def __rtruediv__(self, other: int) -> "Node":
+    def __rtruediv__(self, other: Fraction | int) -> "Node":
         return self.table.node(other) / self
 
     __radd__, __rmul__ = __add__, __mul__
@@ -160,8 +160,7 @@ def without_bars(factors: "Mapping[Node, Fraction | int]") -> "list[tuple[Node, 
     return found if found != list(factors.items()) else None
 
 
-def times(a: Sequence[tuple[Node, Fraction | int]], b: Any,
-          power: int = 1) -> tuple[tuple[Node, Fraction | int], ...]:
+def times(a: "Monomial", b: "Monomial", power: int = 1) -> "Monomial":
     """The monomial a·b^power; the atoms of a are in the order of their indices."""
     exponents, as_in_a = dict(a), True
     for atom, e in b:
@@ -195,13 +194,12 @@ def is_number(node: "Node") -> bool:
         is_measure(base) for base, _ in node.args))
 
 
-def _stays(atom, monomials, with_units):
+def _stays(atom: Node, monomials: "Sequence[Monomial]", with_units: bool) -> bool:
     """Does the letter of a unit stay with the numbers of a sum?"""
     return is_measure(atom) and not (with_units and len({dict(monomial).get(atom, 0) for monomial in monomials}) == 1)
 
 
-def content_of(monomials: "Sequence[Sequence[tuple[Node, Fraction | int]]]",
-               with_units: bool) -> "tuple[tuple[Node, Fraction | int], ...]":
+def content_of(monomials: "Sequence[Monomial]", with_units: bool) -> "Monomial":
     """((atom, exponent), …): the monomial that all have as a factor, letters of units where all have them in one
     power and `with_units`."""
     common = {atom: min(dict(monomial).get(atom, ZERO) for monomial in monomials)
@@ -213,3 +211,8 @@ def content_of(monomials: "Sequence[Sequence[tuple[Node, Fraction | int]]]",
 def by_index(pair: "tuple[Node, Any]") -> int:
     """The rank of a factor (node, exponent): nodes in the order in which they were made."""
     return pair[0].index
+
+
+if TYPE_CHECKING:
+    Monomial = tuple[tuple[Node, Fraction | int], ...]      # ((atom, exponent), …)
+    Terms = dict[Monomial, Fraction | int]      # {monomial: coefficient} of a polynomial

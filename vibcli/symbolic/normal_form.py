@@ -4,7 +4,7 @@ The rules are few: expand, sin² + cos² = 1, the addition theorems for products
 factors taken out. Work is bounded; what grows beyond MOST terms is left as it is.
 """
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
 from itertools import combinations
@@ -18,7 +18,7 @@ from vibcli.symbolic.rationals import HALF, ONE, ZERO, exact, exact_root
 
 if TYPE_CHECKING:
     from vibcli.symbolic.expression import Table
-    from vibcli.symbolic.node import Node
+    from vibcli.symbolic.node import Monomial, Node, Terms
 
 MOST, SQUARES = 300, (3, 6, 10)     # terms; of squares of sums of two, three and four
 
@@ -27,33 +27,33 @@ class TooLong(ArithmeticError):
     """More terms than are worked with."""
 
 
-def expanded(node: "Node", kept: "Collection[Node] | None" = None) -> dict[Any, Any]:
+def expanded(node: "Node", kept: "Collection[Node] | None" = None) -> "Terms":
     """{monomial: coefficient}, a monomial being a tuple of (atom, exponent) in the order of the atoms' indices. Sums
     that stand in a denominator are atoms, above as well as below the line, so that they cancel."""
     kept = _denominators(node) if kept is None else kept
     if node.op == "number":
         return {(): node.coefficient} if node.coefficient else {}
     if node.op == "sum":
-        found = {(): node.coefficient} if node.coefficient else {}
+        found: Terms = {(): node.coefficient} if node.coefficient else {}
         for part, c in node.args:
             for monomial, value in expanded(part, kept).items():
                 add(found, monomial, c * value)
         return found
     if node.op == "product":
-        found = {(): node.coefficient}
+        product: Terms = {(): node.coefficient}
         for base, exponent in node.args:
-            found = multiplied(found, _expanded_power(base, exponent, kept))
-        return found
+            product = multiplied(product, _expanded_power(base, exponent, kept))
+        return product
     return {((node, ONE),): ONE}
 
 
-def _denominators(node):
+def _denominators(node: "Node") -> "set[Node]":
     """The sums of parameters in denominators below a node, which stay whole."""
     return {base for part in reachable([node]) if part.op == "product" for base, e in part.args
             if base.op == "sum" and e < 0 and e.denominator == 1 and not base.mask}
 
 
-def _expanded_power(base, exponent, kept):
+def _expanded_power(base: "Node", exponent: Fraction | int, kept: "Collection[Node]") -> "Terms":
     if base.op == "sum" and base not in kept:
         if exponent.denominator == 1 and 0 < exponent <= 6:
             return reduce(multiplied, [expanded(base, kept)] * int(exponent))
@@ -73,7 +73,7 @@ def add(found: Any, monomial: Any, value: Any) -> None:
         raise TooLong
 
 
-def multiplied(left: Any, right: Any) -> "dict[tuple[tuple[Node, Fraction | int], ...], Fraction | int]":
+def multiplied(left: "Mapping[Monomial, Any]", right: "Mapping[Monomial, Any]") -> "Terms":
     found = {}
     if len(left) * len(right) > 20 * MOST:
         raise TooLong
@@ -92,7 +92,7 @@ def multiplied(left: Any, right: Any) -> "dict[tuple[tuple[Node, Fraction | int]
     return found
 
 
-def reduced(terms: Any) -> "dict[tuple[tuple[Node, Fraction | int], ...], Fraction | int]":
+def reduced(terms: "Terms") -> "Terms":
     """The same polynomial with the trigonometric identities applied wherever they shorten it."""
     changed = True
     while changed:
@@ -103,7 +103,7 @@ def reduced(terms: Any) -> "dict[tuple[tuple[Node, Fraction | int], ...], Fracti
     return terms
 
 
-def _shorten(terms, monomial):
+def _shorten(terms: "Terms", monomial: "Monomial") -> bool:
     """Apply one identity that starts from `monomial`; True if one was found."""
     sines = [(atom, e) for atom, e in monomial if atom.name in ("sin", "cos") and e >= 1 and e.denominator == 1]
     return any((e >= 2 and _square(terms, monomial, atom)) or (e >= 4 and _fourth_power(terms, monomial, atom))
@@ -111,7 +111,7 @@ def _shorten(terms, monomial):
         a.args != b.args and _addition(terms, monomial, a, b) for (a, _), (b, _) in combinations(sines, 2))
 
 
-def _square(terms, monomial, atom):
+def _square(terms: "Terms", monomial: "Monomial", atom: "Node") -> bool:
     """c·R·f² + c·R·g² = c·R for f, g = sin u, cos u; and c·R − c·R·f² = c·R·g²."""
     value = terms[monomial]
     rest = times(monomial, ((atom, 2),), -1)
@@ -123,7 +123,7 @@ def _square(terms, monomial, atom):
     return False
 
 
-def _fourth_power(terms, monomial, atom):
+def _fourth_power(terms: "Terms", monomial: "Monomial", atom: "Node") -> bool:
     """c·R·f⁴ + 2·c·R·f²·g² + c·R·g⁴ = c·R for f, g = sin u, cos u."""
     value, other = terms[monomial], cofunction(atom)
     rest = times(monomial, ((atom, 4),), -1)
@@ -134,7 +134,7 @@ def _fourth_power(terms, monomial, atom):
     return True
 
 
-def _addition(terms, monomial, a, b):
+def _addition(terms: "Terms", monomial: "Monomial", a: "Node", b: "Node") -> bool:
     """cos a cos b ± sin a sin b = cos(a ∓ b) and sin a cos b ± cos a sin b = sin(a ± b)."""
     table, value = a.table, terms[monomial]
     rest = times(monomial, ((a, ONE), (b, ONE)), -1)
@@ -157,7 +157,7 @@ def _addition(terms, monomial, a, b):
     return True
 
 
-def _move(terms, old, new, value):
+def _move(terms: "Terms", old: "tuple[Monomial, ...]", new: "Monomial", value: Fraction | int) -> None:
     for monomial in old:
         del terms[monomial]
     add(terms, new, value)
@@ -172,7 +172,7 @@ def is_zero(node: "Node") -> bool:
         return False
 
 
-def _numerator(terms):
+def _numerator(terms: "Terms") -> "Terms":
     """The polynomial times the sums that it is divided by: zero if and only if the quotient is."""
     lowest = {}
     for monomial in terms:
@@ -182,7 +182,7 @@ def _numerator(terms):
     return cleared(terms, tuple((atom, -e) for atom, e in lowest.items()))
 
 
-def cleared(terms: "Mapping[tuple[tuple[Node, Fraction | int], ...], Fraction | int]", below: Any) -> dict[Any, Any]:
+def cleared(terms: "Mapping[Monomial, Fraction | int]", below: Any) -> dict[Any, Any]:
     """The polynomial times a denominator ((atom, exponent), …); sums of it expanded where their exponent is whole, as
     far as they stand above by whole powers."""
     found = {}
@@ -190,7 +190,7 @@ def cleared(terms: "Mapping[tuple[tuple[Node, Fraction | int], ...], Fraction | 
     for monomial, value in terms.items():
         above = times(monomial, below)
         often = {atom: max(int(e), 0) for atom, e in above if atom in whole}
-        product = {times(above, often.items(), -1): value}
+        product = {times(above, tuple(often.items()), -1): value}
         for atom, count in often.items():
             product = reduce(multiplied, [expanded(atom, ())] * count, product)
         for part, c in product.items():
@@ -207,7 +207,7 @@ def textbook(node: "Node") -> "Node":
         return node
 
 
-def _unnested(node):
+def _unnested(node: "Node") -> "Node":
     """The node with 1/(a/b + 1) written as b/(a + b), and 1/((a − b)² + 2ab) as 1/(a² + b²)."""
     table, simpler = node.table, {}
     for base in sorted(_denominators(node), key=lambda base: base.index):
@@ -217,7 +217,7 @@ def _unnested(node):
     return substitute([node], simpler)[0] if simpler else node
 
 
-def collected(table: "Table", terms: "Mapping[tuple[tuple[Node, Fraction | int], ...], Fraction | int]") -> "Node":
+def collected(table: "Table", terms: "Mapping[Monomial, Fraction | int]") -> "Node":
     """A polynomial as a node: Σ (factored coefficient of parameters)·(part that holds variables)."""
     groups = {}
     for monomial, value in terms.items():
@@ -228,7 +228,7 @@ def collected(table: "Table", terms: "Mapping[tuple[tuple[Node, Fraction | int],
     return table.sum(*((part, ONE) for part in parts))
 
 
-def _whole(terms):
+def _whole(terms: "Terms") -> "Terms":
     """A polynomial of parameters without the sums that it is divided by, where they go into it."""
     for total in dict.fromkeys(atom for monomial in terms for atom, e in monomial
                                if atom.op == "sum" and e.denominator == 1 and not atom.mask):
@@ -238,7 +238,7 @@ def _whole(terms):
     return terms
 
 
-def factors_of(table: "Table", terms: Any) -> "tuple[tuple[Node, Fraction | int], ...]":
+def factors_of(table: "Table", terms: Any) -> "Monomial":
     """A polynomial as factors: its content — rational factor and common monomial — and what is left in brackets."""
     if not (monomials := list(terms)):
         return ((table.zero, ONE),)
@@ -255,18 +255,18 @@ def factors_of(table: "Table", terms: Any) -> "tuple[tuple[Node, Fraction | int]
     return ((table.number(scale), ONE), (_node(table, inner), ONE), *content)
 
 
-def _node(table, terms):
+def _node(table: "Table", terms: "Mapping[Monomial, Fraction | int]") -> "Node":
     return table.sum(*((table.product(*monomial), value) for monomial, value in terms.items()))
 
 
-def _scale(values):
+def _scale(values: Sequence[Fraction | int]) -> Fraction:
     """The rational factor to take out: the common divisor, over the denominator where all share it."""
     below = {v.denominator for v in values}
     scale = Fraction(reduce(gcd, [v.numerator for v in values]), below.pop() if len(below) == 1 else 1)
     return -scale if all(v < 0 for v in values) else scale
 
 
-def square_root(terms: Any) -> "dict[tuple[tuple[Node, Fraction], ...], Fraction] | None":
+def square_root(terms: Any) -> "Terms | None":
     """The polynomial whose square this is (up to sign), None where there is none of two to four terms."""
     squares = {monomial: exact_root(value) for monomial, value in terms.items()
                if all(e.denominator == 1 and e.numerator % 2 == 0 for _, e in monomial) and value > 0}

@@ -16,6 +16,8 @@ from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import HALF
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
     from vibcli.symbolic.node import Node
 
 NUMPY = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2", "min": "minimum", "max": "maximum"}
@@ -33,7 +35,7 @@ class Source:
     data."""
 
     def __init__(self, slots: "Mapping[Node, str]", floats: Mapping[str, float], switches: "dict[Node, str] | None",
-                 constants: "Mapping[Node, float] | Sequence[Any]" = (), named: bool = False):
+                 constants: "Mapping[Node, float] | Sequence[Any]" = (), named: bool = False) -> None:
         self.slots, self.floats, self.switches, self.named = dict(slots), floats, switches, named
         self.lines, self.constants, self.called, self._data = [], dict(constants), {}, {}
 
@@ -57,7 +59,7 @@ class Source:
         constants = dict(zip(self.constants, evaluate(list(self.constants), Floats, floats), strict=True))
         return {slot: changed(_float(of(constants))) for slot, of in self._data.items()}
 
-    def _constant(self, of):
+    def _constant(self, of: Callable[..., Any]) -> str:
         """A constant, as it follows from others, as source."""
         if not self.named:
             return number(of(self.constants))
@@ -65,18 +67,19 @@ class Source:
         self._data[slot] = of
         return slot
 
-    def _term(self, of, factors=""):
+    def _term(self, of: Callable[..., Any], factors: str = "") -> str:
         """The same times factors, with its sign."""
         if not self.named:
             return _signed(of(self.constants), factors)
         return f"+{self._constant(of)}" + (f"*{factors}" if factors else "")
 
-    def _symbol(self, node):
+    def _symbol(self, node: "Node") -> None:
         raise KeyError(node.name)
 
-    def _sum(self, node):
-        def total(constants):
-            return node.coefficient + sum(c * constants[part] for part, c in node.args if not part.mask)
+    def _sum(self, node: "Node") -> str:
+        def total(constants: "Mapping[Node, float]") -> "float | Fraction":
+            kept: float | Fraction = sum(c * constants[part] for part, c in node.args if not part.mask)
+            return node.coefficient + kept
 
         terms = [self._term(lambda _, c=c: c, self.slots[part]) for part, c in node.args if part.mask]
         terms.sort(key=lambda term: term[0] == "-")
@@ -88,8 +91,8 @@ class Source:
             terms = ["+" + slot, *terms[LONGEST:]]
         return "".join(terms).removeprefix("+")
 
-    def _product(self, node):
-        def factor(constants):
+    def _product(self, node: "Node") -> str:
+        def factor(constants: "Mapping[Node, float]") -> float:
             value = Floats.number(node.coefficient)
             for base, e in node.args:
                 if not base.mask:
@@ -108,7 +111,7 @@ class Source:
         text = self._term(factor, "*".join(above)).removeprefix("+")
         return text + (f"/({'*'.join(below)})" if len(below) > 1 else f"/{below[0]}" if below else "")
 
-    def _call(self, node):
+    def _call(self, node: "Node") -> str:
         args = [self.text(arg) for arg in node.args]
         if self.switches is not None and node.name in SWITCHED:
             return self._bent(node, args)
@@ -124,7 +127,7 @@ class Source:
             return f"{slot}({','.join(args)})"
         return f"{NUMPY.get(node.name, node.name)}({','.join(args)})"
 
-    def _bent(self, node, args):
+    def _bent(self, node: "Node", args: Sequence[str]) -> str:
         """A function that bends or jumps, by its switch."""
         if node.name in ("min", "max"):
             a, b = node.args
@@ -137,7 +140,7 @@ class Source:
         return {"sign": sense, "abs": f"{sense}*{args[0]}", "step": f"0.5*(1.0+{sense})",
                 "ramp": f"0.5*(1.0+{sense})*{args[0]}"}[node.name]
 
-    def _switch(self, argument):
+    def _switch(self, argument: "Node") -> str:
         """The slot of sign(argument), its value where that is one at all times; of −u it is that of u, negative."""
         sign = argument.table.call("sign", argument)
         if sign.op == "number":
@@ -153,11 +156,11 @@ def number(value: Any) -> str:
     return f"({value!r})" if value < 0 else repr(value) if value - value == 0 else "nan"
 
 
-def _float(value):
+def _float(value: "float | Fraction") -> float:
     return value if isinstance(value, float) else Floats.number(value)
 
 
-def _signed(c, factors=""):
+def _signed(c: "float | Fraction", factors: str = "") -> str:
     """+c·factors as source, with its sign."""
     c = _float(c)
     if abs(c) == 1 and factors:
@@ -173,14 +176,14 @@ def rooted(nodes: "Sequence[Node]") -> bool:
                for base, e in node.args)
 
 
-def _never_negative(base):
+def _never_negative(base: "Node") -> bool:
     """Is it |u|, or the part of u on one side? Smooth beyond its zero, where a step ends before the zero is found, it
     is negative; its roots go on there as those of its size."""
     return base.op == "call" and (base.name in ("abs", "ramp") or (
         base.name == "max" and any(arg.is_zero for arg in base.args)))
 
 
-def _powers(slot, exponent, bent=False):
+def _powers(slot: str, exponent: "Fraction | int", bent: bool = False) -> list[str]:
     """Factors of slot^exponent, exponent > 0."""
     if exponent.denominator == 1 and exponent <= 4:
         return [slot] * int(exponent)
@@ -194,7 +197,7 @@ def _powers(slot, exponent, bent=False):
     return [f"{size}**{float(exponent)!r}"]
 
 
-def function(head: str, lines: Sequence[str], result: str, called: Iterable[Any] = ()) -> Callable:
+def function(head: str, lines: Sequence[str], result: str, called: Iterable[Any] = ()) -> Callable[..., Any]:
     """The function of a text made of slots; NumPy's functions act on floats and arrays. `called`: (slot, function)."""
     return made(code(head, lines, result), called)
 
@@ -205,15 +208,16 @@ def code(head: str, lines: Sequence[str], result: str) -> Any:
     return compile(f"def f({head}):\n{body}    return {result}\n", "<motion>", "exec")
 
 
-def made(of: Any, called: Iterable[Any]) -> Callable:
+def made(of: Any, called: Iterable[Any]) -> Callable[..., Any]:
     """The function of a code, given the (slot, value) of what it calls or holds."""
     space = {**_functions(), **dict(called)}
     exec(of, space)       # slots and floats only
-    return space["f"]
+    found: Callable[..., Any] = space["f"]
+    return found
 
 
 @cache
-def _functions():
+def _functions() -> dict[str, Callable[..., Any]]:
     import numpy as np
 
     from vibcli.symbolic.discontinuous_functions import on_arrays

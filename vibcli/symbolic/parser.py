@@ -76,14 +76,14 @@ def parse(text: str, equation: str | None = None) -> Any:
     return tree
 
 
-def _name(text: str, at: int) -> "Match | None":
+def _name(text: str, at: int) -> "Match[str] | None":
     """The match of a name at a place, None where there is none."""
     word = _WORD.match(text, at)
     return word if word is None or word.group().isascii() else re.compile(_NAME).match(text, at)
 
 
 class _Parser:
-    def __init__(self, text: str):
+    def __init__(self, text: str) -> None:
         self.text, self.at, self.depth = text, 0, 0
 
     def skip(self) -> None:
@@ -114,7 +114,7 @@ class _Parser:
         raise ExpressionError(self.at, 1, f"found {quoted(found)} where the expression should go on or end",
                               of_sign(self.text, self.at))
 
-    def _joined(self, what):
+    def _joined(self, what: str) -> str:
         """The hint where a number or name is followed by another."""
         if re.compile(_PER_UNIT).match(self.text, self.at):
             return "the unit 1/s is written s^-1: 3 s^-1"
@@ -234,7 +234,7 @@ class _Parser:
                 raise ExpressionError(start, 1, "this bracket is never closed", f"write '{bracket}' where it ends")
             self.fail_after()
 
-    def word(self, match: "Match", depth: int) -> Call | NameRef | QuantityRef:
+    def word(self, match: "Match[str]", depth: int) -> Call | NameRef | QuantityRef:
         start, self.at = match.start(), match.end()
         name = match.group()
         if len(name) > 32:
@@ -283,7 +283,7 @@ class _Parser:
         return QuantityRef(start, self.at, self.text[start:self.at], plain_name(head), tuple(indices), component,
                            tuple(args), alone=len(last) == 1)
 
-    def _index(self):
+    def _index(self) -> str:
         """What stands between square brackets at this place; '' where there is nothing, or too much."""
         if not self.text.startswith("[", self.at):
             return ""

@@ -12,7 +12,7 @@ What is constant is computed once, to all its digits. The source is made of our 
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import HALF, ONE
@@ -29,8 +29,9 @@ class SeriesSource:
     """`first`: lines that compute the coefficients of order 0; `lines`: those of order k > 0, given k, h = ⌊(k + 1)/2⌋
     and the number of bits B. slots: {symbol: its list}; constants: {node: slot} of what is made of parameters alone."""
 
-    def __init__(self, slots: "Mapping[Node, str]"):
-        self.slots, self.first, self.lines, self._lists = dict(slots), [], [], {}
+    def __init__(self, slots: "Mapping[Node, str]") -> None:
+        self.slots, self.first, self.lines = dict(slots), [], []
+        self._lists: dict[Any, str] = {}
         self.constants: dict[Node, str] = {}
 
     @property
@@ -45,41 +46,41 @@ class SeriesSource:
                 self.slots[part] = getattr(self, "_" + part.op)(part)
         return [self._list(node) for node in nodes]
 
-    def _list(self, node):
+    def _list(self, node: "Node") -> str:
         return self.slots[node] if node.mask else self._once(("constant", node), self._constant(node), "0")
 
-    def _constant(self, node):
+    def _constant(self, node: "Node") -> str:
         """The slot of a number."""
         return self.constants.setdefault(node, f"c{len(self.constants)}")
 
-    def _once(self, key, first, step):
+    def _once(self, key: Any, first: str, step: str) -> str:
         """The list of these coefficients, in whose texts it is called @; made once."""
         if key not in self._lists:
             self._lists[key] = slot = f"x{len(self._lists)}"
             self._write(slot, first, step)
         return self._lists[key]
 
-    def _write(self, slot, first, step):
+    def _write(self, slot: str, first: str, step: str) -> None:
         self.first.append(f"{slot}=[{first}]".replace("@", slot))
         self.lines.append(f"{slot}.append({step})".replace("@", slot))
 
-    def _symbol(self, node):
+    def _symbol(self, node: "Node") -> None:
         raise KeyError(node.name)
 
-    def _sum(self, node):
+    def _sum(self, node: "Node") -> str:
         table, parts = node.table, node.args
         still = table.sum(*((part, c) for part, c in parts if not part.mask), (table.number(node.coefficient), ONE))
         step = "".join(self._scaled(table.number(c), self.slots[part]) for part, c in parts if part.mask)
         return self._once(node, step if still.is_zero else f"{step}+{self._constant(still)}", step)
 
-    def _scaled(self, factor, u):
+    def _scaled(self, factor: "Node", u: str) -> str:
         """+ factor·(the last coefficient of a list)"""
         if factor.op != "number" or factor.coefficient.denominator != 1:
             return f"+({u}[-1]*{self._constant(factor)}>>B)"
         whole = int(factor.coefficient)
         return f"{'+' if whole > 0 else '-'}{u}[-1]" if abs(whole) == 1 else f"{whole:+d}*{u}[-1]"
 
-    def _product(self, node):
+    def _product(self, node: "Node") -> str:
         table, found = node.table, None
         for base, e in node.args:
             if base.mask:
@@ -92,17 +93,17 @@ class SeriesSource:
         text = self._scaled(still, found)
         return self._once(node, text, text)
 
-    def _times(self, u, w):
+    def _times(self, u: str, w: str) -> str:
         if u == w:
             return self._square(u)
         u, w = sorted((u, w))
         return self._once(("times", u, w), f"{u}[0]*{w}[0]>>B", f"sum(map(mul,{u},{w}[::-1]))>>B")
 
-    def _square(self, u):
+    def _square(self, u: str) -> str:
         return self._once(("square", u), f"{u}[0]**2>>B",
                           f"2*sum(map(mul,{u}[:h],{u}[:-h-1:-1]))+(0 if k&1 else {u}[h]**2)>>B")
 
-    def _power_of(self, u, e):
+    def _power_of(self, u: str, e: Fraction | int) -> str:
         """uᵉ: of whole numbers by squares, products and one division, of halves by one root."""
         if e == 1:
             return u
@@ -120,12 +121,12 @@ class SeriesSource:
         half = self._power_of(u, e // 2)
         return self._square(half) if e % 2 == 0 else self._times(self._square(half), u)
 
-    def _any_power(self, u, e):
+    def _any_power(self, u: str, e: Fraction | int) -> str:
         n, d, slope = e.numerator, e.denominator, self._slope(u)
         return self._once(("power", u, e), f"power({u}[0],{n},{d})",
                           f"({n + d}*sum(map(mul,{slope},@[::-1]))-{d}*k*sum(map(mul,{u}[:0:-1],@)))//({d}*k*{u}[0])")
 
-    def _slope(self, u):
+    def _slope(self, u: str) -> str:
         """The list of j uⱼ, j > 0."""
         key = "slope", u
         if key not in self._lists:
@@ -134,21 +135,21 @@ class SeriesSource:
             self.lines.append(f"{slot}.append(k*{u}[-1])")
         return self._lists[key]
 
-    def _integral(self, name, u, slope, sign=""):
+    def _integral(self, name: str, u: str, slope: str, sign: str = "") -> str:
         """f(u), where f′ = ± slope."""
         return self._once((name, u), f"{name}({u}[0])", self._rate(u, slope, sign))
 
-    def _rate(self, u, g, sign=""):
+    def _rate(self, u: str, g: str, sign: str = "") -> str:
         """The coefficient of f, where f′ = ± u′ g."""
         return f"{sign}(sum(map(mul,{self._slope(u)},{g}[k-1::-1]))>>B)//k"
 
-    def _call(self, node):
+    def _call(self, node: "Node") -> str:
         if node.name not in SMOOTH:
             raise KeyError(node.name)
         args = map(self._list, node.args)
         return self._pair(node.name, *args) if node.name in ODD_AND_EVEN else getattr(self, "_" + node.name)(*args)
 
-    def _pair(self, name, u):
+    def _pair(self, name: str, u: str) -> str:
         """sin and cos, or sinh and cosh, each of which is the rate of the other."""
         odd, even, sign = ODD_AND_EVEN[name]
         if (odd, u) not in self._lists:
@@ -159,17 +160,17 @@ class SeriesSource:
             self._write(c, f"{even}({u}[0])", self._rate(u, s, sign))
         return self._lists[name, u]
 
-    def _exp(self, u):
+    def _exp(self, u: str) -> str:
         self._slope(u)
         return self._integral("exp", u, "@")
 
-    def _tan(self, u):
+    def _tan(self, u: str) -> str:
         return self._of_its_square("tan", u, "+")
 
-    def _tanh(self, u):
+    def _tanh(self, u: str) -> str:
         return self._of_its_square("tanh", u, "-")
 
-    def _of_its_square(self, name, u, sign):
+    def _of_its_square(self, name: str, u: str, sign: str) -> str:
         """f′ = 1 ± f²"""
         if (name, u) not in self._lists:
             self._slope(u)
@@ -180,23 +181,23 @@ class SeriesSource:
             self._write(bend, f"(1<<B){sign}{square}[0]", f"{sign}{square}[-1]")
         return self._lists[name, u]
 
-    def _log(self, u):
+    def _log(self, u: str) -> str:
         return self._integral("log", u, self._power_of(u, -ONE))
 
-    def _one_and_square(self, u, sign):
+    def _one_and_square(self, u: str, sign: str) -> str:
         square = self._square(u)
         return self._once(("one", sign, square), f"(1<<B){sign}{square}[0]", f"{sign}{square}[-1]")
 
-    def _asin(self, u):
+    def _asin(self, u: str) -> str:
         return self._integral("asin", u, self._power_of(self._one_and_square(u, "-"), -HALF))
 
-    def _acos(self, u):
+    def _acos(self, u: str) -> str:
         return self._integral("acos", u, self._power_of(self._one_and_square(u, "-"), -HALF), "-")
 
-    def _atan(self, u):
+    def _atan(self, u: str) -> str:
         return self._integral("atan", u, self._power_of(self._one_and_square(u, "+"), -ONE))
 
-    def _atan2(self, y, x):
+    def _atan2(self, y: str, x: str) -> str:
         """Its rate is (x y′ − y x′)/(x² + y²)."""
         squares = self._square(x), self._square(y)
         total = "+".join(f"{square}[-1]" for square in squares)
@@ -204,6 +205,6 @@ class SeriesSource:
         along = self._rate(y, self._times(x, over)) + self._rate(x, self._times(y, over), "-")
         return self._once(("atan2", y, x), f"atan2({y}[0],{x}[0])", along)
 
-    def _power(self, u, w):
+    def _power(self, u: str, w: str) -> str:
         """u^w = e^{w log u}"""
         return self._exp(self._times(w, self._log(u)))

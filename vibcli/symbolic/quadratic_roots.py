@@ -27,7 +27,7 @@ def quadratic_roots(coefficients: "Sequence[Node]", sample: Any) -> "list[Node]"
     return [table.product((textbook(-b / common) + sign * spread / common, ONE), (below, -ONE)) for sign in (-1, 1)]
 
 
-def _divisor(node):
+def _divisor(node: "Node") -> int:
     """The integer that divides all coefficients of a polynomial; 1 where there are fractions."""
     values = expanded(node).values()
     return gcd(*(v.numerator for v in values)) if all(v.denominator == 1 for v in values) else 1

@@ -14,7 +14,7 @@ from vibcli.symbolic.rationals import HALF, ONE
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from vibcli.symbolic.node import Node
+    from vibcli.symbolic.node import Monomial, Node
 
 CIRCULAR = ("sin", "cos", "tan")
 ANGLES = (0.9, 2.3, 4.1, 5.6)       # one in each quadrant
@@ -26,7 +26,7 @@ def root(node: "Node", samples: Sequence[dict[str, float]] = ()) -> "Node":
     table = node.table
     if node.is_zero:
         return node
-    scale, *factors = _factors(fraction(node))
+    scale, factors = _factors(fraction(node))
     if scale < 0:
         turned = next((i for i, (base, e) in enumerate(factors) if base.op == "sum" and e.numerator % 2), None)
         if turned is None:
@@ -37,15 +37,16 @@ def root(node: "Node", samples: Sequence[dict[str, float]] = ()) -> "Node":
     return table.product((table.sqrt(table.number(scale)), ONE), *roots)
 
 
-def _factors(factors):
+def _factors(factors: "Monomial") -> "tuple[Fraction, list[tuple[Node, Fraction | int]]]":
     """The rational, and the other factors, each once."""
-    scale, found = Fraction(1), {}
+    scale = Fraction(1)
+    found: dict[Node, Fraction | int] = {}
     for base, e in factors:
         if base.op == "number" and e.denominator == 1:
             scale *= Fraction(base.coefficient) ** int(e)
         else:
             found[base] = found.get(base, 0) + e
-    return scale, *found.items()
+    return scale, list(found.items())
 
 
 def without_bars(node: "Node", samples: "Sequence[Mapping[str, float]]") -> "Node":
@@ -74,7 +75,7 @@ def positive(base: "Node", samples: "Sequence[Mapping[str, float]]") -> "Node":
     return -base if values and all(value < 0 for value in values) else table.call("abs", base)
 
 
-def _at_other_angles(base, samples):
+def _at_other_angles(base: "Node", samples: "Sequence[Mapping[str, float]]") -> list[dict[str, float]]:
     """The first sample with its free letters within sines and cosines at angles around a turn: at rest they may be
     drawn at any of them."""
     waves = [part for part in reachable([base]) if part.op == "call" and part.name in CIRCULAR]
@@ -83,12 +84,12 @@ def _at_other_angles(base, samples):
     return [{**samples[0], **dict.fromkeys(free, angle)} for angle in ANGLES] if free else []
 
 
-def _with_other_signs(base, samples):
+def _with_other_signs(base: "Node", samples: "Sequence[Mapping[str, float]]") -> list[dict[str, float]]:
     """The samples with each of its free letters that may be negative turned."""
     unsigned = {part.name for part in reachable([base]) if part.op == "symbol" and not base.table.is_positive(part)}
     return [{**sample, name: -sample[name]} for name in _free(unsigned, samples) for sample in samples]
 
 
-def _free(names, samples):
+def _free(names: set[str], samples: "Sequence[Mapping[str, float]]") -> list[str]:
     """Those that are not the same at all samples: letters without a value."""
     return [name for name in names if len({sample.get(name) for sample in samples}) > 1]

@@ -3,7 +3,7 @@
 Atoms are symbols, functions and roots. Squares of roots and of sines are replaced by what they are (`settled`).
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -15,6 +15,9 @@ from vibcli.symbolic.rationals import HALF, ONE
 from vibcli.symbolic.time_limit import within
 
 if TYPE_CHECKING:
+    from sympy.polys.fields import FracElement
+    from sympy.polys.rings import PolyElement
+
     from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
 
@@ -25,7 +28,7 @@ LONG = 100          # terms of a polynomial that is not written in factors
 class Quotients:
     """The field of quotients in the atoms of some nodes, and one unknown more."""
 
-    def __init__(self, table: "Table", nodes: "Sequence[Node]", unknown: str = "λ"):
+    def __init__(self, table: "Table", nodes: "Sequence[Node]", unknown: str = "λ") -> None:
         from sympy import QQ
         from sympy.polys.rings import PolyRing
 
@@ -35,12 +38,12 @@ class Quotients:
         self.field = self.ring.to_field()
         *gens, self.unknown = self.field.gens
         self._gens = dict(zip(self.atoms, gens, strict=True)) | {(self.symbol, ONE): self.unknown}
-        self._factored: dict = {}
+        self._factored: dict[PolyElement, Any] = {}
 
     def number(self, value: Fraction | int) -> Any:
         return self.field(self.ring.domain(value.numerator, value.denominator))
 
-    def __call__(self, node: Any):
+    def __call__(self, node: Any) -> Any:
         """A node as an element of the field."""
         done = {}
         for part in reachable([node]):
@@ -61,14 +64,14 @@ class Quotients:
                 element = self._reduced(element.numer, gen, inner) / self._reduced(element.denom, gen, inner)
         return element
 
-    def _reduced(self, polynomial, gen, inner):
+    def _reduced(self, polynomial: "PolyElement", gen: "FracElement", inner: "FracElement") -> "FracElement":
         i, found = self.ring.gens.index(gen.numer), {}
         for powers, value in polynomial.terms():
             found.setdefault(powers[i] // 2, {})[(*powers[:i], powers[i] % 2, *powers[i + 1:])] = value
         return sum((self.field(self.ring.from_dict(terms)) * inner ** half for half, terms in found.items()),
                    self.field(0))
 
-    def _product(self, node, done):
+    def _product(self, node: "Node", done: "Mapping[Node, Any]") -> Any:
         total = self.number(node.coefficient)
         for base, e in node.args:
             factor = done[base] if e.denominator == 1 else self._gens[base, Fraction(1, e.denominator)]
@@ -80,7 +83,8 @@ class Quotients:
         factors = [*self.atoms, (self.symbol, ONE)]
         return grouped(self.table.sum(*(self._term(powers, value, factors) for powers, value in element.terms())))
 
-    def _term(self, powers, value, factors):
+    def _term(self, powers: tuple[int, ...], value: Fraction | int,
+              factors: "Sequence[tuple[Node, Fraction | int]]") -> "tuple[Node, Fraction]":
         product = self.table.product(*((base, e * power) for (base, e), power in zip(factors, powers, strict=True)))
         return product, self.rational(value)
 
@@ -125,7 +129,7 @@ class Quotients:
             parts += [(self.table.number(self.rational(content)), sign), (self._shortest(rest), sign)]
         return self.table.product(*parts)
 
-    def _shortest(self, polynomial):
+    def _shortest(self, polynomial: Any) -> "Node":
         """A polynomial as the product of its factors or as a whole, long ones as they are."""
         if len(polynomial) > LONG:
             return self.polynomial(polynomial)
@@ -135,9 +139,9 @@ class Quotients:
         return product if len(factors) == 1 else min((self.polynomial(polynomial), product), key=letters)
 
 
-def _atoms(nodes):
+def _atoms(nodes: "Sequence[Node]") -> "set[tuple[Node, Fraction | int]]":
     """{(base, e)}: symbols and functions with e = 1, bases of roots with e = 1/2 and the like."""
-    found: set = set()
+    found: set[tuple[Node, Fraction | int]] = set()
     cosines = [part.table.call("cos", *part.args) for part in reachable(nodes) if part.name == "sin"]
     for part in reachable([*nodes, *cosines]):
         if part.op in ("symbol", "call", "pi"):
@@ -152,6 +156,6 @@ def factored(node: "Node") -> "Node":
     return within(2 * CALLS, lambda: _factored(textbook(node)), node)
 
 
-def _factored(node):
+def _factored(node: "Node") -> "Node":
     quotients = Quotients(node.table, [node])
     return quotients.node(quotients(node))

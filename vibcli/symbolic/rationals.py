@@ -22,7 +22,8 @@ def fraction_of(value: Any) -> Fraction:
     if not hasattr(value, "_mpf_"):
         return Fraction(value)
     sign, man, exp, _ = value._mpf_
-    return (-1)**sign * int(man) * Fraction(2)**exp
+    found: Fraction = (-1)**sign * int(man) * Fraction(2)**exp
+    return found
 
 
 def bits(value: Fraction | int) -> int:
@@ -43,7 +44,7 @@ def rational_power(base: Fraction | int, exponent: Fraction | int) -> Fraction |
         power = exponent.numerator
         if bits(base) * abs(power) > BITS:
             return None
-        return base**power if base.__class__ is int and power > 0 else exact(Fraction(base)**power)
+        return int(base**power) if base.__class__ is int and power > 0 else exact(Fraction(base)**power)
     if exponent.denominator == 2 and base >= 0:
         root = exact_root(base)
         return None if root is None else rational_power(exact(root), exact(exponent * 2))

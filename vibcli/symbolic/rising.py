@@ -17,7 +17,7 @@ def rises_where(function: "Node", x: "Node") -> "list[Node] | None":
     return None if slope is None else _positive_where(slope, x)
 
 
-def _positive_where(node, x):
+def _positive_where(node: "Node", x: "Node") -> "list[Node] | None":
     """Conditions under which an expression is positive but at single places; None where none are known."""
     if not node.mask & x.mask:
         return [node]
@@ -31,7 +31,7 @@ def _positive_where(node, x):
     return [] if node.op == "call" and node.name in POSITIVE else None
 
 
-def _sum(node, x):
+def _sum(node: "Node", x: "Node") -> "list[Node] | None":
     table = node.table
     fixed = table.sum((table.number(node.coefficient), 1), *((part, c) for part, c in node.args
                                                              if not part.mask & x.mask))
@@ -45,7 +45,7 @@ def _sum(node, x):
     return found
 
 
-def _product(node, x):
+def _product(node: "Node", x: "Node") -> "list[Node] | None":
     """Even powers, positive functions, and as many factors again that have the sign of one of them."""
     table, signs, found = node.table, {}, []
     fixed = table.product((table.number(node.coefficient), 1), *((base, e) for base, e in node.args

@@ -29,7 +29,7 @@ class RisingLaws:
 
     `tops`, `peaks`: the deflection and the force at which each ceases to rise, inf where it does not."""
 
-    def __init__(self, laws: "Laws", count: int, sense: int):
+    def __init__(self, laws: "Laws", count: int, sense: int) -> None:
         self.laws, self.count, self.sense = laws, count, sense
         self.F, self.slopes = self.at(np.array([PLACES] * count))
         self._ends = [self._end(i) for i in range(count)]
@@ -42,7 +42,7 @@ class RisingLaws:
         return self.sense * F, slopes
 
     @np.errstate(invalid="ignore")
-    def _end(self, i):
+    def _end(self, i: int) -> int:
         """The number of the last place up to which a law rises, or is level."""
         F, slope = self.F[i], self.slopes[i]
         falls = ~(F[1:] - F[:-1] >= -LEVEL * np.abs(F[1:])) | (slope[1:] < 0)
@@ -51,7 +51,7 @@ class RisingLaws:
         found = np.flatnonzero(falls)
         return int(found[0]) if found.size else len(F) - 1
 
-    def _top(self, i):
+    def _top(self, i: int) -> tuple[float, float]:
         k = self._ends[i]
         if k == len(PLACES) - 1:
             return np.inf, np.inf
@@ -75,7 +75,8 @@ class RisingLaws:
 
     @np.errstate(invalid="ignore")
     def inverse(self, i: int, f: np.ndarray) -> np.ndarray:
-        """d at which a law has a force f ≥ 0 before it ceases to rise, by bisection; NaN where it does not."""
+        """d, of the shape of f, at which a law has a force f ≥ 0 before it ceases to rise, by bisection; NaN where it
+        does not."""
         k = self._ends[i]
         heights, places = self.F[i, :k + 1], PLACES[:k + 1]
         if np.isfinite(self.tops[i]):

@@ -29,7 +29,7 @@ STEPS, KNOWN = 80, 64       # of Newton in many digits; roots that are kept
 class RootOfLaw(DefinedFunction):
     """d₀(N, p) of a law F, an expression of d and of other symbols, on its branch through d = 0."""
 
-    def __init__(self, name: str, force: "Node", d: "Node"):
+    def __init__(self, name: str, force: "Node", d: "Node") -> None:
         while name in d.table.functions:
             name += "′"
         self.name, self.symbols, own = name, [
@@ -65,7 +65,7 @@ class RootOfLaw(DefinedFunction):
 
         return reached(lambda d: tuple(evaluate([self.force, self.stiffness], Arrays, self._values(d, p))), N)
 
-    def _values(self, d, p):
+    def _values(self, d: Any, p: "Sequence[Any]") -> dict[str, Any]:
         return {self.d.name: d, **{symbol.name: value for symbol, value in zip(self.p, p, strict=True)}}
 
     def at(self, *args: "float | mpmath.mpf") -> "float | mpmath.mpf":
@@ -79,7 +79,7 @@ class RootOfLaw(DefinedFunction):
         root = self._roots[(N, *p)]
         return self._precisely(root, *args) if many else root
 
-    def _precisely(self, d, N, *p):
+    def _precisely(self, d: float, N: "mpmath.mpf", *p: "mpmath.mpf") -> "mpmath.mpf":
         """Newton's steps from the root in floats."""
         import mpmath
 
@@ -95,7 +95,8 @@ class RootOfLaw(DefinedFunction):
     def on_arrays(self, *args: "float | np.ndarray") -> "np.ndarray":
         import numpy as np
 
-        return np.vectorize(self.at, otypes=[float])(*args)
+        found: np.ndarray = np.vectorize(self.at, otypes=[float])(*args)
+        return found
 
     def rounding(self, unit: Any, found: Any, args: "Sequence[Any]") -> Any:
         """By that of F there, over F′."""

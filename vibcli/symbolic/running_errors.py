@@ -6,6 +6,7 @@ Numerical Algorithms, section 3.3).
 Sums, products and powers are bounded rigorously, other functions to first order.
 """
 
+from collections.abc import Sequence
 from fractions import Fraction
 from math import inf
 from typing import TYPE_CHECKING, Any
@@ -27,7 +28,7 @@ class Rounded:
 
     __slots__ = ("error", "unit", "value")
 
-    def __init__(self, value: Any, error: Any, unit: Any = UNIT):
+    def __init__(self, value: Any, error: Any, unit: Any = UNIT) -> None:
         self.value, self.error, self.unit = value, error, unit
 
     def __add__(self, other: Any) -> "Rounded":
@@ -64,7 +65,7 @@ class RunningErrors:
 
     ordered = False
 
-    def __init__(self, inner: Any, unit: Any = UNIT):
+    def __init__(self, inner: Any, unit: Any = UNIT) -> None:
         self.inner, self.unit = inner, unit
         self._duals: Any = None
         self.pi = Rounded(inner.pi, unit * abs(inner.pi), unit)
@@ -81,29 +82,31 @@ class RunningErrors:
         return Rounded(found, rounding + self._moved(abs(number_in(base)), error, exponent) if error else rounding,
                        self.unit)
 
-    def _moved(self, size, error, p):
+    def _moved(self, size: float, error: float, p: Fraction | int) -> float:
         """How far xᵖ moves at most while x moves by its error: by the steepest slope in between."""
         power = self.inner.power
         if p.numerator >= p.denominator:
-            return self.inner.number(p) * power(size + error, p - 1) * error
+            found: float = self.inner.number(p) * power(size + error, p - 1) * error
+            return found
         if size > 2 * error:
-            return abs(self.inner.number(p)) * power(size - error, p - 1) * error
+            result: float = abs(self.inner.number(p)) * power(size - error, p - 1) * error
+            return result
         return power(size + error, p) if p.numerator > 0 else inf
 
-    def record(self, name: str, samples: Any) -> "Callable":
+    def record(self, name: str, samples: Any) -> "Callable[..., Any]":
         at = self.inner.record(name, samples)
 
-        def call(u, order):
+        def call(u: Any, order: int) -> Rounded:
             steep = abs(at(number_in(u), order + 1)) if error_in(u) else 0
             return Rounded(at(number_in(u), order), steep * error_in(u), self.unit)
         return call
 
-    def called(self, function: "DefinedFunction") -> "Callable":
+    def called(self, function: "DefinedFunction") -> "Callable[..., Rounded]":
         from vibcli.symbolic.defined_functions import slopes_at
 
         plain = self.inner.called(function)
 
-        def call(*args):
+        def call(*args: Rounded) -> Rounded:
             values = [number_in(x) for x in args]
             found, error = plain(*values), 0
             for steep, x in zip(slopes_at(function, self.inner, values, range(len(args))), args, strict=True):
@@ -112,10 +115,10 @@ class RunningErrors:
             return Rounded(found, error if error == error else inf, self.unit)
         return call
 
-    def _function(self, name):
+    def _function(self, name: str) -> "Callable[..., Rounded]":
         plain = self.inner.functions[name]
 
-        def call(*args):
+        def call(*args: "float | Rounded") -> Rounded:
             values, errors = [number_in(x) for x in args], [error_in(x) for x in args]
             found = plain(*values)
             if name in GENTLE:
@@ -128,7 +131,7 @@ class RunningErrors:
             return Rounded(found, inf if leaps else error, self.unit)
         return call
 
-    def _slope(self, name, values, i):
+    def _slope(self, name: str, values: Sequence[float], i: int) -> float:
         """∂f/∂xᵢ at the values of its arguments."""
         from vibcli.symbolic.dual_numbers import Dual, Duals, slope
 
@@ -136,7 +139,7 @@ class RunningErrors:
         return slope(self._duals.functions[name](*[Dual(x, 1) if i == j else x for j, x in enumerate(values)]))
 
 
-def _felt(name, values, errors):
+def _felt(name: str, values: list[float], errors: list[float]) -> float:
     """The error of a GENTLE function: of min, max and ramp that of what may be the smallest or largest."""
     if name == "abs":
         return errors[0]

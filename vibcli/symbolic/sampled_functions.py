@@ -12,11 +12,11 @@ if TYPE_CHECKING:
 class Samples:
     """`times` ascending [s] and `values` (SI), as floats."""
 
-    _arrays: tuple
+    _arrays: "tuple[np.ndarray, np.ndarray] | None"
 
     __slots__ = ("_arrays", "times", "values")
 
-    def __init__(self, times: Sequence[float], values: Sequence[float]):
+    def __init__(self, times: Sequence[float], values: Sequence[float]) -> None:
         self.times, self.values, self._arrays = tuple(times), tuple(values), None
 
     @property
@@ -25,7 +25,7 @@ class Samples:
         return bool(self.values[0] or self.values[-1])
 
     @property
-    def arrays(self) -> tuple:
+    def arrays(self) -> "tuple[np.ndarray, np.ndarray]":
         """(times, values) as NumPy arrays."""
         if self._arrays is None:
             import numpy as np
@@ -50,6 +50,7 @@ class Samples:
 
         times, values = self.arrays
         if not order:
-            return np.interp(u, times, values, left=0.0, right=0.0)
+            found: np.ndarray = np.interp(u, times, values, left=0.0, right=0.0)
+            return found
         slopes = np.concatenate(([0.0], np.diff(values) / np.diff(times), [0.0]))
         return slopes[np.searchsorted(times, u, side="right")] * (order == 1)

@@ -1,6 +1,6 @@
 """The meaning of a syntax tree: its dimension, checked part by part, and the expression it stands for."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -25,6 +25,7 @@ from vibcli.symbolic.syntax import (
 if TYPE_CHECKING:
     from vibcli.base.units import Unit
     from vibcli.symbolic.expression import Table
+    from vibcli.symbolic.syntax import Call, QuantityRef, SyntaxTree
 
 ALL_NUMBERS = "all"
 ANY = None          # the dimension of what fits everywhere: 0, and bare numbers in a scene without units
@@ -46,33 +47,34 @@ class DimensionCheck(NamedTuple):
     everything fits, as a factor 1 with a unit is not written."""
 
     dimensions: units.Dimensions
-    of: Callable
+    of: "Callable[[str, int], Mapping[str, Fraction | int]]"
     free_numbers: bool | str = False
-    quantity: Callable | None = None
+    quantity: "Callable[[Any], Mapping[str, Fraction | int] | None] | None" = None
     text: str = ""
 
-    def _same(self, one, other):
+    def _same(self, one: Mapping[str, Fraction | int], other: Mapping[str, Fraction | int]) -> bool:
         return self.dimensions.equate(one, other) or self.free_numbers == ALL_NUMBERS
 
-    def dimension(self, tree: Any) -> dict[str, Fraction | int] | None:
-        return getattr(self, "_" + tree.kind)(tree)
+    def dimension(self, tree: Any) -> Mapping[str, Fraction | int] | None:
+        found: Mapping[str, Fraction | int] | None = getattr(self, "_" + tree.kind)(tree)
+        return found
 
-    def _number(self, tree):
+    def _number(self, tree: Number) -> Mapping[str, Fraction | int] | None:
         if tree.units:
             return literal_unit(tree.units).dimension
         if not tree.value or (self.free_numbers and not is_factor(tree, self.free_numbers)):
             return ANY
         return units.NONE
 
-    def _name(self, tree):
+    def _name(self, tree: NameRef) -> Mapping[str, Fraction | int]:
         if tree.name == "pi" and not tree.primes:
             return units.NONE
         return self.of(tree.name, tree.primes)
 
-    def _quantity(self, tree):
+    def _quantity(self, tree: "QuantityRef") -> Mapping[str, Fraction | int] | None:
         return self.quantity(tree) if self.quantity else ANY
 
-    def _sum(self, tree, done="added"):
+    def _sum(self, tree: Sum, done: str = "added") -> Mapping[str, Fraction | int] | None:
         found, first = ANY, None
         for _, part in tree.parts:
             dimension = ANY if self.free_numbers and whole_literal(part) else self.dimension(part)
@@ -89,13 +91,13 @@ class DimensionCheck(NamedTuple):
             found = ANY if all(not whole_literal(part).value for _, part in tree.parts) else units.NONE
         return found
 
-    def _quoted(self, part):
+    def _quoted(self, part: "SyntaxTree") -> str:
         return quoted(self.text[part.start:part.end].strip())
 
-    def _words(self, dimension):
+    def _words(self, dimension: Mapping[str, Fraction | int] | None) -> str:
         return units.name(self.dimensions.resolve(dimension))
 
-    def _product(self, tree):
+    def _product(self, tree: Product) -> Mapping[str, Fraction | int] | None:
         found = units.NONE
         for power, part in tree.parts:
             dimension = self.dimension(part)
@@ -104,7 +106,7 @@ class DimensionCheck(NamedTuple):
             found = units.times(found, dimension, power)
         return found
 
-    def _power(self, tree):
+    def _power(self, tree: Power) -> Mapping[str, Fraction | int] | None:
         base = self.dimension(tree.base)
         exponent = constant(tree.exponent)
         if exponent is None:
@@ -118,14 +120,14 @@ class DimensionCheck(NamedTuple):
                                   "powers lie between -100 and 100")
         return base if base is ANY else units.raised(base, exponent)
 
-    def _pure(self, tree, what):
+    def _pure(self, tree: "SyntaxTree", what: str) -> None:
         dimension = self.dimension(tree)
         if dimension is not ANY and not self._same(dimension, units.NONE):
             raise ExpressionError(tree.start, tree.end - tree.start,
                                   f"{what} is a pure number, found {self._words(dimension)}",
                                   "a rate has its unit, as in 2 rad/s*t" if self._same(dimension, units.TIME) else None)
 
-    def _call(self, tree):
+    def _call(self, tree: "Call") -> Mapping[str, Fraction | int] | None:
         name, args = tree.name, tree.args
         if name not in FUNCTIONS:
             return self._record(tree, name, args)
@@ -146,7 +148,8 @@ class DimensionCheck(NamedTuple):
         self._pure(args[0], f"the argument of {name}")
         return units.NONE
 
-    def _record(self, tree, name, args):
+    def _record(self, tree: "SyntaxTree", name: str,
+                args: "Sequence[SyntaxTree]") -> Mapping[str, Fraction | int] | None:
         """The dimension of a record, at a time."""
         if len(args) != 1:
             raise ExpressionError(tree.start, tree.end - tree.start, f"{name} takes one argument, found {len(args)}",
@@ -173,7 +176,7 @@ def constant(tree: Any) -> Any:
     return None
 
 
-def lower(tree: Any, table: "Table", symbol: Callable) -> "Node":
+def lower(tree: Any, table: "Table", symbol: Callable[..., Node]) -> "Node":
     """The expression that a tree stands for; `symbol(name, primes, tree)` gives the node of a name or quantity."""
     if tree.kind == "number":
         return _literal(tree, table)
@@ -200,12 +203,12 @@ def lower(tree: Any, table: "Table", symbol: Callable) -> "Node":
                               "look for a difference that vanishes") from None
 
 
-def lower_measured(tree: Any, table: "Table", symbol: Callable) -> "Node":
+def lower_measured(tree: Any, table: "Table", symbol: Callable[[str, int, NameRef], Node]) -> "Node":
     """The same with literals times the letters of their units, where the table has these."""
     return lower(rebuilt(tree, _lettered) if table.hidden is ALL_PURE else tree, table, symbol)
 
 
-def _lettered(part):
+def _lettered(part: "SyntaxTree") -> "SyntaxTree":
     if not isinstance(part, Number) or not part.units:
         return part
     start, end = part.start, part.end
@@ -216,7 +219,7 @@ def _lettered(part):
     return Product(start, end, tuple(factors)) if factors[1:] else part
 
 
-def _raised(base, exponent):
+def _raised(base: Node, exponent: Fraction | Node) -> Node:
     """base^exponent, |x| for √(x²), which has a slope at x = 0 on both sides."""
     known: Any = exponent.coefficient if isinstance(exponent, Node) and exponent.op == "number" else exponent
     if base.mask and not isinstance(known, Node):
@@ -224,7 +227,7 @@ def _raised(base, exponent):
     return base.table.power(base, exponent)
 
 
-def _literal(tree, table):
+def _literal(tree: Number, table: "Table") -> Node:
     if not tree.units:
         return table.number(tree.value)
     unit = literal_unit(tree.units)

@@ -1,5 +1,6 @@
 """Functions of two variables as sums of products f(x)·g(t): sin(kx − Ωt) is sin kx cos Ωt − cos kx sin Ωt."""
 
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from vibcli.symbolic.derivatives import substitute
@@ -23,7 +24,7 @@ def products_of(node: "Node", x: "Node", time: "Node") -> "list[tuple[Node, Node
             found.setdefault(moving, {})[along] = value
     except (TooLong, ZeroDivisionError):
         return None
-    forms: dict = {}
+    forms: dict[frozenset[tuple[Node, Fraction]], list[tuple[Fraction, Node]]] = {}
     for moving, parts in found.items():
         size = next(iter(parts.values()))
         forms.setdefault(frozenset((along, value / size) for along, value in parts.items()), []).append((size, moving))
@@ -32,16 +33,16 @@ def products_of(node: "Node", x: "Node", time: "Node") -> "list[tuple[Node, Node
             for form, alike in forms.items()]
 
 
-def _opened(node, x, time):
+def _opened(node: "Node", x: "Node", time: "Node") -> "Node":
     """With sines, cosines and exponentials of sums of both as products."""
-    known: dict = {}
+    known: dict[Node, Node] = {}
     for part in reachable([node]):
         if part.op == "call" and part.name in ("sin", "cos", "exp") and part.mask & x.mask and part.mask & time.mask:
             known[part] = _product(part, x, time)
     return substitute([node], known)[0] if known else node
 
 
-def _product(part, x, time):
+def _product(part: "Node", x: "Node", time: "Node") -> "Node":
     table, terms = part.table, expanded(part.args[0])
     of_x = {monomial: value for monomial, value in terms.items() if any(atom.mask & x.mask for atom, _ in monomial)}
     along = collected(table, of_x)

@@ -7,6 +7,7 @@ bisection: f lies between the least and the largest Fᵢ(D/n). Then Newton's met
 """
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
@@ -22,15 +23,15 @@ HALVINGS = 64
 class NumberKind(NamedTuple):
     """Numbers of a kind: their logarithm, exponential and unit of rounding."""
 
-    log: Callable
-    exp: Callable
+    log: Callable[..., Any]
+    exp: Callable[..., Any]
     unit: float
 
 
 FLOATS = NumberKind(np.log, np.exp, 2.0**-53)
 
 
-def deflections(laws: Callable, total: np.ndarray, count: int,
+def deflections(laws: Callable[..., tuple[np.ndarray, np.ndarray]], total: np.ndarray, count: int,
                 kind: NumberKind = FLOATS, near: np.ndarray | None = None) -> tuple[np.ndarray, np.ndarray]:
     """(dᵢ of the shape (count, places), f) at the totals D; laws(d): (forces, slopes) of that shape; near: dᵢ at totals
     not far from them. NaN where they are not found."""
@@ -50,7 +51,8 @@ def deflections(laws: Callable, total: np.ndarray, count: int,
         return np.where(rests, 0 * total, d), np.where(rests, 0 * total, f)
 
 
-def _by_logarithms(laws, logs, sense, size, kind):
+def _by_logarithms(laws: Callable[..., tuple[np.ndarray, np.ndarray]], logs: np.ndarray, sense: np.ndarray,
+                   size: float | np.ndarray, kind: NumberKind) -> tuple[np.ndarray, bool | np.ndarray]:
     """(log |dᵢ|, where they have settled)"""
     for _ in range(ROUNDS):
         d = kind.exp(logs)
@@ -67,7 +69,8 @@ def _by_logarithms(laws, logs, sense, size, kind):
     return logs, settled
 
 
-def _halved(laws, sense, size, count, kind):
+def _halved(laws: Callable[..., tuple[np.ndarray, np.ndarray]], sense: np.ndarray, size: float | np.ndarray, count: int,
+            kind: NumberKind) -> np.ndarray:
     """|dᵢ| by bisection of the force between those that the parts have at equal deflections."""
     forces = sense * laws(np.array([sense * size / count] * count))[0]
     low, high = forces.min(axis=0), forces.max(axis=0)
@@ -79,17 +82,20 @@ def _halved(laws, sense, size, count, kind):
     return d
 
 
-def _where_force_is(laws, force, sense, size, count):
+def _where_force_is(laws: Callable[..., tuple[np.ndarray, np.ndarray]], force: float | np.ndarray, sense: np.ndarray,
+                    size: float | np.ndarray, count: int) -> np.ndarray:
     """|dᵢ| ≤ D at which the parts have a force, by bisection."""
     low, high = np.array([0 * size] * count), np.array([size] * count)
     for _ in range(HALVINGS):
         middle = (low + high) / 2
         below = sense * laws(sense * middle)[0] < force
         low, high = np.where(below, middle, low), np.where(below, high, middle)
-    return (low + high) / 2
+    found: np.ndarray = (low + high) / 2
+    return found
 
 
-def _polished(laws, d, total, kind):
+def _polished(laws: Callable[..., tuple[np.ndarray, np.ndarray]], d: np.ndarray, total: np.ndarray,
+              kind: NumberKind) -> tuple[np.ndarray, np.ndarray, bool]:
     """(dᵢ, f, has it settled everywhere) to rounding: one round more than brings a step below √u."""
     last = False
     for _ in range(POLISHED):
@@ -100,5 +106,5 @@ def _polished(laws, d, total, kind):
         d = d + step
         if last:
             break
-        last = np.all(abs(step) <= kind.unit**0.6 * abs(d))
+        last = bool(np.all(abs(step) <= kind.unit**0.6 * abs(d)))
     return d, f, last

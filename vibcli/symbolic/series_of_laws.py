@@ -42,7 +42,7 @@ class PartLaw(NamedTuple):
 class SidedLaws:
     """Laws that bend, as functions that are smooth while each of `kinks`, expressions of dᵢ and p, has a sense."""
 
-    def __init__(self, kinks: "list[Node]", compiled: "Callable", count: int):
+    def __init__(self, kinks: "list[Node]", compiled: "Callable[..., Any]", count: int) -> None:
         self.kinks, self._compiled, self.count = kinks, compiled, count
 
     def __call__(self, d: "np.ndarray", p: "Sequence[Any]", senses: "Sequence[Any]") -> "tuple[np.ndarray, ...]":
@@ -59,7 +59,7 @@ class SeriesOfLaws:
     where they may not: then they are followed from rest (branch_in_series.py)."""
 
     def __init__(self, name: str, laws: "Sequence[PartLaw]", x: "Node", parameters: "Sequence[Node]",
-                 positive: "Sequence[Node] | None" = (), unit: str = "m"):
+                 positive: "Sequence[Node] | None" = (), unit: str = "m") -> None:
         self.name, self.count = name, len(laws)
         self.table = table = Table()
         self.D = table.variable("D")
@@ -75,9 +75,9 @@ class SeriesOfLaws:
         self.functions = {function.name: function for function in kinds}
         table.functions.update(self.functions)
         self.calls = {name: table.call(name, self.D, *self.p) for name in self.functions}
-        self._compiled: Callable | None = None
-        self._solved: tuple[list[Any], Any] = [], None
-        self._sided: tuple[list[Any], Any] = [], None
+        self._compiled: Callable[..., Any] | None = None
+        self._solved: tuple[list[Any], InnerState | None] = [], None
+        self._sided: tuple[list[Any], tuple[InnerState, dict[str, Any]] | None] = [], None
         self._branches: dict[tuple[float, ...], BranchInSeries] = {}
 
     @cached_property
@@ -120,7 +120,7 @@ class SeriesOfLaws:
         """∂dᵢ/∂D."""
         return self._product_without(i) / self.table.total([self._product_without(k) for k in range(self.count)])
 
-    def _product_without(self, i):
+    def _product_without(self, i: int) -> "Node":
         return self.table.product(*((slope, 1) for j, slope in enumerate(self.stiffnesses) if j != i))
 
     def force_by(self, p: "Node") -> "Node":
@@ -167,7 +167,7 @@ class SeriesOfLaws:
         self._solved = [np.array(arg) for arg in args], found
         return found
 
-    def _from_rest(self, total, p):
+    def _from_rest(self, total: "np.ndarray", p: "Sequence[Any]") -> InnerState:
         """On the branch from rest."""
         import numpy as np
 
@@ -191,7 +191,7 @@ class SeriesOfLaws:
             self._branches[key] = BranchInSeries(lambda d: laws(d, p), self.count)
         return self._branches[key]
 
-    def _beyond_floats(self, found, lost, args):
+    def _beyond_floats(self, found: InnerState, lost: "np.ndarray", args: "Sequence[Any]") -> InnerState:
         """The solution where forces on the way to it are larger or smaller than floats can be."""
         import mpmath
         import numpy as np
@@ -205,7 +205,7 @@ class SeriesOfLaws:
                 d[(slice(None), *there)], force[there] = exact.deflections[:, 0], exact.force[0]
         return InnerState(d, force)
 
-    def _laws(self) -> "Callable":
+    def _laws(self) -> "Callable[[np.ndarray, Sequence[Any]], tuple[np.ndarray, np.ndarray]]":
         """(d, p) -> (forces, slopes), compiled."""
         import numpy as np
 
@@ -213,12 +213,13 @@ class SeriesOfLaws:
             self._compiled = self._function([*self.forces, *self.stiffnesses], None)
         compiled, n = self._compiled, self.count
 
-        def laws(d, p):
+        def laws(d: "np.ndarray", p: "Sequence[Any]") -> "tuple[np.ndarray, np.ndarray]":
             found = compiled(d, p, ())
-            return tuple(np.array([value + 0 * d[0] for value in half]) for half in (found[:n], found[n:]))
+            forces, slopes = (np.array([value + 0 * d[0] for value in half]) for half in (found[:n], found[n:]))
+            return forces, slopes
         return laws
 
-    def _function(self, nodes, switches):
+    def _function(self, nodes: "list[Node]", switches: "dict[Node, str] | None") -> "Callable[..., Any]":
         """Expressions as a function of (d, p, senses of the switches)."""
         from vibcli.symbolic.numeric_code import Source, function
 
@@ -240,7 +241,7 @@ class SeriesOfLaws:
         log, exp = (np.frompyfunc(function, 1, 1) for function in (mpmath.log, mpmath.exp))
         kind = NumberKind(log, exp, mpmath.mpf(2) ** -mpmath.mp.prec)
 
-        def laws(d):
+        def laws(d: "np.ndarray") -> "tuple[np.ndarray, np.ndarray]":
             found = evaluate(nodes, arithmetic, {**known, **{s.name: x[0] for s, x in zip(self.d, d, strict=True)}})
             column = np.array([[mpmath.mpf(value)] for value in found], dtype=object)
             return column[:self.count], column[self.count:]
@@ -251,7 +252,8 @@ class SeriesOfLaws:
             return InnerState(*deflections(laws, total, self.count, kind))
         return self._polished(laws, total, self.solution([float(arg) for arg in args]).deflections)
 
-    def _polished(self, laws, total, near):
+    def _polished(self, laws: "Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]", total: "np.ndarray",
+                  near: "np.ndarray") -> InnerState:
         """In more digits, from deflections in floats."""
         import mpmath
         import numpy as np

@@ -9,7 +9,7 @@ each of them reversed by Lagrange's formula, wₖ = (1/k) [t^(k−1)] (y(t)/t)^(
 Complex Analysis 1, 1974, 1.9). Where some nᵢ does not divide n there is no such series.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +17,8 @@ from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.truncated_polynomials import NoDerivative, Polynomial, Polynomials
 
 if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
+    from vibcli.symbolic.running_errors import Rounded
     from vibcli.symbolic.series_of_laws import SeriesOfLaws
 
 DEGREES = 1, 3, 12      # up to which the degree is looked for with which a law begins
@@ -59,21 +61,23 @@ def reversed_series(ring: Polynomials, series: Any) -> Coefficients:
     return found
 
 
-def _places(parts, inner, args, side):
+def _places(parts: "SeriesOfLaws", inner: Any, args: Sequence[Any], side: Callable[..., Any]) -> list[Any]:
     """The inner deflections about which is expanded."""
     if side(args[0]) == 0:
         return [inner.number(0)] * parts.count
     return [inner.called(parts.functions[f"{parts.name}.{i + 1}"])(*args) for i in range(parts.count)]
 
 
-def _series(parts, i, ring, args, places):
+def _series(parts: "SeriesOfLaws", i: int, ring: Polynomials, args: Sequence[Any], places: Sequence[Any]) -> Polynomial:
     """Fᵢ as a polynomial of the deviation of dᵢ."""
     values = {symbol.name: ring.still(value) for symbol, value in zip(parts.p, args[1:], strict=True)}
     values[parts.d[i].name] = ring.variable(0, places[i])
-    return evaluate([parts.forces[i]], ring, values)[0]
+    found: Polynomial = evaluate([parts.forces[i]], ring, values)[0]
+    return found
 
 
-def _degree(parts, i, inner, side, args, places):
+def _degree(parts: "SeriesOfLaws", i: int, inner: Any, side: Callable[..., Any], args: Sequence[Any],
+            places: Sequence[Any]) -> int:
     """The degree with which Fᵢ begins to deviate."""
     for order in DEGREES:
         series = _series(parts, i, ring_to(order, inner, side), args, places)
@@ -83,7 +87,7 @@ def _degree(parts, i, inner, side, args, places):
     raise NoDerivative("power")
 
 
-def _deviation(ring, series, degree, n):
+def _deviation(ring: Polynomials, series: Polynomial, degree: int, n: int) -> Coefficients:
     """The coefficients of wᵢ by powers of u."""
     ratio = Polynomial(ring, {(k - degree,): c for (k,), c in series.terms.items() if k >= degree})
     root = ratio if degree == 1 else ring.power(ratio, Fraction(1, degree))
@@ -94,15 +98,15 @@ def _deviation(ring, series, degree, n):
     return found
 
 
-def _sums(ring, columns):
+def _sums(ring: Polynomials, columns: "Sequence[list[Node | Rounded]]") -> "list[Node | Rounded]":
     return [sum(column[1:], column[0]) for column in zip(*columns, strict=True)]
 
 
-def _line(ring, coefficients):
+def _line(ring: Polynomials, coefficients: "Sequence[Node | Rounded]") -> Polynomial:
     """The polynomial that has these coefficients, but for its constant."""
     return Polynomial(ring, {(k,): c for k, c in enumerate(coefficients) if k})
 
 
-def _coefficients(series, order):
+def _coefficients(series: Polynomial, order: int) -> "list[Node | Rounded]":
     zero = series.ring.inner.number(0)
     return [series.terms.get((k,), zero) for k in range(order + 1)]

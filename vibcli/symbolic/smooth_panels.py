@@ -17,7 +17,7 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
-from vibcli.symbolic.gauss_points import ends_apart, gauss_points
+from vibcli.symbolic.gauss_points import Points, ends_apart, gauss_points
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -39,7 +39,7 @@ REPEATED = {"square": 1, "sawtooth": 2}     # jumps at whole multiples of so man
 class NotSmooth(Exception):
     """A function that is not said by panels: what it is, and what helps."""
 
-    def __init__(self, message: str, hint: str):
+    def __init__(self, message: str, hint: str) -> None:
         super().__init__(message)
         self.message, self.hint = message, hint
 
@@ -49,7 +49,7 @@ class SmoothPanel(NamedTuple):
 
     a: Fraction
     b: Fraction
-    points: tuple
+    points: Points
     plain: bool         # of Gauss's points of x itself
 
 
@@ -70,7 +70,7 @@ def intervals(parts: "Sequence[Node]", x: "Node", ends: "tuple[Node, Node]",
     return list(pairwise(places))
 
 
-def _corners(node, x, ends, values):
+def _corners(node: "Node", x: "Node", ends: tuple[float, float], values: "Mapping[str, float]") -> "list[Node]":
     if node.name not in (*CORNERS, *JUMPS, *REPEATED):
         return []
     u = node.args[0] - node.args[1] if node.name in ("min", "max") else node.args[0]
@@ -87,7 +87,7 @@ def _corners(node, x, ends, values):
     return [node.table.number(Fraction(place)) for place in changes]
 
 
-def _turns(node, u, x, ends, values):
+def _turns(node: "Node", u: "Node", x: "Node", ends: tuple[float, float], values: "Mapping[str, float]") -> list[int]:
     """The multiples of π at which it jumps or has a corner."""
     if node.name not in REPEATED:
         return [0]
@@ -96,10 +96,11 @@ def _turns(node, u, x, ends, values):
     return [n * every for n in range(floor(first), ceil(last) + 1)]
 
 
-def _changes(u, x, ends, values):
+def _changes(u: "Node", x: "Node", ends: tuple[float, float], values: "Mapping[str, float]") -> Iterator[float]:
     """Where u changes its sign."""
-    def value(place):
-        return evaluate([u], Floats, {**values, x.name: place})[0]
+    def value(place: float) -> float:
+        found: float = evaluate([u], Floats, {**values, x.name: place})[0]
+        return found
 
     step = (ends[1] - ends[0]) / GRID
     before = value(ends[0])
@@ -120,7 +121,7 @@ def panels(value: "Callable[[float], Sequence[float]]", ends: tuple[float, float
     none."""
     low, high = ends
 
-    def at(points):
+    def at(points: "Points") -> "list[tuple[float, ...]]":
         return list(zip(*(value(low + (high - low) * float(r)) for r, _ in points), strict=True))
 
     whole = at(gauss_points(POINTS))
@@ -138,7 +139,8 @@ def panels(value: "Callable[[float], Sequence[float]]", ends: tuple[float, float
                             "let it be finite and piecewise smooth along the member")
 
 
-def _panel(a, b, at, sizes, broken):
+def _panel(a: Fraction, b: Fraction, at: "Callable[[Points], list[tuple[float, ...]]]", sizes: "Sequence[float]",
+           broken: bool) -> SmoothPanel | None:
     """A SmoothPanel; None where no rule says what is there."""
     for plain, points in _candidates(a, b, broken):
         rows, weights = at(points), [w for _, w in points]
@@ -153,7 +155,7 @@ def _panel(a, b, at, sizes, broken):
     return None
 
 
-def _candidates(a, b, broken):
+def _candidates(a: Fraction, b: Fraction, broken: bool) -> "Iterator[tuple[bool, Points]]":
     """(of x itself?, points) of rules that may say what is on a panel."""
     yield True, _moved(gauss_points(POINTS), a, b)
     if not broken or (a == 0) == (b == 1):
@@ -165,17 +167,17 @@ def _candidates(a, b, broken):
 
 
 @cache
-def _bent(m, at_left):
+def _bent(m: int, at_left: bool) -> "Points":
     """Gauss's points of r^m, or of 1 − (1 − r)^m."""
     found = [(r**m, w * m * r ** (m - 1)) for r, w in gauss_points(POINTS)]
     return tuple(found) if at_left else tuple((1 - r, w) for r, w in reversed(found))
 
 
-def _moved(points, a, b):
+def _moved(points: "Points", a: Fraction, b: Fraction) -> "Points":
     return tuple((a + (b - a) * r, (b - a) * w) for r, w in points)
 
 
-def _said(row, weights, length, size):
+def _said(row: "Sequence[float]", weights: "Sequence[Fraction]", length: Fraction, size: float) -> bool:
     """Is what stands at the points of a rule said by it?"""
     if len(row) != POINTS:
         parts = [y * float(w / length) for y, w in zip(row, weights, strict=True)]
@@ -187,7 +189,7 @@ def _said(row, weights, length, size):
 
 
 @cache
-def _upper():
+def _upper() -> list[tuple[float, ...]]:
     """Rows that give the second half of the Legendre coefficients of what stands at Gauss's points."""
     found = []
     for r, w in gauss_points(POINTS):

@@ -5,33 +5,39 @@ differ everywhere, and keep the symmetries that rewriting uses: ramp u = u·step
 square(u + π) = −square u.
 """
 
+from collections.abc import Callable
 from functools import partial
 from math import pi, sin
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.evaluation import Floats
 
+if TYPE_CHECKING:
+    import numpy as np
 
-def _stand_ins(sin):
-    def step(u):
-        return (1 + sin(1.7 * u)) / 2
 
-    def ramp(u):
+def _stand_ins(sin: Callable[..., Any]) -> dict[str, Callable[..., Any]]:
+    def step(u: "float | np.ndarray") -> "float | np.ndarray":
+        found: float | np.ndarray = (1 + sin(1.7 * u)) / 2
+        return found
+
+    def ramp(u: "float | np.ndarray") -> "float | np.ndarray":
         return u * step(u)
 
-    def impulse(u, order=0):
-        return sin(1.3 * u + (order + 1) * pi / 2)
+    def impulse(u: float, order: float = 0) -> float:
+        found: float = sin(1.3 * u + (order + 1) * pi / 2)
+        return found
 
-    def square(u, order=0):
+    def square(u: Any, order: int = 0) -> Any:
         return sum(k ** (order - 1) * sin(k * u + order * pi / 2) for k in (1.0, 3.0))
 
-    def sawtooth(u, order=0):
+    def sawtooth(u: Any, order: int = 0) -> Any:
         return -sum(k ** (order - 1) * sin(k * u + order * pi / 2) for k in (1.0, 2.0, 3.0))
 
     return {"step": step, "ramp": ramp, "impulse": impulse, "square": square, "sawtooth": sawtooth}
 
 
-def _record(sin, name, samples):
+def _record(sin: Callable[..., Any], name: str, samples: Any) -> Callable[..., Any]:
     """A record as a wave of its own; of one name, one wave."""
     phase = sum(map(ord, name))
     return lambda u, order: sin(1.1 * u + phase + order * pi / 2)

@@ -9,14 +9,17 @@ from vibcli.symbolic.radicals import root
 from vibcli.symbolic.rationals import ONE, square_part
 
 if TYPE_CHECKING:
+    from sympy.polys.rings import PolyElement
+
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.rational_functions import Quotients
 
 
 class Pair:
     """x = rational ± factor·√D of p₂x² + p₁x + p₀ = 0, D a polynomial without square factors, factor > 0 at the sample.
     `modulus`: [p₀, p₁, p₂] as elements of the field of `quotients`; `sample`: a value of each letter."""
 
-    def __init__(self, quotients: Any, modulus: Sequence[Any], sample: Mapping[str, float]):
+    def __init__(self, quotients: Any, modulus: Sequence[Any], sample: Mapping[str, float]) -> None:
         c, b, a = quotients.cleared(modulus)[0]
         self.quotients, self.sample, field = quotients, sample, quotients.field
         self.parts = [field(part) for part in (a, b, c)]
@@ -29,15 +32,16 @@ class Pair:
         self.root = root(self.inside) if turned else quotients.table.sqrt(self.inside)
         self.in_letters = not inside.is_ground
 
-    def _shortest(self, inside, outside):
+    def _shortest(self, inside: "PolyElement", outside: "PolyElement") -> "Node":
         """D factored, or as b² − 4ac, whichever is shorter."""
         quotients, table = self.quotients, self.quotients.table
-        node = quotients.node(quotients.field(inside))
+        node: Node = quotients.node(quotients.field(inside))
         a, b, c = (part / quotients.field(outside) for part in self.parts)
         if not all(part.denom.is_ground for part in (b, a * c)):
             return node
         whole = table.sum((table.product((quotients.node(b), ONE + ONE)), ONE), (quotients.node(a * c), -4 * ONE))
-        return min((node, whole), key=letters)
+        found: Node = min((node, whole), key=letters)
+        return found
 
     def equation(self) -> "list[Node]":
         """The coefficients as nodes, from the highest, which is positive."""
@@ -67,11 +71,11 @@ class Pair:
         apart = table.one, table.sum((quotients.node(rational), ONE), (quotients.node(factor) * surd, ONE))
         return min((whole, apart), key=lambda pair: letters(pair[0] * pair[1]))
 
-    def _negative(self, node):
-        return evaluate([node], Floats, self.sample)[0] < 0
+    def _negative(self, node: "Node") -> bool:
+        return bool(evaluate([node], Floats, self.sample)[0] < 0)
 
 
-def _square_and_rest(quotients, polynomial):
+def _square_and_rest(quotients: "Quotients", polynomial: "PolyElement") -> "tuple[PolyElement, PolyElement]":
     """(S, D) with S²·D the polynomial, D without square factors."""
     value, factors = quotients.factors(polynomial)
     out, rest = square_part(quotients.rational(value))

@@ -17,7 +17,7 @@ REMEMBERED = 1024           # trees
 class ExpressionError(Exception):
     """Not an expression: offset and width of the place in the text, what is wrong, and what to write."""
 
-    def __init__(self, offset: int, width: int, message: str, hint: str | None = None):
+    def __init__(self, offset: int, width: int, message: str, hint: str | None = None) -> None:
         super().__init__(message)
         self.offset, self.width, self.message, self.hint = offset, max(width, 1), message, hint
 
@@ -63,7 +63,7 @@ class QuantityRef(NamedTuple):
     head: str
     indices: tuple[str, ...] = ()
     component: str = ""
-    args: tuple = ()
+    args: tuple[Any, ...] = ()
     kind: 'Literal["quantity"]' = "quantity"
     alone: bool = False
     children = ()
@@ -74,7 +74,7 @@ class Sum(NamedTuple):
 
     start: int
     end: int
-    parts: tuple
+    parts: "tuple[tuple[int, SyntaxTree], ...]"
     kind: 'Literal["sum"]' = "sum"
     children = property(lambda self: [part for _, part in self.parts])
 
@@ -84,7 +84,7 @@ class Product(NamedTuple):
 
     start: int
     end: int
-    parts: tuple
+    parts: "tuple[tuple[int, SyntaxTree], ...]"
     kind: 'Literal["product"]' = "product"
     children = property(lambda self: [part for _, part in self.parts])
 
@@ -106,7 +106,7 @@ class Call(NamedTuple):
     start: int
     end: int
     name: str
-    args: tuple
+    args: tuple[Any, ...]
     kind: 'Literal["call"]' = "call"
     children = property(attrgetter("args"))
 
@@ -116,8 +116,8 @@ class Equation(NamedTuple):
 
     start: int
     end: int
-    left: tuple
-    right: tuple
+    left: "SyntaxTree"
+    right: "SyntaxTree"
     kind: 'Literal["equation"]' = "equation"
     children = property(attrgetter("left", "right"))
 
@@ -143,7 +143,7 @@ def parts_of(tree: Any) -> Parts:
 
 
 @lru_cache(REMEMBERED)
-def _parts_of(tree):
+def _parts_of(tree: "SyntaxTree") -> Parts:
     names, numbers, calls, quantities, pending = [], [], [], [], [tree]
     while pending:
         part = pending.pop()
@@ -167,7 +167,7 @@ def names_within(tree: Any) -> list[str]:
                                                 for name in names_within(arg)]
 
 
-def rebuilt(tree: Any, change: Callable) -> Any:
+def rebuilt(tree: Any, change: "Callable[[SyntaxTree], SyntaxTree]") -> Any:
     """The tree in which `change(part)` stands for every part, those within it changed first."""
     if isinstance(tree, (Sum, Product)):
         tree = tree._replace(parts=tuple((sign, rebuilt(part, change)) for sign, part in tree.parts))

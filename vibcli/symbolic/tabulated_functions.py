@@ -25,7 +25,7 @@ DEGREE = 3
 class PiecewiseCubic:
     """F through points, u ascending with u = 0 within; `name`: that of what it is the law of."""
 
-    def __init__(self, name: str, u: "Sequence[Fraction]", F: "Sequence[Fraction]", linear: bool):
+    def __init__(self, name: str, u: "Sequence[Fraction]", F: "Sequence[Fraction]", linear: bool) -> None:
         self.name, self.linear, self.points = name, linear, tuple(u)
         self.pieces = cubics(u, F, linear)
         self.edges = [piece.low for piece in self.pieces[1:]]
@@ -61,7 +61,8 @@ class PiecewiseCubic:
             c = [i * x for i, x in enumerate(c)][1:]
         return c
 
-    def in_numbers(self, order: int, arithmetic: Any, precision: int) -> "tuple[tuple, list, list]":
+    def in_numbers(self, order: int, arithmetic: Any,
+                   precision: int) -> tuple[tuple[Any, Any], list[Any], list[tuple[Any, list[Any]]]]:
         """((first point, last point), edges, (anchor, coefficients) of each piece) in numbers of an arithmetic."""
         key = order, arithmetic.pi.__class__, precision
         if key not in self._known:
@@ -70,7 +71,8 @@ class PiecewiseCubic:
                     for k, piece in enumerate(self.pieces)]
             ends = number(self.points[0]), number(self.points[-1])
             self._known[key] = ends, [number(edge) for edge in self.edges], rows
-        return self._known[key]
+        found: tuple[tuple[Any, Any], list[Any], list[tuple[Any, list[Any]]]] = self._known[key]
+        return found
 
     def arrays(self, order: int) -> "tuple[np.ndarray, ...]":
         """(edges, anchors, coefficients, lowest power first) in floats."""
@@ -82,13 +84,14 @@ class PiecewiseCubic:
             _, edges, rows = self.in_numbers(order, Floats, 53)
             self._known["arrays", order] = (np.array(edges, dtype=float), np.array([a for a, _ in rows]),
                                             np.array([c for _, c in rows]).T)
-        return self._known["arrays", order]
+        found: tuple[np.ndarray, ...] = self._known["arrays", order]
+        return found
 
 
 class LawFromTable(DefinedFunction):
     """F^(order)(u) of a PiecewiseCubic, V of the order −1."""
 
-    def __init__(self, law: PiecewiseCubic, order: int):
+    def __init__(self, law: PiecewiseCubic, order: int) -> None:
         self.law, self.order = law, order
         self.name, self.ends = f"{law.name}.table.{order + 1}", not law.linear
         self.about = f"the law of '{law.name}' changes from point to point of its table"
@@ -127,12 +130,12 @@ class LawFromTable(DefinedFunction):
         cut = law.cut
         return self._within(u, k if cut is None else np.where((k == cut) & (u >= 0), k + 1, k))
 
-    def _within(self, u, k):
+    def _within(self, u: "np.ndarray", k: "int | np.ndarray") -> "np.ndarray":
         """The values of the polynomials of given numbers, none beyond the ends of a table that has such."""
         import numpy as np
 
         _, anchors, coefficients = self.law.arrays(self.order)
-        found = _horner(coefficients[:, k], u - anchors[k])
+        found: np.ndarray = _horner(coefficients[:, k], u - anchors[k])
         if self.law.linear:
             return found
         low, high = float(self.law.points[0]), float(self.law.points[-1])
@@ -169,7 +172,7 @@ class LawFromTable(DefinedFunction):
         return [node.args[0] - place for place in self.law.kinks]
 
 
-def _horner(coefficients, t):
+def _horner(coefficients: Any, t: Any) -> Any:
     total = coefficients[-1] + 0 * t
     for c in coefficients[-2::-1]:
         total = total * t + c

@@ -15,26 +15,26 @@ if TYPE_CHECKING:
 class _Nodes:
     """The nodes of a table as an arithmetic of `evaluate`."""
 
-    def __init__(self, table: "Table"):
+    def __init__(self, table: "Table") -> None:
         self.table, self.number, self.pi, self.power = table, table.number, table.pi, table.power
         self.functions, self.defined = self, table.defined
 
-    def record(self, name: Any, samples: Sequence[dict[str, float]]) -> Callable:
+    def record(self, name: Any, samples: Sequence[dict[str, float]]) -> "Callable[..., Node]":
         self.table.records[name] = samples
         return lambda u, order: self.table.call(name, u, *([self.number(order)] if order else []))
 
-    def called(self, function: "DefinedFunction") -> Callable:
+    def called(self, function: "DefinedFunction") -> "Callable[..., Node]":
         self.table.functions[function.name] = function
         return lambda *args: self.table.call(function.name, *args)
 
-    def __getitem__(self, name: str) -> Callable:
+    def __getitem__(self, name: str) -> "Callable[..., Node]":
         return self.table.power if name == "power" else lambda *args: self.table.call(name, *args)
 
 
 class _PlainNodes(_Nodes):
     """The same, with what symbols stand for written out."""
 
-    def __init__(self, table: "Table"):
+    def __init__(self, table: "Table") -> None:
         super().__init__(table)
         del self.defined
 

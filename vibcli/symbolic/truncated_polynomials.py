@@ -26,7 +26,7 @@ class NoDerivative(ArithmeticError):
     """A function has no derivative of the order that is wanted at the place; `name`: of the function, "power" of a
     root."""
 
-    def __init__(self, name: str):
+    def __init__(self, name: str) -> None:
         super().__init__(name)
         self.name = name
 
@@ -36,7 +36,7 @@ class Polynomial:
 
     __slots__ = ("ring", "terms")
 
-    def __init__(self, ring: "Polynomials", terms: Mapping[Powers, Any]):
+    def __init__(self, ring: "Polynomials", terms: Mapping[Powers, Any]) -> None:
         self.ring, self.terms = ring, terms
 
     def __add__(self, other: "Polynomial") -> "Polynomial":
@@ -76,9 +76,10 @@ class Polynomials:
     ordered = False
 
     def __init__(self, inner: Any, count: int, keep: Callable[[Powers], bool], order: int,
-                 side: Callable[[Any], int | None] | None = None):
+                 side: Callable[[Any], int | None] | None = None) -> None:
         self.inner, self.count, self.keep, self.order = inner, count, keep, order
-        self.none, self.side, self._sums = (0,) * count, side or sign, {}
+        self.none, self.side = (0,) * count, side or sign
+        self._sums: dict[tuple[Powers, Powers], Powers | None] = {}
         self.pi = self.still(inner.pi)
         self.functions = FunctionsWhenAsked(self._function)
 
@@ -114,7 +115,7 @@ class Polynomials:
             coefficients.append(coefficients[-1] * self.inner.number(Fraction(e - k + 1) / k) * inverse)
         return self.composed(coefficients, w)
 
-    def _whole(self, u, n):
+    def _whole(self, u: Polynomial, n: int) -> Polynomial:
         if n == 1:
             return u
         half = self._whole(u, n // 2)
@@ -127,14 +128,14 @@ class Polynomials:
             found = found * w + self.still(c)
         return found
 
-    def record(self, name: str, samples: Any) -> Callable:
+    def record(self, name: str, samples: Any) -> Callable[..., Polynomial]:
         """A function of the time alone."""
         at = self.inner.record(name, samples)
         return lambda u, order: self.still(at(u.constant, order))
 
-    def called(self, function: Any) -> Callable:
+    def called(self, function: Any) -> Callable[..., Polynomial]:
         """A function of its first argument; NoDerivative where it has none, or where its parameters move."""
-        def call(*args):
+        def call(*args: Polynomial) -> Polynomial:
             constants = [u.constant for u in args]
             if not any(u.moving.terms for u in args):
                 return self.still(self.inner.called(function)(*constants))
@@ -143,8 +144,8 @@ class Polynomials:
             return self.composed(function.coefficients(self, constants), args[0].moving)
         return call
 
-    def _function(self, name):
-        def call(*args):
+    def _function(self, name: str) -> Callable[..., Polynomial]:
+        def call(*args: Polynomial) -> Polynomial:
             if not any(u.moving.terms for u in args):
                 return self.still(self.inner.functions[name](*(u.constant for u in args)))
             if name in _BENT:
@@ -152,7 +153,7 @@ class Polynomials:
             return self._smooth(name, args)
         return call
 
-    def _bent(self, name, *args):
+    def _bent(self, name: str, *args: Polynomial) -> Polynomial:
         """What has a kink, off the kink."""
         u = args[0] if len(args) == 1 else args[0] + args[1].scaled(self.inner.number(-1))
         side = self.side(u.constant)
@@ -166,7 +167,7 @@ class Polynomials:
         return {"abs": u.scaled(self.inner.number(side)), "sign": self.number(side),
                 "ramp": u if side > 0 else zero, "step": self.number(int(side > 0))}[name]
 
-    def _smooth(self, name, args):
+    def _smooth(self, name: str, args: tuple[Polynomial, ...]) -> Polynomial:
         """By the derivatives of f, of all its arguments."""
         orders, nodes, names = _derivatives(name, len(args), self.order)
         places = dict(zip(names, (u.constant for u in args), strict=True))
@@ -183,7 +184,7 @@ class Polynomials:
             found = found + factor
         return found
 
-    def _powers(self, w):
+    def _powers(self, w: Polynomial) -> list[Polynomial]:
         found = [self.number(1)]
         for _ in range(self.order):
             found.append(found[-1] * w)
@@ -199,14 +200,14 @@ def sign(c: Any) -> int:
     return 0 if not abs(value) > error_in(c) else 1 if value > 0 else -1
 
 
-def _factorials(orders):
+def _factorials(orders: Powers) -> int:
     found = 1
     for n in orders:
         found *= factorial(n)
     return found
 
 
-def _derivatives(name, count, order):
+def _derivatives(name: str, count: int, order: int) -> tuple[list[Powers], list[Node], list[str]]:
     """(orders, derivatives, names of the arguments) of a function, in a table of its own."""
     table = Table()
     arguments = [table.variable(f"u{i}") for i in range(count)]
@@ -222,18 +223,18 @@ def _derivatives(name, count, order):
 class NodeArithmetic:
     """Nodes of a table, for coefficients in letters."""
 
-    def __init__(self, table: Table, names: Sequence[str]):
+    def __init__(self, table: Table, names: Sequence[str]) -> None:
         self.table, self.pi, self.number, self.power = table, table.pi, table.number, table.power
         self.functions = {name: self._call(name) for name in names}
 
-    def record(self, name: str, samples: Any) -> Callable:
+    def record(self, name: str, samples: Any) -> Callable[..., Node]:
         """A function of the time alone."""
         return lambda u, order: self.table.call(name, u, *([self.table.number(order)] if order else []))
 
-    def called(self, function: Any) -> Callable:
+    def called(self, function: Any) -> None:
         """Of what an element defines: it has no form in letters."""
         raise NotInLetters("an expansion about a place within parts in series or a table is found in numbers",
                            "give all parameters values")
 
-    def _call(self, name):
+    def _call(self, name: str) -> Callable[..., Node]:
         return lambda *args: self.table.call(name, *args)

@@ -13,7 +13,7 @@ class VariableSet:
 
     __slots__ = ("bits", "others")
 
-    def __init__(self, bits: int, others: frozenset[int]):
+    def __init__(self, bits: int, others: frozenset[int]) -> None:
         self.bits, self.others = bits, others
 
     def __and__(self, other: Any) -> "VariableSet | int":
@@ -28,7 +28,8 @@ class VariableSet:
         bits, others = _parts(other)
         if self.bits >= 0 and bits >= 0:
             return VariableSet(self.bits | bits, self.others | others)
-        return ~(~self & ~other)
+        found: VariableSet | int = ~(~self & ~other)
+        return found
 
     def __invert__(self) -> "VariableSet":
         return VariableSet(~self.bits, self.others)
@@ -60,9 +61,9 @@ def union_of(sets: "Iterable[VariableSet | int]") -> VariableSet:
     return VariableSet(bits, frozenset[int]().union(*(one.others for one in wide)))
 
 
-def _parts(variables):
-    return (variables, frozenset()) if variables.__class__ is int else (variables.bits, variables.others)
+def _parts(variables: int | VariableSet) -> tuple[int, frozenset[int]]:
+    return (variables, frozenset()) if isinstance(variables, int) else (variables.bits, variables.others)
 
 
-def _joined(bits, others):
+def _joined(bits: int, others: frozenset[int]) -> int | VariableSet:
     return VariableSet(bits, others) if others else bits

@@ -11,6 +11,7 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.node import Node
 
+Formula = float | Node | str | tuple[Any, ...]
 SINGULAR = {operator.truediv: 1, operator.floordiv: 1, operator.mod: 1, operator.pow: 0}    # at zero of this argument
 
 
@@ -21,7 +22,7 @@ class Decisions:
 
     def __init__(self) -> None:
         self._found: dict[Any, Any] = {}
-        self._about: dict[tuple[str, ...], tuple] = {}
+        self._about: dict[tuple[str, ...], tuple[Any, ...]] = {}
         self.lost = False
 
     def watched(self, values: Mapping[str, float]) -> "WatchedValues":
@@ -52,7 +53,7 @@ class Decisions:
         except (ArithmeticError, ValueError):
             return False
 
-    def _hanging_on(self, changed):
+    def _hanging_on(self, changed: tuple[str, ...]) -> tuple[tuple[Node, ...], list[tuple[Callable[..., bool], bool]]]:
         """(nodes, [(compiled formula, how it came out)]) of the formulas that hang on parameters."""
         found = [(formula, outcome) for formula, outcome in self._found.items()
                  if _names(formula).intersection(changed)]
@@ -61,10 +62,10 @@ class Decisions:
         return self._about[changed]
 
 
-class WatchedValues(dict):
+class WatchedValues(dict[str, Any]):
     """{parameter: Watched}; `plain`: the same as floats."""
 
-    def __init__(self, decisions: Decisions, values: Mapping[str, float]):
+    def __init__(self, decisions: Decisions, values: Mapping[str, float]) -> None:
         super().__init__({name: Watched(value, name, decisions) for name, value in values.items()})
         self.plain, self._decisions = dict(values), decisions
 
@@ -78,14 +79,14 @@ class Watched:
 
     __slots__ = ("_decisions", "_formula", "_value")
 
-    def __init__(self, value: Any, formula: Any, decisions: Decisions):
+    def __init__(self, value: Any, formula: Any, decisions: Decisions) -> None:
         self._value, self._formula, self._decisions = value, formula, decisions
 
     def __float__(self) -> float:
         return float(self._decisions.keep(self._formula, self._value))
 
     def __bool__(self) -> bool:
-        return self._decisions.keep((operator.truth, self._formula), bool(self._value))
+        return bool(self._decisions.keep((operator.truth, self._formula), bool(self._value)))
 
     def __int__(self) -> int:
         return int(float(self))
@@ -102,7 +103,7 @@ class Watched:
     def __round__(self, digits: int | None = None) -> Any:
         return round(float(self), digits)
 
-    def of(self, function: Callable, *others: Any, swapped: bool = False) -> Any:
+    def of(self, function: Callable[..., Any], *others: Any, swapped: bool = False) -> Any:
         """function(self, other), watched; where it has no value, what follows is lost."""
         parts = [(one._value, one._formula) if isinstance(one, Watched) else (one, one) for one in (self, *others)]
         if swapped:
@@ -144,9 +145,9 @@ class Watched:
     __rfloordiv__ = partialmethod(of, operator.floordiv, swapped=True)
 
 
-def _compiled(formula):
+def _compiled(formula: Formula) -> Callable[..., Any]:
     """{name or node: value} ↦ the value of a formula."""
-    if formula.__class__ is not tuple:
+    if not isinstance(formula, tuple):
         return itemgetter(formula) if isinstance(formula, (str, Node)) else lambda values: formula
     function, *parts = formula
     if len(parts) == 1:
@@ -159,15 +160,15 @@ def _compiled(formula):
     return lambda values: function(left(values), right(values))
 
 
-def _leaves(formula):
-    return [leaf for part in formula[1:] for leaf in _leaves(part)] if formula.__class__ is tuple else [formula]
+def _leaves(formula: Formula) -> list[float | Node | str]:
+    return [leaf for part in formula[1:] for leaf in _leaves(part)] if isinstance(formula, tuple) else [formula]
 
 
-def _nodes(formula):
+def _nodes(formula: Formula) -> list[Node]:
     return [leaf for leaf in _leaves(formula) if isinstance(leaf, Node)]
 
 
-def _names(formula):
+def _names(formula: Formula) -> set[str]:
     """The parameters on which a formula hangs."""
     return {leaf for leaf in _leaves(formula) if isinstance(leaf, str)}.union(
         part.name for part in reachable(_nodes(formula)) if part.op == "symbol")

@@ -10,6 +10,7 @@ from support.scenes import kept_problem_of, problem, problem_of
 
 from vibcli.analyses.continuous import mode_fields
 from vibcli.base.errors import PhysicsError
+from vibcli.cli.program import run
 from vibcli.drawing import animation, vibration
 from vibcli.drawing.canvas.primitives import SURFACE, Polygon, Polyline
 from vibcli.drawing.layout import compose, plane
@@ -182,3 +183,31 @@ def test_a_bead_stays_on_the_rod_that_turns_with_it_however_far_it_goes():
         (bead,) = [sketch.frames[name].point(sketch.centre(name)) for name in sketch.frames
                    if "slide" in found.scene.bodies[name].record]
         assert any(plane.distance(plane.nearest_on(bead, *rod), bead) < 1e-6 for rod in rods)
+
+
+LETTERS = """\
+parameters: {m: , k: , L: }
+bodies: {a: {mass: m, at: [0, 0], slide: x}, b: {mass: m, at: [L, 0], slide: y}}
+springs: {s: {k: k, between: [[-L, 0], a]}, t: {k: k, between: [a, b]}}
+"""
+BAR = "parameters: {L: , EA: , mu: }\nbars: {r: {length: L, EA: EA, mass_per_length: mu, left: clamped}}\n"
+
+
+@pytest.mark.parametrize(("text", "command", "what", "names"), [
+    (LETTERS, ["animate"], "the picture of a mode", "m, k, L"),
+    (LETTERS, ["draw", "--mode", "1"], "the picture of a mode", "m, k, L"),
+    (LETTERS, ["animate", "--response"], "the picture of a motion in time", "m, k, L"),
+    (BAR, ["draw", "--diagrams"], "a diagram of forces", "L, EA, mu"),
+    (LETTERS, ["frequencies", "--plot"], "a plot of the eigenvalues", "m, k, L"),
+    (LETTERS, ["solve", "--digits", "20"], "--digits", "m, k, L")])
+def test_what_needs_numbers_says_what_and_which_parameters_have_none(scene, capsys, text, command, what, names):
+    assert run([command[0], scene(text), *command[1:]]) == 4
+    told = capsys.readouterr().err
+    assert f"error: {what} needs numbers, and these parameters have none: {names}\n" in told
+    assert "hint: give them values in the file or with --set\n" in told
+
+
+def test_a_page_says_which_modes_it_does_not_draw(scene, tmp_path):
+    assert run(["solve", scene(LETTERS), "--pictures", "-o", str(tmp_path / "r.md")]) == 0
+    told = (tmp_path / "r.md").read_text()
+    assert "## Mode shapes on the scene at rest\n\nnot drawn: these parameters have no values: m, k, L\n" in told

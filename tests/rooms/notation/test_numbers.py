@@ -1,7 +1,7 @@
 """Numbers as they are printed."""
 
 from fractions import Fraction
-from math import isclose
+from math import inf, isclose
 
 import pytest
 
@@ -19,6 +19,12 @@ def test_bounds_are_printed_rounded_up():
     assert rounded_up(9.91e3, digits=2) == 1e4
     assert [rounded_up(x) for x in (2e-16, 0.5, 0.0, float("inf"))] == [2e-16, 0.5, 0.0, float("inf")]
     assert supported(1.0, 10.2) == "0 ± 2e1"
+
+
+def test_what_is_lost_in_its_error_is_zero_beside_what_shows_so_many_digits():
+    """1 m to six digits tells no 0.4 µm; where it does, or nothing is known to be beside it, the bound stands."""
+    assert [supported(2e-7, 2e-7, beside=x) for x in (1.0, 0.1, 0.0, inf)] == ["0", *["0 ± 4e-7"] * 3]
+    assert supported(2e-7, 2e-7, 12, beside=1.0) == "0 ± 4e-7" and supported(2e-7, 1e-9, beside=1.0) == "2e-7?"
 
 
 def test_a_share_is_printed_without_an_exponent():

@@ -294,3 +294,19 @@ def test_what_moves_apart_from_members_is_told():
         """)
     *_, last = report(found, solution(found)).sections[-1].blocks
     assert "".join(part for part in last.parts if isinstance(part, str)).startswith(" moves apart from these members")
+
+
+BARE = """
+bars: {b: {length: 1.5 m, EA: 2 kN, mass_per_length: 0.4 kg/m, left: clamped, attached: [{at: 0.7 m, mass: 3 kg}]}}
+beams: {c: {length: 2 m, EI: 200 N*m^2, mass_per_length: 0.4 kg/m, left: clamped, attached: [
+  {at: 2 m, mass: 2 kg, inertia: 0.1 kg*m^2}]}}
+"""
+
+
+def test_numbers_of_the_file_keep_their_units():
+    """Inertia, places, lengths and the frequency, all without a letter."""
+    told = [one for lines in printed(problem(BARE)) for one in lines]
+    assert "L = 2\u00a0m" in told and "ω = (5.590169944\u00a0rad/s)·(βL)²" in told
+    assert [one.replace("\u00a0", " ") for one in told if "X_i" in one] == [
+        "∫(0.4 kg/m)·X_i·X_j·dx + (3 kg)·X_i(0.7 m)·X_j(0.7 m) = 0, ω_i ≠ ω_j",
+        "∫(0.4 kg/m)·X_i·X_j·dx + (2 kg)·X_i(2 m)·X_j(2 m) + (0.1 kg·m²)·∂X_i/∂x(2 m)·∂X_j/∂x(2 m) = 0, ω_i ≠ ω_j"]

@@ -26,7 +26,7 @@ def test_a_bump_is_named():
     found = kept_problem_of(BUMP)
     drives = named_drives(found)
     assert [plain(node) for _, node in drives.stands] == [
-        "h·(step(t) − step(t − t₁))·sin(π·t/t₁)", "−h·(step(t − t₂) − step(t − t₁ − t₂))·sin(π·(t₂ − t)/t₁)"]
+        "h·(step(t) − step(t − t₁))·sin(π·t/t₁)", "h·(step(t − t₂) − step(t − t₁ − t₂))·sin(π·(t − t₂)/t₁)"]
     for key, most in (("V", 600), ("Phi", 1500)):
         written = plain(drives.energy(key))
         assert "step" not in written and "u₁" in written and len(written) < most < len(

@@ -10,7 +10,7 @@ from support.scenes import problem_of, value
 from vibcli.report.sections.shapes_in_numbers import shapes_in_numbers
 
 ROOT = Path(__file__).parents[3] / "problems/8_continuous"
-LINE = re.compile(r"X\(x\) = (.*?) {3}of (\w+) in mode (\d+)(?:, (\S+) m < x < (\S+) m)?$")
+LINE = re.compile(r"X\(x\) = (.*?) {3}of (\w+) in mode (\d+)(?:, x in m|, (\S+) m < x < (\S+) m)$")
 
 
 def printed(scene, members):

@@ -86,7 +86,7 @@ parameters: {m1: 10 kg, m2: 1 kg, k1: 30 N/m, k2: 5 N/m, X: 1 m}
 bodies: {a: {mass: m1, slide: x1}, b: {mass: m2, slide: x2}}
 springs: {s1: {k: k1, between: [ground, a]}, s2: {k: k2, between: [a, b]}}
 initial: {x1: X}
-""", ("K₁₁ = k₁ + k₂ = 35 N/m,  K₁₂ = K₂₁ = −k₂,  K₂₂ = k₂",
+""", ("K = [k₁ + k₂, −k₂; −k₂, k₂] = [35, −5; −5, 5] N/m",
       "a₂ = m₁·m₂ = 10", "(85 ∓ 35)/20", "ω₁ = 1.58114 rad/s", "x₂/x₁ = 2", "x₂/x₁ = −5",
       "x₁ = 0.714286·cos(ω₁·t) + 0.285714·cos(ω₂·t)   (in m)", "x₂ = 1.42857·cos(ω₁·t) − 1.42857·cos(ω₂·t)   (in m)")),
     "Rao, Vibration of Continuous Systems, chapter 9: the node of a clamped bar's second mode is at 2L/3": ("""

@@ -23,7 +23,7 @@ def test_letters_that_are_printed_alike_are_one():
         bodies: {one: {mass: a_1, slide: x}, two: {mass: p_2, slide: y}}
         springs: {s: {k: omega_1, between: [ground, one]}, t: {k: K11, between: [one, two]}}
         """)
-    assert any(line.startswith("stiffness matrix:  S₁₁ = ") for line in told)
+    assert any(line.startswith("stiffness matrix:  S = [") for line in told)
     assert any(line.startswith("a₁′ = ") for line in told) and any(line.startswith("ω₁′ = ") for line in told)
     assert "x = p₁ + p₂′" in told[-1]
 
@@ -69,8 +69,8 @@ def test_coefficients_and_entries_have_units():
         dampers: {d: {c: c, between: [[L, -L], P]}}
         forces: {f: {at: P, force: [0, F*sin(w*t)]}}
         """)
-    for unit in ("M₃₃ = 2 kg", "a₃ = (2\u00a0kg)·m·J = 8 kg³·m²", " kg³·m²/s⁶", "c₆ = (2\u00a0kg)·m·J = 8 kg³·m²",
-                 " kg³·m²/s⁵"):
+    for unit in ("\u00a0kg·m², 0; 0, 0, 2\u00a0kg]", "a₃ = (2\u00a0kg)·m·J = 8 kg³·m²", " kg³·m²/s⁶",
+                 "c₆ = (2\u00a0kg)·m·J = 8 kg³·m²", " kg³·m²/s⁵"):
         assert any(unit in line for line in told), unit
     assert any("Z₂₂ = " in line and line.endswith("·i N·m") for line in told)
     assert any(line.startswith("F₂ = L·F = 0.9 N·m") for line in told)

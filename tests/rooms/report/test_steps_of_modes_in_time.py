@@ -6,6 +6,7 @@ import pytest
 from scipy.linalg import expm
 from support.scenes import problem
 
+from vibcli.notation.as_printed import as_printed
 from vibcli.notation.plain import plain
 from vibcli.report.formats.formula import formula
 from vibcli.report.steps.worked import worked
@@ -61,3 +62,11 @@ def test_an_envelope_of_two_modes_in_numbers():
     assert of["envelope(x)(0.5 s)"].node is not None
     assert of["envelope(x)(0.5 s)"].value == pytest.approx(0.01 * abs(np.cos(slow * 0.25)), rel=1e-9)
     assert of["max(envelope(y))"].node is not None and of["max(envelope(y))"].value == pytest.approx(0.01, rel=1e-9)
+
+
+@pytest.mark.parametrize(("signal", "zero"), [("exp(x/(1 m))", "0"), ("x*x'", "0 m^2/s"), ("2*x + y", "0 m")])
+def test_rates_of_expressions_are_told_as_they_are_written(signal, zero):
+    """Those of functions ended as an error of its own."""
+    text = SCENE.format(F=5, damper="").replace("max(y): 0 m, argmax(y): 0 s", f"max({signal}): {zero}")
+    told = [formula(line.parts, plain) for line in worked(problem(text))]
+    assert any(f"the rate of {as_printed(signal)} = 0" in line for line in told)

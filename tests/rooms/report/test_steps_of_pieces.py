@@ -135,7 +135,7 @@ def test_pieces_of_several_degrees_are_told_by_their_modes(alpha):
     assert abs(two(at, alpha)[3]) < 1e-6 and of["max(s.force)"].node is not None
     assert shown(of["x(t1)"]).startswith("x(t₁):  p₁(t₁) + p₂(t₁) = ")
     assert "s₁(t) − s₁" not in shown(of["p1"]) and "·s₁(t − t₁)" in shown(of["p1"])
-    assert shown(of["equation of mode 1"]).startswith("with the shape of mode 1  u₁ = (1, ")
+    assert shown(of["equation of mode 1"]).startswith("of the right sides  Q,  with the shape of mode 1  u₁ = (1, ")
 
 
 COUPLED = "dampers: {d: {c: 6 N*s/m, between: [ground, a]}}"
@@ -174,7 +174,8 @@ def test_pieces_and_a_start_where_damping_couples_the_modes(damping, c, start, l
         assert "Re(" in shown(of["x(t1)"]) and "= u·Q  with" in shown(of["equations of complex modes"])
         assert ("z₁(0) = " in shown(of["equation of complex mode 1"])) == bool(any(start))
     else:
-        assert shown(of["equation of mode 1"]).startswith("with  q = (x, y)  and the shape of mode 1  u₁ = (1, ")
+        assert shown(of["equation of mode 1"]).startswith(
+            "of the right sides  Q,  with  q = (x, y)  and the shape of mode 1  u₁ = (1, ")
     assert len({line.number for line in of.values()}) <= 60
 
 

@@ -74,6 +74,7 @@ def of(name, case=None):
     ("two_inclined_springs_as_a_pair", None, [
         "ω₁ = √((k₁ + k₂ − √(k₁² + 2·k₁·k₂ − 4·k₁·k₂·sin²(a − b) + k₂²))/(2·m))",
         "stiffness[bead].max: (k₁ + k₂ + √(k₁² + 2·k₁·k₂·cos(2·a − 2·b) + k₂²))/2"]),
+    ("seismograph_with_level_boom", None, ["phase(φ): θ"]),
     ("press_with_two_blows", None, ["√(b² + 6·b·y₀/5 + y₀²)) = 1.31915 1/m"]),
     ("three_storeys_on_shaking_ground", None, ["C₁₁ = 56874 N·s/m", "C₁₄ = −36495.9 N·s/m"]),
     ("unround_shaft", None, ["V0_disc = −m·Ω²·u²/2 − m·Ω²·v²/2"]),

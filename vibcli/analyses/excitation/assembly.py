@@ -1,20 +1,25 @@
 """Exact sums of functions of time as the segments of a Forcing, every coefficient rounded once."""
 
 from bisect import bisect_right
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from functools import partial
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.analyses.excitation.exponential_polynomials import added, convolved, shifted
 from vibcli.analyses.excitation.forcing import Forcing, Irregular, Segment, Wave, task_of
 from vibcli.analyses.excitation.impulses import blows_of, nearest
-from vibcli.analyses.excitation.piecewise_linear import Instant, Periodic
+from vibcli.analyses.excitation.piecewise_linear import Instant
 from vibcli.analyses.excitation.rounding import Floating
 from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
+    from vibcli.analyses.excitation.exponential_polynomials import Exact, ExactWave, Sum
+    from vibcli.analyses.excitation.piecewise_linear import Blow, Periodic
     from vibcli.analyses.excitation.tabulated import TabulatedFunction
-    from vibcli.base.work import Work
+    from vibcli.base.work import Task, Work
+
+    Gate = Periodic | Blow | TabulatedFunction
 
 NEAR = 1e-6
 LENGTHY, MOST_SAMPLES = 5000, 4_000_000      # samples that are held as arrays
@@ -27,8 +32,8 @@ class WaveGroup:
 
     __slots__ = ("channel", "end", "exponent", "gates", "instants", "places", "ps", "wave")
 
-    def __init__(self, channel: int, gates: "Sequence[Periodic | TabulatedFunction]", wave: Sequence[Fraction | int],
-                 terms: Sequence[tuple[Fraction | None, tuple[Fraction, ...]]], numbers: type[Any]):
+    def __init__(self, channel: int, gates: "Sequence[Gate]", wave: "ExactWave",
+                 terms: "Sequence[tuple[Fraction | None, tuple[Exact, ...]]]", numbers: type[Any]) -> None:
         self.channel, self.gates, self.wave = channel, gates, wave
         self.exponent = numbers.complex(numbers.number(wave[0]), numbers.number(wave[1]))
         self.end = min((gate.end for gate in gates if gate.end is not None), default=None)
@@ -39,7 +44,7 @@ class WaveGroup:
             self.ps.append(total.get(None, ()))
         self.places = [numbers.number(instant) for instant in self.instants]
 
-    def at(self, middle: float) -> tuple[Fraction, ...]:
+    def at(self, middle: float) -> "tuple[Exact, ...]":
         """The polynomial at an instant, a number."""
         i = bisect_right(self.places, middle) - 1
         return self.ps[i] if i >= 0 else ()
@@ -54,8 +59,7 @@ class WaveGroup:
                 yield low, high
 
 
-def assembled(sums: Mapping[int, dict[tuple[Fraction | None, tuple[Any, ...], tuple[Any, ...]], tuple[Fraction, ...]]],
-              channels: int, numbers: type[Any], work: "Work | None" = None) -> Forcing:
+def assembled(sums: "Mapping[int, Sum]", channels: int, numbers: type[Any], work: "Work | None" = None) -> Forcing:
     """The Forcing of {channel: Sum}; work: what counts its segments."""
     terms = {}
     for channel, total in sums.items():
@@ -69,7 +73,8 @@ def assembled(sums: Mapping[int, dict[tuple[Fraction | None, tuple[Any, ...], tu
                            "look for growing exponentials, and for waves that are very fast") from None
 
 
-def _forcing(groups, channels, numbers, work):
+def _forcing(groups: Sequence[WaveGroup], channels: int, numbers: type[Any], work: "Work | None") -> Forcing:
+    """The Forcing of groups, or what is asked as one is."""
     spans = [(group, *span) for group in groups for span in group.spans()]
     count = _count((gate, low, high) for group, low, high in spans if high is not None for gate in group.gates)
     if numbers is Floating and _lengthy(groups):
@@ -77,7 +82,7 @@ def _forcing(groups, channels, numbers, work):
 
         if held(groups):
             with task_of(work, count, SHORTER, MOST_SAMPLES):
-                return recorded_forcing(groups, channels)
+                return cast("Forcing", recorded_forcing(groups, channels))
     with task_of(work, count, SHORTER) as task:
         cuts, lasting = _cuts(spans)
         if not any(group.gates for group, _ in lasting):
@@ -88,8 +93,8 @@ def _forcing(groups, channels, numbers, work):
         period = common_period([group for group, _ in lasting], numbers)
     except PhysicsError as refusal:
         longest = max(gate.period for group, _ in lasting for gate in group.gates)
-        return Irregular(channels, lambda until, work: _up_to(groups, cuts, lasting, until, longest, numbers, work),
-                         numbers.number(longest), refusal)
+        later = partial(_up_to, groups, cuts, lasting, longest, numbers)
+        return cast("Forcing", Irregular(channels, later, numbers.number(longest), refusal))
     settled = max(cuts)
     last = settled + 2 * period
     count += _count((gate, low, last) for group, low in lasting for gate in group.gates)
@@ -102,12 +107,13 @@ def _forcing(groups, channels, numbers, work):
     return Forcing(channels, *shortest(pieces, numbers.number(period), start, numbers.same), start)
 
 
-def _count(spans):
+def _count(spans: Iterable[tuple[Any, Fraction | int, Fraction]]) -> Fraction | int:
     """The breaks of functions in spans (function, low, high), of those that are one once."""
-    return sum(gate.count(low, high) for gate, low, high in set(spans))
+    found: Fraction | int = sum(gate.count(low, high) for gate, low, high in set(spans))
+    return found
 
 
-def _lengthy(groups):
+def _lengthy(groups: Sequence[WaveGroup]) -> bool:
     """Do they hold so many samples of records that these are not looked at one by one?"""
     gates = {gate for group in groups for gate in group.gates}
     if not gates:
@@ -117,7 +123,8 @@ def _lengthy(groups):
     return sum(len(gate) for gate in gates if isinstance(gate, TabulatedFunction)) >= LENGTHY
 
 
-def _up_to(groups, cuts, lasting, until, longest, numbers, work):
+def _up_to(groups: Sequence[WaveGroup], cuts: set[Fraction], lasting: Sequence[tuple[WaveGroup, Fraction]],
+           longest: Fraction, numbers: type[Any], until: float, work: "Work | None") -> list[Segment]:
     """The segments up to a time, and further by the longest period of what repeats."""
     last = numbers.exact(until) + longest
     count = len(cuts) + _count((gate, 0, last) for group, _ in lasting for gate in group.gates)
@@ -126,7 +133,8 @@ def _up_to(groups, cuts, lasting, until, longest, numbers, work):
         return _pieces(groups, cuts, last, 0, numbers, task)
 
 
-def _pieces(groups, cuts, last, since, numbers, task=None):
+def _pieces(groups: Sequence[WaveGroup], cuts: set[Fraction], last: Fraction | None, since: Fraction | int,
+            numbers: type[Any], task: "Task | None" = None) -> list[Segment]:
     """The Segments between the instants at which anything changes, up to `last` (None: for ever); one starts at
     `since`."""
     cuts = _apart(cuts, numbers.same)
@@ -146,12 +154,13 @@ def _pieces(groups, cuts, last, since, numbers, task=None):
     return pieces
 
 
-def _place(low, high, numbers):
+def _place(low: Fraction, high: Fraction, numbers: type[Any]) -> Instant:
     start, middle = numbers.number(low), (low + high) / 2
     return Instant(start, numbers.exact(start), numbers.number(middle), middle)
 
 
-def _cuts(spans):
+def _cuts(spans: Sequence[tuple[WaveGroup, Fraction, Fraction | None]]) -> tuple[set[Fraction],
+                                                                                list[tuple[WaveGroup, Fraction]]]:
     """(instants at which anything changes, apart from what repeats for ever; [(group, its start)] of what lasts)."""
     cuts, lasting = {Fraction(0)}, []
     for group, low, high in spans:
@@ -165,12 +174,12 @@ def _cuts(spans):
     return cuts, lasting
 
 
-def _repeated(lasting, until):
+def _repeated(lasting: Sequence[tuple[WaveGroup, Fraction]], until: Fraction) -> set[Fraction]:
     """The breaks of what lasts, up to an instant."""
     return {instant for group, low in lasting for gate in group.gates for instant in gate.breaks(low, until)}
 
 
-def _apart(cuts, same):
+def _apart(cuts: set[Fraction], same: Fraction) -> list[Fraction]:
     """Sorted instants, those that differ by rounding alone taken as one."""
     found, size = [], -1.0
     for close, cut in sorted((float(cut), cut) for cut in cuts):
@@ -180,7 +189,7 @@ def _apart(cuts, same):
     return found
 
 
-def _waves(groups, at, numbers):
+def _waves(groups: Sequence[WaveGroup], at: Instant, numbers: type[Any]) -> tuple[Wave, ...]:
     """The waves of a segment: each polynomial counted from its start, times its lines and its wave there."""
     found = {}
     for group in groups:

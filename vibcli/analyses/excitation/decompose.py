@@ -1,6 +1,6 @@
 """Expressions of the time as exact sums of functions of time."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +13,8 @@ from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.expression_graph import reachable
 
 if TYPE_CHECKING:
+
+    from vibcli.analyses.excitation.exponential_polynomials import Sum
     from vibcli.analyses.excitation.forcing import Forcing
     from vibcli.base.work import Work
     from vibcli.notation.plain import Plain
@@ -23,7 +25,8 @@ LARGEST = 60        # whole powers that are multiplied out
 
 
 def forcing_of(nodes: "Mapping[int, Node]", time: "Node", values: Mapping[str, float], channels: int | None = None,
-               precise: bool = False, write: "Callable | Plain" = repr, work: "Work | None" = None) -> "Forcing":
+               precise: bool = False, write: "Callable[..., Any] | Plain" = repr,
+               work: "Work | None" = None) -> "Forcing":
     """The Forcing of {channel: expression of the time}; `values`: {name: number} of all other symbols.
 
     `precise`: in mpmath numbers at the working precision, else in floats. `write` says an expression in a message;
@@ -35,7 +38,8 @@ def forcing_of(nodes: "Mapping[int, Node]", time: "Node", values: Mapping[str, f
     return assembled(sums, max(nodes, default=-1) + 1 if channels is None else channels, numbers, work)
 
 
-def sums_of(nodes: Any, time: Any, values: Any, numbers: Any, write: Any = repr) -> Any:
+def sums_of(nodes: "Sequence[Node]", time: "Node", values: Mapping[str, Any], numbers: type[Any],
+            write: "Callable[..., Any] | Plain" = repr) -> "list[Sum]":
     """Expressions of the time as Sums."""
     below = reachable(nodes)
     known = _constants(below, nodes, time, values, numbers)
@@ -57,7 +61,8 @@ def sums_of(nodes: Any, time: Any, values: Any, numbers: Any, write: Any = repr)
     return [found[node] for node in nodes]
 
 
-def _constants(below, nodes, time, values, numbers):
+def _constants(below: "Sequence[Node]", nodes: "Sequence[Node]", time: "Node", values: Mapping[str, Any],
+               numbers: type[Any]) -> "dict[Node, Fraction]":
     """{node: its exact value} of what stands beside the time and does not depend on it."""
     fixed = [node for node in below if not node.mask & time.mask]
     beside = {arg for node in below if node.mask & time.mask for arg in _parts(node)} | set(nodes)
@@ -72,15 +77,15 @@ def _constants(below, nodes, time, values, numbers):
     return found
 
 
-def _parts(node):
+def _parts(node: "Node") -> "Sequence[Node]":
     return [arg for arg, _ in node.args] if node.op in ("sum", "product") else node.args
 
 
-def _sum_of(node, found, numbers):
+def _sum_of(node: "Node", found: "Mapping[Node, Sum]", numbers: type[Any]) -> "Sum":
     if node.op == "sum":
         return added((constant(Fraction(node.coefficient)), 1), *((found[part], c) for part, c in node.args))
     if node.op == "product":
-        total: Any = constant(Fraction(node.coefficient))
+        total = constant(Fraction(node.coefficient))
         for base, exponent in node.args:
             total = multiplied(total, _power(found[base], exponent, numbers))
         return total
@@ -92,10 +97,10 @@ def _sum_of(node, found, numbers):
     return called(node.name, [found[arg] for arg in args], order, numbers, record)
 
 
-def _power(base, exponent, numbers):
+def _power(base: "Sum", exponent: Fraction, numbers: type[Any]) -> "Sum":
     """A whole power; any power of one exponential, c·e^{r t + r₀}."""
     if exponent.denominator == 1 and 0 < exponent <= LARGEST:
-        return raised(base, exponent)
+        return raised(base, exponent.numerator)
     if len(base) == 1:
         ((T, gates, (r, w, r0, w0, _)), p), = base.items()
         if T is None and not gates and len(p) == 1 and not (w or w0):

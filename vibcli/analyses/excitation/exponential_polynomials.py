@@ -6,14 +6,19 @@ constant on. All are rationals, so that nothing cancels wrongly before the terms
 segment; q keeps sines exact: sin u = cos(u − π/2), sin² + cos² = 1.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from operator import add
 from typing import Any
 
+Exact = Fraction | int
+ExactWave = tuple[Exact, Exact, Exact, Exact, int]      # (r, w, r₀, w₀, q)
+Waves = dict[ExactWave, tuple[Exact, ...]]
+Sum = dict[tuple[Exact | None, tuple[Any, ...], ExactWave], tuple[Exact, ...]]
+
 HALF = Fraction(1, 2)
-STILL = (0, 0, 0, 0, 0)
-ALWAYS = (None, (), STILL)
+STILL: ExactWave = (0, 0, 0, 0, 0)
+ALWAYS: tuple[None, tuple[Any, ...], ExactWave] = (None, (), STILL)
 MOST, STEEPEST = 2000, 60       # terms of a sum, power of t
 
 
@@ -21,25 +26,22 @@ class TooManyTerms(ArithmeticError):
     """More terms, or higher powers, than can be kept."""
 
 
-def constant(value: Fraction | int) -> dict[tuple[Fraction | None, tuple[()], tuple[int, ...]],
-                                            tuple[Fraction | int, ...]]:
+def constant(value: Exact) -> Sum:
     return {ALWAYS: (value,)} if value else {}
 
 
-def linear(b: Fraction, a: Fraction) -> dict[tuple[Fraction | None, tuple[()], tuple[int, ...]],
-                                             tuple[Fraction | int, ...]]:
+def linear(b: Exact, a: Exact) -> Sum:
     """a·t + b."""
     return {ALWAYS: (b, a)} if a else constant(b)
 
 
-def wave(r: Any, w: Any, r0: Any, w0: Any, q: int,
-         size: Any = 1) -> dict[tuple[Any, tuple[Any, ...], tuple[Fraction | int, ...]], tuple[Fraction, ...]]:
+def wave(r: Any, w: Any, r0: Any, w0: Any, q: int, size: Any = 1) -> Sum:
     """size·e^{r t + r0} cos(w t + w0 + q π/2) as a Sum."""
     sign, key = _upright(r, w, r0, w0, q)
     return {(None, (), key): (sign * size,)} if sign and size else {}
 
 
-def _upright(r, w, r0, w0, q):
+def _upright(r: Exact, w: Exact, r0: Exact, w0: Exact, q: int) -> tuple[int, ExactWave]:
     """(sign, wave) of the same cosine with a positive argument and q = 0 or 1."""
     if (w, w0) < (0, 0):
         w, w0, q = -w, -w0, -q
@@ -50,17 +52,17 @@ def _upright(r, w, r0, w0, q):
     return sign, (r, w, r0, w0, q % 2)
 
 
-def gate(function: Any) -> dict[tuple[Any, tuple[Any, ...], tuple[int, ...]], tuple[int, ...]]:
+def gate(function: Any) -> Sum:
     """A function that changes from piece to piece, as a Sum."""
     return {(None, (function,), STILL): (1,)}
 
 
-def since(instant: Fraction) -> dict[tuple[Fraction | None, tuple[()], tuple[int, ...]], tuple[Fraction | int, ...]]:
+def since(instant: Exact) -> Sum:
     """1 from an instant on, 0 before; those before t = 0 do not count."""
     return {(instant, (), STILL): (1,)} if instant >= 0 else constant(1)
 
 
-def added(*parts: Any) -> Any:
+def added(*parts: tuple[Sum, Exact]) -> Sum:
     """Σ c·Sum of (Sum, c) pairs."""
     found = {}
     for part, c in parts:
@@ -69,7 +71,7 @@ def added(*parts: Any) -> Any:
     return found
 
 
-def _gather(found, key, p, c=1):
+def _gather(found: dict[Any, tuple[Exact, ...]], key: tuple[Any, ...], p: tuple[Exact, ...], c: Exact = 1) -> None:
     old, new = found.get(key, ()), list(p) if c == 1 else [c * x for x in p]
     total = [*map(add, old, new), *old[len(new):], *new[len(old):]]
     while total and not total[-1]:
@@ -82,9 +84,7 @@ def _gather(found, key, p, c=1):
         found.pop(key, None)
 
 
-def multiplied(
-        left: Any,
-        right: Any) -> dict[tuple[Fraction | None, tuple[Any, ...], tuple[Fraction | int, ...]], tuple[Fraction, ...]]:
+def multiplied(left: Sum, right: Sum) -> Sum:
     if len(left) * len(right) > 20 * MOST:
         raise TooManyTerms
     found = {}
@@ -98,18 +98,18 @@ def multiplied(
     return found
 
 
-def convolved(p: Sequence[float | Fraction], o: Sequence[float | Fraction]) -> tuple[float | Fraction, ...]:
+def convolved(p: Sequence[float | Fraction], o: Sequence[float | Fraction]) -> tuple[Any, ...]:
     """The coefficients of a product of polynomials."""
     if len(o) == 1:
         return tuple(x * o[0] for x in p)
-    found: list = [0] * (len(p) + len(o) - 1)
+    found: list[Any] = [0] * (len(p) + len(o) - 1)
     for i, x in enumerate(p):
         for j, y in enumerate(o):
             found[i + j] += x * y
     return tuple(found)
 
 
-def _products(one, other):
+def _products(one: ExactWave, other: ExactWave) -> list[tuple[Exact, ExactWave]]:
     """[(factor, wave)]: 2 cos A cos B = cos(A + B) + cos(A − B)."""
     r, w, r0, w0, q = one
     s, v, s0, v0, p = other
@@ -119,9 +119,7 @@ def _products(one, other):
     return [(HALF * sign, key) for sign, key in found if sign]
 
 
-def raised(base: Mapping[tuple[Fraction | None, tuple[Any, ...], tuple[Fraction | int, ...]], tuple[Fraction, ...]],
-           power: int) -> Mapping[tuple[Fraction | None, tuple[Any, ...], tuple[Fraction | int, ...]],
-                                  tuple[Fraction, ...]]:
+def raised(base: Sum, power: int) -> Sum:
     """A whole power of a Sum, 1 or more."""
     found = None
     while power:
@@ -132,7 +130,7 @@ def raised(base: Mapping[tuple[Fraction | None, tuple[Any, ...], tuple[Fraction 
     return found
 
 
-def smooth_pieces(total: Any) -> list[tuple[Any, dict[tuple[Any, ...], tuple[Any, ...]]]]:
+def smooth_pieces(total: Sum) -> list[tuple[Exact | None, Waves]]:
     """[(T, {wave: p})] of a Sum without gates: what it is from each T on; the first T is None."""
     instants = sorted({T for T, _, _ in total if T is not None})
     found = []
@@ -145,7 +143,7 @@ def smooth_pieces(total: Any) -> list[tuple[Any, dict[tuple[Any, ...], tuple[Any
     return found
 
 
-def shifted(p: Sequence[Fraction], start: Fraction) -> list[Fraction]:
+def shifted(p: Sequence[Exact], start: Fraction) -> list[Exact]:
     """The coefficients in τ = t − start of the polynomial p(t), exactly."""
     found = list(p)
     if start:

@@ -14,6 +14,9 @@ from vibcli.base.work import Work
 
 if TYPE_CHECKING:
     from contextlib import AbstractContextManager
+    from fractions import Fraction
+
+    from vibcli.base.work import Task
 
 MOST = 100_000      # segments
 
@@ -22,8 +25,8 @@ class TooOften(PhysicsError):
     """There are more segments than may be followed."""
 
 
-def task_of(work: Work | None, count: float, ask: str = "ask for an earlier instant",
-            most: int | None = None) -> "AbstractContextManager":
+def task_of(work: Work | None, count: "float | Fraction", ask: str = "ask for an earlier instant",
+            most: int | None = None) -> "AbstractContextManager[Task, bool | None]":
     """The task of finding so many segments; TooOften where they are more than the most. ask: what helps then."""
     work, count, most = work or Work(), float(count), MOST if most is None else most
     if count > most * work.patience:
@@ -46,8 +49,8 @@ class Segment(NamedTuple):
     """Waves from `start` to the start of the next segment; `impulses`: (channel, size) pairs that act at `start`."""
 
     start: float
-    waves: tuple = ()
-    impulses: tuple = ()
+    waves: tuple[Wave, ...] = ()
+    impulses: tuple[tuple[int, Any], ...] = ()
 
 
 def oscillates(forcing: "Forcing") -> bool:
@@ -65,7 +68,7 @@ class Forcing:
 
     __slots__ = ("channels", "listed", "period", "pieces", "since", "turn")
 
-    def __init__(self, channels: int, pieces: Sequence[Segment], period: Any = None, since: float = 0.0):
+    def __init__(self, channels: int, pieces: Sequence[Segment], period: Any = None, since: float = 0.0) -> None:
         self.channels, self.pieces, self.since = channels, tuple(pieces), since
         self.period, self.turn, self.listed = period, period, period is None
 
@@ -109,7 +112,8 @@ class Irregular:
 
     period, listed, recorded = None, False, False
 
-    def __init__(self, channels: int, build: Callable, turn: float, refusal: PhysicsError):
+    def __init__(self, channels: int, build: Callable[[float, Work | None], list[Segment]], turn: float,
+                 refusal: PhysicsError) -> None:
         self.channels, self.build, self.turn, self.refusal = channels, build, turn, refusal
 
     @property

@@ -10,6 +10,7 @@ from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.assembly import WaveGroup
+    from vibcli.analyses.excitation.exponential_polynomials import ExactWave
 
 ALIKE = Fraction(1, 10**9)
 
@@ -37,13 +38,13 @@ def nearest(cuts: Sequence[Fraction], instant: Fraction | int) -> int:
     return min(near, key=lambda j: abs(cuts[j] - instant))
 
 
-def _reach(cuts, i, last):
+def _reach(cuts: Sequence[Fraction], i: int, last: Fraction) -> Fraction:
     """Half of the shorter segment beside a cut."""
     after = cuts[i + 1] if i + 1 < len(cuts) else last
     return (min(after - cuts[i], cuts[i] - cuts[i - 1]) if i else after - cuts[i]) / 2
 
 
-def _beside(group, others, instant, reach, numbers):
+def _beside(group: "WaveGroup", others: list[Any], instant: Fraction, reach: Fraction, numbers: type[Any]) -> Fraction:
     """The polynomial and the other gates at an instant: the same before and after it, or their product with an impulse
     is not defined."""
     before, after = (_product(group, others, Instant(None, instant, numbers.number(middle), middle))
@@ -55,14 +56,15 @@ def _beside(group, others, instant, reach, numbers):
     return after
 
 
-def _product(group, others, at):
-    total = sum(c * at.exact_start**k for k, c in enumerate(group.at(at.middle)))
+def _product(group: "WaveGroup", others: Sequence[Any], at: Instant) -> Fraction:
+    total = Fraction(sum(c * at.exact_start**k for k, c in enumerate(group.at(at.middle))))
     for other in others:
         total *= other.line(at)[0]
     return total
 
 
-def _sized(wave, instant, amount, numbers):
+def _sized(wave: "ExactWave", instant: Fraction, amount: float | Fraction, numbers: type[Any]) -> float:
     r, w, r0, w0, q = wave
     factor = numbers.turned(r * instant + r0, w * instant + w0, q).real if any(wave) else 1
-    return numbers.number(amount) * factor
+    found: float = numbers.number(amount) * factor
+    return found

@@ -1,7 +1,7 @@
 """When what drives a scene changes, how slowly it swings and how long it takes to die out, whatever it drives: of each
 function of the time alone in its expressions that is a sum of polynomials, exponentials and sines."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.analyses.excitation.decompose import forcing_of
@@ -56,5 +56,5 @@ def _of_time(scene: "Scene") -> "Iterator[Node]":
     return (node for node in beside if node.mask and node in alone)
 
 
-def _parts(node):
+def _parts(node: "Node") -> "Sequence[Node]":
     return [arg for arg, _ in node.args] if node.op in ("sum", "product") else node.args

@@ -36,7 +36,8 @@ def common_period(groups: "Sequence[WaveGroup]", numbers: type[Any]) -> Fraction
         if above > TURNS * below:
             break
     else:
-        return periods[0] * Fraction(above, below)
+        found: Fraction = periods[0] * Fraction(above, below)
+        return found
     raise PhysicsError("the periods of what drives this scene have no common multiple: the motion never repeats itself",
                        INSTANTS)
 
@@ -55,7 +56,7 @@ def shortest(pieces: "Sequence[Segment]", period: "float | mpmath.mpf", since: "
     return pieces, period
 
 
-def _alike(one, other, shift, same):
+def _alike(one: "Segment", other: "Segment", shift: "float | mpmath.mpf", same: "float | mpmath.mpf") -> bool:
     """Is a piece the same as the one before it, later by `shift`?"""
     if abs(other.start - one.start - shift) > float(same) or len(one.impulses) != len(other.impulses):
         return False

@@ -27,9 +27,9 @@ class Periodic(NamedTuple):
 
     a: Fraction
     b: Fraction
-    corners: tuple
-    lines: tuple
-    blows: tuple = ()
+    corners: tuple[Fraction | int, ...]
+    lines: tuple[tuple[Fraction | int, Fraction | int], ...]
+    blows: tuple[Fraction, ...] = ()
 
     end = None
 
@@ -39,9 +39,10 @@ class Periodic(NamedTuple):
 
     def count(self, low: Any, high: Any) -> Fraction:
         """About how many breaks there are."""
-        return (high - low) * self.a * len(self.corners)
+        found: Fraction = (high - low) * self.a * len(self.corners)
+        return found
 
-    def _instants(self, low, high):
+    def _instants(self, low: Fraction, high: Fraction) -> list[tuple[Fraction, int]]:
         first, last = floor(self.a * low + self.b), ceil(self.a * high + self.b)
         found = [((turn + corner - self.b) / self.a, j) for turn in range(first - 1, last + 1)
                  for j, corner in enumerate(self.corners)]

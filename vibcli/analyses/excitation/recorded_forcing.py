@@ -42,7 +42,8 @@ class RecordedForcing:
 
     period, turn, since, listed, recorded = None, None, 0.0, True, True
 
-    def __init__(self, channels: int, starts: np.ndarray, waves: Sequence[SharedWave], blows: Sequence[SharedBlow]):
+    def __init__(self, channels: int, starts: np.ndarray, waves: Sequence[SharedWave],
+                 blows: Sequence[SharedBlow]) -> None:
         self.channels = channels
         new = _new(waves, blows, len(starts))
         self.starts = starts[new]
@@ -83,7 +84,7 @@ class RecordedForcing:
         """How many segments start up to an instant."""
         return max(1, int(np.searchsorted(self.starts, nextafter(until, inf))))
 
-    def _segment(self, i):
+    def _segment(self, i: int) -> Segment:
         waves = tuple(Wave(channel, wave.series[i].item() * share, wave.power, wave.exponent)
                       for wave in self.waves if wave.series[i] for channel, share in wave.shares.items())
         blows = tuple((channel, blow.series[i].item() * share)

@@ -17,7 +17,8 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.error_free import whole_product, whole_sum
 
 if TYPE_CHECKING:
-    from vibcli.analyses.excitation.assembly import WaveGroup
+    from vibcli.analyses.excitation.assembly import Gate, WaveGroup
+    from vibcli.analyses.excitation.exponential_polynomials import Exact, ExactWave
 
 SAME = float(Floating.same)
 
@@ -38,7 +39,7 @@ class RecordArrays(NamedTuple):
         return cls(*(row[::-1] if gate.a < 0 else row for row in rows))
 
 
-def _instants(times, a, b):
+def _instants(times: np.ndarray, a: "Exact", b: "Exact") -> tuple[np.ndarray, np.ndarray]:
     """(time − b)/a, each as a sum of two."""
     if a == 1 and not b:
         return times, np.zeros(1)[np.zeros(len(times), int)]
@@ -50,7 +51,7 @@ def _instants(times, a, b):
     return whole_sum(place, (left + (rest + further - lost - more - little * place)) / steep)
 
 
-def _halves(number):
+def _halves(number: "Exact") -> tuple[float, float]:
     """A rational as the sum of two doubles."""
     high = float(number)
     return high, float(number - Fraction(high))
@@ -61,7 +62,7 @@ def held(groups: "Sequence[WaveGroup]") -> bool:
     return all(_held(group) for group in groups)
 
 
-def _held(group):
+def _held(group: "WaveGroup") -> bool:
     still, longest = not any(group.wave[:2]), max(map(len, group.ps))
     if not group.gates:
         return longest <= (2 if still else 1)
@@ -72,8 +73,8 @@ def _held(group):
 
 def recorded_forcing(groups: "Sequence[WaveGroup]", channels: int) -> RecordedForcing:
     """The RecordedForcing of WaveGroups that are held; OverflowError where they grow beyond floats."""
-    arrays = {gate: RecordArrays.of(gate) for group in groups for gate in group.gates
-              if isinstance(gate, TabulatedFunction)}
+    arrays: dict[Gate, RecordArrays] = {gate: RecordArrays.of(gate) for group in groups for gate in group.gates
+                                        if isinstance(gate, TabulatedFunction)}
     starts = _starts(groups, arrays)
     middles = np.append(starts[:-1] + 0.5 * np.diff(starts), starts[-1] + 0.5)
     waves, blows, shares = [], [], {}
@@ -91,12 +92,12 @@ def recorded_forcing(groups: "Sequence[WaveGroup]", channels: int) -> RecordedFo
     return RecordedForcing(channels, starts, waves, blows)
 
 
-def _starts(groups, arrays):
+def _starts(groups: "Sequence[WaveGroup]", arrays: "Mapping[Gate, RecordArrays]") -> np.ndarray:
     """The instants at which anything changes, those that differ by rounding alone taken as one."""
     spans = {(group.gates, *span) for group in groups for span in group.spans()}
     found = [np.zeros(1)]
-    for gates, low, high in spans:
-        low, high = float(low), None if high is None else float(high)
+    for gates, first, last in spans:
+        low, high = float(first), None if last is None else float(last)
         found.append(np.array([low] if high is None else [low, high]))
         for gate in gates:
             places = arrays[gate].places
@@ -106,7 +107,7 @@ def _starts(groups, arrays):
     return _apart(starts) if near.any() else starts
 
 
-def _apart(starts):
+def _apart(starts: np.ndarray) -> np.ndarray:
     kept = [0.0]
     for start in starts.tolist():
         if start - kept[-1] > SAME * start:
@@ -114,14 +115,16 @@ def _apart(starts):
     return np.array(kept)
 
 
-def _lines(gate, record, at, shares) -> Iterator[SharedWave]:
+def _lines(gate: TabulatedFunction, record: RecordArrays, at: tuple[np.ndarray, np.ndarray],
+           shares: Mapping[int, float]) -> Iterator[SharedWave]:
     """The values and slopes of a record from the starts of segments on, `at`: (their starts, their middles)."""
     value, slope = _line(gate, record, *at)
     yield SharedWave(0, 0j, value, shares)
     yield SharedWave(1, 0j, slope, shares)
 
 
-def _line(gate, record, starts, middles):
+def _line(gate: TabulatedFunction, record: RecordArrays, starts: np.ndarray,
+          middles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     i = np.searchsorted(record.places, middles, side="right") - 1
     inside = (i >= 0) & (i < len(record.slopes)) & (gate.order < 2)
     i[~inside] = 0
@@ -132,7 +135,8 @@ def _line(gate, record, starts, middles):
     return np.where(inside, record.values[i] + slope * late, 0.0), slope
 
 
-def _blows(gate, record, starts, shares: Mapping[int, float]) -> Iterator[SharedBlow]:
+def _blows(gate: TabulatedFunction, record: RecordArrays, starts: np.ndarray,
+           shares: Mapping[int, float]) -> Iterator[SharedBlow]:
     """The impulses of a rate of a record at the starts nearest to them."""
     if not gate.order:
         return
@@ -148,12 +152,14 @@ def _blows(gate, record, starts, shares: Mapping[int, float]) -> Iterator[Shared
     yield SharedBlow(np.bincount(at[meant], sizes[meant], len(starts)), shares)
 
 
-def _own(group, arrays, starts, middles) -> Iterator[SharedWave]:
+def _own(group: "WaveGroup", arrays: "Mapping[Gate, RecordArrays]", starts: np.ndarray,
+         middles: np.ndarray) -> Iterator[SharedWave]:
     """The waves of a group that shares none: its polynomials, counted from the starts, times its record or its wave."""
     which, share = np.searchsorted(group.places, middles, side="right") - 1, {group.channel: 1.0}
     rows = [np.array([_halves(p[k] if k < len(p) else 0) for p in (*group.ps, ())])[which].T for k in range(2)]
-    if group.gates:
-        for wave in _lines(group.gates[0], arrays[group.gates[0]], (starts, middles), share):
+    gate = group.gates[0] if group.gates else None
+    if isinstance(gate, TabulatedFunction):
+        for wave in _lines(gate, arrays[gate], (starts, middles), share):
             yield wave._replace(series=wave.series * rows[0][0])
         return
     (level, little), (slope, more) = rows
@@ -164,16 +170,17 @@ def _own(group, arrays, starts, middles) -> Iterator[SharedWave]:
     yield SharedWave(1, group.exponent, slope * factor, share)
 
 
-def _turned(wave, starts):
+def _turned(wave: "ExactWave", starts: np.ndarray) -> np.ndarray:
     """e^{r t + r₀} i^q e^{i(w t + w₀)} at the starts; of what does not turn, the real part."""
     r, w, r0, w0, q = wave
     (growth, more), (angle, little) = (_along(*line, starts) for line in ((r, r0), (w, w0)))
     with np.errstate(over="ignore", invalid="ignore"):
         found = np.exp(growth + more) * np.exp(1j * angle) * (1 + 1j * little) * (1j if q else 1)
-    return found if w else found.real
+    result: np.ndarray = found if w else found.real
+    return result
 
 
-def _along(slope, level, t):
+def _along(slope: "Exact", level: "Exact", t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """slope·t + level as a sum of two."""
     (steep, little), (high, low) = _halves(slope), _halves(level)
     product, lost = whole_product(steep, t)

@@ -3,10 +3,14 @@
 import cmath
 import math
 from fractions import Fraction
-from typing import Any
+from numbers import Rational
+from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.evaluation import Floats, multiprecision
 from vibcli.symbolic.rationals import fraction_of
+
+if TYPE_CHECKING:
+    import mpmath
 
 PI = Fraction(3141592653589793238462643383279502884197169399375105820974944592307816406286208998628034825342117068,
               10**99)
@@ -52,25 +56,25 @@ def multiprecise() -> type[Any]:
         pi = exact_pi
 
         @staticmethod
-        def number(value):
-            return mpmath.mpf(value.numerator) / value.denominator if hasattr(value, "numerator") else value
+        def number(value: "float | Fraction | mpmath.mpf") -> "float | mpmath.mpf":
+            return mpmath.mpf(value.numerator) / value.denominator if isinstance(value, Rational) else value
 
         @staticmethod
-        def exact(value):
+        def exact(value: "mpmath.mpf") -> "Fraction | None":
             return fraction_of(mpmath.mpf(value)) if mpmath.isfinite(value) else None
 
         @classmethod
-        def turned(cls, growth, phase, quarters=0):
+        def turned(cls, growth: Fraction, phase: Fraction, quarters: int = 0) -> "mpmath.mpc":
             phase = phase - 2 * cls.pi * round(phase / (2 * cls.pi)) if phase else 0
             found = mpmath.exp(mpmath.mpc(cls.number(growth), cls.number(phase)))
             return found * 1j if quarters else found
 
         @staticmethod
-        def polar(size):
+        def polar(size: "mpmath.mpc") -> "tuple[mpmath.mpf, Fraction]":
             return abs(size), fraction_of(mpmath.arg(size))
 
         @staticmethod
-        def arc_sine(x):
+        def arc_sine(x: "mpmath.mpf") -> Fraction:
             return fraction_of(mpmath.asin(x))
 
     return Multiple

@@ -11,6 +11,8 @@ from vibcli.symbolic.rationals import ONE, fraction_of
 
 if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.inputs_outputs.base_excitation import SystemWithInputs
+    from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
 
@@ -39,7 +41,8 @@ def quadratic_output(configuration: "Configuration", text: str,
     return found
 
 
-def _rates(configuration, row, order):
+def _rates(configuration: "Configuration", row: LinearFunction,
+           order: int) -> "list[tuple[LinearOutput, dict[int, Node]]]":
     """The outputs of a LinearFunction and its derivatives."""
     found = [as_output(configuration, row)]
     for _ in range(order):
@@ -53,14 +56,14 @@ def as_output(configuration: "Configuration", row: LinearFunction,
     """(LinearOutput, {channel: node of the time}) of a LinearFunction."""
     channel = len(configuration.scene.q) if channel is None else channel
     opened, n = configuration.with_inputs, configuration.with_inputs.n
-    kept = [{i: x for i, x in part.items() if i < n} for part in (row.q, row.v, row.a)]
+    q, v, a = ({i: x for i, x in part.items() if i < n} for part in (row.q, row.v, row.a))
     node = _direct(opened, row)
     if node is None:
-        return LinearOutput(row.constant, *kept), {}
-    return LinearOutput(row.constant, *kept, {channel: 1.0}), {channel: node}
+        return LinearOutput(row.constant, q, v, a), {}
+    return LinearOutput(row.constant, q, v, a, {channel: 1.0}), {channel: node}
 
 
-def _direct(opened, row):
+def _direct(opened: "SystemWithInputs", row: LinearFunction) -> "Node | None":
     """What depends on the time alone: terms of its own, and what driven displacements add; None where nothing does."""
     scene = opened.scene
     terms = [scene.table.product((_number(scene, factor), ONE), (node, ONE)) for factor, node in row.time]
@@ -75,5 +78,5 @@ def _direct(opened, row):
     return None if total.is_zero else total
 
 
-def _number(scene, value):
+def _number(scene: "Scene", value: float) -> "Node":
     return scene.table.number(fraction_of(value))

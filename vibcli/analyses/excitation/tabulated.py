@@ -6,8 +6,12 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from typing import TypeVar
+
     from vibcli.analyses.excitation.piecewise_linear import Instant
     from vibcli.symbolic.sampled_functions import Samples
+
+    T = TypeVar("T")
 
 
 class TabulatedFunction:
@@ -16,17 +20,18 @@ class TabulatedFunction:
 
     period = None
 
-    def __init__(self, samples: "Samples", a: Fraction | int, b: Fraction | int, order: int, numbers: type[Any]):
+    def __init__(self, samples: "Samples", a: Fraction | int, b: Fraction | int, order: int,
+                 numbers: type[Any]) -> None:
         self.samples, self.a, self.b, self.order, self.numbers = samples, a, b, order, numbers
         self.number = numbers.number
 
-    def __eq__(self, other: Any):
+    def __eq__(self, other: Any) -> bool:
         return isinstance(other, TabulatedFunction) and self._key() == other._key()
 
     def __hash__(self) -> int:
         return hash(self._key())
 
-    def _key(self):
+    def _key(self) -> tuple[int, Fraction | int, Fraction | int, int]:
         return id(self.samples), self.a, self.b, self.order
 
     def __len__(self) -> int:
@@ -55,10 +60,10 @@ class TabulatedFunction:
     def end(self) -> Fraction:
         return self._instant(self.samples.times[-1 if self.a > 0 else 0])
 
-    def _instant(self, time):
+    def _instant(self, time: float) -> Fraction:
         return (Fraction(time) - self.b) / self.a if self.b or self.a != 1 else Fraction(time)
 
-    def _upwards(self, row):
+    def _upwards(self, row: "list[T]") -> "list[T]":
         """In order of the time."""
         if self.a < 0:
             row.reverse()

@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 class CompiledEquilibrium:
     """Those of the coordinates in `rows` at t = 0; the others stay at `rest`."""
 
-    def __init__(self, scene: "Scene", form: Linearisation, name: str, rows: Sequence[int],
-                 floats: Mapping[str, float], rest: Mapping[str, float]):
+    def __init__(self, scene: "Scene", form: Linearisation, name: str, rows: Sequence[int], floats: Mapping[str, float],
+                 rest: Mapping[str, float]) -> None:
         table, n = scene.table, len(rows)
         p, self.n = table.variable(f"{name} as it goes"), n
         terms = [residual_terms(form)[i] for i in rows]
@@ -61,6 +61,6 @@ def _with_argument(scene: "Scene", nodes: "list[Node]", name: str, p: "Node") ->
     return substitute(nodes, known)
 
 
-def _put(known, symbol, definition):
+def _put(known: "dict[Node, Node]", symbol: "Node", definition: "Node") -> None:
     if not known.keys().isdisjoint(reachable([definition])):
         known[symbol] = substitute([definition], known)[0]

@@ -6,9 +6,13 @@ has a least value over some steps it is sought there, and a step that holds two 
 
 from collections.abc import Iterable, Iterator
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
 from vibcli.analyses.limit_points.path import EquilibriumPath
 from vibcli.analyses.limit_points.path_step import PathStep
+
+if TYPE_CHECKING:
+    from vibcli.analyses.limit_points.path_step import PathPoint
 
 PARTS, TRIALS, NARROW, GOLDEN = 8, 24, 1e-4, 0.3819660112501051
 
@@ -27,7 +31,7 @@ def cut_at_dips(path: EquilibriumPath, steps: Iterable[PathStep]) -> Iterator[Pa
         yield from _cut(path, before) if dip else (before,)
 
 
-def _looked_into(path, step):
+def _looked_into(path: EquilibriumPath, step: PathStep) -> list[PathStep]:
     """A step on which p turns back in short parts: it may do so three times."""
     if (_rate(step.start) < 0) == (_rate(step.end) < 0) or step.corner or step.branching:
         return [step]
@@ -37,17 +41,17 @@ def _looked_into(path, step):
     return [PathStep(one, other, float((other.y - one.y) @ one.tangent), False) for one, other in pairwise(points)]
 
 
-def _rate(point):
+def _rate(point: "PathPoint") -> float:
     return float(point.tangent[-1])
 
 
-def _is_least(one, other):
+def _is_least(one: PathStep, other: PathStep) -> bool:
     """Is |p′| between two steps less than before and after, without a change of its sign?"""
     a, b, c = _rate(one.start), _rate(one.end), _rate(other.end)
     return (a < 0) == (b < 0) == (c < 0) and abs(b) <= min(abs(a), abs(c))
 
 
-def _cut(path, step):
+def _cut(path: EquilibriumPath, step: PathStep) -> tuple[PathStep, ...]:
     """By golden section: a point at which p′ has the other sign, if there is one."""
     sign = 1.0 if _rate(step.start) > 0 else -1.0
     if sign * _rate(step.end) <= 0 or step.corner or step.branching:
@@ -73,7 +77,7 @@ def _cut(path, step):
     return (step,)
 
 
-def _halves(path, step, point, reached):
+def _halves(path: EquilibriumPath, step: PathStep, point: "PathPoint", reached: float) -> tuple[PathStep, ...]:
     rest = float((step.end.y - point.y) @ point.tangent)
     end = path.corrected(point, rest)
     if end is None:

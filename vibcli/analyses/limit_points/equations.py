@@ -6,7 +6,7 @@ by closing their loops, G = 0:
     dr = K dq + ∂r/∂p dp        dK = Σ ∂K/∂qᵢ dqᵢ + ∂K/∂p dp        G_z dz = −G_q dq − G_p dp
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     import mpmath
 
     from vibcli.mechanics.numeric_system import NumericSystem
+    from vibcli.symbolic.dual_numbers import Dual
 
 SAME = 1e-9         # relative: compiled and in dual numbers
 UNDEFINED = (ArithmeticError, ValueError, PhysicsError, SpecError)
@@ -43,7 +44,7 @@ class ParametricEquilibrium:
     """r(q, p) of a scene. `names`: of the coordinates that forces hang on; `scale`: the size of the figure along each.
     Of coordinates q/scale the rows are r·scale, works. `bends`: may forces bend or jump?"""
 
-    def __init__(self, numeric: "NumericSystem", name: str, rest: Mapping[str, float], loose: list[str]):
+    def __init__(self, numeric: "NumericSystem", name: str, rest: Mapping[str, float], loose: list[str]) -> None:
         self.numeric, self.name, self.rest = numeric, name, dict(rest)
         self.scene, self.loops = numeric.scene, numeric.scene.resting.loops
         every = self.scene.coordinates
@@ -57,7 +58,7 @@ class ParametricEquilibrium:
         self.bends = bool(self.scene.table.called.intersection(KINKED) or self.scene.table.functions)
 
     @cached_property
-    def _compiled(self):
+    def _compiled(self) -> CompiledEquilibrium | None:
         """A CompiledEquilibrium; None where loops are to be closed, or it does not agree with dual numbers."""
         if self.loops is not None:
             return None
@@ -98,13 +99,14 @@ class ParametricEquilibrium:
         except UNDEFINED:
             return None
 
-    def _rates(self, q, p, dq, dp, near):
+    def _rates(self, q: np.ndarray, p: float, dq: np.ndarray | None, dp: float,
+               near: Mapping[str, float]) -> tuple[Rates, dict[str, float]] | None:
         position = self._closed(q, p, near)
         if position is None:
             return None
         arithmetic = self.duals
         values = self.scene.parameters.values(arithmetic, {**self._numbers(Floats), self.name: dual(p, dp)})
-        moved = dict(position)
+        moved: dict[str, float | Dual] = dict(position)
         if dq is not None:
             moved |= {one: dual(position[one], float(x)) for one, x in zip(self.names, dq * self.scale, strict=True)}
         values = {**values, self.scene.time.name: 0.0, **moved}
@@ -113,17 +115,18 @@ class ParametricEquilibrium:
         numbers, n = in_numbers(self.form, arithmetic, values), self.rows
         K, outer = numbers.elements.stiffness(), np.outer(self.scale, self.scale)
 
-        def rows(found, part):
-            return np.array([float(part(found[i])) for i in n]) * self.scale
+        def rows(found: "Sequence[Any]", part: "Callable[[Any], Any]") -> np.ndarray:
+            result: np.ndarray = np.array([float(part(found[i])) for i in n]) * self.scale
+            return result
 
-        def square(part):
+        def square(part: "Callable[[Any], Any]") -> np.ndarray:
             return np.array([[float(part(K.get((i, j), 0.0))) for j in n] for i in n]) * outer
 
         found = Rates(rows(numbers.residual, value), square(value), rows(numbers.residual_size, value),
                       rows(numbers.residual, slope), square(slope))
         return (found, position) if all(np.isfinite(part).all() for part in found) else None
 
-    def _numbers(self, arithmetic):
+    def _numbers(self, arithmetic: Any) -> dict[str, Any]:
         return {one: arithmetic.number(x) for one, x in self.given.items()}
 
     def at_rest(self, p: float) -> dict[str, float]:
@@ -131,7 +134,7 @@ class ParametricEquilibrium:
         return {**self.scene.parameters.values(Floats, {**self._numbers(Floats), self.name: p}),
                 self.scene.time.name: 0.0}
 
-    def _closed(self, q, p, near):
+    def _closed(self, q: np.ndarray, p: float, near: Mapping[str, float]) -> dict[str, float] | None:
         target = {**near, **{one: float(x) for one, x in zip(self.names, q * self.scale, strict=True)}}
         if self.loops is None:
             return target
@@ -139,7 +142,7 @@ class ParametricEquilibrium:
         found = self.loops.followed({**values, **near}, {**values, **target})
         return None if found is None else {one: found[one] for one in near}
 
-    def _following(self, arithmetic, values):
+    def _following(self, arithmetic: Duals, values: Mapping[str, Any]) -> dict[str, Any]:
         """The dependent coordinates with their rates."""
         n = len(self.loops.names)
         found = evaluate([*self.loops.conditions, *self.loops.slopes], arithmetic, values)
@@ -147,7 +150,7 @@ class ParametricEquilibrium:
         steps = np.linalg.solve(G, [-float(slope(x)) for x in found[:n]])
         return {z: dual(value(values[z]), float(step)) for z, step in zip(self.loops.names, steps, strict=True)}
 
-    def precisely(self, q: list, p: Any,
+    def precisely(self, q: "list[mpmath.mpf]", p: Any,
                   near: Mapping[str, Any]
                   ) -> "tuple[list[mpmath.mpf], list[list[mpmath.mpf]], dict[str, mpmath.mpf], dict[str, mpmath.mpf]]":
         """(r, K, {coordinate: number}, {symbol: number}) in mpmath at the working precision, as lists with scaled rows;

@@ -10,7 +10,7 @@ and the residual in mpmath gains their digits at each step. At a branching, wher
 """
 
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -19,6 +19,9 @@ from vibcli.analyses.limit_points.equations import UNDEFINED, ParametricEquilibr
 from vibcli.analyses.limit_points.path import EquilibriumPath
 from vibcli.analyses.limit_points.path_step import PathPoint, PathStep
 from vibcli.base.named_tuple import NamedTuple
+
+if TYPE_CHECKING:
+    from types import ModuleType
 
 GUARD, SURE, ROUNDS, RENEWED, FASTER = 25, 8, 60, 6, 0.1     # digits beyond those asked; steps; how they fall
 STRAYED, TRANSVERSE, REGULAR = 0.3, 1e-9, 1e14      # relative: how far from where it was met; of w·∂r/∂p; condition
@@ -82,13 +85,13 @@ def followed_path(equations: ParametricEquilibrium, digits: int) -> FollowedPath
                         (min(values), max(values)), tuple(ends))
 
 
-def _turns(stretch):
+def _turns(stretch: PathStep) -> bool:
     """Does p turn back on a stretch, by more than rounding?"""
     before, after = _climb(stretch.start), _climb(stretch.end)
     return (before < 0) != (after < 0) and max(abs(before), abs(after)) > FAINT
 
 
-def _ordered(limits, negative):
+def _ordered(limits: list[LimitPoint], negative: bool) -> list[LimitPoint]:
     """Each value once."""
     kept: list[LimitPoint] = []
     for one in sorted(limits, key=lambda one: abs(one.value)):
@@ -98,16 +101,16 @@ def _ordered(limits, negative):
     return kept
 
 
-def _climb(point):
+def _climb(point: PathPoint) -> float:
     return float(point.tangent[-1])
 
 
-def _branching(path, stretch):
+def _branching(path: EquilibriumPath, stretch: PathStep) -> float:
     point, _ = path.between(stretch, lambda one: 1.0 if one.sense == stretch.start.sense else -1.0)
     return path.parted(point.y)[1]
 
 
-def _limit_point(path: EquilibriumPath, stretch: PathStep, point: PathPoint, digits: int):
+def _limit_point(path: EquilibriumPath, stretch: PathStep, point: PathPoint, digits: int) -> LimitPoint | None:
     """The LimitPoint of a stretch on which p turns back, near a point; None where it is no regular one."""
     q, p = path.parted(point.y)
     if abs(_climb(point)) > LEVEL:
@@ -122,7 +125,7 @@ def _limit_point(path: EquilibriumPath, stretch: PathStep, point: PathPoint, dig
     return found if near else None
 
 
-def _corner(path, point, width):
+def _corner(path: EquilibriumPath, point: PathPoint, width: float) -> LimitPoint | None:
     """The LimitPoint at which forces bend, so that p turns back sharply; None elsewhere."""
     p = path.parted(point.y)[1]
     if not path.equations.bends or abs(_climb(point)) <= LEVEL or not p:
@@ -135,14 +138,15 @@ def _corner(path, point, width):
 class _ExtendedSystem:
     """(r, K φ, l·φ − 1) about a place near a limit point: q in figures, p in units."""
 
-    def __init__(self, equations, q, p, unit, position):
+    def __init__(self, equations: ParametricEquilibrium, q: np.ndarray, p: float, unit: float,
+                 position: Mapping[str, float]) -> None:
         self.equations, self.unit, self.position = equations, unit, position
         self.n, self.q, self.p = len(q), q, p
         found = equations.rates(q, p, None, 1.0, position)
         self.size = 0.0 if found is None else float(max(np.abs(found[0].K).max(), np.abs(found[0].dr).max() * unit))
         self.along = np.linalg.svd(found[0].K)[2][-1] if found is not None else np.zeros(self.n)
 
-    def _slopes(self, q, p, phi):
+    def _slopes(self, q: np.ndarray, p: float, phi: np.ndarray) -> np.ndarray | None:
         """The matrix of derivatives by (q, p/unit, φ); None where it is singular, as at a branching."""
         n, eq = self.n, self.equations
         straight = eq.rates(q, p, None, 1.0, self.position)
@@ -173,7 +177,7 @@ class _ExtendedSystem:
             except (*UNDEFINED, np.linalg.LinAlgError):
                 return None
 
-    def _solved(self, mpmath, digits):
+    def _solved(self, mpmath: "ModuleType", digits: int) -> LimitPoint | None:
         n, scale = self.n, self.equations.scale
         q, p = [mpmath.mpf(float(x)) for x in self.q], mpmath.mpf(self.p)
         phi, position, last, slopes = [mpmath.mpf(float(x)) for x in self.along], self.position, mpmath.inf, None
@@ -194,8 +198,8 @@ class _ExtendedSystem:
                         np.linalg.solve(slopes, [-float(x / largest) for x in left])]
                 length = max(map(abs, step))
             if length <= mpmath.mpf(10) ** -(digits + GUARD // 2) * (1 + abs(p) / self.unit):
-                error, left = float(10 * length * self.unit / abs(p)) if p else 0.0, 10.0 ** -(digits + SURE)
-                return LimitPoint(p, position, values, error + left, float(10 * length) + left)
+                error, rest = float(10 * length * self.unit / abs(p)) if p else 0.0, 10.0 ** -(digits + SURE)
+                return LimitPoint(p, position, values, error + rest, float(10 * length) + rest)
             if i > RENEWED and length > FASTER * last:
                 return None
             last = length

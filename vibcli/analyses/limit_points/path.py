@@ -5,7 +5,7 @@ Along a path without a branching the determinant of [K ∂r/∂p; q′ p′] kee
 another one, or a step has come upon another one, which is told by halving it.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 
 import numpy as np
 
@@ -27,14 +27,14 @@ FLAT, RIGID, HALVINGS, APART, AWAY, LEAST, CHANGED = 1e-3, 1e-12, 60, 4.0, 0.3, 
 class EquilibriumPath:
     """That of a ParametricEquilibrium through the equilibrium reached at the given values."""
 
-    def __init__(self, equations: ParametricEquilibrium):
+    def __init__(self, equations: ParametricEquilibrium) -> None:
         self.equations, self.n = equations, len(equations.names)
         q = np.array([equations.rest[one] for one in equations.names]) / equations.scale
         self.unit, self.metric, self.ended, self.broken = 1.0, 1.0, "", False
         self._measure(q)
         self.first = self._first(q)
 
-    def _measure(self, q):
+    def _measure(self, q: np.ndarray) -> None:
         """Units of p and q in which the path bends about as much as it is long: the p at which K would be singular if
         it went on as it goes, and how far q goes with it."""
         eq = self.equations
@@ -61,7 +61,7 @@ class EquilibriumPath:
             self.unit = 1 / way
         self.metric = float(np.clip(way * self.unit, FLAT, 1.0))
 
-    def _first(self, q):
+    def _first(self, q: np.ndarray) -> PathPoint:
         y = self._joined(q, self.equations.start)
         found = self._jacobian(y, self.equations.rest)
         if found is None:
@@ -72,14 +72,15 @@ class EquilibriumPath:
                                "in it", "hold what moves freely, or start from other values of the parameters")
         return self._point(y, found[1], found[2], None)
 
-    def _joined(self, q, p):
+    def _joined(self, q: np.ndarray, p: float) -> np.ndarray:
         return np.append(q / self.metric, p / self.unit)
 
     def parted(self, y: np.ndarray) -> tuple[np.ndarray, float]:
         """(q in sizes of the figure, p)."""
         return y[:-1] * self.metric, float(y[-1] * self.unit)
 
-    def _jacobian(self, y, near):
+    def _jacobian(self, y: np.ndarray,
+                  near: Mapping[str, float]) -> tuple[np.ndarray, np.ndarray, dict[str, float], np.ndarray] | None:
         """(r, [K ∂r/∂p], position, rounding of r) in units of the metric; None where undefined."""
         q, p = self.parted(y)
         found = self.equations.slopes(q, p, near)
@@ -89,7 +90,8 @@ class EquilibriumPath:
         noise = NOISE * (rates.size + max(self.size, float(np.abs(rates.K).max())) * (1 + float(np.abs(q).max())))
         return rates.r, np.column_stack([rates.K * self.metric, rates.dr * self.unit]), position, noise
 
-    def _point(self, y, slopes, position, before, moved=0.0):
+    def _point(self, y: np.ndarray, slopes: np.ndarray, position: dict[str, float], before: PathPoint | None,
+               moved: float = 0.0) -> PathPoint:
         """With the tangent in the sense of that before, towards growing p where there is none."""
         tangent = np.linalg.svd(slopes)[2][-1]
         if (tangent @ before.tangent if before is not None else tangent[-1]) < 0:
@@ -161,7 +163,7 @@ class EquilibriumPath:
                 step *= 2
         self.ended, self.broken = f"{STEPS} steps were taken", True
 
-    def _round_corner(self, point, step):
+    def _round_corner(self, point: PathPoint, step: float) -> PathStep | None:
         """The PathStep past a place where forces bend, on which the tangent turns sharply; None where there is none.
         There too det [K ∂r/∂p; tangent] keeps its sign (Eaves 1976)."""
         found = self.corrected(point, step, True) if self.equations.bends else None
@@ -171,15 +173,16 @@ class EquilibriumPath:
             found = found._replace(tangent=-found.tangent, sense=point.sense)
         return PathStep(point, found, step, False, True)
 
-    def _longest(self, point):
+    def _longest(self, point: PathPoint) -> float:
         """No step is longer than a tenth of the figure, 0.1 rad, a third of a long way so far, or half of p."""
         q, p = self.parted(point.y)
         away = np.where(self.equations.angle, 1.0, np.maximum(1.0, 3 * np.abs(q - self.parted(self.first.y)[0]) - 2))
         rate, climb = point.tangent[:-1] * self.metric, abs(point.tangent[-1]) * self.unit
         longest = float((STRIDE * away / np.maximum(np.abs(rate), 1e-300)).min())
-        return min(longest, CLIMB * max(abs(p), self.unit) / max(climb, 1e-300))
+        found: float = min(longest, CLIMB * max(abs(p), self.unit) / max(climb, 1e-300))
+        return found
 
-    def _stretch(self, point, found, step):
+    def _stretch(self, point: PathPoint, found: PathPoint, step: float) -> PathStep | None:
         """The PathStep to a point; None where it may lead elsewhere."""
         units = (1.0, self._widened(point), self._narrowed(point))
         if not (all(self._straight(point, found, step, unit) for unit in units) and self._alike(point.K, found.K)):
@@ -193,21 +196,21 @@ class EquilibriumPath:
             return PathStep(point, found, step, odd and not self._folds(point, found))
         return PathStep(point, found, step, True) if self._crosses(point, found, step) else None
 
-    def _alike(self, one, other):
+    def _alike(self, one: np.ndarray, other: np.ndarray) -> bool:
         """Does K change by little? Where it changes its sign through infinity no path goes on."""
         largest = max(self.size, float(np.abs(one).max()), float(np.abs(other).max()))
         return float(np.abs(one - other).max()) <= CHANGED * largest
 
-    def _widened(self, point):
+    def _widened(self, point: PathPoint) -> float:
         """The metric far from where the path began, relative to that there: q counts by how far it has gone."""
         away = float(np.abs(point.y[:-1] - self.first.y[:-1]).max()) * self.metric
         return max(1.0, AWAY * min(away, 1.0) / self.metric)
 
-    def _narrowed(self, point):
+    def _narrowed(self, point: PathPoint) -> float:
         """The metric in which q goes as far as p where it goes less far."""
         return float(np.clip(np.linalg.norm(point.tangent[:-1]) / max(abs(point.tangent[-1]), 1e-300), LEAST, 1.0))
 
-    def _straight(self, point, found, step, unit):
+    def _straight(self, point: PathPoint, found: PathPoint, step: float, unit: float) -> bool:
         """Does a step miss by little, and turn by little, where q counts in other units?"""
         weights = np.append(np.full(self.n, 1 / unit), 1.0)
         one, other = weights * point.tangent, weights * found.tangent
@@ -215,11 +218,12 @@ class EquilibriumPath:
         return bool(np.linalg.norm(missed) <= NEAR * step * np.linalg.norm(one)
                     and one @ other >= STRAIGHT * np.linalg.norm(one) * np.linalg.norm(other))
 
-    def _folds(self, point, found):
+    def _folds(self, point: PathPoint, found: PathPoint) -> bool:
         """Do both lie on one side or is one the limit point itself?"""
-        return min(abs(point.tangent[-1]), abs(found.tangent[-1])) < GOOD
+        result: bool = min(abs(point.tangent[-1]), abs(found.tangent[-1])) < GOOD
+        return result
 
-    def _crosses(self, point, found, step):
+    def _crosses(self, point: PathPoint, found: PathPoint, step: float) -> bool:
         """Is there a branching between two points, and not a gap from one path to another?"""
         low, high, a, b = 0.0, step, point, found
         for _ in range(HALVINGS):
@@ -236,7 +240,7 @@ class EquilibriumPath:
                 return False
         return True
 
-    def _closes(self, begin, stretch, way):
+    def _closes(self, begin: PathPoint, stretch: PathStep, way: float) -> bool:
         """Does a step pass the place where the path began, the same way?"""
         if way < 4 * stretch.step or begin.tangent @ stretch.end.tangent < STRAIGHT:
             return False
@@ -244,7 +248,7 @@ class EquilibriumPath:
         off = begin.y - stretch.start.y - before * begin.tangent
         return before > 0 >= after and float(np.linalg.norm(off)) < NEAR * stretch.step
 
-    def _left(self, point):
+    def _left(self, point: PathPoint) -> str | None:
         """Why the path is followed no further than a point; None where it is."""
         q, p = self.parted(point.y)
         away = np.abs(q - self.parted(self.first.y)[0])
@@ -256,7 +260,7 @@ class EquilibriumPath:
             return f"'{self.equations.name}' is {BEYOND:.0e} times as large as it was"
         return None
 
-    def _why(self, point, step):
+    def _why(self, point: PathPoint, step: float) -> tuple[str, bool]:
         """(why a path is not followed beyond a point, is that for want of a method?)."""
         ahead = self._jacobian(point.y + step * point.tangent, point.position)
         if ahead is None:

@@ -10,7 +10,7 @@ class PathPoint(NamedTuple):
     det [K ∂r/∂p; tangent], how many eigenvalues of K are negative, K, how far Newton's method moved."""
 
     y: np.ndarray
-    position: dict
+    position: dict[str, float]
     tangent: np.ndarray
     sense: int
     unstable: int

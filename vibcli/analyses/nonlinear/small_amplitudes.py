@@ -40,8 +40,9 @@ class EnergyFactors(NamedTuple):
         """κ, of expressions."""
         (V2, V3, V4), (T0, T1, T2) = self
         bent, uneven = V3 / V2, T1 / T0
-        found: Node = 3 * V4 / (4 * V2) - 15 * bent * bent / 16 - T2 / (4 * T0)
-        return found + 3 * uneven * bent / 8 + uneven * uneven / 16
+        found: Node = (3 * V4 / (4 * V2) - 15 * bent * bent / 16 - T2 / (4 * T0)
+                       + 3 * uneven * bent / 8 + uneven * uneven / 16)
+        return found
 
 
 def factors_in_letters(symbolic: "SymbolicSystem") -> EnergyFactors:

@@ -17,6 +17,7 @@ from vibcli.numerics.collocation_rule import rule
 
 if TYPE_CHECKING:
     from vibcli.analyses.time_integration.deviations import Deviations
+    from vibcli.analyses.time_integration.error_scales import Sizes
 
 ROUNDED = CLOSE / 2   # last digits of a place: what rounding may leave of an iteration that comes no nearer
 LOST = 1e-3         # of the motion: where two solutions differ by more, neither is known
@@ -37,7 +38,7 @@ class Shared:
     it more than rounding? still: is all no more? units: the size of the figure along each coordinate; asked: the
     accuracy that is; deviations: those of the first, once they are known; share: by what a difference is multiplied."""
 
-    def __init__(self, one: Trajectory, other: Trajectory, units: np.ndarray, asked: float | None = None):
+    def __init__(self, one: Trajectory, other: Trajectory, units: np.ndarray, asked: float | None = None) -> None:
         self.one, self.other, self.asked = one, other, asked
         self.deviations: Deviations | None = None
         end = min(one.end, other.end)
@@ -55,7 +56,7 @@ class Shared:
         self.error = self.share * np.maximum.accumulate(np.maximum(*worst))
         self.lost = np.logical_or(*gone)
 
-    def _rounding(self, units, q):
+    def _rounding(self, units: np.ndarray, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """What rounding may make of q and q̇ at the times: that of a place at the end of each window, and that of the
         forces. Springs know their lengths to the last digit of the figure."""
         sizes, reach = self.one.sizes, np.maximum(units, np.abs(q).max(axis=1))
@@ -103,7 +104,7 @@ class Shared:
             found.append(self._too_large(self.deviations.sizes, self.one.starts))
         return min(found, default=None)
 
-    def _too_large(self, sizes, starts):
+    def _too_large(self, sizes: np.ndarray, starts: np.ndarray) -> float:
         """When the deviations come to LOST, as they grow from one window to the next."""
         k = int(np.argmax(sizes > LOST))
         if not k or not 0 < sizes[k - 1] < sizes[k] < np.inf:
@@ -132,7 +133,7 @@ class Shared:
         error = float(self.error[min(np.searchsorted(self.times, t), len(self.error) - 1)])
         return error if self.one.fast is None else max(error, self.one.fast.part)
 
-    def of_signal(self, values: Callable, t: float) -> float:
+    def of_signal(self, values: Callable[..., np.ndarray], t: float) -> float:
         """How far the two differ in a signal about an instant, values(trajectory, times); not at the ends of windows,
         where it may jump, of the other one a little later."""
         k, window = int(np.searchsorted(self.times, t)), self.one.windows[self.one.number(t)]
@@ -142,7 +143,8 @@ class Shared:
         return self.share * float(np.abs(values(self.one, times) - values(self.other, times)).max())
 
 
-def _compared(a, b, sizes, rounding, fast):
+def _compared(a: np.ndarray, b: np.ndarray, sizes: "Sizes", rounding: np.ndarray,
+              fast: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(the largest |a − b| of each instant relative to how far a row goes, or to rounding where that is more; is a row
     lost there?). fast: what is stepped over, which is told apart."""
     size = sizes.lifted(np.maximum(np.ptp(a, axis=1), STILL * np.abs(a).max(axis=1)))[:, None]

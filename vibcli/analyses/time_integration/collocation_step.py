@@ -29,7 +29,7 @@ class Window:
     __slots__ = ("end", "g", "length", "q", "rule", "series", "slides", "start", "v", "values")
 
     def __init__(self, rule: "Rule", start: float, length: float, q: np.ndarray, v: np.ndarray, A: np.ndarray,
-                 g: Sequence[float], slides: Sequence[Any], end: float | None = None):
+                 g: Sequence[float], slides: Sequence[Any], end: float | None = None) -> None:
         self.rule, self.start, self.length, self.end = rule, start, length, length if end is None else end
         self.q, self.v, self.g, self.slides = q, v, g, slides
         self.values, self.series = A, A @ rule.to_series
@@ -119,7 +119,7 @@ def expected(radians: float, left: float, most: int) -> int:
     return count
 
 
-def iterated(force: Callable, rule: "Rule", H: float, q: np.ndarray, v: np.ndarray, guess: np.ndarray,
+def iterated(force: Callable[..., np.ndarray], rule: "Rule", H: float, q: np.ndarray, v: np.ndarray, guess: np.ndarray,
              allowed: np.ndarray, unseen: int = 0, more: int = 0) -> Attempt:
     """Picard's iteration. force(Q, V) gives q̈ at the points; allowed: the error of each coordinate, (n, 1); unseen: how
     many iterations are made before the first look at their change; more: how many after it is small."""
@@ -145,7 +145,7 @@ def iterated(force: Callable, rule: "Rule", H: float, q: np.ndarray, v: np.ndarr
     return Attempt(None, count)
 
 
-def newton(force: Callable, rule: "Rule", H: float, q: np.ndarray, v: np.ndarray, guess: np.ndarray,
+def newton(force: Callable[..., np.ndarray], rule: "Rule", H: float, q: np.ndarray, v: np.ndarray, guess: np.ndarray,
            allowed: np.ndarray, inverse: np.ndarray | None = None, more: int = 0) -> Attempt:
     """Newton's method on f(q(A), q̇(A)) − A = 0; force(Q, V, copies) takes so many copies of the points at once;
     inverse: that of the window before, used as long as it does; more: iterations after its change is small."""
@@ -176,7 +176,8 @@ def newton(force: Callable, rule: "Rule", H: float, q: np.ndarray, v: np.ndarray
     return Attempt(None, count)
 
 
-def _linearised(force, Q, V, A, V1, V2, H):
+def _linearised(force: Callable[..., np.ndarray], Q: np.ndarray, V: np.ndarray, A: np.ndarray, V1: np.ndarray,
+                V2: np.ndarray, H: float) -> tuple[np.ndarray, np.ndarray]:
     """(f − A, (1 − ∂f/∂A)⁻¹) with ∂f/∂A = f_q V₂ᵀ + f_q̇ V₁ᵀ, by differences."""
     n, s = A.shape
     span = np.maximum(np.ptp(Q, axis=1), LEAST * np.abs(Q).max(axis=1))

@@ -9,7 +9,7 @@ of the data are followed one by one, the others, which are independent of each o
 
 from collections.abc import Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -20,8 +20,10 @@ from vibcli.analyses.time_integration.variation import NEAR, linearised, slopes
 from vibcli.analyses.time_integration.variation_at_events import jump
 
 if TYPE_CHECKING:
+    from vibcli.analyses.time_integration.collocation_step import Window
     from vibcli.analyses.time_integration.trajectory import Trajectory
     from vibcli.analyses.time_integration.variation import Linear
+    from vibcli.symbolic.node import Node
 
 SPREAD = 6.0            # by which the root of the sum of squares is multiplied: of all that is said of an error
 HALF = EPSILON / 2      # of a number: what its rounding may be
@@ -50,14 +52,14 @@ class Deviations:
     size: of the motion in (q, q̇). starts: columns of (q, q̇) at the start of each window,
     those of the directions of the data first; covariance: of what is rounded on the way."""
 
-    def __init__(self, trajectory: "Trajectory", given: Mapping[str, float] | None, units: np.ndarray):
+    def __init__(self, trajectory: "Trajectory", given: Mapping[str, float] | None, units: np.ndarray) -> None:
         self.trajectory, self.given, self.units = trajectory, dict(given or {}), units
         self.varied = Varied(trajectory)
         self.size = self._sizes()
         self.steps = NEAR * self.size
         self._follow(self._start())
 
-    def _sizes(self):
+    def _sizes(self) -> np.ndarray:
         """How large places and velocities are, those that hardly change lifted."""
         trajectory, found = self.trajectory, []
         for rows in along(trajectory.windows, LOOKS)[:2]:
@@ -73,11 +75,11 @@ class Deviations:
         return [None] * self._resting + linearised(self.varied, windows[self._resting:], self.steps)
 
     @cached_property
-    def _resting(self):
+    def _resting(self) -> int:
         """The number of windows at whose end it still rests."""
         return int(np.searchsorted(self.trajectory.starts, self.trajectory.rests))
 
-    def _start(self):
+    def _start(self) -> np.ndarray:
         """Columns of (q, q̇) at t = 0, by the directions, and by the last digit of each number."""
         trajectory, window = self.trajectory, self.trajectory.windows[0]
         n, system = len(window.q), trajectory.system
@@ -95,7 +97,7 @@ class Deviations:
         columns[range(2 * n), range(DIRECTIONS, DIRECTIONS + 2 * n)] = digits
         return self._closed(columns, window) if system.m else columns
 
-    def _closed(self, columns, window):
+    def _closed(self, columns: np.ndarray, window: "Window") -> np.ndarray:
         """The columns with loops closed."""
         n = len(window.q)
         ends = [self._projected(0, np.zeros(2 * n), window)]
@@ -112,15 +114,16 @@ class Deviations:
             found[:, k] = (end - ends[0]) * scale
         return found
 
-    def _projected(self, which, change, window):
+    def _projected(self, which: int, change: np.ndarray, window: "Window") -> np.ndarray:
         n = len(window.q)
         try:
             both = self.varied.systems[which].projected(0.0, window.q + change[:n], window.v + change[n:], window.g)
         except np.linalg.LinAlgError:
-            return np.concatenate([window.q, window.v]) + change
+            found: np.ndarray = np.concatenate([window.q, window.v]) + change
+            return found
         return np.concatenate(both)
 
-    def _follow(self, columns):
+    def _follow(self, columns: np.ndarray) -> None:
         """The columns and the covariance from window to window."""
         trajectory, windows, most = self.trajectory, self.trajectory.windows, LARGEST * self.size.max()
         P = np.zeros((len(columns), len(columns)))
@@ -140,15 +143,16 @@ class Deviations:
                         columns, P = np.full(columns.shape, np.nan), np.full(P.shape, np.nan)
                 before = window
 
-    def _may_jump(self, before, window, breaks):
+    def _may_jump(self, before: "Window | None", window: "Window", breaks: set[float]) -> bool:
         if before is None:
             return bool(self._blows(window))
         return before.g != window.g or before.slides != window.slides or window.start in breaks
 
-    def _blows(self, window):
+    def _blows(self, window: "Window") -> "dict[Node, float] | None":
         return self.trajectory.breaks.blows.get(window.start)
 
-    def _over(self, before, window, columns, P):
+    def _over(self, before: "Window", window: "Window", columns: np.ndarray,
+              P: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """The same after what happens between two windows."""
         if before is None:
             before = _before(window, self.trajectory)
@@ -160,7 +164,7 @@ class Deviations:
         noise = found.later * EPSILON * window.start
         return columns, found.M @ P @ found.M.T + np.outer(noise, noise)
 
-    def _rounded(self):
+    def _rounded(self) -> np.ndarray:
         """The covariances of what is rounded in each window: the state at its end, the forces before, the instant."""
         windows, noise = self.trajectory.windows, self.trajectory.sizes.noise
         H = np.array([window.end for window in windows])[:, None]
@@ -168,7 +172,8 @@ class Deviations:
         q, v, a = (row.T for row in along(windows, AT_END))
         state = np.concatenate([EPSILON * np.abs(q) + H * H * noise, EPSILON * np.abs(v) + H * noise], axis=1)
         late = HALF * ends * np.concatenate([v, a], axis=1)
-        return state[:, :, None] ** 2 * np.eye(2 * len(noise)) + late[:, :, None] * late[:, None, :]
+        found: np.ndarray = state[:, :, None] ** 2 * np.eye(2 * len(noise)) + late[:, :, None] * late[:, None, :]
+        return found
 
     @property
     def sizes(self) -> np.ndarray:
@@ -179,7 +184,8 @@ class Deviations:
         radian = min(self.trajectory.sizes.radian, 1.0)
         least = TINY * np.concatenate([self.units, self.units / radian])
         found = SPREAD * np.sqrt(np.maximum(squares, 0.0)) / np.maximum(self.size, least)
-        return np.where(np.isfinite(found), found, np.inf).max(axis=1)
+        result: np.ndarray = np.where(np.isfinite(found), found, np.inf).max(axis=1)
+        return result
 
     def columns(self, k: int) -> np.ndarray:
         """All at the start of a window: by the data, by the start, and by what is rounded, of shape (2n, columns)."""
@@ -199,7 +205,7 @@ class Deviations:
         return _scaled(linear, tau, columns)
 
 
-def _scaled(linear, tau, columns):
+def _scaled(linear: "Linear", tau: np.ndarray, columns: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Those of the directions are HALF of a unit."""
     columns = columns.copy()
     columns[:, :DIRECTIONS] /= HALF
@@ -209,7 +215,7 @@ def _scaled(linear, tau, columns):
     return rows
 
 
-def _before(window: Any, trajectory: Any):
+def _before(window: "Window", trajectory: "Trajectory") -> "Window":
     """A window of no length just before the first: from where blows at t = 0 strike."""
     _, q, v, _ = trajectory.struck[0]
     nothing = np.zeros(window.values.shape)

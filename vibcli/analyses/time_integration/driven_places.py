@@ -35,7 +35,7 @@ def driven_places(scene: "Scene") -> "list[Node]":
 class Driven:
     """Functions of the time alone in the places of a scene; `reach`: how far each has gone from where it started."""
 
-    def __init__(self, system: "NumericEquations"):
+    def __init__(self, system: "NumericEquations") -> None:
         scene = system.scene
         self.nodes = [node for node in reachable(driven_places(scene)) if node.mask == scene.time.mask
                       and node is not scene.time]
@@ -44,7 +44,7 @@ class Driven:
             self._compiled = Compiled(scene, system.floats, None, self.nodes)
             self.start = self._values(np.zeros(1))
 
-    def _values(self, times):
+    def _values(self, times: np.ndarray) -> np.ndarray:
         still = np.zeros((self.n, len(times)))
         return np.array([np.broadcast_to(value, times.shape) for value in self._compiled(times, still, still)])
 
@@ -57,7 +57,7 @@ class Driven:
             shorter *= SHORTER
         return H
 
-    def _tail(self, t, H, rule):
+    def _tail(self, t: float, H: float, rule: "Rule") -> float:
         """What is left of their series in a window, relative to what is allowed."""
         times = t + H * rule.c
         with np.errstate(all="ignore"):

@@ -14,7 +14,9 @@ from vibcli.symbolic.compiled_arrays import Compiled
 if TYPE_CHECKING:
     from vibcli.analyses.time_integration.collocation_step import Window
     from vibcli.mechanics.numeric_equations import NumericEquations
+    from vibcli.mechanics.power_balance import Powers
     from vibcli.mechanics.switching import Switching
+    from vibcli.numerics.collocation_rule import Rule
 
 BESIDE = 1e-14      # relative: an instant is left by more than the rounding of t − t1
 
@@ -48,7 +50,8 @@ def balance(system: "NumericEquations", switching: "Switching", windows: "Sequen
     return Balance(times, energy, loads, lost, drive, float(np.abs(gap).max() / size) if size else 0.0)
 
 
-def _rates(system, flow, t, q, v, a, senses):
+def _rates(system: "NumericEquations", flow: "Powers", t: np.ndarray, q: np.ndarray, v: np.ndarray, a: np.ndarray,
+           senses: np.ndarray) -> list[np.ndarray]:
     """[T, power of the loads, dissipated power, power of the drive] at the Gauss points."""
     drift, slopes = system.rate_of(flow.carried)
     nodes = [flow.kinetic, flow.loads, flow.lost, flow.drive + drift, *slopes.values(), *flow.ties]
@@ -64,7 +67,8 @@ def _rates(system, flow, t, q, v, a, senses):
     return [*values[:3], drive]
 
 
-def _at_ends(system, flow, windows, times, states, corners):
+def _at_ends(system: "NumericEquations", flow: "Powers", windows: "Sequence[Window]", times: np.ndarray,
+             states: Sequence[tuple[np.ndarray, np.ndarray]], corners: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """T + V at the ends of windows, just before and just after each of these instants: what is prescribed may jump, or
     turn at another speed, at one of the `corners`. There they are the limits from either side, what strikes there
     included."""
@@ -83,7 +87,7 @@ def _at_ends(system, flow, windows, times, states, corners):
     return before, after
 
 
-def _limit(compiled, window, end, sense):
+def _limit(compiled: Compiled, window: "Window", end: float, sense: float) -> float:
     """An energy at the end of a window by the parabola through three instants within it."""
     step = max(SOON * window.end, ROUNDINGS * np.spacing(window.start + window.end))
     tau = end + sense * step * np.array([1.0, 2.0, 3.0])
@@ -91,15 +95,18 @@ def _limit(compiled, window, end, sense):
     return float(np.array([3.0, -3.0, 1.0]) @ np.broadcast_to(compiled(window.start + tau, q, v)[0], 3))
 
 
-def _gained(system, flow, instant, place, before, after):
+def _gained(system: "NumericEquations", flow: "Powers", instant: float, place: np.ndarray, before: np.ndarray,
+            after: np.ndarray) -> float:
     """What an impulse adds to T + V."""
     compiled = Compiled(system.scene, system.floats, None, [flow.energy])
     times = np.full(2, instant * (1 + BESIDE))
     found = compiled(times, np.column_stack([place] * 2), np.column_stack([before, after]))[0]
-    return np.diff(np.broadcast_to(found, 2))[0]
+    result: float = np.diff(np.broadcast_to(found, 2))[0]
+    return result
 
 
-def _senses(switching, windows, q, v, rule):
+def _senses(switching: "Switching", windows: "Sequence[Window]", q: np.ndarray, v: np.ndarray,
+            rule: "Rule") -> np.ndarray:
     """The senses of the switches at the Gauss points of all windows, those that slide included."""
     found = np.repeat(np.array([window.g for window in windows], dtype=float).T, rule.points, axis=1)
     for k, window in enumerate(windows):
@@ -110,7 +117,8 @@ def _senses(switching, windows, q, v, rule):
     return found
 
 
-def _all(system, senses, t, q, v):
+def _all(system: "NumericEquations", senses: np.ndarray, t: np.ndarray, q: np.ndarray,
+         v: np.ndarray) -> list[np.ndarray]:
     """The same with the senses of what bends in the energies alone."""
     more = system.switches[len(senses):]
     signs = Compiled(system.scene, system.floats, None, more)(t, q, v) if more else ()

@@ -27,11 +27,11 @@ class Sizes:
 
     __slots__ = ("largest", "moved", "noise", "origin", "radian", "slopes", "weight")
 
-    def __init__(self, q: np.ndarray):
+    def __init__(self, q: np.ndarray) -> None:
         self.origin, self.moved, self.largest = q.copy(), np.zeros(len(q)), np.zeros(len(q))
 
-    def measure(self, system: "NumericEquations", accelerations: Callable, t: float, q: np.ndarray, v: np.ndarray,
-                g: Sequence[float]) -> np.ndarray:
+    def measure(self, system: "NumericEquations", accelerations: Callable[..., np.ndarray], t: float, q: np.ndarray,
+                v: np.ndarray, g: Sequence[float]) -> np.ndarray:
         """Take weight, radian and noise from the system as it is at t; q̈ there."""
         self.weight = np.sqrt(np.maximum(system.inertia.rows(np.array([t]), q[:, None], v[:, None], g)[:, 0], 1e-300))
         a, J = jacobian(accelerations, t, q, v)
@@ -68,22 +68,26 @@ class Sizes:
     def lifted(self, size: np.ndarray) -> np.ndarray:
         """Sizes of those that move little, lifted to LEAST of the largest."""
         weighted = size * self.weight
-        return np.maximum(weighted, LEAST * weighted.max(initial=0.0)) / self.weight
+        found: np.ndarray = np.maximum(weighted, LEAST * weighted.max(initial=0.0)) / self.weight
+        return found
 
 
-def _fastest(K, C, weight):
+def _fastest(K: np.ndarray, C: np.ndarray, weight: np.ndarray) -> float:
     """The largest |λ| of δ̈ = K δ + C δ̇; of many coordinates a bound, √‖K‖ + ‖C‖ with the coordinates weighted."""
     n = len(K)
     if n == 1:
         k, half = float(K[0, 0]), abs(float(C[0, 0])) / 2
         return half + sqrt(half * half + k) if half * half + k >= 0 else sqrt(-k)
     if n <= FEW:
-        return np.abs(np.linalg.eigvals(first_order(-K, -C))).max()
+        found: float = np.abs(np.linalg.eigvals(first_order(-K, -C))).max()
+        return found
     rows = [np.abs(weight[:, None] * matrix / weight).sum(axis=1).max() for matrix in (K, C)]
-    return np.sqrt(rows[0]) + rows[1]
+    result: float = np.sqrt(rows[0]) + rows[1]
+    return result
 
 
-def jacobian(accelerations: Callable, t: float, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def jacobian(accelerations: Callable[..., np.ndarray], t: float, q: np.ndarray,
+             v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(q̈, [∂q̈/∂q, ∂q̈/∂q̇]) by differences."""
     n = len(q)
     size = np.abs([q, v])

@@ -1,5 +1,6 @@
 """The first instant within a window at which a switch changes its sense, or leaves its slide."""
 
+from collections.abc import Callable
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
@@ -19,14 +20,14 @@ SPOTS = 12              # of a part of a window in which an argument vanishes
 
 
 @lru_cache
-def _places(points):
+def _places(points: int) -> tuple[np.ndarray, np.ndarray]:
     """(c, Legendre polynomials there): 2s places of Chebyshev, ending at 1."""
     c = 0.5 * (1 - np.cos(np.pi * np.arange(1, 2 * points + 1) / (2 * points)))
     return c, rule(points).basis(2 * c - 1)
 
 
 @lru_cache
-def _spots(points, part):
+def _spots(points: int, part: int) -> tuple[np.ndarray, np.ndarray]:
     """The same at the places of Chebyshev of the part of a window that ends at such a place."""
     ends, within = np.append(0.0, _places(points)[0]), 0.5 * (1 - np.cos(np.pi * np.arange(SPOTS) / (SPOTS - 1)))
     c = ends[part] + (ends[part + 1] - ends[part]) * within
@@ -50,15 +51,15 @@ def first_event(switching: "Switching", window: "Window", slack: np.ndarray,
     if not wrong.any():
         return None, ()
     first = int(np.argmax(wrong.any(axis=0)))
-    found = [(_zero(switching, window, k, first, tau[first]), int(k)) for k in np.flatnonzero(wrong[:, first])]
+    found = [(_zero(switching, window, k, first, tau[first]), k) for k in np.flatnonzero(wrong[:, first]).tolist()]
     instant = min(found)[0]
     return instant, tuple(k for time, k in found if time - instant <= 1e-12 * (window.start + window.length))
 
 
-def _room(switching, window, t, q, v):
+def _room(switching: "Switching", window: "Window", t: np.ndarray, q: np.ndarray, v: np.ndarray) -> np.ndarray:
     """σ g of each switch, or σ₀ − |σ| of those that slide: negative where it has to change."""
     g = np.array(window.g)
-    room = g[:, None] * switching.values(t, q, v, window.g)
+    room: np.ndarray = g[:, None] * switching.values(t, q, v, window.g)
     if window.slides:
         _, sigma = switching.sliding(window.slides, t, q, v, window.g)
         which = list(window.slides)
@@ -66,11 +67,12 @@ def _room(switching, window, t, q, v):
     return room
 
 
-def _zero(switching, window, k, part, end):
+def _zero(switching: "Switching", window: "Window", k: int, part: int, end: float) -> float:
     """The instant at which the room of a switch vanishes in a part of a window that ends so long after its start."""
-    def room(tau):
+    def room(tau: float) -> float:
         q, v, _ = window.states(np.array([tau]))
-        return _room(switching, window, np.array([window.start + tau]), q, v)[k, 0]
+        found: float = _room(switching, window, np.array([window.start + tau]), q, v)[k, 0]
+        return found
 
     c, P = _spots(window.rule.points, part)
     tau = np.minimum(c * window.length, end)
@@ -86,7 +88,7 @@ def _zero(switching, window, k, part, end):
     return last_place(lambda tau: room(tau) > 0, tau[below - 1], tau[below], ROUNDS)[1]
 
 
-def _inverse(places, values):
+def _inverse(places: np.ndarray, values: np.ndarray) -> tuple[float, float]:
     """Where a function with these values at places vanishes, by the polynomial of its inverse (Neville), and how far
     apart the last two are that are a degree lower."""
     found, y = places.tolist(), values.tolist()
@@ -97,7 +99,7 @@ def _inverse(places, values):
     return found[0], abs(before[1] - before[0])
 
 
-def _after_start(room, high):
+def _after_start(room: Callable[[float], float], high: float) -> float:
     """A switch that has just changed may start from zero: where it comes back to it, 0.0 where it never left."""
     low = high
     for _ in range(60):

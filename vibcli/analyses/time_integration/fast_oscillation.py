@@ -39,14 +39,15 @@ class Fast(NamedTuple):
 def fast_part(window: "Window", sizes: "Sizes", scale: np.ndarray) -> Fast | None:
     """The Fast of a window that follows it; None where it is not small beside the motion of size `scale`."""
     c = window.rule.c
-    amplitudes = [SAFETY * _left(row, c) for row in window.states(c * window.length)]
-    part = float((amplitudes[0] * sizes.weight).max() / (scale * sizes.weight).max())
-    found = Fast(window.start + window.length, 1.0 / sizes.radian, *amplitudes, part)
+    q, v, a = (SAFETY * _left(row, c) for row in window.states(c * window.length))
+    part = float((q * sizes.weight).max() / (scale * sizes.weight).max())
+    found = Fast(window.start + window.length, 1.0 / sizes.radian, q, v, a, part)
     return found if part <= SMALL else None
 
 
-def _left(rows, c):
+def _left(rows: np.ndarray, c: np.ndarray) -> np.ndarray:
     """The largest of each row less a polynomial of low degree."""
     P = np.polynomial.legendre.legvander(2 * c - 1, SMOOTH)
     fit = P @ np.linalg.lstsq(P, rows.T, rcond=None)[0]
-    return np.abs(rows.T - fit).max(axis=0)
+    found: np.ndarray = np.abs(rows.T - fit).max(axis=0)
+    return found

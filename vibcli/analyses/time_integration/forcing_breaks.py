@@ -33,7 +33,7 @@ class Breaks:
 
     __slots__ = ("blows", "times")
 
-    def __init__(self, times: np.ndarray, blows: "Mapping[float, dict[Node, float]]"):
+    def __init__(self, times: np.ndarray, blows: "Mapping[float, dict[Node, float]]") -> None:
         self.times, self.blows = times, blows
 
     def after(self, t: float, until: float) -> float:
@@ -63,12 +63,13 @@ def breaks(scene: "Scene", nodes: "Sequence[Node]", floats: Mapping[str, float],
     return Breaks(places[1:], {_nearest(places, time): sizes for time, sizes in sorted(blows.items())})
 
 
-def _nearest(times, time):
+def _nearest(times: np.ndarray, time: float) -> float:
     i = int(np.searchsorted(times[1:], time))
     return float(min(times[i:i + 2], key=lambda other: abs(other - time)))
 
 
-def _exact(scene, node, floats, until, blows, work):
+def _exact(scene: "Scene", node: "Node", floats: Mapping[str, float], until: float,
+           blows: "dict[float, dict[Node, float]]", work: "Work") -> list[float] | None:
     """The breaks of one function of the time; None where they are not known in closed form."""
     try:
         segments = forcing_of({0: node}, scene.time, floats, work=work).segments(until, work)
@@ -82,12 +83,12 @@ def _exact(scene, node, floats, until, blows, work):
     return [segment.start for segment in segments]
 
 
-def _strikes(node):
+def _strikes(node: "Node") -> bool:
     """Does it hold impulses by itself? Of records the rates do: the second one where their slope jumps."""
     return node.name == "impulse" or (node.name in node.table.records and len(node.args) > 1)
 
 
-def _searched(scene, node, floats, until):
+def _searched(scene: "Scene", node: "Node", floats: Mapping[str, float], until: float) -> list[float]:
     """Where the argument of a function changes its sign, or passes a multiple of π."""
     from vibcli.symbolic.array_arithmetic import Arrays
 
@@ -95,9 +96,10 @@ def _searched(scene, node, floats, until):
         raise PhysicsError(f"when {node.name} acts is not known", "let its argument be t − t1")
     argument = node.args[0] - node.args[1] if node.name in ("min", "max") else node.args[0]
 
-    def turns(times):
+    def turns(times: np.ndarray) -> np.ndarray:
         values = evaluate([argument], Arrays, {**floats, scene.time.name: times})[0] * np.ones(len(times))
-        return np.floor(values / np.pi) if node.name in ("square", "sawtooth") else values >= 0
+        found: np.ndarray = np.floor(values / np.pi) if node.name in ("square", "sawtooth") else values >= 0
+        return found
 
     times = np.linspace(0.0, until, SAMPLES)
     values = turns(times)

@@ -14,6 +14,7 @@ from vibcli.symbolic.evaluation import evaluate
 if TYPE_CHECKING:
     from vibcli.analyses.time_integration.forcing_breaks import Breaks
     from vibcli.analyses.time_integration.time_stepping import March
+    from vibcli.symbolic.node import Node
 
 SOON = 1e-10            # of the time up to the next break
 SAME = 0.1              # of what strikes: how much of it may change from one instant to the other
@@ -31,10 +32,11 @@ def blow(march: "March", stops: "Breaks") -> np.ndarray | None:
     first, second = found
     if not np.abs(second - first).max(initial=0.0) < SAME * np.abs(first).max(initial=0.0):
         return None
-    return None if _rounding(march, march.t + step, blows) else 2 * first - second
+    result: np.ndarray | None = None if _rounding(march, march.t + step, blows) else 2 * first - second
+    return result
 
 
-def _rounding(march, t, blows):
+def _rounding(march: "March", t: float, blows: "dict[Node, float]") -> bool:
     """May all of it vanish, by interval arithmetic?"""
     from vibcli.symbolic.interval_arithmetic import Intervals, exact
 

@@ -11,6 +11,7 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
     from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.numeric_system import NumericSystem
     from vibcli.scene.scene import Scene
 
 
@@ -32,7 +33,7 @@ def start(configuration: "Configuration",
     return _with_dependent(configuration.numeric, q, v)
 
 
-def _rest(configuration):
+def _rest(configuration: "Configuration") -> dict[str, float]:
     try:
         return at_rest(configuration)
     except PhysicsError as error:
@@ -40,7 +41,8 @@ def _rest(configuration):
         raise error.told(hint=given) from None
 
 
-def _with_dependent(numeric, q, v):
+def _with_dependent(numeric: "NumericSystem", q: Mapping[str, float],
+                    v: Mapping[str, float]) -> tuple[dict[str, float], dict[str, float]]:
     """The same with what follows from the constraints."""
     scene = numeric.scene
     values = {**numeric.floats, scene.time.name: 0.0, **q, **{name + "'": speed for name, speed in v.items()}}

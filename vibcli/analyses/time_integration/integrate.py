@@ -1,7 +1,7 @@
 """The motion of a scene from its start up to an instant."""
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -21,6 +21,11 @@ from vibcli.base.work import Spent
 from vibcli.mechanics.numeric_equations import NumericEquations
 
 if TYPE_CHECKING:
+    from vibcli.analyses.time_integration.collocation_step import Window
+    from vibcli.analyses.time_integration.forcing_breaks import Breaks
+    from vibcli.analyses.time_integration.refined_windows import RefinedWindows
+    from vibcli.analyses.time_integration.series_windows import SeriesWindows
+    from vibcli.analyses.time_integration.trajectory import Balance
     from vibcli.mechanics.configuration import Configuration
 
 ACCURACY, BALANCED = 1e-12, 1e-8      # of a step relative to the motion; of the energies
@@ -76,7 +81,8 @@ def solved_again(motion: PreparedMotion, first: Trajectory, rtol: float = ACCURA
     return Trajectory(march, march.t, events, rests, motion.stops)
 
 
-def _followed(motion, until, rtol, points, first=None):
+def _followed(motion: PreparedMotion, until: float, rtol: float, points: tuple[int, int],
+              first: Trajectory | None = None) -> tuple[March, list[Event], float]:
     """(the March to its end or as far as it may, the Events on the way, up to when it rests)."""
     again, work = first is not None, motion.configuration.numeric.work
     with work.task("the integration" + " once more" * again, MOST_STEPS * (1 + again)) as task:
@@ -93,17 +99,18 @@ def _followed(motion, until, rtol, points, first=None):
     return march, events, rests
 
 
-def _rounding(units, march, energies):
+def _rounding(units: np.ndarray, march: March, energies: "Balance") -> float:
     """How far rounding may upset the balance [J]: that of the accelerations on the way, and that of V, whose springs
     know their lengths to the last digit of the figure."""
     way = sum(window.end * abs(v) for window, (_, v) in zip(march.windows, march.ends, strict=True))
     reach = np.maximum(units, abs(march.q))
     of_V = abs(energies.energy).max() + reach @ march.system.sizes(march.t, march.q, march.v, march.g)
     each = 4 * EPSILON * float(of_V) * len(march.windows) ** 0.5       # of a window, as errors that add up at random
-    return float(march.sizes.weight**2 * march.sizes.noise @ way) + each
+    found: float = float(march.sizes.weight**2 * march.sizes.noise @ way) + each
+    return found
 
 
-def _unbalanced(energies):
+def _unbalanced(energies: "Balance") -> Unbalanced:
     if not np.isfinite(energies.error):
         return Unbalanced("the energies of this motion are not defined at an instant at which a function of the time "
                             "in it jumps, or in a position that it reaches", "write what drives it without jumps, as "
@@ -113,13 +120,15 @@ def _unbalanced(energies):
                         "follow it for a shorter time, or let what acts change less abruptly")
 
 
-def _marched(march, stops, events, others):
+def _marched(march: March, stops: "Breaks", events: list[Any],
+             others: "Sequence[RefinedWindows | SeriesWindows]") -> None:
     """March to the end, by `others` where these pay; the events on the way go to `events`."""
     until, at_once = march.until, 0
     if march.t == until:
         return
     _strike(march, stops, events)
     march.begin(stops.after(march.t, until))
+    which: tuple[int, ...]
     while march.t < until:
         limit, instant, which = stops.after(march.t, until), None, ()
         paying = next((windows for windows in others if windows.pay(march, limit)), None)
@@ -146,7 +155,7 @@ def _marched(march, stops, events, others):
         events += _named(march, before)
 
 
-def _event(march, window, limit):
+def _event(march: March, window: "Window", limit: float) -> tuple[float | None, tuple[int, ...]]:
     if not march.switching.count:
         return None, ()
     breaks = limit - (window.start + window.length) <= 1e-15 * limit
@@ -154,7 +163,7 @@ def _event(march, window, limit):
     return first_event(march.switching, window, slack, breaks)
 
 
-def _strike(march, stops, events):
+def _strike(march: March, stops: "Breaks", events: list[Event]) -> None:
     """The impulses that act now."""
     change = blow(march, stops)
     if change is not None:
@@ -162,7 +171,7 @@ def _strike(march, stops, events):
         events.append(Event(march.t, "impulse", ""))
 
 
-def _named(march, before):
+def _named(march: March, before: tuple[tuple[float, ...], tuple[int, ...]]) -> list[Event]:
     """The Events that have just happened: what has changed."""
     g, slides = before
     found = []

@@ -45,7 +45,7 @@ def known_motion(configuration: "Configuration", until: float, initial: Mapping[
     return found
 
 
-def _twice(motion, rtol, asked, accuracy):
+def _twice(motion: PreparedMotion, rtol: float, asked: float, accuracy: float | None) -> "tuple[Trajectory, Shared]":
     """(its Trajectory, the Shared with a second one), by steps whose error is so large."""
     found = solved(motion, rtol, max(BALANCED, asked))
     if not found.end > 0:

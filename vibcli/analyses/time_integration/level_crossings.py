@@ -4,7 +4,7 @@ A signal is a function of times, smooth within each window as the motion is. Its
 values at the Gauss points; the roots are those of that series (numerics/legendre_roots.py), of all windows at once.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,6 +14,8 @@ from vibcli.numerics.collocation_rule import rule
 from vibcli.numerics.legendre_roots import coming_to, numbered_roots, overshoot, roots, sampled, slopes
 
 if TYPE_CHECKING:
+    from vibcli.analyses.time_integration.collocation_step import Window
+    from vibcli.analyses.time_integration.series_trajectory import SeriesWindow
     from vibcli.analyses.time_integration.trajectory import Trajectory
 
 POINTS = 40
@@ -30,17 +32,19 @@ class SignalWindows(NamedTuple):
     """Of the windows that an interval meets: their starts and lengths [s], as far as the motion is known, and the
     Legendre series of a signal in each, as rows; windows: these themselves."""
 
-    windows: list
+    windows: "list[Window | SeriesWindow]"
     starts: np.ndarray
     lengths: np.ndarray
     series: np.ndarray
 
     def times(self, rows: Any, x: Any) -> np.ndarray:
         """The instants at places in [−1, 1] of windows."""
-        return self.starts[rows] + 0.5 * (x + 1) * self.lengths[rows]
+        found: np.ndarray = self.starts[rows] + 0.5 * (x + 1) * self.lengths[rows]
+        return found
 
 
-def passages(trajectory: "Trajectory", signal: Callable, start: float, end: float, level: float = 0.0) -> list[float]:
+def passages(trajectory: "Trajectory", signal: Callable[..., np.ndarray], start: float, end: float,
+             level: float = 0.0) -> list[float]:
     """Instants in [start, end] at which a signal passes the level, ascending; a place from which it starts counts."""
     found, parts = [], _parts(trajectory, signal, start, end)
     begins = np.asarray(signal(parts.starts), dtype=float) - level
@@ -57,7 +61,7 @@ def passages(trajectory: "Trajectory", signal: Callable, start: float, end: floa
     return _distinct(sorted(found), lambda times: np.asarray(signal(times), dtype=float) - level)
 
 
-def _distinct(found, signal):
+def _distinct(found: Sequence[tuple[float, float, float]], signal: Callable[..., Any]) -> list[float]:
     """The times of [(time, length of its window, size of the signal there)], those once between which the signal is
     but rounding away from the level: it touches the level there."""
     if not found:
@@ -76,14 +80,14 @@ def _distinct(found, signal):
     return kept
 
 
-def _away(signal, level, window, size):
+def _away(signal: Callable[..., np.ndarray], level: float, window: "Window | SeriesWindow", size: float) -> float:
     """How long after the start of a window a signal that starts at the level is but rounding away from it."""
     sooner = window.end * 2.0 ** np.arange(-60, 1)
     clear = np.abs(np.asarray(signal(window.start + sooner), dtype=float) - level) > CLEAR * NOTHING * size
     return float(sooner[clear.argmax()]) if clear.any() else window.end
 
 
-def extreme(trajectory: Any, signal: Callable, start: float, end: float, sense: int,
+def extreme(trajectory: Any, signal: Callable[..., np.ndarray], start: float, end: float, sense: int,
             alike: float = 0.0) -> tuple[float, float]:
     """(instant, value) of the largest (sense 1) or smallest (−1) value in [start, end]; where the signal jumps, the
     limits on both sides count. alike: by how much values may differ that are taken for the same, of which the first
@@ -110,7 +114,8 @@ def extreme(trajectory: Any, signal: Callable, start: float, end: float, sense: 
     return float(times[best]), float(values[best])
 
 
-def _places(parts, start, end, sense, alike):
+def _places(parts: SignalWindows, start: float, end: float, sense: int,
+            alike: float) -> tuple[np.ndarray, np.ndarray, tuple[np.ndarray, np.ndarray], float]:
     """Where a signal can have its extreme from start to end: (windows at whose start, windows at whose end, (windows in
     which it turns, places of this in each), and its range in the windows within)."""
     series = sense * parts.series
@@ -126,11 +131,11 @@ def _places(parts, start, end, sense, alike):
     rates[np.abs(rates).max(axis=1) <= NOTHING * np.abs(series[able]).max(axis=1)] = 0.0
     rows, places = numbered_roots(rates, coming_to(level, series[able], values[able]))
     spread = highest[whole].max(initial=-np.inf) - lowest[whole].min(initial=np.inf)
-    at_ends = [np.flatnonzero(values[:, k] >= level - slack) for k in (0, -1)]
-    return *at_ends, (able[rows], places), float(spread)
+    at_start, at_end = (np.flatnonzero(values[:, k] >= level - slack) for k in (0, -1))
+    return at_start, at_end, (able[rows], places), float(spread)
 
 
-def _parts(trajectory, signal, start, end):
+def _parts(trajectory: "Trajectory", signal: Callable[..., np.ndarray], start: float, end: float) -> SignalWindows:
     """The SignalWindows that [start, end] meets."""
     gauss = rule(POINTS)
     windows = [window for window in trajectory.windows if window.start <= min(end, trajectory.end)

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from vibcli.mechanics.equations_of_motion import Dynamics
     from vibcli.scene.scene import Scene
 
+    Computed = Callable[[int, int, Sequence[int], int], "Coefficients"]      # of (t₀, T, [q, q̇], order)
+
 
 class Coefficients(NamedTuple):
     """[coefficients] of each coordinate, velocity and acceleration, of the powers of s."""
@@ -35,7 +37,7 @@ class Coefficients(NamedTuple):
 class MotionSeries:
     """The equations `parts` of a scene as source of series. `products`: of series, in each round."""
 
-    def __init__(self, scene: "Scene", parts: "Dynamics"):
+    def __init__(self, scene: "Scene", parts: "Dynamics") -> None:
         self.n, self.m = len(scene.q), len(parts.gaps)
         slots = {scene.time: "t"}
         slots |= {symbol: f"q{i}" for i, symbol in enumerate(scene.q)}
@@ -52,7 +54,7 @@ class MotionSeries:
         self._code = compile(f"def f(t0,T,start,K,constants,B):\n{self._written(source, right)}\n", "<series>", "exec")
         self.products = source.products + sum(not still for row in self._rows for _, _, still in row) + self.n
 
-    def _written(self, source, right):
+    def _written(self, source: SeriesSource, right: list[str]) -> str:
         names = [f"{kind}{i}" for kind in "qv" for i in range(self.n)]
         unknowns = [f"a{i}" for i in range(self.n + self.m)]
         entries = [{column: f"{name}[0]" for column, name, _ in row} for row in self._rows]
@@ -66,10 +68,10 @@ class MotionSeries:
         lines += ["for k in range(1,K+1):", *(" " + line for line in self._round(source, right, unknowns))]
         return "\n".join(f" {line}" for line in [*lines, f"return {_lists(names)},{_lists(unknowns[:self.n])}"])
 
-    def _solved(self, i):
+    def _solved(self, i: int) -> str:
         return "+".join(f"W[{i}][{j}]*r{j}" for j in range(self.n + self.m)) + ">>B"
 
-    def _round(self, source, right, unknowns):
+    def _round(self, source: SeriesSource, right: Sequence[str], unknowns: Sequence[str]) -> list[str]:
         """The lines of a round."""
         lines = ["h=(k+1)>>1", "t.append(T if k==1 else 0)"]
         for i in range(self.n):
@@ -81,7 +83,7 @@ class MotionSeries:
             lines.append(f"r{i}=-{name}[-1]" + (f"-({earlier}>>B)" if earlier else ""))
         return lines + [f"{a}.append({self._solved(i)})" for i, a in enumerate(unknowns)]
 
-    def with_bits(self, values: "Mapping[str, mpmath.mpf]", bits: int) -> "Callable[..., Coefficients]":
+    def with_bits(self, values: "Mapping[str, mpmath.mpf]", bits: int) -> "Computed":
         """f(t₀, T, [q, q̇] at t₀, order), all numbers fixed points of so many bits; `values` of the parameters."""
         import mpmath
 
@@ -115,5 +117,5 @@ def fixed_point(x: "mpmath.mpf", bits: int) -> int:
     return shifted(m, e + bits)
 
 
-def _lists(names):
+def _lists(names: list[str]) -> str:
     return f"[{','.join(names)}]"

@@ -16,6 +16,8 @@ from vibcli.symbolic.compiled_arrays import Compiled
 if TYPE_CHECKING:
     from vibcli.analyses.time_integration.forcing_breaks import Breaks
     from vibcli.analyses.time_integration.time_stepping import March
+    from vibcli.mechanics.numeric_equations import NumericEquations
+    from vibcli.symbolic.node import Node
 
 BALANCED, ROUNDED = 1e-9, 8     # of the forces that are in equilibrium; of their rounding, beside what holds the time
 
@@ -39,7 +41,7 @@ def stay(march: "March", stops: "Breaks", in_equilibrium: bool) -> None:
         march.rest(limit)
 
 
-def _of_time(system):
+def _of_time(system: "NumericEquations") -> "list[Node]":
     """What holds the time: in the equations, in the places of bodies and points, and in loads on what is driven."""
     scene = system.scene
     loads = [node for term in scene.forces for node in term.nodes]
@@ -48,15 +50,15 @@ def _of_time(system):
     return [node for node in nodes if node.mask & scene.time.mask]
 
 
-def _silent(march, limit, moving, in_equilibrium):
+def _silent(march: "March", limit: float, moving: "list[Node]", in_equilibrium: bool) -> bool:
     """Is nothing of what holds the time felt until then, and are the forces in equilibrium? Of smooth forces without
     the time the search for it tells, of others without the time nearly."""
     times = march.t + (limit - march.t) * march.rule.c
-    state = [np.repeat(x[:, None], len(times), 1) for x in (march.q, march.v)]
-    a = march.accelerations(times, *state)
+    q, v = (np.repeat(x[:, None], len(times), 1) for x in (march.q, march.v))
+    a = march.accelerations(times, q, v)
     bound = ROUNDED * march.sizes.noise
     if moving:
-        values = Compiled(march.system.scene, march.system.floats, None, moving)(times, *state)
+        values = Compiled(march.system.scene, march.system.floats, None, moving)(times, q, v)
         if any(np.ptp(value) for value in values):
             return False
     elif in_equilibrium and march.switching.count:

@@ -11,7 +11,7 @@ LONG = 0.05                 # of the limit: so much work a fast oscillation is n
 class Pace:
     """Of windows up to t = `until`, each a step of the task; slow: are as many to come as are not worth it?"""
 
-    def __init__(self, until: float, task: Task):
+    def __init__(self, until: float, task: Task) -> None:
         self.until, self.task, self.tries, self.seen, self.slow = until, task, 0, 0.0, False
 
     def step(self, t: float, stiff: bool) -> None:

@@ -1,10 +1,14 @@
 """The time after which a motion that was integrated repeats itself."""
 
-from typing import Any
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.base.errors import PhysicsError
+
+if TYPE_CHECKING:
+    from vibcli.results.full_signals import FullSignal
 
 PERIODIC = 1e-7         # of its range: how nearly a signal repeats itself
 SAMPLES, MOST = 64, 60  # instants that are compared, and passages within a period
@@ -24,7 +28,7 @@ def searched_period(signal: Any, first: float | None) -> tuple[float, float]:
                        "ask for max(x), zero[1](x) or values in time")
 
 
-def _period(signal, end):
+def _period(signal: "FullSignal", end: float) -> tuple[float, float] | None:
     """The time between passages through the middle of the range, of a signal that repeats itself after it, and how far
     it may be off."""
     high, low = (signal.extreme(0.0, end, sense)[1] for sense in (1, -1))
@@ -39,7 +43,7 @@ def _period(signal, end):
     return None
 
 
-def _averaged(signal, passages, step, period):
+def _averaged(signal: "FullSignal", passages: Sequence[float], step: int, period: float) -> tuple[float, float]:
     """The mean of the periods that follow one another as passages do, and its error: that of the passages at both ends,
     and what the periods differ by."""
     last = (len(passages) - 1) // step

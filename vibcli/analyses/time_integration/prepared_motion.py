@@ -20,6 +20,7 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 if TYPE_CHECKING:
     from vibcli.analyses.time_integration.trajectory import Trajectory
     from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.float_equations import FloatEquations
     from vibcli.mechanics.numeric_system import NumericSystem
     from vibcli.scene.scene import Scene
 
@@ -30,7 +31,8 @@ class PreparedMotion:
     """The motion of a system up to t = `until` [s]; initial: {x: m or rad, x': m/s or rad/s}. system: its equations;
     stops: the Breaks of what drives it; start: (q, q̇)."""
 
-    def __init__(self, configuration: "Configuration", until: float, initial: Mapping[str, float] | None = None):
+    def __init__(self, configuration: "Configuration", until: float,
+                 initial: Mapping[str, float] | None = None) -> None:
         if not 0 < until < LONGEST:
             raise PhysicsError(f"a motion cannot end at t = {until:.6g} s", "ask for an instant after its start, t = 0")
         places, speeds = start(configuration, initial)
@@ -54,7 +56,7 @@ class PreparedMotion:
                 RefinedWindows(self._in_floats, self.system.n, rtol, first))
 
     @cached_property
-    def _in_floats(self):
+    def _in_floats(self) -> "FloatEquations | None":
         return refinable(self.system, self.switching, self.driven)
 
     @cached_property

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     import mpmath
 
     from vibcli.analyses.time_integration.smooth_pieces import SmoothPieces
-    from vibcli.base.work import Work
+    from vibcli.base.work import Task, Work
 
 MOST = 600              # steps of a million products
 FEW, FEWEST = 15, 3     # digits of the first march, and those that it shares at least where its loss is read off
@@ -34,7 +34,8 @@ class ProvenMotion:
     """A motion whose equations are SmoothPieces, from start(bits) = [q, q̇] in fixed point; sizes: of the figure along
     the coordinates, beside which what is smaller by all digits is nothing."""
 
-    def __init__(self, pieces: "SmoothPieces", start: Callable, sizes: "Sequence[float]", work: "Work"):
+    def __init__(self, pieces: "SmoothPieces", start: Callable[[int], list[int]], sizes: "Sequence[float]",
+                 work: "Work") -> None:
         self.pieces, self.start, self.sizes, self.work = pieces, start, sizes, work
         self._marches: list[TaylorMarch] = []
         self._loss = -1.0               # digits that are lost in a second; negative: not known yet
@@ -70,7 +71,7 @@ class ProvenMotion:
         steps = 2 * len(march.steps) * float(until) / float(Fraction(march.end, 1 << march.bits))
         return 2 * steps * self._cost(march.order, march.bits) <= MOST * self.work.patience
 
-    def _pair(self, digits, until):
+    def _pair(self, digits: int, until: Fraction) -> list[TaylorMarch]:
         """Two marches that agree on so many digits of the motion."""
         with self.work.task("the series of this motion", MOST) as task:
             if until and self._loss < 0:
@@ -91,12 +92,12 @@ class ProvenMotion:
         raise PhysicsError(f"{digits} digits of this motion are not found up to t = {float(until):.6g} s",
                            "ask for fewer digits or an earlier instant")
 
-    def _lose(self, carried, shared, time):
+    def _lose(self, carried: int, shared: float, time: Fraction) -> None:
         """Of the digits that were carried so few are shared at an instant."""
         faster = FASTER if shared < FEWEST else 1.0
         self._loss = max(self._loss, faster * (carried - shared) / float(time))
 
-    def _look_ahead(self, digits, until, task):
+    def _look_ahead(self, digits: int, until: Fraction, task: "Task") -> None:
         """How fast digits are lost: where a march of few of them parts from one of more."""
         few, more = self._march(FEW), self._march(max(digits, FEW) + GUARD)
         for number in range(1, LOOKS + 1):
@@ -108,15 +109,16 @@ class ProvenMotion:
                 self._loss, self._marches = max(FEW - shared, 0.0) / float(time), [more]
                 break
 
-    def _march(self, digits, extra=0):
+    def _march(self, digits: int, extra: int = 0) -> TaylorMarch:
         return TaylorMarch(self.pieces.series, self.start, self.sizes, digits, extra,
                            lambda march: counted(self._cost(march.order, march.bits)))
 
-    def _cost(self, order, bits):
+    def _cost(self, order: int, bits: int) -> float:
         """Of a step, in millions of products."""
         return self.pieces.products * order**2 / 2 * price(bits) / 1e6
 
-    def _follow(self, march, time, task, digits=None, until=None):
+    def _follow(self, march: TaylorMarch, time: Fraction, task: "Task", digits: int | None = None,
+                until: Fraction | None = None) -> None:
         """March up to an instant; up to `until` two marches of so many digits must be no more work than is allowed."""
         until, end = until or time, (time.numerator << march.bits) // time.denominator
         while march.end < end and len(march.steps) < FIRST_STEPS:
@@ -128,7 +130,7 @@ class ProvenMotion:
                 raise self._too_long(steps, planned.digits, until, task)
         march.reach(end)
 
-    def _too_long(self, steps, digits, until, task):
+    def _too_long(self, steps: float, digits: int, until: Fraction, task: "Task") -> PhysicsError:
         """The refusal, with the digits that will be lost as far as that is seen."""
         planned = self._march(digits + ceil(self._seen_loss() * until) * (self._loss < 0))
         needed = steps * self._cost(planned.order, planned.bits)
@@ -138,7 +140,7 @@ class ProvenMotion:
                             f"take about {needed:.0f} steps of a million products each; the limit is "
                             f"{task.limit:.0f}", "ask for fewer digits or an earlier instant" + more)
 
-    def _seen_loss(self):
+    def _seen_loss(self) -> float:
         """How fast digits are lost, from a few steps."""
         few, more = self._march(FEW), self._march(2 * FEW)
         for _ in range(PROBED):
@@ -148,7 +150,7 @@ class ProvenMotion:
         return max(half - whole, 0.0) / float(end / 2)
 
 
-def _shared_digits(one, other):
+def _shared_digits(one: "mpmath.mpf", other: "mpmath.mpf") -> float:
     import mpmath
 
     if one == other:

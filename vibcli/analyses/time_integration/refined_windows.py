@@ -5,6 +5,7 @@ Each window holds as many steps as it resolves: where these are very many, stabi
 stiff, and collocation goes on.
 """
 
+from collections.abc import Callable, Sequence
 from math import log
 from typing import TYPE_CHECKING, Any
 
@@ -58,7 +59,7 @@ class RefinedWindows:
     """Of a motion whose windows are resolved to `rtol` of its size; first: the solution beside which a second one is
     found, the guess of it as long as it is near."""
 
-    def __init__(self, equations: FloatEquations, n: int, rtol: float, first: "Trajectory | None" = None):
+    def __init__(self, equations: FloatEquations, n: int, rtol: float, first: "Trajectory | None" = None) -> None:
         self.force, self.rtol, self.step = equations.accelerations, rtol, stepper(n)
         self.grids = grids(*POINTS[first is not None])
         self.first, self.more, self.given_up, self.h = first, MORE, False, 0.0
@@ -72,21 +73,23 @@ class RefinedWindows:
         """Go on to an instant, or to where forces have no value or are stiff: there they are given up."""
         self.h = self.h or ROUGH**0.125 * float(march.sizes.radian)
         while not self.given_up and limit - march.t > 1e-15 * limit:
-            times, *guess = self._stepped(march, limit) if self.first is None else self._followed(march, limit)
-            self.given_up = len(times) < 2 or not self._keep(march, times, *guess) or march.pace.slow
+            times, a, guess = self._stepped(march, limit) if self.first is None else self._followed(march, limit)
+            self.given_up = len(times) < 2 or not self._keep(march, times, a, guess) or march.pace.slow
 
-    def _followed(self, march, limit):
+    def _followed(self, march: "March",
+                  limit: float) -> tuple[np.ndarray, np.ndarray, Callable[[np.ndarray], list[np.ndarray]]]:
         """(instants between the next windows of the first solution, q̈ at their start, a guess of states)."""
         first, t = self.first, float(march.t)
         starts = first.starts[first.number(t) + 1:][:self.steps]
         times = np.array([t, *starts[(starts > t + SHORTEST * limit) & (starts < limit)]])
 
-        def guess(at):
+        def guess(at: np.ndarray) -> "list[np.ndarray]":
             return [row.reshape(-1, *at.shape).swapaxes(0, 1) for row in first.at(at.ravel())[:2]]
 
         return np.append(times, limit) if len(starts) < self.steps else times, first.at([t])[2][:, 0], guess
 
-    def _stepped(self, march, limit):
+    def _stepped(self, march: "March",
+                 limit: float) -> tuple[np.ndarray, np.ndarray, Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]]:
         """(instants at the start and at the ends of the next steps, as many as have numbers, q̈ at the first, a guess of
         states)."""
         t, limit = float(march.t), float(limit)       # NumPy's numbers would slow all others
@@ -114,16 +117,16 @@ class RefinedWindows:
         values = np.array([[*state, *a] for state, a in zip(states, accelerations, strict=True)])
         fine = int(np.cumprod(np.isfinite(values).all(axis=1)).sum()) if len(values) else 0
         if fine < 2:
-            return [], None, None
+            return np.array([]), None, None
         times, values = np.array(times)[:fine], np.split(values[:fine], 3, axis=1)
         return times, values[2][0], quintic(times, *values)
 
-    def _weights(self, march, a):
+    def _weights(self, march: "March", a: tuple[float, ...]) -> tuple[float, ...]:
         """1/(the error that is allowed of a step) of each place and velocity."""
         radian, places = march.sizes.radian, ROUGH * march.sizes.scale(march.sizes.radian, march.v, np.array(a))
         return (*(1.0 / places).tolist(), *(radian / places).tolist())
 
-    def _keep(self, march, times, a, guess):
+    def _keep(self, march: "March", times: np.ndarray, a: np.ndarray, guess: Callable[[np.ndarray], Any]) -> bool:
         """Move on by as many windows as are found and resolved; may there be more?"""
         n, count = len(march.q), len(times) - 1
         edges = np.interp(np.linspace(0, count, max(round(count / self.held), 1) + 1), np.arange(count + 1), times)
@@ -141,7 +144,8 @@ class RefinedWindows:
                    if taken else [], coarse=True)
         return LEAST / FEW < self.held < STIFF
 
-    def _windows(self, march, edges, a, guess):
+    def _windows(self, march: "March", edges: np.ndarray, a: np.ndarray,
+                 guess: Callable[[np.ndarray], Any]) -> tuple[list[Window], np.ndarray]:
         """(the Windows between instants, as many from the first on as are found, states between them), from q̈ at their
         start and a guess of their states."""
         start = np.concatenate([march.q, march.v])
@@ -162,7 +166,7 @@ class RefinedWindows:
         return [Window(self.grids.fine, edges[k], stretch.lengths[k], ends[k, :n], ends[k, n:], A[k], march.g, ())
                 for k in range(found)], ends
 
-    def _resolved(self, march, windows):
+    def _resolved(self, march: "March", windows: list[Window]) -> tuple[list[Window], int]:
         """(windows whose last coefficients are small, up to the end of how many of those at hand). One that is resolved
         by halves is split, its ends being better than what is between them. The next ones become longer or shorter."""
         sizes, found = self._coefficients(march, windows), []
@@ -176,7 +180,7 @@ class RefinedWindows:
             found += parts
         return found, len(windows)
 
-    def _halves(self, march, window):
+    def _halves(self, march: "March", window: Window) -> list[Window]:
         """The two halves of a window, with q̈ from its states; nothing where these are not resolved."""
         rule, half = self.grids.fine, 0.5 * window.length
         tau = half * np.concatenate([rule.c, 1.0 + rule.c])
@@ -186,9 +190,10 @@ class RefinedWindows:
         found = [one, ended(other, *window.state(window.length)[:2])]
         return found if (self._coefficients(march, found)[:, -LAST:] <= SMALL).all() else []
 
-    def _coefficients(self, march, windows):
+    def _coefficients(self, march: "March", windows: Sequence[Window]) -> np.ndarray:
         """Those of q̈, the largest relative to what need not be resolved, of shape (windows, points)."""
         H = np.array([window.length for window in windows])[:, None, None]
         scale = march.sizes.scale(H.max(), 0.0 * march.v, 0.0 * march.v)[:, None]
         series = np.array([window.series for window in windows])
-        return (np.abs(series) / march.resolved(H, scale, self.grids.fine, self.rtol)).max(axis=1)
+        found: np.ndarray = (np.abs(series) / march.resolved(H, scale, self.grids.fine, self.rtol)).max(axis=1)
+        return found

@@ -12,6 +12,7 @@ integrals leave little of it. So each iteration but the first costs f at the poi
 
 from collections.abc import Callable
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 
@@ -66,13 +67,15 @@ class ManyWindows:
     """The windows between instants `edges` [s], from a start (q, q̇); force(t, Q, V): q̈ of shape (n, instants), and
     by_state(t, Q, V, steps): its slopes by (q, q̇), (2n, n, instants). times: the points, and the fewer."""
 
-    def __init__(self, force: Callable, by_state: Callable, chosen: Grids, edges: np.ndarray, start: np.ndarray):
+    def __init__(self, force: Callable[..., np.ndarray], by_state: Callable[..., np.ndarray], chosen: Grids,
+                 edges: np.ndarray, start: np.ndarray) -> None:
         self.force, self.by_state, self.grids, self.edges, self.start = force, by_state, chosen, edges, start
         self.lengths = np.diff(edges)
         self.H = self.lengths[:, None, None]
         self.times = [edges[:-1, None] + self.lengths[:, None] * one.c for one in chosen[:2]]
 
-    def refined(self, guess: Callable, allowed: np.ndarray, steps: np.ndarray) -> tuple[int, np.ndarray, JoinedStates]:
+    def refined(self, guess: Callable[..., Any], allowed: np.ndarray,
+                steps: np.ndarray) -> tuple[int, np.ndarray, JoinedStates]:
         """(how many windows from the first on are found, q̈ at the points of all, their JoinedStates). guess(t): (Q, V)
         of shape (rows, n, columns); allowed: the error of each coordinate; steps: by how much (q, q̇) are changed to see
         slopes. LinAlgError where there are none."""
@@ -83,7 +86,8 @@ class ManyWindows:
         return self._iterated(*self._changed(here, A, np.einsum("wijs,wjs->wis", slopes, change), 0.0, linear),
                               linear, allowed)
 
-    def _guessed(self, guess):
+    def _guessed(self, guess: Callable[..., Any]) -> tuple[
+            np.ndarray, tuple[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]:
         """(the states between the windows, (Q, V) at the fewer points, at the points); the last state does not matter,
         being where the last window comes to."""
         fine, rough = self.times
@@ -92,7 +96,8 @@ class ManyWindows:
         ends = np.concatenate([self.start[None], starts[1:], starts[-1:]])
         return ends, (Q[:, :, 1:count], V[:, :, 1:count]), (Q[:, :, count:], V[:, :, count:])
 
-    def _iterated(self, here, A, linear, allowed):
+    def _iterated(self, here: JoinedStates, A: np.ndarray, linear: Linearised,
+                  allowed: np.ndarray) -> tuple[int, np.ndarray, JoinedStates]:
         """With f at the states, until all windows are found: what is left of each falls by the same part again."""
         found, before = np.zeros(len(A), dtype=bool), np.inf
         rounding = 0.5 * EPSILON * np.arange(1.0, len(A) + 1)[:, None, None]
@@ -108,13 +113,13 @@ class ManyWindows:
             before = change
         return int(np.cumprod(found).sum()), A, here
 
-    def _at(self, Q, V):
+    def _at(self, Q: np.ndarray, V: np.ndarray) -> np.ndarray:
         """q̈ at states at the points, all of shape (windows, n, points)."""
         windows, n, points = Q.shape
         rows = (X.transpose(1, 0, 2).reshape(n, -1) for X in (Q, V))
         return self.force(self.times[0].ravel(), *rows).reshape(n, windows, points).transpose(1, 0, 2)
 
-    def _states(self, ends, A, which=0):
+    def _states(self, ends: np.ndarray, A: np.ndarray, which: int = 0) -> JoinedStates:
         """The JoinedStates, at the points or at the fewer, of those between the windows and of q̈ at the points."""
         (fine, rough, *between), H, h, n = self.grids[:4], self.H, self.lengths[:, None], A.shape[1]
         c, V1, V2 = (rough.c, *between) if which else (fine.c, fine.V1, fine.V2)
@@ -123,14 +128,14 @@ class ManyWindows:
         reached = np.concatenate([q + (h * v + h * h * (A @ fine.b2)), v + h * (A @ fine.w)], axis=1)
         return JoinedStates(ends, Q, v[:, :, None] + H * _times(A, V1), reached - ends[1:])
 
-    def _slopes(self, Q, V, steps):
+    def _slopes(self, Q: np.ndarray, V: np.ndarray, steps: np.ndarray) -> np.ndarray:
         """(K, C) at the fewer points, of shape (windows, n, 2n, points)."""
         windows, n, points = Q.shape
         rows = (X.transpose(1, 0, 2).reshape(n, -1) for X in (Q, V))
         found = self.by_state(self.times[1].ravel(), *rows, steps)
         return found.reshape(2 * n, n, windows, points).transpose(2, 1, 0, 3)
 
-    def _linearised(self, slopes):
+    def _linearised(self, slopes: np.ndarray) -> Linearised:
         rough, H, (windows, n, _, points) = self.grids.rough, self.H[..., None], slopes.shape
         K, C = slopes[:, :, :n], slopes[:, :, n:]
         B = -(H * H * K).transpose(0, 1, 3, 2)[..., None] * rough.V2.T[:, None, :]
@@ -145,7 +150,8 @@ class ManyWindows:
         Phi[:, :n, n:] += self.H * np.eye(n)
         return Linearised(inverse, S, Phi)
 
-    def _changed(self, here, A, smooth, rest, linear):
+    def _changed(self, here: JoinedStates, A: np.ndarray, smooth: np.ndarray, rest: float | np.ndarray,
+                 linear: Linearised) -> tuple[JoinedStates, np.ndarray]:
         """(the JoinedStates, q̈ at the points) without gaps and without a residual: its smooth part at the fewer points,
         the rest at the points."""
         fine, up, h, (windows, n, _) = self.grids.fine, self.grids.up, self.lengths[:, None], smooth.shape
@@ -160,6 +166,7 @@ class ManyWindows:
         return self._states(here.ends + moved, A), A
 
 
-def _times(A, matrix):
+def _times(A: np.ndarray, matrix: np.ndarray) -> np.ndarray:
     """A @ matrix as one product."""
-    return (A.reshape(-1, len(matrix)) @ matrix).reshape(*A.shape[:2], -1)
+    found: np.ndarray = (A.reshape(-1, len(matrix)) @ matrix).reshape(*A.shape[:2], -1)
+    return found

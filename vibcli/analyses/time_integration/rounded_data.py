@@ -25,7 +25,7 @@ SHORT = 2.0**32         # constants of so few binary digits are exact: 2, 0.5, 9
 class ChangeOfData:
     """A change of all constants: called with one it gives it changed."""
 
-    def __init__(self, seed: int):
+    def __init__(self, seed: int) -> None:
         import numpy as np
 
         self._random, self._parts = np.random.default_rng(seed), {}
@@ -39,13 +39,14 @@ class ChangeOfData:
         if size not in self._parts:
             exact = not isfinite(size) or (frexp(size)[0] * SHORT).is_integer()
             self._parts[size] = 0.0 if exact else float(self._random.uniform(-sqrt(3), sqrt(3)))
-        return self._parts[size]
+        found: float = self._parts[size]
+        return found
 
 
 class Varied:
     """The equations of a trajectory, first as they are, then with their data changed: systems, their switchings."""
 
-    def __init__(self, trajectory: "Trajectory"):
+    def __init__(self, trajectory: "Trajectory") -> None:
         scene, floats = trajectory.system.scene, trajectory.system.floats
         owners, bounds = scene.law_switches()
         self.systems, self.switchings = [trajectory.system], [trajectory.switching]

@@ -22,7 +22,7 @@ class SeriesWindow(NamedTuple):
 class SeriesTrajectory:
     """names: of the coordinates; windows: the SeriesWindows of the steps; end: up to which it is known."""
 
-    def __init__(self, march: "TaylorMarch", names: Sequence[str], until: float):
+    def __init__(self, march: "TaylorMarch", names: Sequence[str], until: float) -> None:
         bits, self.names, self.until, self.end = march.bits, list(names), until, until
         self.windows = [SeriesWindow(to_float(step.start, bits), to_float(step.end - step.start, bits))
                         for step in march.steps]
@@ -45,10 +45,11 @@ class SeriesTrajectory:
         q, v, a = found.reshape(3, len(self.names), len(times))
         return q, v, a
 
-    def _in_floats(self, k):
+    def _in_floats(self, k: int) -> tuple[float, np.ndarray]:
         """(the scale of a step, its coefficients as rows)."""
         if k not in self._rows:
             step, bits = self._march.steps[k], self._march.bits
             rows = [[to_float(x, bits) for x in row] for kind in step.series for row in kind]
             self._rows[k] = to_float(step.scale, bits), np.array(rows)
-        return self._rows[k]
+        found: tuple[float, np.ndarray] = self._rows[k]
+        return found

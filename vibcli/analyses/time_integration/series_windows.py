@@ -5,8 +5,9 @@ start to that at its end. It holds as many steps as it resolves. Where the force
 where what was too small for the series to be seen grows within a step, the march goes on otherwise from there.
 """
 
+from collections.abc import Sequence
 from math import sqrt
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -30,7 +31,7 @@ TOLERANCES = 2.0**-52, 1e-18    # of a step: of the first solution, and of the s
 class SeriesWindows:
     """Of a system whose q̈ takes `work` operations; again: for a second solution."""
 
-    def __init__(self, system: "NumericEquations", work: int, again: bool):
+    def __init__(self, system: "NumericEquations", work: int, again: bool) -> None:
         self.system, self.work, self.tolerance = system, work, TOLERANCES[again]
         self.given_up, self.most = False, FEW
 
@@ -54,7 +55,7 @@ class SeriesWindows:
             grows = self.most > before
             self.given_up |= not len(ends) or march.pace.slow or self.most > MOST
 
-    def _keep(self, march, instants, states):
+    def _keep(self, march: "March", instants: np.ndarray, states: Any) -> None:
         """Move on by windows, each of as many steps as it resolves; instants: their ends."""
         widest = max(int(WIDE * march.sizes.radian * (len(instants) - 1) / (instants[-1] - instants[0])), 1)
         while True:
@@ -75,7 +76,8 @@ class SeriesWindows:
         if part < (RESOLVED if self.most <= widest else IDLE):
             self.most += self.most // 2 + 1
 
-    def _windows(self, march, instants, states):
+    def _windows(self, march: "March", instants: np.ndarray,
+                 states: Any) -> tuple[list[Window], list[tuple[np.ndarray, np.ndarray]]]:
         """(the Windows between instants, (q, q̇) at their ends)."""
         rule, n, starts, lengths = march.rule, len(march.q), instants[:-1], np.diff(instants)
         times = (starts[:, None] + lengths[:, None] * rule.c).ravel()
@@ -91,7 +93,7 @@ class SeriesWindows:
         return windows, ends[1:]
 
 
-def _there(march, raw, windows):
+def _there(march: "March", raw: Sequence[Window], windows: Sequence[Window]) -> int:
     """How many of the `raw` windows, from the first on, end where the forces on the way lead, or have no numbers."""
     sizes = march.sizes.scale(max(window.length for window in raw), 0.0 * march.v, 0.0 * march.v)[:, None]
     lacking = [float((np.abs(one.values - window.values) * window.length**2 / sizes).max())
@@ -99,8 +101,10 @@ def _there(march, raw, windows):
     return int(np.cumprod(~(np.array(lacking) > ASTRAY)).sum())
 
 
-def _unresolved(march, windows):
+def _unresolved(march: "March", windows: Sequence[Window]) -> np.ndarray:
     """The coefficients of each order, relative to what need not be resolved."""
     H = max(window.length for window in windows)
     allowed = march.allowed(H, march.sizes.scale(H, 0.0 * march.v, 0.0 * march.v)[:, None])
-    return np.max([march.coefficients(window.length, window.values) / allowed for window in windows], axis=(0, 1))
+    found: np.ndarray = np.max([march.coefficients(window.length, window.values) / allowed for window in windows],
+                               axis=(0, 1))
+    return found

@@ -7,7 +7,7 @@ difference shows what the integration itself left. An instant at which the signa
 that of an extreme by (the error of ṡ)/|s̈|.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cached_property, lru_cache
 from math import sqrt
 from typing import Any
@@ -36,7 +36,7 @@ class Neighbours(Trajectory):
     """Motions beside a trajectory at the points of one window: its states are those of one neighbour after the other,
     instant by instant, whatever instants are asked for."""
 
-    def __init__(self, trajectory: Trajectory, states: tuple[np.ndarray, ...]):
+    def __init__(self, trajectory: Trajectory, states: tuple[np.ndarray, ...]) -> None:
         self.__dict__.update(trajectory.__dict__)
         self._states = states
 
@@ -47,7 +47,7 @@ class Neighbours(Trajectory):
 class SignalError:
     """Of the signal values(trajectory, times) within window k."""
 
-    def __init__(self, trajectory: Trajectory, values: Callable, k: int):
+    def __init__(self, trajectory: Trajectory, values: Callable[[Trajectory, np.ndarray], np.ndarray], k: int) -> None:
         window, self.shared = trajectory.windows[k], trajectory.shared
         self.trajectory, self.values, self.window = trajectory, values, window
         self.length = min(window.end, trajectory.end - window.start) or window.end
@@ -55,7 +55,7 @@ class SignalError:
         gauss = rule(POINTS)
         self.columns, self.floors = (rows @ gauss.to_series for rows in self._neighbours(k, gauss.c * self.length))
 
-    def _neighbours(self, k, tau):
+    def _neighbours(self, k: int, tau: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Deviations of the signal at instants of the window, of shape (columns, instants): those of the motion, and
         those of the last digits of each number that it is found from."""
         trajectory, window, deviations = self.trajectory, self.window, self.shared.deviations
@@ -81,7 +81,7 @@ class SignalError:
                 self.alone = ALONE
         return found[:count], found[count:]
 
-    def _sizes(self, states):
+    def _sizes(self, states: Sequence[np.ndarray]) -> list[np.ndarray]:
         """How large places, velocities and accelerations are, of all the motion where that is known."""
         deviations, n = self.shared.deviations, len(states[0])
         here = [np.abs(rows).max(axis=1) for rows in states]
@@ -90,12 +90,14 @@ class SignalError:
         here[2] = np.maximum(here[2], self.trajectory.sizes.largest)
         return [np.where(size > 0, size, size.max(initial=0.0) or 1.0) for size in here]
 
-    def _seen(self, states, both, far, used, tau, here):
+    def _seen(self, states: Sequence[np.ndarray], both: Sequence[np.ndarray], far: np.ndarray, used: np.ndarray,
+              tau: np.ndarray, here: np.ndarray) -> np.ndarray:
         moved = tuple((row[:, :, None] + columns[:, :, used] * far[used]).transpose(0, 2, 1).reshape(len(row), -1)
                       for row, columns in zip(states, both, strict=True))
         times = np.tile(self.window.start + tau, len(used))
         seen = np.asarray(self.values(Neighbours(self.trajectory, moved), times), dtype=float)
-        return (seen.reshape(len(used), -1) - here) / far[used, None]
+        found: np.ndarray = (seen.reshape(len(used), -1) - here) / far[used, None]
+        return found
 
     def at(self, t: float) -> float:
         """Of the value at an instant."""
@@ -104,34 +106,37 @@ class SignalError:
         P = self._basis(t)[0]
         deviation = sqrt(float(((self.columns @ P) ** 2).sum()))
         rounding = float(np.abs(self.floors @ P).sum()) + ROUNDED * abs(float(self.series @ P))
-        return SPREAD * deviation + self.alone * (GAP * self.shared.of_signal(self.values, t) + rounding)
+        found: float = SPREAD * deviation + self.alone * (GAP * self.shared.of_signal(self.values, t) + rounding)
+        return found
 
-    def _basis(self, t):
+    def _basis(self, t: float) -> tuple[np.ndarray, np.ndarray]:
         """(Legendre polynomials, their rates) at an instant."""
         x = 2 * (t - self.window.start) / self.length - 1
         return legendre.legvander(np.array([x]), POINTS - 1)[0], _slopes(x, POINTS) * 2 / self.length
 
-    def _slope(self, t):
+    def _slope(self, t: float) -> float:
         """Of the rate at an instant."""
         P, slopes = self._basis(t)
         deviation = sqrt(float(((self.columns @ slopes) ** 2).sum()))
         rounding = self._roughness(t) * (float(np.abs(self.floors @ P).sum()) + ROUNDED * self.size)
         return SPREAD * deviation + self.alone * (GAP * self._gap + rounding)
 
-    def _roughness(self, t):
+    def _roughness(self, t: float) -> float:
         """Of the rate of a polynomial through FINE values: what it adds for each unit by which these are rounded."""
         x, k = 2 * (t - self.window.start) / self.length - 1, np.arange(FINE)
-        return ROUGH * 2 / self.length * sqrt(float((_slopes(x, FINE) ** 2 * (2 * k + 1)).sum()) / FINE)
+        found: float = ROUGH * 2 / self.length * sqrt(float((_slopes(x, FINE) ** 2 * (2 * k + 1)).sum()) / FINE)
+        return found
 
     @cached_property
-    def _gap(self):
+    def _gap(self) -> float:
         """The largest rate of the difference of the two solutions; of more points than the motion has, between which
         its accelerations are off."""
         gauss, shared = rule(FINER), self.shared
         times = np.minimum(self.window.start + gauss.c * self.length, min(shared.one.end, shared.other.end))
         gaps = self.values(shared.one, times) - self.values(shared.other, times)
         rates = legendre.legval(2 * gauss.c - 1, legendre.legder(gaps @ gauss.to_series))
-        return shared.share * float(np.abs(rates).max()) * 2 / self.length
+        found: float = shared.share * float(np.abs(rates).max()) * 2 / self.length
+        return found
 
     def of_time(self, t: float) -> float:
         """Of an instant that was searched: of an extreme where the rate vanishes, else of a passage [s]."""
@@ -149,17 +154,18 @@ class SignalError:
 
 
 @lru_cache
-def _derived(count):
+def _derived(count: int) -> np.ndarray:
     """Rows of Legendre coefficients of Pₖ′, k below count."""
     return legendre.legder(np.eye(count), axis=1)
 
 
-def _slopes(x, count):
+def _slopes(x: float, count: int) -> np.ndarray:
     """Pₖ′(x), k below count."""
-    return _derived(count) @ legendre.legvander(np.array([x]), count - 2)[0]
+    found: np.ndarray = _derived(count) @ legendre.legvander(np.array([x]), count - 2)[0]
+    return found
 
 
-def _digits(states, t, noise, closed):
+def _digits(states: Sequence[np.ndarray], t: float, noise: np.ndarray, closed: np.ndarray | None) -> list[np.ndarray]:
     """Changes of the state by the last digits of each number of it, or of the largest that its polynomial comes to, of
     accelerations by their rounding error, and of the instant, of shapes (n, instants, columns). `closed`: the units of
     coordinates that close loops, which have the rounding of the largest of them, or of the figure; else None."""
@@ -176,7 +182,7 @@ def _digits(states, t, noise, closed):
     return found
 
 
-def _far(columns, sizes):
+def _far(columns: Sequence[np.ndarray], sizes: Sequence[np.ndarray]) -> np.ndarray:
     """By what each column is multiplied to see its effect: then it is NEAR of the motion; NaN of those that vanish."""
     parts = [np.abs(column).max(axis=1) / size[:, None] for column, size in zip(columns, sizes, strict=True)]
     largest = np.max(np.concatenate(parts), axis=0)

@@ -35,7 +35,7 @@ FEW = 9
 class SignalSeries:
     """An expression of coordinates, their rates and the time as series; KeyError where it has none."""
 
-    def __init__(self, scene: "Scene", node: "Node"):
+    def __init__(self, scene: "Scene", node: "Node") -> None:
         kinds = "qva"
         rows = [f"{kind}{i}" for kind in kinds for i in range(len(scene.q))]
         source = SeriesSource(dict(zip((*scene.q, *scene.v, *scene.a, scene.time), (*rows, "t"), strict=True)))
@@ -59,9 +59,10 @@ class SignalSeries:
         exec(compile(self._text, "<signal>", "exec"), space)        # of slots alone
         made = space["f"]
 
-        def row(step):
+        def row(step: "Step") -> "list[int]":
             rows = [row for kind in step.series for row in kind]
-            return made(step.start, step.scale, rows, len(rows[0]) - 1, known, march.bits)
+            found: list[int] = made(step.start, step.scale, rows, len(rows[0]) - 1, known, march.bits)
+            return found
 
         return SignalAlong(march, row)
 
@@ -77,7 +78,7 @@ class SeriesPlace(NamedTuple):
 class SignalAlong:
     """A signal along a march; row(step): its coefficients in a step."""
 
-    def __init__(self, march: "TaylorMarch", row: "Callable[[Step], list[int]]"):
+    def __init__(self, march: "TaylorMarch", row: "Callable[[Step], list[int]]") -> None:
         self.march, self._row = march, row
         self._known: dict[tuple[int, int], list[SeriesPlace]] = {}
 
@@ -111,13 +112,13 @@ class SignalAlong:
         """The largest size of the signal."""
         return max(abs(self.value(place)) for place in self._turns(start, end))
 
-    def _turns(self, start, end):
+    def _turns(self, start: int, end: int) -> list[SeriesPlace]:
         """The ends, and where the signal turns: within steps, or where one goes over into the next."""
         if (start, end) not in self._known:
             self._known[start, end] = self._searched_turns(start, end)
         return self._known[start, end]
 
-    def _searched_turns(self, start, end):
+    def _searched_turns(self, start: int, end: int) -> list[SeriesPlace]:
         found, before, place = [], 0, None
         for first, last in self.pieces(start, end):
             slope = derivative(first.row)
@@ -152,7 +153,7 @@ class SignalAlong:
                 return found
         raise PhysicsError(f"no zero of the signal is found near t = {float(time):.12g} s", "ask for its min or max")
 
-    def _roots(self, first, last, row):
+    def _roots(self, first: SeriesPlace, last: SeriesPlace, row: list[int]) -> list[SeriesPlace]:
         """The places at which a polynomial changes its sign, from the first one on, where it may vanish; none of what
         is zero throughout."""
         bits, largest = self.march.bits, max(map(abs, row), default=0)
@@ -191,7 +192,7 @@ def derivative(row: Sequence[int]) -> list[int]:
     return [k * x for k, x in enumerate(row)][1:]
 
 
-def _looked_at(numbers, low, high):
+def _looked_at(numbers: np.ndarray, low: float, high: float) -> np.ndarray:
     """Places between which a polynomial changes its sign once: those of one of few terms, which may reach far, lie
     between its roots."""
     few = np.trim_zeros(numbers, "b")
@@ -202,14 +203,14 @@ def _looked_at(numbers, low, high):
     return np.array([low, *between[(between > low) & (between < high)], high])
 
 
-def _values(numbers, places):
+def _values(numbers: np.ndarray, places: float | np.ndarray) -> float | np.ndarray:
     total = np.zeros(np.shape(places))
     for number in numbers[::-1]:
         total = total * places + number
     return total
 
 
-def _halved(numbers, low, high, sign):
+def _halved(numbers: np.ndarray, low: float, high: float, sign: float) -> float:
     """Where a polynomial changes its sign."""
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)

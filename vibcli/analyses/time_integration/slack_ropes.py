@@ -31,8 +31,9 @@ def slack(numeric: "NumericSystem", loose: "NumericEquations", trajectory: "Traj
         name = loose.scene.constraints[k].whole
         number = loose.parts.names.index(loose.scene.constraints[k].name)
 
-        def tension(times, number=number):
-            return tensions(numeric, loose, trajectory, times)[number]
+        def tension(times: np.ndarray, number: int = number) -> np.ndarray:
+            found: np.ndarray = tensions(numeric, loose, trajectory, times)[number]
+            return found
 
         largest = float(np.abs(tension(trajectory.starts)).max())
         for instant in [0.0, *passages(trajectory, tension, 0.0, trajectory.until)]:
@@ -49,7 +50,7 @@ def tensions(numeric: "NumericSystem", loose: "NumericEquations", trajectory: "T
     arguments = list(loose.switches)
     compiled = Compiled(loose.scene, loose.floats, None, arguments)
 
-    def of_states(t, q, v):
+    def of_states(t: np.ndarray, q: np.ndarray, v: np.ndarray) -> "tuple[float | np.ndarray, ...]":
         return compiled(t, *_all_coordinates(numeric, loose, trajectory, t, q, v))
 
     q, v = _all_coordinates(numeric, loose, trajectory, times, *trajectory.at(times)[:2])
@@ -57,7 +58,8 @@ def tensions(numeric: "NumericSystem", loose: "NumericEquations", trajectory: "T
     return loose.solved(times, q, v, senses(trajectory, loose.scene, arguments, values, times, of_states))[1]
 
 
-def _all_coordinates(numeric, loose, trajectory, times, q, v):
+def _all_coordinates(numeric: "NumericSystem", loose: "NumericEquations", trajectory: "Trajectory", times: np.ndarray,
+                     q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(q, q̇) of the scene with all its coordinates, from those that were integrated."""
     if trajectory.system is loose:
         return q, v

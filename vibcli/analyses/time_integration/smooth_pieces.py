@@ -18,10 +18,12 @@ from vibcli.symbolic.expression_graph import reachable
 if TYPE_CHECKING:
     import mpmath
 
+    from vibcli.analyses.time_integration.motion_series import Computed
     from vibcli.base.work import Work
     from vibcli.mechanics.equations_of_motion import Dynamics
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.running_errors import RunningErrors
 
 PARTS = 512             # of a motion: the longest step where a pulse of the time may hide
 NEAR = 1e-8             # of an instant: how far Newton's method may move it
@@ -67,7 +69,7 @@ class SmoothPieces:
     where it is?"""
 
     def __init__(self, scene: "Scene", parts: "Dynamics", values: "Callable[[int], Mapping[str, mpmath.mpf]]",
-                 floats: Mapping[str, float], until: float, work: "Work", rests: bool = False):
+                 floats: Mapping[str, float], until: float, work: "Work", rests: bool = False) -> None:
         require_smooth_motion(scene, parts.nodes())
         self.rests = rests
         self.scene, self.parts, self.values, self.floats, self.until = scene, parts, values, floats, until
@@ -85,7 +87,7 @@ class SmoothPieces:
         """Of series, in each round."""
         return self._piece(0).products
 
-    def series(self, t: int, bits: int) -> tuple[Callable, int | None, int | None]:
+    def series(self, t: int, bits: int) -> "tuple[Computed, int | None, int | None]":
         """(the series of the motion about an instant, the instant up to which they hold, the longest step)."""
         if self.rests:
             return resting, None, None
@@ -97,13 +99,14 @@ class SmoothPieces:
         computed = self._computed(self._piece(number), t, bits)
         return computed, instants[number] if number < len(instants) else None, longest
 
-    def _computed(self, piece, t, bits):
+    def _computed(self, piece: MotionSeries, t: int, bits: int) -> "Computed":
         """The series of a piece that t lies in."""
         if (piece, bits) not in self._compiled:
             self._compiled[piece, bits] = piece.with_bits(self.values(bits), bits)
-        return self._compiled[piece, bits]
+        found: Computed = self._compiled[piece, bits]
+        return found
 
-    def _piece(self, number):
+    def _piece(self, number: int) -> MotionSeries:
         """The MotionSeries between two breaks."""
         ends = [0.0, *self.times, self.until]
         middle = 0.5 * (ends[number] + ends[number + 1])
@@ -115,28 +118,33 @@ class SmoothPieces:
         key = tuple(senses)
         if key not in self._pieces:
             self._pieces[key] = MotionSeries(self.scene, self.parts.made_of(nodes))
-        return self._pieces[key]
+        found: MotionSeries = self._pieces[key]
+        return found
 
-    def _on_one_side(self, part, middle):
+    def _on_one_side(self, part: "Node", middle: float) -> "Node":
         """What stands for a part in a piece with this middle."""
         table, u = part.table, part.args[0]
         turns, order = self._at(u, middle), part.args[1].coefficient if len(part.args) > 1 else 0
         if part.name in ("min", "max"):
             larger = self._at(u - part.args[1], middle) > 0
-            return part.args[0] if larger == (part.name == "max") else part.args[1]
+            found: Node = part.args[0] if larger == (part.name == "max") else part.args[1]
+            return found
         if part.name == "square":
             return table.number((1 - 2 * int(turns / 3.141592653589793 // 1 % 2)) * (not order))
         if part.name == "sawtooth":
             below = int(turns / 6.283185307179586 // 1)
-            return [u / table.pi - table.number(2 * below + 1), 1 / table.pi, table.zero][min(order, 2)]
+            result: Node = [u / table.pi - table.number(2 * below + 1), 1 / table.pi, table.zero][min(order, 2)]
+            return result
         sense = 1 if turns >= 0 else -1
-        return {"abs": u * sense, "sign": table.number(sense), "step": table.number((1 + sense) // 2),
-                "ramp": u * ((1 + sense) // 2)}[part.name]
+        value: Node = {"abs": u * sense, "sign": table.number(sense), "step": table.number((1 + sense) // 2),
+                         "ramp": u * ((1 + sense) // 2)}[part.name]
+        return value
 
-    def _at(self, node, t):
-        return evaluate([node], Floats, {**self.floats, self.scene.time.name: t})[0]
+    def _at(self, node: "Node", t: float) -> float:
+        found: float = evaluate([node], Floats, {**self.floats, self.scene.time.name: t})[0]
+        return found
 
-    def _refined(self, time, bits):
+    def _refined(self, time: float, bits: int) -> int:
         """The instant of a break to so many bits."""
         import mpmath
 
@@ -160,11 +168,12 @@ class SmoothPieces:
             return fixed_point(found, bits)
 
 
-def _newton(arithmetic, values, time, nodes, periodic):
+def _newton(arithmetic: "RunningErrors", values: "Mapping[str, mpmath.mpf]", time: str, nodes: "tuple[Node, Node]",
+            periodic: bool) -> "Callable[[mpmath.mpf], mpmath.mpf]":
     """−g/ġ at an instant; of what is periodic in g, from the nearest multiple of π."""
     import mpmath
 
-    def step(t):
+    def step(t: "mpmath.mpf") -> "mpmath.mpf | None":
         g, rate = evaluate(nodes, arithmetic, {**values, time: t})
         g -= mpmath.pi * mpmath.nint(g / mpmath.pi) if periodic else 0
         return -g / rate if rate else None

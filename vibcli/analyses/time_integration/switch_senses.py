@@ -13,11 +13,13 @@ if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
+    OfStates = Callable[[np.ndarray, np.ndarray, np.ndarray], Sequence[float | np.ndarray]]
+
 SAMPLES, NEAR, SAME = 4, 0.01, 1e-9     # states at which two arguments are compared, how far from the motion
 
 
-def senses(trajectory: "Trajectory", scene: "Scene", arguments: "Sequence[Node]", values: Any,
-           times: np.ndarray, of_states: Callable | None = None) -> list[np.ndarray]:
+def senses(trajectory: "Trajectory", scene: "Scene", arguments: "Sequence[Node]", values: Any, times: np.ndarray,
+           of_states: "OfStates | None" = None) -> list[np.ndarray]:
     """σ of `arguments`, nodes of a scene with the same laws as the one that is integrated, at times; values: of the
     arguments there; of_states(t, q, q̇): those at other states of the one that is integrated, by which arguments are
     recognised that stand in no law."""
@@ -35,7 +37,7 @@ def senses(trajectory: "Trajectory", scene: "Scene", arguments: "Sequence[Node]"
     return found
 
 
-def _along(trajectory, times):
+def _along(trajectory: "Trajectory", times: np.ndarray) -> np.ndarray:
     """σ of every switch at times, of shape (switches, times)."""
     number = np.clip(np.searchsorted(trajectory.starts, times, side="right") - 1, 0, len(trajectory.windows) - 1)
     known = np.array([trajectory.windows[i].g for i in number], dtype=float).T
@@ -44,7 +46,7 @@ def _along(trajectory, times):
     return known
 
 
-def _twin(trajectory, scene, argument):
+def _twin(trajectory: "Trajectory", scene: "Scene", argument: "Node") -> tuple[int, float] | None:
     """(number of the switch of the same law in the scene that is integrated, 1); None of what stands in no law."""
     own, switches = trajectory.system.scene, trajectory.system.switches[:trajectory.switching.count]
     if scene is not own:
@@ -55,7 +57,8 @@ def _twin(trajectory, scene, argument):
     return (switches.index(argument), 1.0) if argument in switches else None
 
 
-def _recognised(trajectory, twins, of_states):
+def _recognised(trajectory: "Trajectory", twins: "Sequence[tuple[int, float] | None]",
+                of_states: "OfStates") -> list[tuple[int, float] | None]:
     """The same, with those that are, but for their sign, a switch at random states near the motion."""
     draw, count = np.random.default_rng(1), trajectory.switching.count
     windows = [trajectory.windows[i] for i in draw.integers(len(trajectory.windows), size=SAMPLES)]

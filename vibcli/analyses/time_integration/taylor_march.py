@@ -8,7 +8,7 @@ end where what drives the motion bends or jumps.
 from bisect import bisect_right
 from collections.abc import Callable, Sequence
 from math import ceil, inf, log2, log10
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
@@ -17,7 +17,7 @@ from vibcli.numerics.fixed_point import shifted
 if TYPE_CHECKING:
     from fractions import Fraction
 
-    from vibcli.analyses.time_integration.motion_series import Coefficients
+    from vibcli.analyses.time_integration.motion_series import Coefficients, Computed
 
 GUARD_BITS = 48         # for the rounding of the coefficients
 ORDER = 1.4             # terms of a series for each digit
@@ -45,8 +45,9 @@ class TaylorMarch:
     which others begin, the longest step), as `SmoothPieces` gives them; sizes: of the figure along each
     coordinate; spent(): told of each step."""
 
-    def __init__(self, series: Callable, start: "Callable[[int], Sequence[int]]", sizes: Sequence[float], digits: int,
-                 extra: int = 0, spent: Callable | None = None):
+    def __init__(self, series: "Callable[[int, int], tuple[Computed, int | None, int | None]]",
+                 start: "Callable[[int], Sequence[int]]", sizes: Sequence[float], digits: int, extra: int = 0,
+                 spent: Callable[..., None] | None = None) -> None:
         self.digits, self.order = digits, ceil(ORDER * digits) + extra
         self.accuracy = ceil(digits * log2(10))
         self.bits = self.accuracy + GUARD_BITS
@@ -86,11 +87,12 @@ class TaylorMarch:
         step = self.steps[max(number - 1, 0)]
         return step, ((instant - step.start) << self.bits) // step.scale
 
-    def _advance(self):
+    def _advance(self) -> None:
         compute, limit, longest = self._series(self._t, self.bits)
         try:
             if self._scale is None:
-                self._scale = min(self._first_scale(compute), longest or inf)
+                first = self._first_scale(compute)
+                self._scale = min(first, longest) if longest else first
             series = compute(self._t, self._scale, self._state, self.order)
         except ArithmeticError:
             raise self._undefined() from None
@@ -108,11 +110,12 @@ class TaylorMarch:
         self._t, self._scale = end, None if end == limit else length
         self._spent(self)
 
-    def _within(self, series, s):
+    def _within(self, series: "Coefficients", s: int) -> list[int]:
         """[q, q̇] in a step."""
         return [summed(row, s, self.bits) for row in (*series.q, *series.v)]
 
-    def _checked(self, compute, series, length, places):
+    def _checked(self, compute: "Computed", series: "Coefficients",
+                 length: int, places: Sequence[int]) -> int:
         """A length within which the series obeys the equations at its end, so that nothing grows unseen, as what a
         hyperbolic tangent lacks of 1, and at all `places` where a pulse of the time may be stepped over."""
         scale, bits = self._scale, self.bits
@@ -132,11 +135,11 @@ class TaylorMarch:
             length //= 2
         return length
 
-    def _is_none(self, length):
+    def _is_none(self, length: int) -> bool:
         """Is a step too short to be one?"""
         return not length or log2(length) - self.bits < SHORTEST
 
-    def _first_scale(self, compute):
+    def _first_scale(self, compute: "Computed") -> int:
         """A time in which the motion changes, to begin with."""
         scale = 1 << self.bits
         for _ in range(ROUNDS):
@@ -146,7 +149,7 @@ class TaylorMarch:
             scale = max(shifted(scale, int(max(-16.0, min(16.0, reach)))), 1)
         return scale
 
-    def _reach(self, series, accuracy):
+    def _reach(self, series: Any, accuracy: int) -> float:
         """log2 of how far the series reaches, s = 1 being 0, to so many bits of the motion."""
         rows = [*series.q, *series.v]
         self._sizes = [max(size, abs(row[0])) for size, row in zip(self._sizes, rows, strict=True)]
@@ -157,7 +160,7 @@ class TaylorMarch:
                                   if row[k])])
         return min(found - SAFETY, 16.0)
 
-    def _scales(self, now):
+    def _scales(self, now: Sequence[int]) -> list[int]:
         """What errors of each place and velocity are relative to: the motion so far and `now`; of a velocity also that
         of its place in the time of a step; nothing is smaller than rounding of the largest."""
         sizes, n, step = list(map(max, self._sizes, now)), len(now) // 2, self._scale or 1 << self.bits
@@ -165,7 +168,7 @@ class TaylorMarch:
         least = max(sizes) >> self.accuracy
         return [max(size, least) for size in (*sizes[:n], *speeds)]
 
-    def _undefined(self):
+    def _undefined(self) -> PhysicsError:
         t = self._t / 2**self.bits
         return PhysicsError(f"the series of this motion end at t = {t:.6g} s: a force or a linkage is singular there",
                             "leave --digits out, or ask for an earlier instant")

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vibcli.analyses.time_integration.collocation_step import Window, expected, iterated, newton
+from vibcli.analyses.time_integration.collocation_step import Attempt, Window, expected, iterated, newton
 from vibcli.analyses.time_integration.driven_places import Driven
 from vibcli.analyses.time_integration.error_scales import EPSILON, Sizes
 from vibcli.analyses.time_integration.fast_oscillation import fast_part
@@ -25,8 +25,7 @@ MORE = 3                    # iterations of a window of the second solution: wha
 TAIL = 3                    # coefficients which must be small
 LOOKS, LEFT = 4, 1e-2       # at the last iterations of a window, taken to be as many as before; of an error of a step
 RADIANS = 5.0               # of the fastest oscillation in the first window
-SHORTEST = 1e-13            # of the time gone
-SOON, TINY = 1e-10, 1e-300
+SHORTEST, SOON, TINY = 1e-13, 1e-10, 1e-300     # of the time gone; of it and of what is left; no zero
 MOST_UNKNOWNS = 1200        # of Newton's method
 STRAINED = 20               # Picard iterations: those of longer windows amplify rounding errors
 ALIKE = 1e-10               # of a window: lengths with which Newton's method goes alike
@@ -34,8 +33,7 @@ SHORTER = 0.7               # a window that does not resolve the motion
 UNUSED = 0.2                # of the coefficients used: only the iteration keeps the windows short
 PATIENCE = 3                # such windows before the scene counts as stiff
 LEAP, SETTLING = 2000.0, 8  # radians of what is stepped over in a window; windows until it has died out
-MOST_CUTS = 40              # of a window at a root
-CALM = 6                    # windows without a failure before they grow by much again
+MOST_CUTS, CALM = 40, 6     # of a window at a root; windows without a failure before they grow by much again
 
 
 class March:
@@ -43,15 +41,15 @@ class March:
     what steers the next window."""
 
     guess: Any
-    begun: Any
+    begun: tuple[float, np.ndarray] | None
     g: Any
     slides: Any
     H: float
     fast: Any
-    factored: tuple
+    factored: tuple[tuple[Any, ...], np.ndarray | None]
 
     def __init__(self, system: "NumericEquations", switching: "Switching", q: np.ndarray, v: np.ndarray, rtol: float,
-                 until: float, task: Task, points: tuple[int, int] = FIRST):
+                 until: float, task: Task, points: tuple[int, int] = FIRST) -> None:
         self.system, self.switching, self.rtol, self.until = system, switching, rtol, until
         self.t, self.late, self.q, self.v, self.g, self.slides = 0.0, 0.0, q, v, None, ()
         self.points, self.more = points, MORE * (points is SECOND)
@@ -72,7 +70,7 @@ class March:
         if self.fast is not None:
             self._leap()
 
-    def _soon(self, limit):
+    def _soon(self, limit: float) -> float:
         """An instant shortly after the present one, at which what begins now has begun."""
         return self.t + min(SOON * (limit - self.t), SOON * max(self.t, limit - self.t))
 
@@ -120,11 +118,11 @@ class March:
             self._step_over(window, a[:, 0])
         return window
 
-    def _whole(self, H):
+    def _whole(self, H: float) -> float:
         """About a length, that which leads to an instant without rounding."""
         return (self.t + H) - self.t - self.late
 
-    def _at_a_root(self, H, done):
+    def _at_a_root(self, H: float, done: "Attempt") -> bool:
         """Does the argument of a switch vanish within a window, or where it begins, in a scene whose forces are roots
         there? What is left of their series falls with the window, if slowly. Where there are no switches the root is of
         the time alone, and a break."""
@@ -138,27 +136,28 @@ class March:
         least, most = np.sort(values.T * np.asarray(self.g), axis=0)[[0, -1]]
         return bool((least <= 1e-9 * most).any())
 
-    def _no_blow(self, H, done):
+    def _no_blow(self, H: float, done: "Attempt") -> bool:
         """Does what is left of the series of q̈ change no velocity?"""
         return bool((H * self.coefficients(H, done.A)[:, -TAIL:].max(axis=1) <= self.rtol * np.abs(self.v)).all())
 
-    def _present(self, soon):
+    def _present(self, soon: float) -> np.ndarray:
         """q̈ of the state as it is, an instant after, that which is known from its begin."""
         begun, self.begun = self.begun, None
         if begun is not None and begun[0] == soon:
-            return begun[1][:, None]
+            return begun[1].reshape(-1, 1)
         return self.accelerations(np.array([soon]), self.q[:, None], self.v[:, None])
 
-    def _ahead(self, H, a):
+    def _ahead(self, H: float, a: np.ndarray) -> np.ndarray:
         """|q̈| at its largest within a window, the velocities being kept: a force that begins at zero grows there, and
         the motion with it."""
         steps = H * self.rule.c
         A = self.force(self.t + steps)(self.q[:, None] + self.v[:, None] * steps, np.repeat(
             self.v[:, None], len(steps), 1))
         largest = np.abs(A).max(axis=1)
-        return np.where(np.isfinite(largest), np.maximum(largest, np.abs(a)), np.abs(a))
+        found: np.ndarray = np.where(np.isfinite(largest), np.maximum(largest, np.abs(a)), np.abs(a))
+        return found
 
-    def _attempt(self, H, guess, a):
+    def _attempt(self, H: float, guess: np.ndarray, a: np.ndarray) -> "tuple[Attempt | None, float, float]":
         """(the Attempt, None where it failed; its tail relative to what is allowed; the part of the coefficients that
         is used)."""
         scale = self.sizes.scale(H, self.v, a)[:, None]
@@ -174,12 +173,12 @@ class March:
         used = np.flatnonzero(sizes > 1)
         return done, float(sizes[-TAIL:].max()), (used[-1] + 1 if len(used) else 1) / self.rule.points
 
-    def _factored(self, H):
+    def _factored(self, H: float) -> np.ndarray | None:
         """The inverse that Newton's method used last, where it was for a window like this one."""
         (length, *like), inverse = self.factored
         return inverse if abs(H - length) <= ALIKE * H and like == [self.g, self.slides] else None
 
-    def _step_over(self, window, a):
+    def _step_over(self, window: Window, a: np.ndarray) -> None:
         """Leave a fast oscillation alone that is too small to be worth the work."""
         self.pace.forget()
         self.fast = fast_part(window, self.sizes, self.sizes.scale(window.length, window.v, a))
@@ -187,7 +186,7 @@ class March:
             self._stiffen()
             self._leap()
 
-    def _leap(self):
+    def _leap(self) -> None:
         """Go on in windows of so many radians of the fast oscillation that Radau's points damp it: in those of some ten
         it would be followed badly."""
         self.H, self.settling = max(self.H, LEAP / self.fast.speed), SETTLING
@@ -196,7 +195,8 @@ class March:
         """|Legendre coefficients| of q̈; of q in stiff scenes, where what is left of fast parts roughens q̈ alone."""
         if self.stiff:
             A = self.v[:, None] * (H * self.rule.c) + H * H * (A @ self.rule.V2)
-        return np.abs(A @ self.rule.to_series)
+        found: np.ndarray = np.abs(A @ self.rule.to_series)
+        return found
 
     def allowed(self, H: Any, scale: np.ndarray) -> np.ndarray:
         """Which of them need not be resolved."""
@@ -208,24 +208,24 @@ class March:
     def resolved(self, H: Any, scale: np.ndarray, rule: "Rule", rtol: float) -> np.ndarray:
         """Which of those of q̈ need not be, of a rule and of errors of `rtol`."""
         from_q = 0.1 * rtol * scale * (2 * rule.points / H) ** 2
-        allowed = np.minimum(10 * rtol * self.sizes.largest[:, None], from_q) + 8 * self.sizes.noise[:, None]
-        return np.maximum(allowed, TINY)
+        found: np.ndarray = np.minimum(10 * rtol * self.sizes.largest[:, None], from_q) + 8 * self.sizes.noise[:, None]
+        return found.clip(TINY)
 
-    def force(self, times: np.ndarray) -> Callable:
+    def force(self, times: np.ndarray) -> Callable[..., np.ndarray]:
         """q̈ at the points as a function of (q, q̇, copies of the points)."""
         c = self.system.prepared(times)
         if not self.slides and not self.stiff:
             accelerations, g = self.system.accelerations, self.g
             return lambda Q, V: accelerations(times, Q, V, g, c)
 
-        def force(Q, V, copies=1):
+        def force(Q: np.ndarray, V: np.ndarray, copies: int = 1) -> np.ndarray:
             if copies == 1:
                 return self.accelerations(times, Q, V, c)
             many = np.tile(times, copies)
             return self.accelerations(many, Q, V, self.system.prepared(many))
         return force
 
-    def _steer(self, H, iterations, used, failed, unresolved):
+    def _steer(self, H: float, iterations: int, used: float, failed: bool, unresolved: bool) -> None:
         """The length of the next window, and whether the scene is stiff."""
         self.calm, self.unseen = 0 if failed else self.calm + 1, max(iterations - LOOKS, 0)
         grown = 0.9 / used if used > 0.6 else 1.5 if self.calm >= CALM else 1.0 if self.stiff else 1.03
@@ -238,7 +238,7 @@ class March:
         if self.held >= PATIENCE and not self.stiff:
             self._stiffen()
 
-    def _stiffen(self):
+    def _stiffen(self) -> None:
         """Go on with Radau's points and Newton's method, where that is not too much work."""
         if len(self.q) * self.points[1] <= MOST_UNKNOWNS:
             self.stiff, self.calm, self.rule, self.guess = True, CALM, rule(self.points[1], radau=True), None
@@ -259,7 +259,7 @@ class March:
         before, self.v, self.slides = self.v, self.v + change, ()
         self.struck.append((self.t, self.q, before, self.v))
 
-    def _keep(self, window):
+    def _keep(self, window: Window) -> None:
         """A window, at whose end the state is the present one."""
         self.windows.append(window)
         self.ends.append((self.q, self.v))

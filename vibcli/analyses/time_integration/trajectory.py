@@ -63,7 +63,7 @@ class Trajectory:
     shared: Any
 
     def __init__(self, march: "March", until: float, events: Sequence[Event], rests: float, breaks: "Breaks",
-                 balance: Balance | None = None, drift: Any = None):
+                 balance: Balance | None = None, drift: Any = None) -> None:
         self.system, self.switching, self.windows = march.system, march.switching, march.windows
         self.breaks, self.struck = breaks, tuple(march.struck)
         self.coarse = march.coarse
@@ -90,7 +90,7 @@ class Trajectory:
         q, v, a = self._summed(number, 2 * tau / self.lengths[number] - 1).reshape(3, len(self.names), -1)
         return q + (self._places[number].T + tau * speeds), v + speeds, a
 
-    def _summed(self, number, x):
+    def _summed(self, number: np.ndarray, x: np.ndarray) -> np.ndarray:
         """q − q₀ − τ q̇₀, q̇ − q̇₀ and q̈, as rows, at places x in windows of ascending numbers."""
         every, found = rule(POINTS), np.empty((3 * len(self.names), len(x)))
         cuts = np.flatnonzero(np.concatenate([[True], number[1:] != number[:-1], [True]]))
@@ -98,32 +98,35 @@ class Trajectory:
             beside = x.reshape(-1, POINTS) - every.x
             if np.abs(beside).max(initial=0.0) <= BESIDE:       # at the points, but for the rounding of the times
                 rows = self._moves(number[cuts[:-1]]).swapaxes(0, 1)
-                return (rows @ every.at_points[0] + (rows @ every.at_points[1]) * beside).reshape(len(found), -1)
+                near: np.ndarray = rows @ every.at_points[0] + (rows @ every.at_points[1]) * beside
+                return near.reshape(len(found), -1)
         P = every.basis(x)
         if len(x) <= FEW * len(cuts) and found.size <= SMALL:
-            return np.einsum("kij,kj->ki", self._moves(number), np.ascontiguousarray(P.T)).T
+            result: np.ndarray = np.einsum("kij,kj->ki", self._moves(number), np.ascontiguousarray(P.T)).T
+            return result
         for (first, last), rows in zip(pairwise(cuts.tolist()), self._moves(number[cuts[:-1]]), strict=True):
             np.matmul(rows, P[:, first:last], out=found[:, first:last])
         return found
 
     @cached_property
-    def _places(self):
+    def _places(self) -> np.ndarray:
         return np.array([window.q for window in self.windows])
 
     @cached_property
-    def _speeds(self):
+    def _speeds(self) -> np.ndarray:
         return np.array([window.v for window in self.windows])
 
-    def _moves(self, numbers):
+    def _moves(self, numbers: np.ndarray) -> np.ndarray:
         """Legendre coefficients of q − q₀ − τ q̇₀, q̇ − q̇₀ and q̈ of windows, as rows of each."""
         missing = np.unique(numbers[~self._known[numbers]])
         if len(missing):
             self._rows[missing] = moves([self.windows[k] for k in missing.tolist()], POINTS + 2)
             self._known[missing] = True
-        return self._rows[numbers]
+        found: np.ndarray = self._rows[numbers]
+        return found
 
     @cached_property
-    def _rows(self):
+    def _rows(self) -> np.ndarray:
         """Those that are known, of all windows."""
         return np.empty((len(self.windows), 3 * len(self.names), POINTS + 2))
 
@@ -136,7 +139,7 @@ class Trajectory:
         k = self.number(t)
         return [k - 1, k] if k and t - self.starts[k] <= CLOSE * self.lengths[k] else [k]
 
-    def _numbers(self, times):
+    def _numbers(self, times: np.ndarray) -> np.ndarray:
         """Of the windows in which the times lie."""
         return np.maximum(np.searchsorted(self.starts, times, side="right") - 1, 0)
 
@@ -158,7 +161,8 @@ class Trajectory:
         """The Redundancy of the signs of speeds."""
         return Redundancy(self.system.scene, self.system.parts.h, self.system.parts.slopes)
 
-    def _with_carried(self, found, number, times):
+    def _with_carried(self, found: dict[int, np.ndarray], number: np.ndarray,
+                      times: np.ndarray) -> dict[int, np.ndarray]:
         """Those as well whose arguments vanish as others are held: they go on with the sense that they had."""
         scene, parts, none = self.system.scene, self.friction.parts, np.full(times.shape, np.nan)
         places = {name + "'" * primes: row for primes, rows in enumerate(self.at(times)[:2])

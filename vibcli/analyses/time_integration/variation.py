@@ -17,6 +17,7 @@ from vibcli.numerics.collocation_rule import rule
 
 if TYPE_CHECKING:
     from vibcli.analyses.time_integration.rounded_data import Varied
+    from vibcli.numerics.collocation_rule import Rule
 
 POINTS, STIFF = 12, 8   # of Gauss, of Radau where the motion itself was found by these
 CHUNK = 40_000          # instants at which forces are evaluated at once
@@ -35,7 +36,7 @@ class Linear(NamedTuple):
     Phi: np.ndarray
     Psi: np.ndarray
 
-    def along(self, tau: np.ndarray, starts: np.ndarray) -> tuple[np.ndarray, ...]:
+    def along(self, tau: np.ndarray, starts: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """(δ, δ̇, δ̈), each of shape (n, instants, columns), at instants after the start; starts: (δ, δ̇) there of each
         column, those of the directions first."""
         n, count = len(self.A), starts.shape[1]
@@ -43,8 +44,9 @@ class Linear(NamedTuple):
         A[:DIRECTIONS] += self.A[:, :, 2 * n:].transpose(2, 1, 0)
         rows = [Window(self.rule, 0.0, self.length, start[:n], start[n:], one.T, (), ()).states(tau)
                 for start, one in zip(starts.T, A, strict=True)]
-        return tuple(np.array([row[i] for row in rows]).reshape(count, n, len(tau)).transpose(1, 2, 0)
-                     for i in range(3))
+        q, v, a = (np.array([row[i] for row in rows]).reshape(count, n, len(tau)).transpose(1, 2, 0)
+                   for i in range(3))
+        return q, v, a
 
 
 def linearised(varied: "Varied", windows: Sequence[Window], steps: np.ndarray) -> list[Linear]:
@@ -83,7 +85,8 @@ def slopes(varied: "Varied", t: np.ndarray, q: np.ndarray, v: np.ndarray, g: Any
     return found
 
 
-def _chunk(varied, windows, chosen, slides, steps):
+def _chunk(varied: "Varied", windows: list[Window], chosen: "Rule", slides: tuple[int, ...],
+           steps: np.ndarray) -> list[Linear]:
     c, n, s, W = chosen.c, len(windows[0].q), chosen.points, len(windows)
     H = np.array([window.end for window in windows])
     t = np.concatenate([window.start + c * window.end for window in windows])

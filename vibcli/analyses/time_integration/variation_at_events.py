@@ -16,6 +16,7 @@ from vibcli.base.named_tuple import NamedTuple
 if TYPE_CHECKING:
     from vibcli.analyses.time_integration.collocation_step import Window
     from vibcli.analyses.time_integration.rounded_data import Varied
+    from vibcli.symbolic.node import Node
 
 SMOOTH = 1e-7           # of accelerations: what changes by less does not jump
 BACK = 1e-6             # of a window: over which the rate of what vanishes is seen
@@ -49,7 +50,7 @@ def jump(varied: "Varied", before: "Window", after: "Window", steps: np.ndarray,
     return Jump(M + np.outer(later, late * slope), D + np.outer(later, late * data), later)
 
 
-def _turned(before, after):
+def _turned(before: "Window", after: "Window") -> int | None:
     """The number of a switch that turned, or began or ended its slide; None where none did."""
     for k, (was, now) in enumerate(zip(before.g, after.g, strict=True)):
         if was != now or (k in before.slides) != (k in after.slides):
@@ -57,7 +58,7 @@ def _turned(before, after):
     return None
 
 
-def _vanishing(varied, window, k, steps):
+def _vanishing(varied: "Varied", window: "Window", k: int, steps: np.ndarray) -> tuple[np.ndarray, np.ndarray, float]:
     """(its slopes by the state, by the data, its rate) of what vanishes where a switch turns: its argument, or what is
     left to the bound of the σ of one that slides."""
     n, tau = len(window.q), window.end
@@ -68,24 +69,27 @@ def _vanishing(varied, window, k, steps):
     V[range(n), range(n, 2 * n)] += steps[n:]
     t = window.start + np.concatenate([[tau, back], np.full(2 * n, tau)])
 
-    def h(which, t, q, v):
+    def h(which: int, t: np.ndarray, q: np.ndarray, v: np.ndarray) -> np.ndarray:
         switching = varied.switchings[which]
         if k not in window.slides:
-            return switching.values(t, q, v, window.g)[k]
+            found: np.ndarray = switching.values(t, q, v, window.g)[k]
+            return found
         place = list(window.slides).index(k)
         sigma = switching.sliding(window.slides, t, q, v, window.g)[1][place]
-        return switching.bounds[k] - np.sign(sigma[0]) * sigma
+        result: np.ndarray = switching.bounds[k] - np.sign(sigma[0]) * sigma
+        return result
 
     found = h(0, t, np.concatenate([q, Q], axis=1), np.concatenate([v, V], axis=1))
     data = [(h(r + 1, t[:1], q[:, :1], v[:, :1])[0] - found[0]) / STEP for r in range(DIRECTIONS)]
     return (found[2:] - found[0]) / steps, np.array(data), (found[0] - found[1]) / (t[0] - t[1])
 
 
-def _blow(varied, t, q, v, after, steps, blows):
+def _blow(varied: "Varied", t: float, q: np.ndarray, v: np.ndarray, after: "Window", steps: np.ndarray,
+          blows: "dict[Node, float]") -> tuple[np.ndarray, np.ndarray]:
     """How impulses change with the state just before them, and with the data."""
     n, soon = len(q), t + SOON * after.end
 
-    def struck(which, q, v):
+    def struck(which: int, q: np.ndarray, v: np.ndarray) -> np.ndarray:
         sizes = blows if not which else {node: varied.directions[which - 1](size) for node, size in blows.items()}
         return varied.systems[which].struck(soon, q, v, after.g, sizes)
 

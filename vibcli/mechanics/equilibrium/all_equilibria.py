@@ -2,6 +2,7 @@
 residual and met once, images of it a turn apart included."""
 
 import math
+from collections.abc import Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
@@ -24,6 +25,8 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.equilibrium.scaled_forces import Place
+    from vibcli.mechanics.numeric_system import NumericSystem
 
 MOST_WORK, MOST, LEAST, SAMPLES = 10**6, 60_000, 300, 24
 SINGULAR, DUST = 1e-4, 1e-13       # of the stiffness typical of the scene; of the size of the figure
@@ -35,7 +38,7 @@ class Item(NamedTuple):
     can be moved and stays in equilibrium; singular: is K nearly so?"""
 
     equilibrium: Equilibrium
-    free: list
+    free: list[dict[str, float]]
     singular: bool = True
 
 
@@ -45,8 +48,8 @@ class Equilibria(NamedTuple):
     forces, so that there is no other? forces: the Forces that were searched; indices: Indices of what is not proved to
     be complete, None where they are not known."""
 
-    items: list
-    bounds: dict
+    items: list[Item]
+    bounds: dict[str, tuple[float, float]]
     complete: bool
     linear: bool
     forces: Forces
@@ -94,7 +97,7 @@ def find_equilibria(configuration: "Configuration", within: "Mapping[str, tuple[
     return Equilibria(items, limits, complete, linear, forces, cut, indices)
 
 
-def _reached(configuration):
+def _reached(configuration: "Configuration") -> list[Equilibrium]:
     """[the equilibrium next to the drawn position], that of linear forces wherever it is, empty where there is none."""
     try:
         return [configuration.equilibrium]
@@ -105,7 +108,8 @@ def _reached(configuration):
         return [] if place is None else [Equilibrium(place, False, 0.0)]
 
 
-def _prepared(numeric, forces, rests, given):
+def _prepared(numeric: "NumericSystem", forces: Forces, rests: Sequence[Equilibrium],
+              given: "Mapping[str, tuple[float, float]]") -> tuple[dict[str, tuple[float, float]], Found]:
     """(bounds, an empty Found within them), the scales and periods of the forces being learnt."""
     forces.learn_periods()
     limits = _bounds(numeric, forces, [rest.values for rest in rests], given)
@@ -114,7 +118,8 @@ def _prepared(numeric, forces, rests, given):
     return limits, Found(forces, (low, high))
 
 
-def _bounds(numeric, forces, rests, given):
+def _bounds(numeric: "NumericSystem", forces: Forces, rests: Sequence[dict[str, float]],
+            given: "Mapping[str, tuple[float, float]]") -> dict[str, tuple[float, float]]:
     """{coordinate: (least, greatest)} that are given, else a turn of angles and twice the figure; `rests`: positions of
     equilibrium that are known, which are kept within."""
     found = {}
@@ -138,7 +143,7 @@ def _bounds(numeric, forces, rests, given):
     return found
 
 
-def _given_bounds(numeric):
+def _given_bounds(numeric: "NumericSystem") -> dict[str, tuple[float, float]]:
     """{coordinate: (least, greatest)} of the file."""
     asked, found = numeric.spec.get("find"), {}
     for name, pair in (asked.within if asked else {}).items():
@@ -151,11 +156,11 @@ def _given_bounds(numeric):
     return found
 
 
-def _box(forces, limits):
+def _box(forces: Forces, limits: "Mapping[str, tuple[float, float]]") -> list[np.ndarray]:
     return [forces.vector({name: pair[i] for name, pair in limits.items()}) for i in (0, 1)]
 
 
-def _cut_short(forces, found):
+def _cut_short(forces: Forces, found: Found) -> bool:
     """Searches the box; True if that took too much."""
     limit = min(MOST, max(LEAST, MOST_WORK // len(forces.names) ** 2))
     with forces.work.task("the search for equilibria", limit) as task, task.kept(), suppress(TooMuch):
@@ -164,7 +169,7 @@ def _cut_short(forces, found):
     return True
 
 
-def _search(forces, found, first):
+def _search(forces: Forces, found: Found, first: list[np.ndarray]) -> None:
     if len(forces.names) > 1:
         multistart.search(forces, found, first)
         return
@@ -177,7 +182,7 @@ def _search(forces, found, first):
             found.families.append(Family(place, np.ones((1, 1))))
 
 
-def _line(forces, stretch):
+def _line(forces: Forces, stretch: tuple[float, float]) -> bool:
     """Is every position of a stretch one of rest, and not only so flat that floats see no force?"""
     from vibcli.mechanics.high_precision import rests
 
@@ -185,7 +190,7 @@ def _line(forces, stretch):
     return forces.looped or rests(forces.numeric, forces.position(np.array([low + (high - low) / 3])))
 
 
-def _add_multiple(forces, found, stretch):
+def _add_multiple(forces: Forces, found: Found, stretch: tuple[float, float]) -> None:
     """The one multiple zero of a stretch about which the forces are rounding."""
     low, high = stretch
     if any(low <= place.z[0] <= high for place in found.isolated):
@@ -194,7 +199,8 @@ def _add_multiple(forces, found, stretch):
     found.add(forces.at(forces.vector(sharpened(forces.numeric, middle).values)))
 
 
-def _item(forces, place, rows, loose, known):
+def _item(forces: Forces, place: "Place", rows: np.ndarray | tuple[np.ndarray, ...], loose: Sequence[str],
+          known: "Mapping[int, Equilibrium]") -> Item:
     place = place if id(place) in known else _tidied(forces, place)
     free = [{name: 1.0} for name in loose] + [_direction(forces, row) for row in rows]
     rest = known.get(id(place))
@@ -204,14 +210,14 @@ def _item(forces, place, rows, loose, known):
     return Item(rest, free, float(np.linalg.svd(place.J, compute_uv=False)[-1]) < SINGULAR)
 
 
-def _direction(forces, row):
+def _direction(forces: Forces, row: np.ndarray) -> dict[str, float]:
     """{coordinate: component} of a direction in z, the largest one 1."""
     parts = row * forces.D
     parts = parts / parts[np.argmax(np.abs(parts))]
     return {name: float(x) for name, x in zip(forces.names, parts, strict=True) if abs(x) > 1e-9}
 
 
-def _tidied(forces, place):
+def _tidied(forces: Forces, place: "Place") -> "Place":
     """The place with coordinates that are zero but for rounding set to zero."""
     plain = forces.at(np.where(np.abs(place.z) < DUST, 0.0, place.z))
     return plain if plain is not None and forces.balanced(plain) else place

@@ -7,7 +7,7 @@ about which that cannot be said is a place to search on from.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
@@ -22,7 +22,6 @@ from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.interval_arithmetic import Interval, Intervals, exact, inverse, outward
 
 if TYPE_CHECKING:
-
     from vibcli.mechanics.equilibrium.distinct_roots import Found
     from vibcli.mechanics.equilibrium.scaled_forces import Forces
     from vibcli.symbolic.node import Node
@@ -49,7 +48,7 @@ def proved(forces: "Forces", found: "Found") -> bool:
     return False
 
 
-def _closed(forces, found, enclosed):
+def _closed(forces: "Forces", found: "Found", enclosed: "ForceBounds") -> bool:
     low, high = found.box
     slack, beside = SLACK * (high - low), []
     for _ in range(ROUNDS):
@@ -64,7 +63,7 @@ def _closed(forces, found, enclosed):
     return False
 
 
-def _turned(forces, z, box):
+def _turned(forces: "Forces", z: np.ndarray, box: Sequence[np.ndarray]) -> Iterator[np.ndarray]:
     """z and its places a turn of periodic angles apart, as far as they lie in the box or next to it."""
     turns = product(*((-1, 0, 1) if periodic else (0,) for periodic in forces.periodic))
     for turn in turns:
@@ -73,7 +72,8 @@ def _turned(forces, z, box):
             yield there
 
 
-def _searched_on(forces, found, enclosed, left, known, beside):
+def _searched_on(forces: "Forces", found: "Found", enclosed: "ForceBounds", left: np.ndarray,
+                 known: list[tuple[np.ndarray, float]], beside: list[Any]) -> bool:
     """Newton's method from pieces that are left: does it find a zero that is proved and new, in the box or beside it
     (whose region `beside` takes)?"""
     before = found.count + len(beside)
@@ -93,7 +93,7 @@ def _searched_on(forces, found, enclosed, left, known, beside):
 class ForceBounds:
     """Bounds of F and J over boxes of z. `jumps`: do the forces jump somewhere, so that J does not tell of it?"""
 
-    def __init__(self, forces: "Forces"):
+    def __init__(self, forces: "Forces") -> None:
         numeric, self.forces = forces.numeric, forces
         scene, form = numeric.scene, numeric.system.linearisation
         q = [scene.q[row] for row in forces.rows]
@@ -118,7 +118,7 @@ class ForceBounds:
         return F, J
 
     def of(self, nodes: "Sequence[Node]", low: np.ndarray, high: np.ndarray) -> list[Interval]:
-        """Intervals of expressions over these boxes."""
+        """Intervals of expressions over these boxes, whose corners are of the shape (boxes, coordinates)."""
         boxes = {}
         for i, name in enumerate(self.symbols):
             ends = exact(low[:, i]) * exact(self.forces.D[i]), exact(high[:, i]) * exact(self.forces.D[i])
@@ -163,7 +163,7 @@ class ForceBounds:
                 stack += chunks(*halved(low, high, wide))
         return np.array(left)
 
-    def _open(self, low, high):
+    def _open(self, low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """The boxes on which F may vanish."""
         if not len(low):
             return low, high
@@ -175,9 +175,10 @@ class ForceBounds:
         if not smooth.any():
             return low, high
         part = self._contracted(low[smooth], high[smooth], [[_taken(x, smooth) for x in row] for row in J])
-        return tuple(map(np.concatenate, zip((low[~smooth], high[~smooth]), part, strict=True)))
+        return np.concatenate([low[~smooth], part[0]]), np.concatenate([high[~smooth], part[1]])
 
-    def _contracted(self, low, high, J):
+    def _contracted(self, low: np.ndarray, high: np.ndarray,
+                    J: Sequence[list[Interval]]) -> tuple[np.ndarray, np.ndarray]:
         """The parts of boxes in which F may vanish by the theorem of the mean, 0 = Y F(m) + Y J(X) (x − m), solved for
         each xᵢ in turn."""
         middle, n = 0.5 * (low + high), low.shape[1]
@@ -208,7 +209,7 @@ def outside(low: np.ndarray, high: np.ndarray,
 
 
 def halved(low: np.ndarray, high: np.ndarray, wide: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The boxes cut in two across their widest side."""
+    """The boxes cut in two across their widest side, twice as many rows."""
     each, side = np.arange(len(low)), wide.argmax(axis=1)
     middle = 0.5 * (low + high)[each, side]
     upper, lower = low.copy(), high.copy()
@@ -220,24 +221,24 @@ def chunks(low: np.ndarray, high: np.ndarray) -> list[tuple[np.ndarray, np.ndarr
     return [(low[i:i + TOGETHER], high[i:i + TOGETHER]) for i in range(0, len(low), TOGETHER)]
 
 
-def summed(parts: Any) -> Interval:
+def summed(parts: Iterable[Interval]) -> Interval:
     total, *others = parts
     for part in others:
         total = total + part
     return total
 
 
-def _middle(interval):
+def _middle(interval: Interval) -> np.ndarray:
     with np.errstate(invalid="ignore"):
         return np.atleast_1d(0.5 * (interval.low + interval.high))
 
 
-def _taken(interval, which):
+def _taken(interval: Interval, which: np.ndarray) -> Interval:
     """An interval of those boxes alone, a constant one at each."""
     return outward(*(np.broadcast_to(end, len(which))[which] for end in (interval.low, interval.high)))
 
 
-def _inverses(matrices):
+def _inverses(matrices: np.ndarray) -> np.ndarray:
     """The inverses of matrices, the unit matrix for those that have none."""
     with np.errstate(all="ignore"):
         regular = np.isfinite(matrices).all(axis=(1, 2))

@@ -18,6 +18,8 @@ from vibcli.symbolic.evaluation import Floats, multiprecision
 if TYPE_CHECKING:
     import numpy as np
 
+    from vibcli.mechanics.numeric_system import NumericSystem
+
 CONTRACTS, CORRECTIONS, CONVERGED = 0.3, 12, 1e-12
 SHORTEST, STEPS = 2.0**-24, 400         # of the way that is to be followed
 APPROACH = 1e-6
@@ -30,7 +32,7 @@ class BranchPoint(NamedTuple):
 
     value: float
     q: Any
-    position: dict
+    position: dict[str, float]
     K: Any
 
 
@@ -39,21 +41,20 @@ class Followed(NamedTuple):
 
     place: BranchPoint
     arrived: bool
-    way: tuple
+    way: tuple[BranchPoint, ...]
 
 
 class Branch:
     """The equilibria of a system as one parameter goes."""
 
-    size: float
-
-    def __init__(self, numeric: Any, name: str):
+    def __init__(self, numeric: "NumericSystem", name: str) -> None:
         import numpy as np
 
         self.np, self.numeric, self.name = np, numeric, name
         self.names = numeric.scene.coordinates
         self.scale = np.array(list(map(numeric.size_along, self.names)))
-        self.size, self._floats = None, {}
+        self.size: float | None = None
+        self._floats: dict[Any, dict[str, float]] = {}
 
     def floats(self, value: Any) -> dict[str, float]:
         """The parameters where the one that goes has this value, at t = 0."""
@@ -118,11 +119,11 @@ class Branch:
                 return found and BranchPoint(value, q, found[2], found[1])
         return None
 
-    def _tiny(self, q):
+    def _tiny(self, q: "np.ndarray") -> float:
         return CONVERGED * (1.0 + float(self.np.linalg.norm(q)))
 
     def tangent(self, place: Any) -> "np.ndarray | None":
-        """dq/dp at a place; None where the branch has none."""
+        """dq/dp at a place, by coordinate; None where the branch has none."""
         slope = self.load(place)
         try:
             return None if slope is None else self.np.linalg.solve(place.K, -slope)
@@ -130,10 +131,11 @@ class Branch:
             return None
 
     def load(self, place: Any) -> "np.ndarray | None":
-        """∂r/∂p at a place."""
+        """∂r/∂p at a place, by coordinate."""
         h = DIFFERENCE * (abs(place.value) or 1.0)
         sides = [self.forces(place.value + sign * h, place.q, place.position, place.value) for sign in (1, -1)]
-        return None if None in sides else (sides[0][0] - sides[1][0]) / (2 * h)
+        found: np.ndarray | None = None if None in sides else (sides[0][0] - sides[1][0]) / (2 * h)
+        return found
 
     def followed(self, place: Any, target: Any) -> Followed:
         """The Followed from a place towards a value."""
@@ -156,9 +158,9 @@ class Branch:
             way.append(place)
         return Followed(place, place.value == target, tuple(way))
 
-    def _turned_little(self, place, found):
+    def _turned_little(self, place: BranchPoint, found: BranchPoint) -> bool:
         """Does the stiffness change by less than its size on the way: no more than one change of stability?"""
-        return abs(found.K - place.K).max() <= 0.5 * max(self.size, abs(place.K).max())
+        return bool(abs(found.K - place.K).max() <= 0.5 * max(self.size, abs(place.K).max()))
 
     def alike(self, one: Mapping[str, float], other: Mapping[str, float]) -> bool:
         """Are two positions one?"""
@@ -184,7 +186,7 @@ class Branch:
             last = length
         return None
 
-    def _singular(self, y, unit, along, place):
+    def _singular(self, y: "np.ndarray", unit: float, along: "np.ndarray", place: BranchPoint) -> "np.ndarray | None":
         """(r, K v, l·v − 1), relative to the size of K."""
         n = len(self.names)
         q, value, v = y[:n], float(y[n] * unit), y[n + 1:]
@@ -192,7 +194,7 @@ class Branch:
         return None if found is None else self.np.concatenate([found[0] / self.size, found[1] @ v / self.size,
                                                                [along @ v - 1.0]])
 
-    def _slopes(self, y, unit, along, place):
+    def _slopes(self, y: "np.ndarray", unit: float, along: "np.ndarray", place: BranchPoint) -> "np.ndarray | None":
         columns = []
         for j in range(len(y)):
             h = self.np.zeros(len(y))
@@ -203,7 +205,7 @@ class Branch:
             columns.append((sides[0] - sides[1]) / (2 * h[j]))
         return self.np.array(columns).T
 
-    def _verified(self, y, unit, along, place):
+    def _verified(self, y: "np.ndarray", unit: float, along: "np.ndarray", place: BranchPoint) -> BranchPoint | None:
         """The Place where r and K v vanish and the load works along the left null vector: no branching."""
         np, n = self.np, len(self.names)
         value = float(y[n] * unit)
@@ -216,7 +218,7 @@ class Branch:
             return None
         return found._replace(value=value - self._rest_along(w, found) / float(w @ load))
 
-    def _rest_along(self, w, place):
+    def _rest_along(self, w: "np.ndarray", place: BranchPoint) -> float:
         """wᵀ r at a fold in numbers of more digits: as wᵀ K = 0, the value moves by what rounding left of it alone, and
         the place no more than that squared; 0 where loops close in floats."""
         import mpmath

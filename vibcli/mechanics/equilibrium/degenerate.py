@@ -5,6 +5,7 @@ Newton's method gives no more digits than floats have. The stiffness then counts
 the scene, and what is below that as zero.
 """
 
+from collections.abc import Mapping
 from math import sqrt
 from typing import TYPE_CHECKING, Any
 
@@ -16,6 +17,8 @@ from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.evaluation import Floats, multiprecision
 
 if TYPE_CHECKING:
+    import mpmath
+
     from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.equilibrium.all_equilibria import Item
     from vibcli.mechanics.equilibrium.scaled_forces import Forces
@@ -44,7 +47,8 @@ def about(configuration: "Configuration", item: "Item", forces: "Forces") -> "Co
     return found
 
 
-def settled_alone(numeric: "NumericSystem", found: Equilibrium, position: Any) -> tuple[Equilibrium, Any]:
+def settled_alone(numeric: "NumericSystem", found: Equilibrium,
+                  position: "Mapping[str, Any] | None") -> "tuple[Equilibrium, FactoredSystem]":
     """(Equilibrium, its linear system in floats) of one that is degenerate; `position`: a better one, or None."""
     if position is not None and numeric.scene.loops is None:
         found = found._replace(values={name: float(value) for name, value in position.items()})
@@ -80,7 +84,7 @@ def sharpened(numeric: "NumericSystem", found: Equilibrium) -> Equilibrium:
     return found
 
 
-def _to_more_digits(numeric, found):
+def _to_more_digits(numeric: "NumericSystem", found: Equilibrium) -> "tuple[Mapping[str, mpmath.mpf] | None, bool]":
     """({coordinate: number} of the equilibrium or None where nothing better is known, is it degenerate?)."""
     import mpmath
 
@@ -96,7 +100,7 @@ def _to_more_digits(numeric, found):
                          "are about it", "follow the motion with motion: full") from None
 
 
-def at_limit(configuration: Any, position: Any, felt: Any) -> "Configuration":
+def at_limit(configuration: "Configuration", position: Any, felt: Any) -> "Configuration":
     """The Configuration in an equilibrium ({coordinate: float}) whose K is singular but for rounding; felt: what counts
     as stiff along each coordinate."""
     numeric = configuration.numeric
@@ -109,7 +113,7 @@ def at_limit(configuration: Any, position: Any, felt: Any) -> "Configuration":
                                numbers.elements.with_parts(springs=(), K=K, K_size=known), final=True)
 
 
-def _blurred(configuration, forces, blur):
+def _blurred(configuration: "Configuration", forces: "Forces", blur: float) -> "Configuration":
     """The Configuration with a linear system in floats, where its equilibrium has no more digits."""
     found = configuration.equilibrium
     return configuration.about(found, blurred(configuration.numeric, found, forces, blur), final=True)

@@ -7,6 +7,8 @@ arithmetic. An angle over its whole turn has no boundary; with one G cannot have
 """
 
 import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -15,6 +17,10 @@ from vibcli.mechanics.equilibrium.multistart import spread
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.interval_arithmetic import exact, outward
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.interval_arithmetic import Interval
+    from vibcli.symbolic.node import Node
 
 NARROW, LEAST, SAMPLES = 1e-4, 1e-9, 12       # NARROW: of the box; LEAST: of what G is steepest along
 PARTS = 4000                                  # into which a box is cut to show that a part of F is continuous in it
@@ -35,7 +41,7 @@ def degree(enclosed: ForceBounds, low: np.ndarray, high: np.ndarray) -> int | No
     return sign if not wrapped.any() and np.all((low < centre) & (centre < high)) else 0
 
 
-def _wraps(enclosed, i):
+def _wraps(enclosed: ForceBounds, i: int) -> bool | None:
     """Are the forces, as they are written, the same after a turn of a coordinate? None where floats say so alone."""
     if not enclosed.forces.periodic[i]:
         return False
@@ -46,17 +52,17 @@ def _wraps(enclosed, i):
     return True if not any(node.mask & angle.mask for node in rest) else None
 
 
-def _whole(argument, angle):
+def _whole(argument: "Node", angle: "Node") -> bool:
     """Is this n·angle + rest with a whole number n, the rest being free of the angle?"""
     if argument.op == "sum":
         times = dict(argument.args).get(angle, 0)
     else:
         times = argument.coefficient if argument.op == "product" and argument.args == ((angle, 1),) else (
             int(argument is angle))
-    return times and times.denominator == 1 and not (argument - times * angle).mask & angle.mask
+    return bool(times) and times.denominator == 1 and not (argument - times * angle).mask & angle.mask
 
 
-def _continuous(enclosed, low, high):
+def _continuous(enclosed: ForceBounds, low: np.ndarray, high: np.ndarray) -> bool:
     """Is each part of F that may have poles or ends bounded? Shown over the coordinates that it depends on."""
     for part in reachable(enclosed.nodes[:len(enclosed.symbols)]):
         smooth = part.name in CONTINUOUS if part.op == "call" else part.op != "product" or all(
@@ -66,7 +72,7 @@ def _continuous(enclosed, low, high):
     return True
 
 
-def _bounded(enclosed, part, low, high):
+def _bounded(enclosed: ForceBounds, part: "Node", low: np.ndarray, high: np.ndarray) -> bool:
     felt = np.array([bool(part.mask & symbol.mask) for symbol in enclosed.of_coordinates])
     low, high = low[None], high[None]
     looked = 0
@@ -83,7 +89,8 @@ def _bounded(enclosed, part, low, high):
     return True
 
 
-def _reference(enclosed, low, high, bounded):
+def _reference(enclosed: ForceBounds, low: np.ndarray, high: np.ndarray,
+               bounded: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
     """(Y, c, sign): Y F is near to x − c along the bounded coordinates x on the boundary, and sign is that of det Y."""
     n = len(low)
     points = []
@@ -111,7 +118,7 @@ class _Boundary:
     """The faces of a box, on which H = Y F is compared with G = x − c along the bounded coordinates, 0 along others."""
 
     def __init__(self, enclosed: ForceBounds, Y: np.ndarray, centre: np.ndarray, bounded: np.ndarray, low: np.ndarray,
-                 high: np.ndarray):
+                 high: np.ndarray) -> None:
         self.enclosed, self.Y, self.centre, self.bounded, self.low, self.high = enclosed, Y, centre, bounded, low, high
 
     def one_way(self) -> bool:
@@ -134,7 +141,7 @@ class _Boundary:
             stack += chunks(*halved(low, high, wide))
         return True
 
-    def _open(self, low, high):
+    def _open(self, low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """(on which of these pieces no ℓ is found, how much each side of them moves H)."""
         n, middle = low.shape[1], 0.5 * (low + high)
         F, J = self.enclosed.over(low, high)
@@ -143,7 +150,7 @@ class _Boundary:
         G = [outward(low[:, i] - self.centre[i], high[:, i] - self.centre[i]) if self.bounded[i] else exact(0.0)
              for i in range(n)]
 
-        def along(weights):
+        def along(weights: "Sequence[Interval]") -> "tuple[np.ndarray, np.ndarray, list[float | np.ndarray]]":
             """Bounds of Σ wₖ Fₖ, as it stands and by the theorem of the mean, and |slopes|."""
             plain = summed(w * f for w, f in zip(weights, F, strict=True))
             slopes = [summed(w * J[k][j] for k, w in enumerate(weights)) for j in range(n)]
@@ -163,11 +170,12 @@ class _Boundary:
         moved = np.where(np.isfinite(moved), moved, 1.0) * (high - low)
         return ~one_way, np.where(moved.any(axis=1)[:, None], moved, high - low)
 
-    def _between(self, at, middle):
+    def _between(self, at: "Sequence[Interval]", middle: np.ndarray) -> np.ndarray:
         """Halfway between the directions of H and G in the middle of each piece."""
         F = np.array([np.broadcast_to(0.5 * (part.low + part.high), len(middle)) for part in at])
         found = []
         for vectors in ((self.Y @ F).T, np.where(self.bounded, middle - self.centre, 0.0)):
             with np.errstate(all="ignore"):
                 found.append(np.nan_to_num(vectors / np.linalg.norm(vectors, axis=1)[:, None]))
-        return found[0] + found[1]
+        result: np.ndarray = found[0] + found[1]
+        return result

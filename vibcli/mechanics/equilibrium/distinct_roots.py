@@ -17,7 +17,7 @@ BETWEEN = (0.31, 0.69)         # not the middle, where a third zero may lie
 class Found:
     """`isolated` places and `families`; `met`: how many searches ended at one of them."""
 
-    def __init__(self, forces: Forces, box: Sequence[np.ndarray]):
+    def __init__(self, forces: Forces, box: Sequence[np.ndarray]) -> None:
         self.forces, self.box, self.isolated, self.families, self.met = forces, box, [], [], 0
 
     @property
@@ -53,7 +53,7 @@ class Found:
         return any(self.same(place, other) for other in self.isolated) or any(
             family.holds(self.forces, place) for family in self.families)
 
-    def _in_box(self, place):
+    def _in_box(self, place: Place) -> Place | None:
         """The place, its periodic angles turned into the box; None if it lies outside."""
         low, high = self.box
         turns = np.where(self.forces.periodic, np.ceil((place.z - high) / math.tau - 1e-12), 0.0)

@@ -3,7 +3,7 @@
 These are the equations of motion at rest, the sign σₖ of each velocity that vanishes being whatever keeps it at zero.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from math import inf, isfinite
 from typing import TYPE_CHECKING, Any
 
@@ -40,15 +40,15 @@ class HeldCondition(NamedTuple):
 
     name: str
     b: Any
-    held: dict
+    held: "dict[Node, Node]"
     within: Any
 
 
 class Sticking(NamedTuple):
     """The conditions, a HeldCondition for each coordinate, and {σ: σ₀}."""
 
-    rows: tuple
-    bounds: dict
+    rows: tuple[HeldCondition, ...]
+    bounds: "dict[Node, Node]"
 
 
 def sticking(system: "MechanicalSystem") -> Sticking | None:
@@ -78,7 +78,7 @@ def signs_of_speeds(scene: "Scene", nodes: "Sequence[Node]") -> "list[Node]":
     return [part for part in reachable(nodes) if part.name == "sign" and any(part.mask & v.mask for v in scene.v)]
 
 
-def _senses(scene, equations):
+def _senses(scene: "Scene", equations: "list[Node]") -> "tuple[dict[Node, Node], dict[Node, Node]]":
     """({sign of a velocity that vanishes at rest: σ}, {σ: σ₀})."""
     limits = scene.law_switches()[1]
     rest = scene.rates_at_rest
@@ -90,7 +90,8 @@ def _senses(scene, equations):
     return symbols, bounds
 
 
-def _row(scene, name, b, held, parts, bounds):
+def _row(scene: "Scene", name: str, b: "Node", held: "dict[Node, Node]",
+         parts: "Sequence[tuple[Node, dict[Node, Node]]]", bounds: "Mapping[Node, Node]") -> HeldCondition:
     alone = len(held) == 1 and sum(sigma in other for sigma in held for _, other in parts) == 1
     within = None
     if alone:
@@ -139,19 +140,21 @@ def span(configuration: "Configuration", found: Sticking) -> Span | None:
                               configuration.numeric.floats)
         if not k:
             return Span(-inf, inf, True) if abs(b) <= most else Span(inf, -inf, True)
-        return Span(*sorted((-b - sign * most) / k for sign in (1, -1)), True)
+        low, high = sorted((-b - sign * most) / k for sign in (1, -1))
+        return Span(low, high, True)
     return _about(configuration, row, q)
 
 
-def _about(configuration, row, q):
+def _about(configuration: "Configuration", row: HeldCondition, q: "Node") -> Span | None:
     """The same of a nonlinear condition, followed from a place of rest to both sides."""
     from vibcli.base.errors import PhysicsError
 
     numeric = configuration.numeric
 
-    def room(x):
+    def room(x: float) -> float:
         b, most = evaluate([row.b, row.within], Floats, {**numeric.floats, q.name: x})
-        return most - abs(b)
+        found: float = most - abs(b)
+        return found
 
     start = numeric.drawn_floats[q.name]
     if not room(start) >= 0:
@@ -160,10 +163,11 @@ def _about(configuration, row, q):
         except PhysicsError:
             return None
     reach = REACH * numeric.size_along(q.name)
-    return Span(*(_end(room, start, sign * reach / STEPS) for sign in (-1, 1)), False)
+    low, high = (_end(room, start, sign * reach / STEPS) for sign in (-1, 1))
+    return Span(low, high, False)
 
 
-def _end(room, start, step):
+def _end(room: Callable[[float], float], start: float, step: float) -> float:
     """Where room(x) first vanishes from the start on; infinite where it does not."""
     from vibcli.numerics.root_finding import last_place
 

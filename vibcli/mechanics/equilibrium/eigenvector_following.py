@@ -4,6 +4,7 @@ From any place uphill along the k softest directions and downhill along the othe
 75, 2800): what Newton's method passes by, since there the forces grow on the way, is reached as well.
 """
 
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,7 +14,7 @@ from vibcli.mechanics.equilibrium.newton import CLOSE, settled
 
 if TYPE_CHECKING:
     from vibcli.mechanics.equilibrium.distinct_roots import Found
-    from vibcli.mechanics.equilibrium.scaled_forces import Forces
+    from vibcli.mechanics.equilibrium.scaled_forces import Forces, Place
 
 STEPS, LONGEST, SOFTEST, ASIDE, STARTS = 80, 0.3, 1e-3, 0.2, 10
 
@@ -34,7 +35,7 @@ def look_for(forces: "Forces", found: "Found", index: int) -> bool:
     return False
 
 
-def _beside(forces, found):
+def _beside(forces: "Forces", found: "Found") -> Iterator[np.ndarray]:
     """Places to both sides of those known, along the directions in which they are soft or stiff."""
     for place in found.isolated:
         for direction in np.linalg.eigh(_symmetric(place.J))[1].T:
@@ -42,7 +43,7 @@ def _beside(forces, found):
             yield place.z - ASIDE * direction
 
 
-def _followed(forces, z, box, uphill):
+def _followed(forces: "Forces", z: np.ndarray, box: Sequence[np.ndarray], uphill: int) -> "Place | None":
     """The balanced Place that is reached from z; None of none in the box."""
     low, high = box
     for _ in range(STEPS):
@@ -61,5 +62,6 @@ def _followed(forces, z, box, uphill):
     return None
 
 
-def _symmetric(J):
-    return 0.5 * (np.array(J) + np.transpose(J))
+def _symmetric(J: list[list[float]]) -> np.ndarray:
+    found: np.ndarray = 0.5 * (np.array(J) + np.transpose(J))
+    return found

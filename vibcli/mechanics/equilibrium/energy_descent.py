@@ -31,12 +31,12 @@ GROWN, LOWERED, CARRIED = 1e3, 1e-2, 100.0      # of the terms at the start; of 
 
 
 class EnergyDescent:
-    """The potential energy of a scene as a function to be descended."""
+    """The potential energy of a scene as a function to be descended. q: an array of its n independent coordinates."""
 
     first_drift = 0.1
     first: Numbers
 
-    def __init__(self, numeric: "NumericSystem", start: Mapping[str, float]):
+    def __init__(self, numeric: "NumericSystem", start: Mapping[str, float]) -> None:
         import numpy as np
 
         self.np, self.numeric, self.scene = np, numeric, numeric.scene
@@ -112,7 +112,7 @@ class EnergyDescent:
     def drowned(self, q: "np.ndarray", numbers: Numbers) -> bool:
         """Did the terms grow so much on the way that what the forces at the start amount to is lost in their rounding?
         Nothing holds what has been carried so far: the forces that act on it as a whole never vanish."""
-        def largest(values):
+        def largest(values: "list[float]") -> float:
             return float(self.np.max(self.np.abs(values) * self.scale))
 
         carried = self.np.abs(q) > CARRIED * self.scale
@@ -153,7 +153,8 @@ class EnergyDescent:
     def newton(self, numbers: Numbers) -> "np.ndarray":
         """−K⁻¹ r in scaled coordinates; nothing along what is not held."""
         slope = -self.np.array(numbers.residual) * self.scale
-        return self.np.linalg.lstsq(self.hessian(numbers), slope, rcond=1e-14)[0]
+        found: np.ndarray = self.np.linalg.lstsq(self.hessian(numbers), slope, rcond=1e-14)[0]
+        return found
 
     def energy(self, q: "np.ndarray") -> float:
         position = self.named(q)
@@ -168,7 +169,7 @@ class EnergyDescent:
         return bool(self.np.any(self.np.abs(q) > limit * self.scale))
 
     def hessian(self, numbers: Numbers) -> "np.ndarray":
-        """K in scaled coordinates."""
+        """K in scaled coordinates, n × n."""
         K = numbers.elements.stiffness_array()
         if not self.np.all(self.np.isfinite(K)):
             raise PhysicsError("the forces of this scene have no finite slope in a position that the search for its "
@@ -244,7 +245,7 @@ class EnergyDescent:
         return q, numbers
 
 
-def _may_vanish(numeric, position):
+def _may_vanish(numeric: "NumericSystem", position: Mapping[str, float]) -> bool:
     """May every force be zero in a position ({coordinate: float}), within the rounding of what it is computed from, by
     interval arithmetic? The force of a stiff spring, k (ℓ − ℓ₀), is not known to the last digit of a small load."""
     from vibcli.symbolic.interval_arithmetic import Intervals, exact
@@ -259,12 +260,12 @@ def _may_vanish(numeric, position):
     return all(force.holds_zero() and math.isfinite(force.size) for force in forces)
 
 
-def _tiny(values):
+def _tiny(values: "np.ndarray") -> float:
     """What counts as no curvature beside these."""
     return 1e-14 * (max(map(abs, values)) or 1.0)
 
 
-def _trust_step(values, slope, radius):
+def _trust_step(values: "np.ndarray", slope: "np.ndarray", radius: float) -> "np.ndarray":
     """argmin slope·p + ½ Σ values p² within |p| ≤ radius, in the axes of the Hessian."""
     import numpy as np
 
@@ -273,7 +274,7 @@ def _trust_step(values, slope, radius):
     least = values[0]
     tiny = _tiny(values)
 
-    def at(shift):
+    def at(shift: float) -> "np.ndarray":
         bottom = values + shift
         return np.where(np.abs(slope) > 0, -slope / np.where(bottom > tiny, bottom, tiny), 0.0)
 
@@ -285,7 +286,7 @@ def _trust_step(values, slope, radius):
     high = low + float(np.linalg.norm(slope)) / radius + tiny
     pairs = [(s, value) for s, value in zip(slope.tolist(), values.tolist(), strict=True) if s]
 
-    def beyond(shift):      # in numbers of Python: arrays of a few take ten times as long, some sixty times a step
+    def beyond(shift: float) -> bool:      # without arrays: those of a few take ten times as long, some sixty a step
         return math.hypot(*(s / (bottom if (bottom := value + shift) > tiny else tiny) for s, value in pairs)) > radius
 
     return at(last_place(beyond, float(low), high, 80)[1])

@@ -1,14 +1,20 @@
 """Equilibrium by virtual work, r(q) = 0, reached from the drawn position by descending the potential energy."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
+    import mpmath
+    import numpy as np
+
+    from vibcli.mechanics.equilibrium.energy_descent import EnergyDescent
+    from vibcli.mechanics.equilibrium.rest_at_jumps import JumpsAtRest
     from vibcli.mechanics.numeric_linearisation import Numbers
     from vibcli.mechanics.numeric_system import NumericSystem
+    from vibcli.symbolic.running_errors import RunningErrors
 
 EPSILON = 2.0**-52
 LEAPING = "sign", "step"
@@ -22,13 +28,13 @@ class Equilibrium(NamedTuple):
     `equilibrium:` names, whose nearest one it is, or None; degenerate: did Newton's method find K singular there?
     jumps: the JumpsAtRest of forces that jump there and bear what balance asks for, or None."""
 
-    values: dict
+    values: dict[str, float]
     drawn: bool
     residual: float
     steps: int = 0
-    start: dict = None
+    start: dict[str, float] | None = None
     degenerate: bool = False
-    jumps: Any = None
+    jumps: "JumpsAtRest | None" = None
 
     @property
     def from_start(self) -> dict[str, float] | None:
@@ -78,7 +84,7 @@ def find_equilibrium(numeric: "NumericSystem", start: Mapping[str, float]) -> Eq
     return _in_digits(search, found) if unsure else found
 
 
-def _along_a_valley(search, q):
+def _along_a_valley(search: "EnergyDescent", q: "np.ndarray") -> dict[str, float] | None:
     """{coordinate: float} of the stable equilibrium to which Newton's method leads from where the descent has come to,
     in a valley that is bent and far steeper across than along; None where there is none."""
     if not search.numeric.system.conservative or not search.soft(search.at(q)):
@@ -102,7 +108,7 @@ def _along_a_valley(search, q):
     return there if held and search.energy(search.vector(there)) <= search.energy(q) else None
 
 
-def _in_digits(search, found):
+def _in_digits(search: "EnergyDescent", found: Equilibrium) -> Equilibrium:
     """The same from more digits than floats have, as far as these tell it, and what these leave of the forces there."""
     import mpmath
 
@@ -122,7 +128,8 @@ def _in_digits(search, found):
         return found._replace(values=rounded, residual=float(left))
 
 
-def _place_in_digits(search, found, values, arithmetic):
+def _place_in_digits(search: "EnergyDescent", found: Equilibrium, values: "dict[str, mpmath.mpf]",
+                     arithmetic: "RunningErrors") -> "dict[str, float | mpmath.mpf] | None":
     """{coordinate: mpf}, None where it is not found."""
     from vibcli.mechanics.equilibrium.rest_in_digits import rest_in_digits
     from vibcli.mechanics.high_precision import equilibrium_to
@@ -135,7 +142,7 @@ def _place_in_digits(search, found, values, arithmetic):
         return None
 
 
-def _held(search, q, steps, refusal):
+def _held(search: "EnergyDescent", q: "np.ndarray", steps: int, refusal: PhysicsError) -> Equilibrium:
     """The Equilibrium that more digits tell, or where forces jump, next to which a search ends; else the refusal."""
     from vibcli.mechanics.equilibrium.no_equilibrium import repelled
 

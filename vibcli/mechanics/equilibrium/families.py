@@ -23,7 +23,8 @@ REACHED, CLOSE, CORRECTIONS = 1e-6, 1e-9, 6
 def null_directions(place: Place) -> np.ndarray:
     """Orthonormal directions in which J vanishes but for rounding, as rows."""
     _, values, rows = np.linalg.svd(place.J)
-    return rows[values <= SINGULAR * max(values[0], 1.0)]
+    found: np.ndarray = rows[values <= SINGULAR * max(values[0], 1.0)]
+    return found
 
 
 def free_directions(forces: Forces, place: Place) -> np.ndarray:
@@ -33,10 +34,11 @@ def free_directions(forces: Forces, place: Place) -> np.ndarray:
     if not moves:
         return np.zeros((0, len(place.z)))
     _, values, rows = np.linalg.svd(np.array(moves) @ null.T @ null)
-    return rows[:len(values)][values > 0.1 * values[0]]
+    found: np.ndarray = rows[:len(values)][values > 0.1 * values[0]]
+    return found
 
 
-def _moved(forces, place, row):
+def _moved(forces: Forces, place: Place, row: np.ndarray) -> np.ndarray | None:
     """Where a step along a direction leads, brought back to balance; None where that is back to the place."""
     there = forces.at(place.z + STEP * row)
     there = None if there is None else settled(forces, there, SINGULAR)
@@ -49,14 +51,14 @@ def _moved(forces, place, row):
 class Family:
     """Equilibria that hang together: the first that was met, its free directions, and all places met so far."""
 
-    def __init__(self, place: Place, rows: np.ndarray):
+    def __init__(self, place: Place, rows: np.ndarray) -> None:
         self.place, self.rows, self.met = place, rows, [place]
 
     def holds(self, forces: Forces, place: Place) -> bool:
         """Does a walk along the family, from its nearest known place, lead to another equilibrium?"""
         if len(null_directions(place)) < len(self.rows):
             return False
-        def away(other):
+        def away(other: Place) -> float:
             return float(np.linalg.norm(forces.gap(place.z, other.z)))
 
         here, before = min(self.met, key=away), np.inf
@@ -75,7 +77,7 @@ class Family:
         return False
 
 
-def _returned(forces, z):
+def _returned(forces: Forces, z: np.ndarray) -> Place:
     """The place near z to which a few Newton steps across the null directions lead."""
     place = forces.at(z)
     for _ in range(CORRECTIONS):

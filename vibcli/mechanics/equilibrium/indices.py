@@ -6,7 +6,7 @@ degree of the forces there. That they do is no proof that none is missing: two o
 
 from collections.abc import Callable
 from contextlib import suppress
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
@@ -19,6 +19,7 @@ from vibcli.mechanics.equilibrium.scaled_forces import Forces, TooMuch
 if TYPE_CHECKING:
     from vibcli.mechanics.equilibrium.distinct_roots import Found
 
+T = TypeVar("T")
 PIECES, ROUNDS, PLACES, AWAY = 20_000, 10, 20_000, 1e-9
 
 
@@ -52,7 +53,7 @@ def compared(forces: Forces, found: "Found") -> Indices | None:
     return None if total is None else Indices(total, asked)
 
 
-def _missing(enclosed, found, asked):
+def _missing(enclosed: ForceBounds, found: "Found", asked: int) -> None:
     """Search on until the indices agree, or are no longer known, or nothing new turns up."""
     for _ in range(ROUNDS):
         total = _sum(enclosed, found)
@@ -60,14 +61,14 @@ def _missing(enclosed, found, asked):
             return
 
 
-def within_limit(forces: Forces, what: str, limit: int, act: Callable) -> int | None:
+def within_limit(forces: Forces, what: str, limit: int, act: Callable[[], T]) -> T | None:
     """What an act returns, None where it takes more steps than its limit or finds more than can be listed."""
     with forces.work.task(what, limit) as task, task.kept(), suppress(TooMuch):
         return act()
     return None
 
 
-def _sum(enclosed, found):
+def _sum(enclosed: ForceBounds, found: "Found") -> int | None:
     """The sum of the indices of what is found; None where one of them is not known, lies on the bounds or is no place
     of its own."""
     low, high = found.box

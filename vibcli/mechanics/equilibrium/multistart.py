@@ -29,7 +29,7 @@ def search(forces: "Forces", found: "Found", first: Sequence[np.ndarray]) -> Non
         tried = _plain(forces, found, starts)
 
 
-def _plain(forces, found, starts):
+def _plain(forces: "Forces", found: "Found", starts: Iterator[np.ndarray]) -> list[np.ndarray]:
     """Plain Newton from further starts until few zeros are left to be expected; the starts."""
     tried, least = [], LEAST * len(forces.names)
     while True:
@@ -43,7 +43,7 @@ def _plain(forces, found, starts):
             return tried
 
 
-def _deflated(forces, found, starts):
+def _deflated(forces: "Forces", found: "Found", starts: list[np.ndarray]) -> bool:
     """Deflated Newton from every so many of these starts; True if it found a new zero."""
     before = found.count
     for z in starts[::max(1, len(starts) // (DEFLATED * len(forces.names)))]:
@@ -56,7 +56,7 @@ def _deflated(forces, found, starts):
     return found.count > before
 
 
-def _starts(forces, box, first):
+def _starts(forces: "Forces", box: Sequence[np.ndarray], first: Sequence[np.ndarray]) -> Iterator[np.ndarray]:
     yield from first
     low, high = box
     if len(low) <= GRID:
@@ -67,6 +67,6 @@ def _starts(forces, box, first):
         yield low + np.array(fractions) * (high - low)
 
 
-def spread(n: int, most: int) -> Iterator:
+def spread(n: int, most: int) -> Iterator[np.ndarray]:
     """So many points of Halton's sequence in the unit cube of n dimensions, its first few left out."""
     return map(np.array, islice(halton(n, START), most))

@@ -42,7 +42,7 @@ def nearest_equilibrium(numeric: Any, start: Any) -> Equilibrium:
     return search.found(fallen)
 
 
-def _of_linear_forces(numeric, start):
+def _of_linear_forces(numeric: "NumericSystem", start: dict[str, float]) -> Equilibrium:
     try:
         return find_equilibrium(numeric, start)
     except PhysicsError:
@@ -57,7 +57,7 @@ def _of_linear_forces(numeric, start):
 class _Nearest:
     """The nearest place in equilibrium met so far, `best`."""
 
-    def __init__(self, numeric: "NumericSystem", start: dict[str, float]):
+    def __init__(self, numeric: "NumericSystem", start: dict[str, float]) -> None:
         self.numeric, self.start = numeric, start
         self.forces = forces = Forces(numeric, numeric.scene.coordinates)
         self.origin = forces.vector(start)
@@ -67,7 +67,7 @@ class _Nearest:
         forces.learn_sizes(self.origin + 2 * fractions - 1 for fractions in multistart.spread(n, SAMPLES * n))
         self.best: Any = None
 
-    def found(self, fallen: Any) -> Equilibrium:
+    def found(self, fallen: Equilibrium) -> Equilibrium:
         """The Equilibrium at the nearest place, `fallen` where there is none; the drawn position to the last digit
         where it is that."""
         forces, place = self.forces, self.best

@@ -41,7 +41,7 @@ def zero_from(forces: "Forces", z: np.ndarray, box: Sequence[np.ndarray],
     return None if place is None else settled(forces, place)
 
 
-def _bounds(forces, box):
+def _bounds(forces: "Forces", box: Sequence[np.ndarray]) -> list[tuple[float, float]]:
     """[(least, most)] of what is followed: half the box beyond it on either side, periodic angles anywhere."""
     return [(-inf, inf) if periodic else (low - OUTSIDE * (high - low), high + OUTSIDE * (high - low))
             for low, high, periodic in zip(*(side.tolist() for side in box), forces.periodic, strict=True)]
@@ -57,7 +57,7 @@ def settled(forces: "Forces", place: "Place", rank: float = RANK) -> "Place":
     return place if forces.balanced(place) else None
 
 
-def _step(forces, place, known):
+def _step(forces: "Forces", place: "Place", known: "Sequence[Place]") -> "Place | None":
     """The place after one step, None where no step lowers |G|."""
     log_eta, slope = deflation(forces, place.where, known)
     F, merit = place.F, _merit(place, log_eta)
@@ -79,22 +79,22 @@ def _step(forces, place, known):
     return None
 
 
-def _moved(place, step, factor=1.0):
+def _moved(place: "Place", step: Sequence[float], factor: float = 1.0) -> list[float]:
     return [x + factor * dx for x, dx in zip(place.where, step, strict=True)]
 
 
-def _lower(forces, z, merit, known):
+def _lower(forces: "Forces", z: list[float], merit: float, known: "Sequence[Place]") -> "Place | None":
     trial = forces.at(z)
     return trial if trial is not None and _merit(trial, deflation(forces, z, known)[0]) < merit - 1e-4 else None
 
 
-def _merit(place, log_eta):
+def _merit(place: "Place", log_eta: float) -> float:
     """log |G|."""
     size = hypot(*place.F)
     return (log(size) if size else -inf) + log_eta
 
 
-def _shortened(step):
+def _shortened(step: list[float]) -> list[float]:
     longest = max(map(abs, step))
     return [x * (LONGEST / longest) for x in step] if longest > LONGEST else step
 

@@ -74,7 +74,7 @@ def repelled(search: "EnergyDescent", refusal: PhysicsError) -> PhysicsError:
         f"it is {there}: name a place near it under `equilibrium:`, or add the spring or support that holds it")
 
 
-def _is_held(search, q):
+def _is_held(search: "EnergyDescent", q: "np.ndarray") -> bool:
     """Is one coordinate driven back to a place from both sides, by forces that have a potential?"""
     if len(q) != 1 or not search.numeric.system.conservative:
         return False
@@ -82,7 +82,7 @@ def _is_held(search, q):
     return None not in sides and sides[0].residual[0] < 0 < sides[1].residual[0]
 
 
-def _origin(search):
+def _origin(search: "EnergyDescent") -> str:
     return "place that `equilibrium:` names" if search.numeric.spec.get("equilibrium") else "drawn position"
 
 

@@ -6,6 +6,7 @@ zeros and close pairs are seen where F does not change sign. A pole changes sign
 """
 
 import math
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -35,7 +36,7 @@ def zeros(forces: "Forces", low: float, high: float,
             if not any(a - AT_END <= place.where[0] <= b + AT_END for a, b in ends)] + stretches
 
 
-def _edges(forces, points):
+def _edges(forces: "Forces", points: np.ndarray) -> "list[tuple[float, Place]]":
     """[(z, place)] outwards from the drawn position; where a loop cannot close, it is not followed beyond."""
     middle = int(np.searchsorted(points, forces.vector(forces.numeric.drawn_floats)[0]))
     places = dict.fromkeys(range(len(points)))
@@ -47,7 +48,8 @@ def _edges(forces, points):
     return [(z, places[i]) for i, z in enumerate(points)]
 
 
-def _search(forces, a, b, found, flat):
+def _search(forces: "Forces", a: "tuple[float, Place | None]", b: "tuple[float, Place]",
+            found: "list[tuple[Place, None]]", flat: "list[tuple[Place, Place]]") -> None:
     """Appends the zeros between two (z, place) to `found`, and (place, place) where F vanishes throughout to `flat`."""
     left = [(a, b)]
     while left:
@@ -69,7 +71,7 @@ def _search(forces, a, b, found, flat):
             left += [(m, b), (a, m)]
 
 
-def _empty(cell, wide):
+def _empty(cell: "tuple[Place, Place, Place]", wide: float) -> bool:
     """Is F too large at all three places to vanish between them, its slope being what it is? So it is near a pole."""
     F, J = [place.F[0] for place in cell], [abs(place.J[0][0]) for place in cell]
     if wide < WIDE and min(map(abs, F)) > STEEP:
@@ -77,12 +79,12 @@ def _empty(cell, wide):
     return (min(F) > 0 or max(F) < 0) and min(map(abs, F)) > max(J) * wide and _smooth(cell, wide)
 
 
-def _monotone(cell, wide):
+def _monotone(cell: "tuple[Place, Place, Place]", wide: float) -> bool:
     J = [place.J[0][0] for place in cell]
     return (min(J) > 0 or max(J) < 0) and min(map(abs, J)) > 0.25 * max(map(abs, J)) and _smooth(cell, wide)
 
 
-def _smooth(cell, wide):
+def _smooth(cell: "tuple[Place, Place, Place]", wide: float) -> bool:
     """Do the differences of F agree with its slopes (Simpson's rule)?"""
     (a, m, b), J = (place.F[0] for place in cell), [place.J[0][0] for place in cell]
     rounding = 1e-13 * max(place.size[0] for place in cell)
@@ -92,7 +94,7 @@ def _smooth(cell, wide):
 
 def zero_between(forces: "Forces", a: "Place", b: "Place", slope: bool = False) -> "Place":
     """The place between two where F (or its slope) changes sign, by Newton's method kept within the bracket."""
-    def f(place):
+    def f(place: "Place") -> float:
         return place.J[0][0] if slope else place.F[0]
 
     for place in (a, b):
@@ -116,7 +118,7 @@ def zero_between(forces: "Forces", a: "Place", b: "Place", slope: bool = False) 
     return best
 
 
-def _joined(flat):
+def _joined(flat: "Sequence[tuple[Place, Place]]") -> "list[tuple[Place, Place]]":
     """Stretches of adjacent flat cells: [(first place, last place)]."""
     groups = []
     for a, b in sorted(flat, key=lambda cell: cell[0].where[0]):
@@ -127,7 +129,7 @@ def _joined(flat):
     return groups
 
 
-def _stretch(forces, a, b):
+def _stretch(forces: "Forces", a: "Place", b: "Place") -> "tuple[Place, tuple[float, float] | None]":
     """A stretch of neutral places, by the one nearest to the drawn position; of a short one the multiple zero in it."""
     if b.where[0] - a.where[0] > WIDE:
         return forces.at(np.clip(forces.vector(forces.numeric.drawn_floats), a.z, b.z)), (a.where[0], b.where[0])

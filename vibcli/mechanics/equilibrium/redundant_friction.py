@@ -4,7 +4,7 @@ Friction at zero speed enters the equations as Σ σₖ aₖ, the signs σₖ of
 G q̇ = 0 these are known but for the N of Σ aₖ Nₖ + Gᵀ λ = 0: two in parallel have aₑ = c a_d, and share a load anyhow.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotFixed
@@ -32,16 +32,16 @@ class Held(NamedTuple):
 
     owner: str
     argument: Any
-    slopes: tuple
+    slopes: "tuple[Node, ...]"
     drift: Any
     size: Any
-    column: tuple
+    column: "tuple[Node, ...]"
 
 
 class Redundancy:
     """The signs of speeds in the equations of a scene, `slopes` being {(i, j): ∂Gᵢ/∂qⱼ} of its constraints."""
 
-    def __init__(self, scene: "Scene", equations: "Sequence[Node]", slopes: Mapping[Any, Any] | None = None):
+    def __init__(self, scene: "Scene", equations: "Sequence[Node]", slopes: Mapping[Any, Any] | None = None) -> None:
         self.scene = scene
         self.ties = [[(slopes or {}).get((i, j), scene.table.zero) for j in range(len(scene.q))]
                      for i in sorted({i for i, _ in slopes or {}})]
@@ -70,7 +70,8 @@ class Redundancy:
         return {owner: sum(found[:, k] for k, part in enumerate(self.parts) if part.owner == owner)
                 for owner in dict.fromkeys(part.owner for part in self.parts) if owner}
 
-    def _array(self, rows, values, count):
+    def _array(self, rows: "Sequence[Sequence[Node]]", values: "Mapping[str, float | np.ndarray]",
+               count: int) -> "np.ndarray":
         import numpy as np
 
         nodes = [node for row in rows for node in row]
@@ -101,7 +102,7 @@ def require_fixed_at_rest(configuration: Any, owner: Any) -> None:
         raise shared(owner)
 
 
-def _of_laws(scene):
+def _of_laws(scene: "Scene") -> list[Held]:
     found = []
     for law in scene.laws:
         force, speed = law.force(scene), scene.rate(law.s)
@@ -111,7 +112,7 @@ def _of_laws(scene):
     return found
 
 
-def _of_others(scene, equations, laws):
+def _of_others(scene: "Scene", equations: "Sequence[Node]", laws: Sequence[Held]) -> list[Held]:
     """What else holds with a sign of the equations, loads and energies: the column that no law accounts for."""
     found, table = [], scene.table
     for sign in dict.fromkeys(sign for node in equations for sign in signs_of_speeds(scene, [node])):
@@ -124,23 +125,23 @@ def _of_others(scene, equations, laws):
     return found
 
 
-def _held(scene, owner, sign, size, column):
+def _held(scene: "Scene", owner: str, sign: "Node", size: "Node", column: "tuple[Node, ...]") -> Held:
     argument = sign.args[0]
     drift, = substitute([argument], scene.rates_at_rest)
     return Held(owner, argument, _slopes(scene, argument), drift, size, column)
 
 
-def _slope(scene, node, sign):
+def _slope(scene: "Scene", node: "Node", sign: "Node") -> "Node":
     sigma = scene.table.variable("sigma of friction")
     return gradient(substitute([node], {sign: sigma})[0]).get(sigma, scene.table.zero)
 
 
-def _slopes(scene, node):
+def _slopes(scene: "Scene", node: "Node") -> "tuple[Node, ...]":
     found = gradient(node)
     return tuple(found.get(v, scene.table.zero) for v in scene.v)
 
 
-def _each(function, *arrays):
+def _each(function: "Callable[..., np.ndarray]", *arrays: "np.ndarray") -> "np.ndarray":
     """A function of each instant, of equal ones once."""
     import numpy as np
 
@@ -153,7 +154,7 @@ def _each(function, *arrays):
     return np.array(found)
 
 
-def _free(a, g, held):
+def _free(a: "np.ndarray", g: "np.ndarray", held: "np.ndarray") -> "np.ndarray":
     """An N of one instant, the largest of its Nₖ being STEP."""
     import numpy as np
 
@@ -168,14 +169,14 @@ def _free(a, g, held):
     return STEP * found / largest if largest else found
 
 
-def _unit(rows):
+def _unit(rows: "np.ndarray") -> "np.ndarray":
     import numpy as np
 
     size = np.linalg.norm(rows, axis=-1, keepdims=True)
     return rows / np.where(size > 0, size, 1.0)
 
 
-def _carried(w, drift, g, held):
+def _carried(w: "np.ndarray", drift: "np.ndarray", g: "np.ndarray", held: "np.ndarray") -> "np.ndarray":
     """Which speeds vanish as those that are held do, being linear in them: w = C w_held + D g."""
     import numpy as np
 
@@ -184,4 +185,6 @@ def _carried(w, drift, g, held):
     known, offsets = np.concatenate([w[held], g]), np.concatenate([drift[held], np.zeros(len(g))])
     C = w @ np.linalg.pinv(known, rcond=TINY)
     inside = np.linalg.norm(w - C @ known, axis=1) <= TINY * np.linalg.norm(w, axis=1)
-    return held | inside & (np.abs(drift - C @ offsets) <= TINY * (np.abs(drift) + np.abs(C) @ np.abs(offsets)))
+    still = np.abs(drift - C @ offsets) <= TINY * (np.abs(drift) + np.abs(C) @ np.abs(offsets))
+    found: np.ndarray = held | inside & still
+    return found

@@ -4,6 +4,7 @@ A force F₀ sign d bears there whatever balance asks for between −F₀ and F�
 arguments that vanish being those next to zero where the descent of the potential energy ends.
 """
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
@@ -30,10 +31,10 @@ class JumpsAtRest(NamedTuple):
     """`nodes`: {sign u or step u: what stands for it at rest}; `unknowns`: symbols of q and σ; `conditions`: nodes that
     vanish; `values`: {name of an unknown: float}."""
 
-    nodes: dict
-    unknowns: list
-    conditions: list
-    values: dict
+    nodes: "dict[Node, Node]"
+    unknowns: "list[Node]"
+    conditions: "list[Node]"
+    values: dict[str, float]
 
     @property
     def senses(self) -> "dict[Node, float]":
@@ -97,7 +98,7 @@ def rest_at_jumps(search: "EnergyDescent", q: "np.ndarray") -> JumpsAtRest | Non
     return None
 
 
-def _sizes(search, jumping, near):
+def _sizes(search: "EnergyDescent", jumping: "Sequence[Node]", near: dict[str, float]) -> list[float]:
     """How far the arguments are from zero, as shares of what they change by over the figure."""
     import numpy as np
 
@@ -111,7 +112,8 @@ def _sizes(search, jumping, near):
     return found
 
 
-def _solved(search, forces, active, q):
+def _solved(search: "EnergyDescent", forces: "list[Node]", active: "Sequence[Node]",
+            q: "np.ndarray") -> JumpsAtRest | None:
     import numpy as np
 
     scene, table = search.scene, search.scene.table
@@ -140,7 +142,7 @@ def _solved(search, forces, active, q):
     return None
 
 
-def _jacobian(found, known):
+def _jacobian(found: JumpsAtRest, known: dict[str, float]) -> "np.ndarray":
     import numpy as np
 
     slopes = [gradient(node).get(x, node.table.zero) for node in found.conditions for x in found.unknowns]

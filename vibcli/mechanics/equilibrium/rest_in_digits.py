@@ -8,6 +8,8 @@ from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.evaluation import multiprecision
 
 if TYPE_CHECKING:
+    import mpmath
+
     from vibcli.mechanics.numeric_linearisation import Numbers
     from vibcli.mechanics.numeric_system import NumericSystem
 
@@ -42,7 +44,7 @@ def holds(numbers: "Numbers") -> bool:
     return _solved(_matrix(numbers), [0] * len(numbers.residual)) is not None
 
 
-def _matrix(numbers):
+def _matrix(numbers: "Numbers") -> "mpmath.matrix":
     """K."""
     import mpmath
 
@@ -50,7 +52,7 @@ def _matrix(numbers):
     return mpmath.matrix([[entries.get((i, j), 0) for j in range(n)] for i in range(n)])
 
 
-def _balanced(K, force):
+def _balanced(K: "mpmath.matrix", force: "list[mpmath.mpf]") -> "list[mpmath.mpf] | None":
     """K⁻¹ f; None where K is singular."""
     import mpmath
 
@@ -62,7 +64,7 @@ def _balanced(K, force):
     return None if HELD * largest > max(map(abs, force)) else moved
 
 
-def _solved(K, force):
+def _solved(K: "mpmath.matrix", force: "list[mpmath.mpf]") -> "list[mpmath.mpf] | None":
     """K⁻¹ f by elimination; None where K is not positive."""
     n, own = len(force), [K[i, i] for i in range(len(force))]
     for k in range(n):

@@ -5,10 +5,10 @@ typical of the scene. So the search does not depend on units.
 """
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from operator import mul
 from statistics import median
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from vibcli.numerics.few_unknowns import shortest_solution
 
 if TYPE_CHECKING:
     from vibcli.mechanics.numeric_system import NumericSystem
+    from vibcli.mechanics.system import MechanicalSystem
 
 HUGE, MOST_CLOSED, JUMP = 1e140, 1000, 1.5
 BALANCED, QUIET = 1e-14, 1e-9      # of the terms that make r; of the forces elsewhere
@@ -30,7 +31,7 @@ class Place:
 
     __slots__ = ("F", "J", "_z", "size", "where")
 
-    def __init__(self, where: list[float], F: list[float], J: list[list[float]], size: list[float]):
+    def __init__(self, where: list[float], F: list[float], J: list[list[float]], size: list[float]) -> None:
         self.where, self.F, self.J, self.size = where, F, J, size
         self._z: np.ndarray | None = None
 
@@ -55,7 +56,7 @@ class Place:
         return shortest_solution(self.J, [-f for f in self.F], rank)
 
 
-def _largest(F, size):
+def _largest(F: Sequence[float], size: Iterator[Any] | Sequence[float]) -> float:
     return max((abs(f) / s for f, s in zip(F, size, strict=True) if s > 0), default=0.0)
 
 
@@ -64,10 +65,11 @@ class TooMuch(Exception):
 
 
 class Forces:
-    """r(q) and K(q) of a scene along some of its coordinates, the others left as drawn. `periodic`: flags of the angles
-    after a turn of which nothing has changed; `work`: what counts the places that are looked at."""
+    """r(q) and K(q) of a scene along n of its coordinates, the others left as drawn, at places z of the shape (n,).
+    `periodic`: flags of the angles after a turn of which nothing has changed; `work`: what counts the places that are
+    looked at."""
 
-    def __init__(self, numeric: "NumericSystem", names: Sequence[str]):
+    def __init__(self, numeric: "NumericSystem", names: Sequence[str]) -> None:
         self.numeric, self.names, self.work = numeric, list(names), numeric.work
         self.rows = [numeric.scene.coordinates.index(name) for name in self.names]
         self.angle = np.array([not numeric.system.dimension(name) for name in self.names], bool)
@@ -91,7 +93,7 @@ class Forces:
             self.closed.append(position)
 
     def vector(self, values: Mapping[str, float]) -> np.ndarray:
-        """z of {coordinate: number}."""
+        """z of {coordinate: number}: an array of one number for each coordinate."""
         return np.array([values[name] for name in self.names], dtype=float) / self.D
 
     def position(self, z: Sequence[float] | np.ndarray) -> dict[str, float]:
@@ -154,12 +156,12 @@ class Forces:
             self.periodic[i] = bool(places) and all(self._same(place, turned) for place in places)
         self.angle |= self.open & self.periodic
 
-    def _same(self, place, step):
+    def _same(self, place: Place, step: np.ndarray) -> bool:
         other = self.at(place.z + step)
         return other is not None and all(
             abs(f - g) <= 1e-12 * size for f, g, size in zip(other.F, place.F, place.size, strict=True))
 
-    def learn_sizes(self, points: Iterable) -> None:
+    def learn_sizes(self, points: Iterable[np.ndarray]) -> None:
         """Set E and the typical size of the terms of each row, from places at some points."""
         known = [place for place in map(self.at, points) if place is not None]
         largest = [max(abs(x) for part in (place.F, *place.J) for x in part) for place in known]
@@ -170,7 +172,8 @@ class Forces:
     def gap(self, one: np.ndarray, other: np.ndarray) -> np.ndarray:
         """one − other, of periodic angles the shorter way round."""
         d = one - other
-        return np.where(self.periodic, d - math.tau * np.round(d / math.tau), d)
+        found: np.ndarray = np.where(self.periodic, d - math.tau * np.round(d / math.tau), d)
+        return found
 
 
 def near_drawn(forces: Forces, count: int) -> list[np.ndarray]:
@@ -191,7 +194,7 @@ def idle(numeric: "NumericSystem") -> list[str]:
     return [name for name, free in zip(forces.names, found, strict=True) if free]
 
 
-def _is_felt(system, row):
+def _is_felt(system: "MechanicalSystem", row: int) -> bool:
     """Does a coordinate stand in a condition of equilibrium, or has it one of its own? Of linear equations, and where
     loops are closed, places near the drawn one tell."""
     if system.scene.loops is not None or (system.is_linear and not system.scene.table.called):

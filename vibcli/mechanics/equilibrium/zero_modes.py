@@ -43,7 +43,7 @@ def zero_modes(configuration: "Configuration", rigid: Sequence[Any]) -> dict[int
     return found
 
 
-def _mixtures(shapes) -> Iterator[np.ndarray]:
+def _mixtures(shapes: list[np.ndarray]) -> Iterator[np.ndarray]:
     """Mixtures of each two of the first directions."""
     unit = [shape / np.abs(shape).max() for shape in shapes[:MOST_MIXED]]
     for one, other in combinations(unit, 2):
@@ -54,7 +54,7 @@ class Valley:
     """The bottom along which a scene moves that leaves an equilibrium in directions without stiffness, `shapes` in
     units of `sizes`, while what has stiffness follows."""
 
-    def __init__(self, configuration: "Configuration", sizes: np.ndarray, shapes: Sequence[np.ndarray]):
+    def __init__(self, configuration: "Configuration", sizes: np.ndarray, shapes: Sequence[np.ndarray]) -> None:
         self.configuration, self.sizes, self.system = configuration, sizes, configuration.system
         self.names, self.rest = configuration.scene.coordinates, configuration.equilibrium.values
         _, _, rows = np.linalg.svd(np.array(shapes))
@@ -90,7 +90,7 @@ class Valley:
         closed = self.configuration.numeric.closed(self.rest, {**self.rest, **moved})
         return {**self.configuration.at_rest, **closed}
 
-    def _gains(self, places):
+    def _gains(self, places: Sequence[tuple[float, dict[str, float]]]) -> Iterator[float]:
         """V − V(q) at each place; 0 where it is rounding."""
         scene = self.system.scene
         terms = [term.potential(scene) for term in scene.springs]
@@ -102,7 +102,7 @@ class Valley:
             size = sum(max(abs(part), abs(whole)) for part, whole in zip(parts, start, strict=True))
             yield _or_none(sum(parts), size)
 
-    def _work_done(self, places, direction):
+    def _work_done(self, places: Sequence[tuple[float, dict[str, float]]], direction: np.ndarray) -> Iterator[float]:
         """t r·d at each place, where loads have no potential."""
         along = direction * self.sizes
         for step, place in places:
@@ -112,5 +112,5 @@ class Valley:
             yield _or_none(work, size)
 
 
-def _or_none(value, size):
+def _or_none(value: float, size: float) -> float:
     return value if abs(value) > ROUNDING * size else 0

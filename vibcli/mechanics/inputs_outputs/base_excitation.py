@@ -32,7 +32,7 @@ class SystemWithInputs:
     """scene; n: how many of its coordinates are none of its inputs, which stand last; timed, form: its Linearisation
     with and without excitation; varies: may its matrices depend on the time? kind: of arrays of its numbers."""
 
-    def __init__(self, configuration: "Configuration", releasing: bool = False):
+    def __init__(self, configuration: "Configuration", releasing: bool = False) -> None:
         self.configuration, self.arithmetic = configuration, configuration.arithmetic
         self.kind = float if self.arithmetic is Floats else object
         system = configuration.system
@@ -87,7 +87,8 @@ class SystemWithInputs:
                 columns |= self._others(wanted[key], found[key], found["size"] if key == "K" else {})
         return columns
 
-    def _others(self, one, two, size):
+    def _others(self, one: Mapping[tuple[int, int], float], two: Mapping[tuple[int, int], float],
+                size: Mapping[tuple[int, int], float]) -> set[int]:
         """The columns in which two matrices differ."""
         largest = max(map(abs, (*one.values(), *two.values())), default=0.0)
         return {pair[1] for pair in {*one, *two} if pair[0] < self.n
@@ -99,7 +100,7 @@ class SystemWithInputs:
         if self.turning & {*range(self.n), *(j for j, weight in weights.items() if weight)}:
             raise self._turns()
 
-    def _turns(self):
+    def _turns(self) -> PhysicsError:
         return PhysicsError("what acts here turns with what is driven: it has no constant coefficients",
                             "ask for a response to a coordinate, as in frf[…, "
                             f"{self.configuration.scene.coordinates[0]}]")
@@ -158,7 +159,7 @@ class SystemWithInputs:
             self._steady_constraints(nodes)
         return found
 
-    def _autonomous(self, nodes):
+    def _autonomous(self, nodes: "list[Node]") -> "list[float | mpmath.mpf]":
         """The numbers of slopes, which must not depend on the time."""
         values, time = self.values, self.scene.time
         found = evaluate(nodes, self.arithmetic, values)
@@ -170,7 +171,7 @@ class SystemWithInputs:
                                        "coordinates", "ask for one that is counted in the carrier")
         return found
 
-    def _fixed(self, node):
+    def _fixed(self, node: "Node") -> "tuple[float | mpmath.mpf, list[tuple[float, Node]]]":
         """(value in equilibrium, [(1.0, what depends on the time there)])."""
         scene = self.scene
         if not node.mask & scene.time.mask:
@@ -179,7 +180,7 @@ class SystemWithInputs:
         steadily = without_time(scene, at)
         return evaluate([steadily], self.arithmetic, self.values)[0], [] if at is steadily else [(1.0, at - steadily)]
 
-    def _steady_constraints(self, nodes):
+    def _steady_constraints(self, nodes: "list[Node]") -> None:
         closed = set(self.scene.dependent.values())
         for part in reachable(nodes):
             if part.op == "symbol" and part in closed and self.scene.time in gradient(part):

@@ -22,7 +22,10 @@ from vibcli.symbolic.rationals import fraction_of
 from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
+    from vibcli.mechanics.inputs_outputs.base_excitation import SystemWithInputs
     from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.scene.displacements import Opening
+    from vibcli.scene.energy_terms import Inertia
     from vibcli.symbolic.node import Node
 
 SAME = 1e-9
@@ -49,7 +52,7 @@ def excitation_through(symbolic: "SymbolicSystem") -> "dict[int, Node]":
     return dict(zip(found, copied(list(found.values()), symbolic.scene.table), strict=True))
 
 
-def _driven(opened):
+def _driven(opened: "SystemWithInputs") -> "list[tuple[int, Opening]]":
     return [(j, opening) for j, opening in enumerate(opened.scene.inputs.values(), opened.n)
             if opening.node is not None]
 
@@ -74,7 +77,8 @@ def carried_into(opened: Any, values: Mapping[str, float]) -> int | None:
     return next((key[0] for key, total in sums.items() if abs(total) > SAME * sizes[key]), None)
 
 
-def _derivatives(term, number, values):
+def _derivatives(term: "Inertia", number: "Mapping[Node, int]",
+                 values: Mapping[str, float]) -> tuple[float, dict[int, float], dict[tuple[int, int], float]]:
     """(w, {i: ∂s/∂qᵢ}, {(i, j): ∂²s/∂qᵢ∂qⱼ}) of an inertia in numbers."""
     slopes = row_of(term.s, number)
     seconds = slopes_of(slopes, number)

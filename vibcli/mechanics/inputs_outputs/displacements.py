@@ -12,6 +12,7 @@ from vibcli.symbolic.parser import parse
 
 if TYPE_CHECKING:
     from vibcli.elements.place_signals import PlaceSignal
+    from vibcli.elements.rigid_body import Body
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
@@ -41,7 +42,7 @@ def displacement(scene: "Scene", text: str) -> "Node | None":
     return None
 
 
-def _of_point(scene, name, part):
+def _of_point(scene: "Scene", name: str, part: str) -> "Node":
     """The displacement x or y of a point on a member in the plane."""
     record = scene.spec.get("member_points")[name]
     member = scene.members[record["body"].text]
@@ -67,7 +68,7 @@ def signal_of_place(scene: "Scene", signal: SignalName) -> "PlaceSignal":
     return found
 
 
-def _on_member(scene, text, resting=False):
+def _on_member(scene: "Scene", text: str, resting: bool = False) -> "Node | None":
     """A signal of a place on a member, or None within a piece that vibrates; `resting`: as everything is at rest."""
     signal = signal_name(text)
     found = signal_of_place(scene, signal)
@@ -92,7 +93,7 @@ def resting(scene: "Scene", text: str) -> "Node | None":
     return known[text]
 
 
-def _lumped(body, part):
+def _lumped(body: "Body", part: str) -> "Node":
     """The displacement of a body without a place along its axis, or its turn about it."""
     kind, node = body.lumped
     if kind == "turn" and part != "angle":
@@ -103,7 +104,7 @@ def _lumped(body, part):
     return node
 
 
-def _deflection(scene, name):
+def _deflection(scene: "Scene", name: str) -> "Node":
     """The stretch of a spring from its undeformed state: of a linear one N/k as drawn and what came since."""
     terms = scene.terms_of(name)
     if len(terms) == 1 and isinstance(terms[0], Spring):
@@ -114,7 +115,7 @@ def _deflection(scene, name):
     return _stretch(scene, name, "stretch")
 
 
-def _stretch(scene, name, part, undriven=False):
+def _stretch(scene: "Scene", name: str, part: str, undriven: bool = False) -> "Node":
     path = signal_name(f"{name}.{part}").axis
     if path:
         inner = scene.undriven("inner_stretches") if undriven else scene.inner_stretches
@@ -123,8 +124,8 @@ def _stretch(scene, name, part, undriven=False):
             raise PhysicsError(f"the parts of '{name}' have no stretch of their own: it has no free length",
                                f"ask for {name}.stretch")
         return found
-    terms = scene.terms_of(name, undriven=undriven)
-    if len(terms) == 1:
-        return terms[0].s
-    square = scene.table.sum(*((term.s * term.s, 1) for term in terms))   # of a spring without free length
+    lengths: list[Node] = [term.s for term in scene.terms_of(name, undriven=undriven)]
+    if len(lengths) == 1:
+        return lengths[0]
+    square = scene.table.sum(*((s * s, 1) for s in lengths))   # of a spring without free length
     return scene.table.sqrt(square)

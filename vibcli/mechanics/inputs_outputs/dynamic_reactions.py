@@ -8,6 +8,7 @@ residual E(p, ṗ, p̈, u) of both, linear about the equilibrium, and the constr
 with δp = P δq + P_u δu. What q does follows from its own equations, so any left inverse of ∂G/∂p gives the same δλ.
 """
 
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -25,13 +26,16 @@ from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
+    import mpmath
+    import numpy as np
+
     from vibcli.mechanics.configuration import Configuration
 
 
 class MovingReactions:
     """The linear functions of all multipliers and supports."""
 
-    def __init__(self, configuration: "Configuration"):
+    def __init__(self, configuration: "Configuration") -> None:
         self.configuration, self.opened = configuration, configuration.with_inputs
         self.released = SystemWithInputs(configuration, releasing=True)
 
@@ -65,7 +69,8 @@ class MovingReactions:
             found[scene.q[i].name] = None if open_one else combined([(1.0, residual[i]), *ties])
         return found
 
-    def _solved(self, G, E, units):
+    def _solved(self, G: "np.ndarray", E: Sequence[float],
+                units: list[float]) -> "tuple[list[float], np.ndarray, list[list[float]]]":
         """(λ in equilibrium, what Gᵀλ = 0 leaves open, the left inverse of Gᵀ), the first and the last in the numbers
         of G."""
         import numpy as np
@@ -76,7 +81,7 @@ class MovingReactions:
         inverse = _picked_inverse(G)
         return [-sum(x * e for x, e in zip(line, E, strict=True)) for line in inverse], loose, inverse
 
-    def _residual(self):
+    def _residual(self) -> dict[int, LinearFunction]:
         """{i: LinearFunction of E_i} over the coordinates and inputs of the opened scene."""
         released, motions = self.released, self._motions()
         numbers = released.numbers
@@ -92,7 +97,7 @@ class MovingReactions:
         return {i: LinearFunction(numbers.residual[i], [(-1.0, driven[i])] if i in driven else [], **part)
                 for i, part in parts.items()}
 
-    def _motions(self):
+    def _motions(self) -> list[dict[int, float]]:
         """δp_j of every coordinate of the released scene, {number: coefficient} over those of the opened one."""
         opened, released = self.opened, self.released.scene
         names = [q.name for q in released.q if q.name in self.configuration.spec.coordinates]
@@ -100,7 +105,7 @@ class MovingReactions:
         inputs = {q.name: {opened.n + k: 1.0} for k, q in enumerate(released.inputs)}
         return [rows[q.name].q if q.name in rows else inputs.get(q.name, {}) for q in released.q]
 
-    def _bend(self, residual, multipliers):
+    def _bend(self, residual: Mapping[int, LinearFunction], multipliers: Sequence[float]) -> None:
         """Adds Σ λ_k δ(∂G_k/∂p) to the residual."""
         scene, motions = self.released.scene, self._motions()
         number = {q: i for i, q in enumerate(scene.q)}
@@ -119,7 +124,7 @@ class MovingReactions:
         text = reaction_of(self.configuration.system, text, self.rows)
         return require_fixed(text, self.rows[text])
 
-    def _contact(self, name, part):
+    def _contact(self, name: str, part: str) -> LinearFunction:
         normal, reach = normal_of(self.opened.scene, name), self.opened.scene.bodies[name].reach
         if part == "friction" and reach is not None and f"{name}.drive" not in self.rows:
             arm = self.opened.rows([reach])[0].constant      # what two surfaces press does not turn it
@@ -130,7 +135,7 @@ class MovingReactions:
         return combined((sign, product(one, two)) for sign, one, two in parts)
 
 
-def _picked_inverse(G):
+def _picked_inverse(G: "np.ndarray") -> "list[list[mpmath.mpf]]":
     """Another in more digits, on the rows and columns that elimination in floats picks out, as lists."""
     import mpmath
 
@@ -143,6 +148,6 @@ def _picked_inverse(G):
     return found
 
 
-def _add(total, factor, row):
+def _add(total: dict[int, float], factor: float, row: Mapping[int, float]) -> None:
     for i, x in row.items() if factor else ():
         total[i] = total.get(i, 0.0) + factor * x

@@ -7,7 +7,7 @@ As in equilibrium (mechanics/reactions.py) the scene is released, with the inert
 What bends or jumps with the motion does so by its senses σ, which who follows the motion knows.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     import numpy as np
 
     from vibcli.mechanics.numeric_system import NumericSystem
+    from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
 JUMPS = ("sign", "step")
@@ -34,7 +35,7 @@ JUMPS = ("sign", "step")
 class ForcesAlong:
     """The forces of a system at states {name: array} of all its coordinates, their rates and the time."""
 
-    def __init__(self, numeric: "NumericSystem"):
+    def __init__(self, numeric: "NumericSystem") -> None:
         self.numeric, self.released = numeric, Released(numeric)
         self._normals: dict[str, list[Node]] = {}
 
@@ -55,20 +56,21 @@ class ForcesAlong:
             part.args[0] for part in self._jumping))}
 
     @property
-    def _jumping(self):
+    def _jumping(self) -> "list[Node]":
         """sign u and step u within the nodes, those of the time alone apart."""
         motion = ~self.released.scene.time.mask
         return [part for part in reachable(self.nodes) if part.name in JUMPS and part.mask & motion]
 
     @cached_property
-    def _sensed(self):
+    def _sensed(self) -> "list[Node]":
         """The nodes with the symbols σ in place of what jumps: sign u = σ, step u = (1 + σ)/2."""
         symbols = {argument: symbol for symbol, argument in self.jumps.items()}
         senses = {part: symbols[part.args[0]] for part in self._jumping}
         return substitute(self.nodes, {part: sense if part.name == "sign" else (1 + sense) / 2
                                        for part, sense in senses.items()})
 
-    def values(self, names: Sequence[str], states: Any, senses: Callable | None = None) -> "dict[str, np.ndarray]":
+    def values(self, names: Sequence[str], states: Any,
+               senses: "Callable[[Scene, list[Node]], list[np.ndarray]] | None" = None) -> "dict[str, np.ndarray]":
         """{signal: array} of the forces of these names; senses(scene, arguments): the σ of what jumps there, else by
         the signs of the arguments."""
         import numpy as np
@@ -84,7 +86,7 @@ class ForcesAlong:
         known = self._known(E.T, G.transpose(2, 0, 1), n)
         return {name: np.array(np.broadcast_to(self._value(known, name, states), count)) for name in names}
 
-    def _known(self, E, G, n):
+    def _known(self, E: "np.ndarray", G: "np.ndarray", n: int) -> "dict[str, np.ndarray | None]":
         """{signal: array, None where rigid bodies alone leave it open at any instant}, of E and G one instant a row."""
         import numpy as np
 
@@ -99,21 +101,24 @@ class ForcesAlong:
                       for q, value, unknown in zip(self.released.held, held.T, left_open, strict=True)})
         return found
 
-    def _value(self, known, text, states):
+    def _value(self, known: "Mapping[str, np.ndarray | None]", text: str,
+               states: "Mapping[str, float | np.ndarray]") -> "float | np.ndarray":
         signal = signal_name(text)
         if signal.kind in CONTACT and text not in known:
             return self._contact(known, signal.name, signal.kind, states)
         text = reaction_of(self.numeric.system, text, known)
         return require_fixed(text, known[text])
 
-    def _contact(self, known, name, part, states):
+    def _contact(self, known: "Mapping[str, np.ndarray | None]", name: str, part: str,
+                 states: "Mapping[str, float | np.ndarray]") -> "float | np.ndarray":
         reach, normal = self.released.scene.bodies[name].reach, self._normal(name)
         if part == "friction" and reach is not None and f"{name}.drive" not in known:
-            return self._value(known, f"{name}.reaction.moment", states) / evaluate([reach], Arrays, states)[0]
+            arm: float | np.ndarray = evaluate([reach], Arrays, states)[0]
+            return self._value(known, f"{name}.reaction.moment", states) / arm
         return in_contact(part, evaluate(normal, Arrays, states), [
             self._value(known, f"{name}.reaction.{axis}", states) for axis in "xy"])
 
-    def _normal(self, name):
+    def _normal(self, name: str) -> "list[Node]":
         """The normal of the surface that a body touches, what is released being held."""
         if name not in self._normals:
             scene, n = self.released.scene, len(self.released.real)

@@ -6,7 +6,7 @@ of 1 kg·m turning at s = iΩ (in the plane from the direction +x, its reference
 or 1 rad, a generalised force 1 along a coordinate.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
@@ -17,8 +17,13 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.rationals import fraction_of
 
 if TYPE_CHECKING:
+    import mpmath
+
+    from vibcli.language.reader import Record
     from vibcli.mechanics.configuration import Configuration
     from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction
+    from vibcli.scene.displacements import Opening
+    from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
 INSTANTS, SAME = (0.0, 0.173, 0.891, 2.317), 1e-12
@@ -28,9 +33,9 @@ class Input(NamedTuple):
     """weights {number of an input coordinate: its share}, times (−s²)^turns: an unbalance acts with m₀ e Ω². carried:
     the shares as nodes of the time where a load turns with a body that is driven; then weights are those at t = 0."""
 
-    weights: dict
+    weights: dict[int, Any]
     turns: int = 0
-    carried: dict = None
+    carried: "dict[int, Node] | None" = None
 
 
 def named_input(configuration: "Configuration", text: str) -> Input:
@@ -62,14 +67,15 @@ def input_columns(configuration: "Configuration", chosen: Input) -> list[dict[in
 
 
 def in_powers(columns: Mapping[int, list[dict[int, Any]]], weights: Mapping[int, Any],
-              turns: int) -> "list[dict[int, float | Node]]":
-    """Σ weight·column of the columns [{i: number or node}] of input coordinates, times (−s²)^turns."""
-    parts = [{} for _ in range(3)]
+              turns: int) -> list[dict[int, Any]]:
+    """Σ weight·column of the columns [{i: number or node}] of input coordinates, times (−s²)^turns; what a load does
+    that turns has no s."""
+    parts: list[dict[int, Any]] = [{} for _ in range(3)]
     for j, weight in weights.items():
         for power, column in enumerate(columns[j]):
             for i, x in column.items():
                 parts[power][i] = parts[power][i] + weight * x if i in parts[power] else weight * x
-    return _turned(parts, turns, {})
+    return [{}, {}, {i: -x for i, x in parts[0].items()}] if turns else parts
 
 
 def direct_part(row: "LinearFunction", chosen: Input) -> list[float]:
@@ -78,18 +84,10 @@ def direct_part(row: "LinearFunction", chosen: Input) -> list[float]:
         raise PhysicsError("what this load does to the signal at once turns with what is driven",
                            "ask for a coordinate")
     parts = [sum(weight * part.get(j, 0.0) for j, weight in chosen.weights.items()) for part in (row.q, row.v, row.a)]
-    return _turned(parts, chosen.turns, 0.0)
+    return [0.0, 0.0, -parts[0]] if chosen.turns else parts
 
 
-def _turned(parts, turns, nothing):
-    """The same times (−s²)^turns; what a load does has no s."""
-    if not turns:
-        return parts
-    negative = {i: -x for i, x in parts[0].items()} if isinstance(parts[0], dict) else -parts[0]
-    return [nothing, nothing, negative]
-
-
-def _loads(configuration, text, found):
+def _loads(configuration: "Configuration", text: str, found: "dict[int, Opening]") -> Input | None:
     name, axis, *_ = signal_name(text)
     record = (configuration.spec.get("forces") or {}).get(name)
     terms = {i: opening.load for i, opening in found.items() if opening.load is not None and opening.name == name}
@@ -112,7 +110,7 @@ def _loads(configuration, text, found):
     return Input(dict(zip(terms, _unit(amplitudes(configuration.with_inputs, nodes), name), strict=True)))
 
 
-def _carried(configuration, record, name, terms):
+def _carried(configuration: "Configuration", record: "Record", name: str, terms: Iterable[int]) -> Input:
     """The direction of a load, as it is written in the axes of the body that carries it."""
     scene, sample = configuration.with_inputs.scene, configuration.with_inputs.sample
     written = amplitudes(configuration.with_inputs, [scene.lower(part) for part in record["force"]])
@@ -122,7 +120,7 @@ def _carried(configuration, record, name, terms):
     return Input(dict(zip(nodes, start, strict=True)), carried=nodes)
 
 
-def _keeps_line(nodes, scene, sample):
+def _keeps_line(nodes: "list[Node]", scene: "Scene", sample: "Mapping[str, float | mpmath.mpf]") -> bool:
     """Does what has these components, one or two, keep its line in time?"""
     if len(nodes) == 1:
         return True
@@ -130,7 +128,7 @@ def _keeps_line(nodes, scene, sample):
     return not any(abs(x * v - y * u) > SAME * (abs(x * v) + abs(y * u)) for x, y in moving for u, v in moving)
 
 
-def _unit(vector, name):
+def _unit(vector: "Sequence[float | mpmath.mpf]", name: str) -> list[float]:
     if len(vector) == 1:
         return [-1.0 if vector[0] < 0 else 1.0]
     length = sum(x * x for x in vector) ** 0.5
@@ -139,7 +137,7 @@ def _unit(vector, name):
     return [x / length for x in vector]
 
 
-def _driven(configuration, text, found):
+def _driven(configuration: "Configuration", text: str, found: "Mapping[int, Opening]") -> Input | None:
     """A point or body that is driven: its one displacement, or the line along which it moves."""
     scene = configuration.with_inputs.scene
     moved = {i: opening for i, opening in found.items() if opening.node is not None}
@@ -156,7 +154,7 @@ def _driven(configuration, text, found):
     return Input(dict(zip(parts, _unit(amplitudes(configuration.with_inputs, nodes), text), strict=True)))
 
 
-def _along_coordinate(configuration, text, found):
+def _along_coordinate(configuration: "Configuration", text: str, found: "Mapping[int, Opening]") -> Input | None:
     if text not in configuration.spec.coordinates:
         return None
     return Input({i: 1.0 for i, opening in found.items()

@@ -7,16 +7,17 @@ from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 
 class LinearFunction(NamedTuple):
     """Coefficients {i: number} of the deviations, their rates and accelerations; `time`: [(factor, node of t)]."""
 
     constant: float
-    time: list
-    q: dict
-    v: dict
-    a: dict
+    time: "list[tuple[Any, Node]]"
+    q: dict[int, Any]
+    v: dict[int, Any]
+    a: dict[int, Any]
 
 
 def combined(pairs: Any) -> LinearFunction:

@@ -33,7 +33,7 @@ def linear_row(configuration: "Configuration", text: str) -> LinearFunction:
     return row
 
 
-def _row(configuration, text):
+def _row(configuration: "Configuration", text: str) -> LinearFunction:
     opened, scene = configuration.with_inputs, configuration.with_inputs.scene
     name = (signal := signal_name(text)).name
     if text in ENERGIES:
@@ -60,7 +60,7 @@ def _row(configuration, text):
     return configuration.moving_reactions.row(text) if force is None else opened.rows([force])[0]
 
 
-def _instead(configuration, text):
+def _instead(configuration: "Configuration", text: str) -> str:
     """What is linear of that whose power or energy is asked."""
     name, spec = signal_name(text).name, configuration.spec
     if not is_load(spec, text):

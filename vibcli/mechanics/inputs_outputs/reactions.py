@@ -45,7 +45,7 @@ class Reaction(NamedTuple):
 class Released:
     """The scene with all its coordinates and its supports released, and the numbers of its coordinates in `q`."""
 
-    def __init__(self, numeric: "NumericSystem"):
+    def __init__(self, numeric: "NumericSystem") -> None:
         self.numeric, self.scene = numeric, numeric.scene.with_released_supports()
         if self.scene.static_preloads and numeric.has_free_symbols:
             self.scene = take_over(self.scene, numeric.system.preloads)
@@ -93,7 +93,7 @@ def reactions(configuration: "Configuration") -> list[Reaction]:
     return found
 
 
-def _at_rest(configuration, released):
+def _at_rest(configuration: "Configuration", released: Released) -> dict[str, float]:
     """{symbol: float} of the released scene in equilibrium."""
     scene = configuration.scene.resting
     names = [q.name for q in released.real]
@@ -110,7 +110,7 @@ def left_inverse(G: "np.ndarray", units: Sequence[float]) -> "tuple[np.ndarray, 
     return inverse[0], loose[0][loose[0].any(axis=1)]
 
 
-def _left_inverses(G, units):
+def _left_inverses(G: "np.ndarray", units: Sequence[float]) -> "tuple[np.ndarray, np.ndarray]":
     """The same of a stack (N, k, n): (N, k, n), and (N, k, k) with rows of zeros."""
     import numpy as np
 

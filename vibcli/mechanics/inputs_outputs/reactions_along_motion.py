@@ -4,6 +4,7 @@ The multipliers, and coordinates that others give, are eliminated; where that ma
 or loops are closed in numbers, multipliers stay in it as symbols lambda_NAME.
 """
 
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING, Released
@@ -56,7 +57,8 @@ def along_the_motion(numeric: "NumericSystem", ties: bool = False) -> "dict[str,
         for signal, node in known.items()}
 
 
-def _normals(released, found, still) -> "Iterator[tuple[str, Node]]":
+def _normals(released: Released, found: "Mapping[str, Node]",
+             still: "dict[Node, Node]") -> "Iterator[tuple[str, Node]]":
     """(B.normal, n·R) of each body with a surface or a guide that takes part along both axes."""
     for name, body in released.scene.bodies.items():
         sides = [found.get(f"{name}.reaction.{axis}") for axis in "xy"]
@@ -65,7 +67,8 @@ def _normals(released, found, still) -> "Iterator[tuple[str, Node]]":
             yield f"{name}.normal", textbook(nx * sides[0] + ny * sides[1])
 
 
-def _eliminated(released, symbols, slopes, parts):
+def _eliminated(released: Released, symbols: "Sequence[Node]", slopes: "list[list[Node]]",
+                parts: "Sequence[Node]") -> "list[dict[Node, Node]]":
     """[{λ, dependent coordinate or rate: what it is}], one for each choice of equations for the λ; none where loops are
     closed in numbers or supports share loads."""
     scene, table, plain = released.scene, released.scene.table, released.numeric.scene
@@ -87,7 +90,8 @@ def _eliminated(released, symbols, slopes, parts):
     return list(ways.values())
 
 
-def _regular_rows(released, slopes, order):
+def _regular_rows(released: Released, slopes: "Sequence[list[Node]]",
+                  order: Sequence[int]) -> tuple[list[int], list[int]]:
     """(equations, multipliers) of a largest regular system of the E_q + Σ λ_k ∂G_k/∂q = 0, the first of an order."""
     scene, n = released.scene, len(released.real)
     at = {**scene.sample, **dict.fromkeys((q.name for q in released.held), 0.0), **_beside(released, 1),
@@ -101,13 +105,13 @@ def _regular_rows(released, slopes, order):
     return rows, picked
 
 
-def _shorter(node, ways):
+def _shorter(node: "Node", ways: "Sequence[dict[Node, Node]]") -> "Node":
     """The node with what is known put in the way that is shortest, unless that is too long to read and longer."""
     short = min((textbook(substitute([node], known)[0]) for known in ways), key=letters)
     return short if letters(short) <= max(READABLE, letters(node)) else node
 
 
-def _steady_slope(released, node):
+def _steady_slope(released: Released, node: "Node") -> "Node":
     """A slope that is 0 or ±1 in all positions as that number: a rope that keeps its direction."""
     scene = released.scene
     values = []
@@ -118,7 +122,7 @@ def _steady_slope(released, node):
     return scene.table.number(whole) if abs(whole) <= 1 and all(abs(v - whole) <= 1e-12 for v in values) else node
 
 
-def _beside(released, steps):
+def _beside(released: Released, steps: int) -> dict[str, float]:
     """{coordinate: a number some hundredths of the figure beside the drawn one}."""
     scene = released.scene
     return {q.name: scene.number(q) + 0.01 * steps * (-1) ** i * scene.unit_of(q.name)

@@ -1,5 +1,6 @@
 """Loads along members as inputs by name: of the form f(x) that is written, scaled so that its largest |f| is 1 N/m."""
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
@@ -11,8 +12,11 @@ from vibcli.symbolic.separated_products import products_of
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from vibcli.elements.member_loads import SpreadLoad
     from vibcli.mechanics.configuration import Configuration
     from vibcli.scene.displacements import Opening
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 GRID, ZOOM = 240, 12        # places at which a form is looked at, and at which again about the largest, ever closer
 SMALLEST = 1e-30            # of a length: places are told apart no further
@@ -41,7 +45,7 @@ def spread_input(configuration: "Configuration", name: str, found: "Mapping[int,
     return shares
 
 
-def _product(load, scene):
+def _product(load: "SpreadLoad", scene: "Scene") -> "tuple[Node, Node]":
     """(f, g) of a load f(x) g(t)."""
     if load.in_time.is_zero:
         return load.q, scene.table.one
@@ -52,11 +56,11 @@ def _product(load, scene):
     return found[0]
 
 
-def _largest(along, load, sample, arithmetic):
+def _largest(along: "Node", load: "SpreadLoad", sample: "Mapping[str, Any]", arithmetic: Any) -> Any:
     """The largest |f| from one end to the other."""
     start, end = evaluate([load.start, load.end], arithmetic, sample)
 
-    def sizes(places):
+    def sizes(places: "Sequence[Any]") -> "list[Any]":
         return [abs(evaluate([along], arithmetic, {**sample, load.x.name: x})[0]) for x in places]
 
     step = (end - start) / GRID
@@ -76,7 +80,7 @@ def _largest(along, load, sample, arithmetic):
     return most
 
 
-def _rounding(arithmetic):
+def _rounding(arithmetic: Any) -> Any:
     from vibcli.symbolic.evaluation import Floats
 
     if arithmetic is Floats:

@@ -5,7 +5,7 @@ As in numbers (mechanics/reactions.py) the scene is released, and with the posit
     E_q + Σ λ_k ∂G_k/∂q = 0        R_ρ = E_ρ + Σ λ_k ∂G_k/∂ρ,        E = d/dt ∂T/∂q̇ − ∂T/∂q + ∂Φ/∂q̇ + ∂V/∂q − Q.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.base.named_tuple import NamedTuple
@@ -24,8 +24,8 @@ from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
     from vibcli.mechanics.numeric_system import NumericSystem
+    from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
-
 
 SAMPLES = range(16)     # sets of values of letters at which signs are looked at, some of letters far apart
 
@@ -36,10 +36,10 @@ class SymbolicForces(NamedTuple):
     expression, None where rigid bodies alone leave it open} of constraints and supports; degree: how many forces are
     more than rigid bodies fix."""
 
-    conditions: dict
-    supports: dict
-    forces: dict
-    values: dict
+    conditions: "dict[str, Node]"
+    supports: "dict[str, Node]"
+    forces: "dict[Node, str]"
+    values: "dict[str, Node | None]"
     degree: int
 
 
@@ -47,8 +47,8 @@ class _Open(NamedTuple):
     """Numbers of the constraints, and of the supports among the coordinates, whose forces statics leaves open; how many
     forces are too many."""
 
-    ties: tuple
-    supports: tuple
+    ties: tuple[int, ...]
+    supports: tuple[int, ...]
     degree: int
 
 
@@ -79,19 +79,19 @@ def symbolic_forces(numeric: "NumericSystem", accelerations: "Mapping[str, Node]
                           left_open.degree)
 
 
-def _simplest(node):
+def _simplest(node: "Node") -> "Node":
     """A fraction without common factors, where that is shorter."""
     found = single(node)
     return min((found, single(textbook(found))), key=letters)
 
 
-def _without_bars(node, samples):
+def _without_bars(node: "Node", samples: list[dict[str, float]]) -> "Node":
     """An expression with lengths as drawn for the roots of their squares."""
     found = without_bars(node, samples)
     return node if found is node else single(found)
 
 
-def _samples(scene):
+def _samples(scene: "Scene") -> list[dict[str, float]]:
     """Values of the parameters, at those that the file has."""
     parameters = scene.parameters
     values = (given_values(parameters, scene.sample, parameters.free, attempt) for attempt in SAMPLES)
@@ -99,7 +99,8 @@ def _samples(scene):
             for known, _ in zip(values, SAMPLES if parameters.free else "1", strict=False)]
 
 
-def _at_rest(scene, accelerations, place, n):
+def _at_rest(scene: "Scene", accelerations: "Mapping[str, Node]", place: "Mapping[str, Node]",
+             n: int) -> "tuple[list[Node], list[list[Node]]]":
     """E of every coordinate, and [∂G_k/∂q] of each constraint, at rest as drawn but for what is at a place; n: how many
     coordinates are no supports that give way."""
     T, V, Phi = kinetic(scene), potential(scene), dissipation(scene)
@@ -117,13 +118,13 @@ def _at_rest(scene, accelerations, place, n):
     return found[:size], [found[start:start + size] for start in range(size, len(found), size)]
 
 
-def _with_lengths_as_drawn(scene, nodes, n):
+def _with_lengths_as_drawn(scene: "Scene", nodes: "Sequence[Node]", n: int) -> "list[Node]":
     """Expressions of supports that hold with lengths as drawn for the roots of their squares."""
     still = {q: scene.drawn_position[q] for q in scene.q[n:]}
     return scene.unrooted(substitute(nodes, still))
 
 
-def _multipliers(scene, E, G):
+def _multipliers(scene: "Scene", E: "Sequence[Node]", G: "Sequence[list[Node]]") -> "tuple[list[Node], _Open]":
     """([λ_k], which of them and of the supports' reactions rigid bodies leave open): one solution of Gᵀλ = −E."""
     import numpy as np
 

@@ -25,6 +25,7 @@ ALWAYS = ("equations", "matrices", "energies", "equilibrium", "frequencies", "mo
 ON_REQUEST = tuple(word for word in FIND if word not in ALWAYS)         # found only where they are asked for
 WITH_PARTICULARS = {word: row for word, row in ANALYSES.items() if row[1] is not None}
 AT_LENGTH = (SEARCH, MODES, *WITH_PARTICULARS)
+MARKS = set("[(.")       # of quantities and signals; no word of a question has one
 WRITTEN = {SEARCH: f"{{{SEARCH}: all}}"} | {word: form for word, (_, _, form) in WITH_PARTICULARS.items() if form}
 
 
@@ -105,6 +106,9 @@ class _Question(OneOf):
     def read(self, node: Any, reader: Any) -> Any:
         if isinstance(node, Scalar) and node.text in WRITTEN:
             return reader.expected(node, self.wants, f"write {WRITTEN[node.text]}")
+        if isinstance(node, Scalar) and MARKS & set(node.text):
+            return reader.expected(node, _WORDS.wants, "a quantity is compared with a value in `answers`; a "
+                                                     "signal's motion is asked by {response: {of: [x]}}")
         return super().read(node, reader)
 
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from itertools import groupby
 from typing import Any
 
-from vibcli.notation.numbers import width
+from vibcli.notation.numbers import centred, width
 from vibcli.notation.plain import plain
 from vibcli.report.blocks import (
     Either,
@@ -15,6 +15,7 @@ from vibcli.report.blocks import (
     Name,
     Paragraph,
     Quotient,
+    ShownMatrix,
     SumOfTerms,
     Typed,
     WithNumbers,
@@ -87,7 +88,7 @@ def rows_and_plain(parts: Any, write: Any, columns: int) -> list[tuple[str, str]
     """[(row, the same in plain text)] of a formula broken into rows."""
     found, size = [([], [])], 0
     for clause in _clauses(parts):
-        told = pieces(clause, plain)
+        told = pieces(list(map(flat, clause)), plain)
         texts = told if write is plain else pieces(clause, write)
         widths = list(map(width, told))
         together = sum(widths) if sum(widths) <= columns else sum(widths[:2])
@@ -99,6 +100,20 @@ def rows_and_plain(parts: Any, write: Any, columns: int) -> list[tuple[str, str]
             found[-1][1].append(said)
             size += wide
     return [(write.beside(*row).strip(), plain.beside(*said).strip()) for row, said in found]
+
+
+def flat(part: Any, space: str = " ") -> Any:
+    """A part, of a matrix its first row, as wide as it is shown."""
+    return Words(rows_of_matrix(part)[0].replace(" ", space)) if isinstance(part, ShownMatrix) else part
+
+
+def rows_of_matrix(part: ShownMatrix) -> list[str]:
+    """The rows of a matrix in plain text, one below the other."""
+    cells = [[formula(cell, plain) for cell in row] for row in part.rows]
+    sizes = [max(map(width, column)) for column in zip(*cells, strict=True)]
+    left, right = "⎛" + "⎜" * (len(cells) - 2) + "⎝", "⎞" + "⎟" * (len(cells) - 2) + "⎠"
+    return [f"{begin} {'  '.join(map(centred, row, sizes))} {end}" for begin, row, end in zip(
+        left, cells, right, strict=True)]
 
 
 def _clauses(parts):
@@ -143,6 +158,8 @@ def _pieces(part, write):
         return [write.write(part.node, 1)]
     if isinstance(part, Quotient):
         return [_quotient(part, write)]
+    if isinstance(part, ShownMatrix):
+        return [_matrix([[formula(cell, write) for cell in row] for row in part.rows], write)]
     if isinstance(part, Either):
         plus, either = write.signed(False, write(part.mark)), write.notation(" ∓ ")
         return [write(part.node).replace(plus, write.beside(either, write(part.root)))]
@@ -151,6 +168,11 @@ def _pieces(part, write):
     nodes = part.nodes if isinstance(part, SumOfTerms) else (part,)
     terms = [term for node in nodes for term in _terms(node, write)]
     return [write.signed(negative, text, not i) for i, (negative, text) in enumerate(terms)]
+
+
+def _matrix(rows, write):
+    """In plain text on one line, a semicolon between rows."""
+    return write.matrix(rows) if write is not plain else f"[{'; '.join(map(', '.join, rows))}]"
 
 
 def _quotient(part, write):

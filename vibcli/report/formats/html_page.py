@@ -22,6 +22,7 @@ article + article { border-top: 1px solid var(--rule); margin-top: 3rem; padding
 .equation { overflow-x: auto; overflow-y: hidden; padding: 0.35em 0 0.35em 1.5em; white-space: nowrap; }
 .label { display: inline-block; min-width: 2.5em; padding-right: 0.6em; }
 mtd { text-align: left; padding: 0.25em 0; }
+.matrix mtd { text-align: center; text-align: -webkit-center; padding: 0.15em 0.5em; }
 table { border-collapse: collapse; margin: 0.5em 0 0.5em 1.5em; font-variant-numeric: tabular-nums; }
 th, td { padding: 0.2em 0.9em; text-align: left; border-bottom: 1px solid var(--rule); white-space: nowrap; }
 thead th, thead td { border-bottom: 2px solid; }

@@ -6,13 +6,24 @@ from itertools import zip_longest
 from typing import Any
 
 from vibcli.base.decoding import cleaned
-from vibcli.notation.numbers import table, width, wrapped
+from vibcli.notation.numbers import padded, table, width, wrapped
 from vibcli.notation.plain import plain
-from vibcli.report.blocks import Definitions, Document, Equations, Heading, Maths, Paragraph, Section, TableBlock
-from vibcli.report.formats.formula import formula
+from vibcli.report.blocks import (
+    Definitions,
+    Document,
+    Equations,
+    Heading,
+    Maths,
+    Paragraph,
+    Section,
+    ShownMatrix,
+    TableBlock,
+)
+from vibcli.report.formats.formula import flat, formula, rows_of_matrix
 
 COLUMNS = 98            # of a page of 100: sections are indented by two
 SEPARATOR, NO_BREAK = ",  ", "\u2007"       # of statements in a line; what stands for a space within one
+OPENS = re.compile("⎛")        # the first row of a matrix
 HEAD = re.compile(r"(?<=  )(\S{1,8}) = ")         # what a clause tells, where that is short
 LISTING, LEAST = ", ", 12       # what a cell is broken at, and to so many columns at least
 
@@ -52,11 +63,24 @@ def _equations(block):
 
 
 def _line(line):
-    text = formula(line.label, plain) + ":  " * bool(line.label) + formula(line.parts, plain)
+    parts = [flat(part, NO_BREAK) for part in line.parts]
+    text = formula(line.label, plain) + ":  " * bool(line.label) + formula(parts, plain)
     text = HEAD.sub(f"\\1{NO_BREAK}= ", text).replace("= ", f"={NO_BREAK}")       # at which no line ends
     lines = wrapped(text, COLUMNS, indent=line.hang, first=line.inset) if line.hang is not None else [text] if (
         width(text) <= COLUMNS) else _listed(text)
-    return [one.replace(NO_BREAK, " ") for one in lines]
+    matrices = (part for part in line.parts if isinstance(part, ShownMatrix))
+    return [row for one in lines for row in _rows(one.replace(NO_BREAK, " "), matrices)]
+
+
+def _rows(text, matrices):
+    """A line, and below it the further rows of its matrices."""
+    below = [(width(text[:at.start()]), rows_of_matrix(next(matrices))[1:]) for at in OPENS.finditer(text)]
+    lines = [text]
+    for rows in zip_longest(*(rows for _, rows in below), fillvalue=""):
+        lines.append("")
+        for (column, _), row in zip(below, rows, strict=True):
+            lines[-1] = padded(lines[-1], column) + row
+    return lines
 
 
 def _listed(text):

@@ -4,7 +4,8 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import Kinked
-from vibcli.notation.abbreviations import abbreviated
+from vibcli.mechanics.lagrange import nested_equations
+from vibcli.notation.abbreviations import SHORTER, abbreviated
 from vibcli.notation.equation_sides import equation, sides
 from vibcli.notation.numbers import figure, with_minus
 from vibcli.report import blocks
@@ -145,9 +146,7 @@ def _full(problem, report):
     if not found.full:
         yield from section(title, paragraph(f"not written out for {len(problem.scene.coordinates)} coordinates"))
         return
-    drives = named_drives(problem) if loose is problem.scene and not found.from_rest else None
-    told_as = [drives.equation(i) for i in range(len(found.full))] if drives else found.from_rest or found.full
-    shown, lengths = abbreviated([*told_as, *found.conditions], report.roots)
+    shown, lengths = abbreviated([*_told_as(problem, found, report.roots), *found.conditions], report.roots)
     labels = [*map(Name, found.names), *[None] * len(found.conditions)]
     lines, told_nodes = [], []
     for label, node in zip(labels, shown, strict=True):
@@ -164,6 +163,27 @@ def _full(problem, report):
     yield from section(title, blocks.equations(lines), *with_lengths(lengths), *with_preloads(problem, told_nodes),
                        paragraph(*told, hang=4, aside=True) if told else None,
                        paragraph(WITHOUT) if problem.spec.get("damping") is not None else None)
+
+
+def _told_as(problem, found, known):
+    """The left sides: with the symbols of displacements in time, or as they come from the energies where these are
+    shorter by far for the lengths in them."""
+    if found.from_rest or problem.system.scene_with_multipliers is not problem.scene:
+        return found.from_rest or found.full
+    drives = named_drives(problem)
+    if drives is not None:
+        return [drives.equation(i) for i in range(len(found.full))]
+    if problem.spec.expanded or not (abbreviated(found.full, lengths := dict(known))[1] or lengths):
+        return found.full
+    return [nested if _columns(nested, known) < SHORTER * _columns(full, known) else full
+            for nested, full in zip(nested_equations(problem.scene.written), found.full, strict=True)]
+
+
+def _columns(node, known):
+    """Those of an equation as it is told, with the lengths that are `known` and others."""
+    from vibcli.notation.plain import plain
+
+    return len(plain(abbreviated([node], dict(known))[0][0]))
 
 
 def _in_numbers(problem, found):

@@ -45,7 +45,7 @@ def _members(found):
                figure(one.omega), off(one.omega, found.omega))
               for name, one in list(found.members.lumped.items())[:ROWS]]
     if lumped:
-        yield Heading("One coordinate alone, the rest as at rest:")
+        yield Heading("One coordinate alone, the rest as at rest (SI units):")
         yield TableBlock(("", "mass", "of the member's", "stiffness", "ω [rad/s]", "error"), tuple(lumped))
     yield from _elements(found.members.elements, found.members.exact)
 

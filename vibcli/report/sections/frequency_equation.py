@@ -20,6 +20,7 @@ from vibcli.report.blocks import (
     section,
     separated,
 )
+from vibcli.report.measured import without_units
 from vibcli.report.own_letters import own_letters
 from vibcli.report.sections.orthogonality import orthogonality
 from vibcli.report.sections.shapes_in_numbers import shapes_in_numbers
@@ -48,8 +49,8 @@ def frequency_equation(problem: "Problem", report: "Report") -> Iterator[Section
         yield from section("Frequency equation", equations(
             _determinant(system.n, system.G, None))) if system else ()
         return
-    blocks = [equations(own_letters(problem.scene).lines(lines)) for lines in _equations(problem, partial(
-        shapes_in_numbers, problem, report.normalise))]
+    blocks = [equations(own_letters(problem.scene).lines(lines)) for lines in _equations(
+        report.measured, problem, partial(shapes_in_numbers, problem, report.normalise))]
     undamped = " (of the undamped system)" if _damped(problem) else ""
     yield from section("Frequency equation" + "s" * (len(blocks) > 1) + undamped, *blocks, *_apart(problem))
 
@@ -65,9 +66,9 @@ def _apart(problem):
                         "of which these equations tell nothing")
 
 
-def _equations(problem, shapes):
+def _equations(problem, plain, shapes):
     """The lines on each equation, with its shapes(members): of chains of pieces, of members that meet in one motion, of
-    others."""
+    others; `plain`: the same problem, whose modes are told."""
     from vibcli.analyses.closed_form.member_frequencies import chains, frequency_equations
     from vibcli.analyses.closed_form.textbook_equation import is_short, met
     from vibcli.analyses.closed_form.tied_members import tied_equations
@@ -80,7 +81,7 @@ def _equations(problem, shapes):
             left += chain
             long |= {} if found is None else {found.members: found}
         else:
-            told[found.members] = partial(_solved, problem, shapes, found)
+            told[found.members] = partial(_solved, problem, plain, shapes, found)
     for pieces, tied, size in tied_equations(problem.symbolic, left):
         owners = tuple(dict.fromkeys(piece.owner for piece in pieces))
         hanging = hanging_alone(problem, pieces) if tied is None else None
@@ -171,7 +172,7 @@ def _damped(problem):
                 any(not placed.piece.drag.is_zero for placed in problem.symbolic.linearisation.pieces))
 
 
-def _solved(problem, shapes, found, label):
+def _solved(problem, plain, shapes, found, label):
     """The equation, its roots, the frequencies, the shape and the orthogonality."""
     from vibcli.analyses.closed_form.member_shapes import on_both_sides, shape, unstrained
     from vibcli.analyses.closed_form.textbook_equation import by_letters, sides
@@ -182,7 +183,7 @@ def _solved(problem, shapes, found, label):
     for letter, argument in letters:
         yield line(letter, " = ", argument, inset=2)
     simple = SIMPLE.get(left.name) if right.is_zero and left.op == "call" else None
-    values = simple is None and _roots(problem, found)
+    values = simple is None and _roots(problem, plain, found)
     if simple:
         orders = ", n = 0, 1, 2, …" if unstrained(found) else ", n = 1, 2, …"
         yield line(found.wave_number, " = ", simple + orders, inset=2)
@@ -206,7 +207,7 @@ def _solved(problem, shapes, found, label):
     yield from orthogonality(problem, found)
 
 
-def _roots(problem, found):
+def _roots(problem, plain, found):
     """The first βL that fulfil an equation, as numbers, only if modes have them all; where no modes are known only of
     what has no impedance beside whose pole two may hide."""
     from vibcli.analyses.closed_form.member_shapes import roots
@@ -216,7 +217,7 @@ def _roots(problem, found):
         return None if found.letters else values
     squares = [evaluate([found.square], Floats, {**problem.numeric.floats, found.wave_number.name: value})[0]
                for value in values]
-    known = [float(mode.omega) ** 2 for mode in problem.modal.modes.up_to(squares[-1] ** 0.5 * (1 + CLOSE))
+    known = [float(mode.omega) ** 2 for mode in plain.modal.modes.up_to(squares[-1] ** 0.5 * (1 + CLOSE))
              if mode.omega]
     kept = [value for value, square in zip(values, squares, strict=True)
             if any(abs(square - one) <= CLOSE * one for one in known)]
@@ -229,9 +230,10 @@ def _frequency(found, listed):
     alone = textbook(found.square / x ** order)
     if x in reachable([alone]):
         return line(found.omega ** 2, " = ", found.square, *_beyond(found, listed), inset=2)
-    if not any(node.op == "symbol" for node in reachable([alone])):
-        value = figure(evaluate([alone], Floats, {})[0] ** 0.5, digits=DIGITS)
-        return line(found.omega, " = ", value, "·", x ** (order // 2), inset=2)
+    bare = without_units(alone)
+    if not any(node.op == "symbol" for node in reachable([bare])):
+        value = figure(evaluate([bare], Floats, {})[0] ** 0.5, digits=DIGITS)
+        return line(found.omega, " = ", x.table.parameter(f"{value} rad/s") * x ** (order // 2), inset=2)
     return line(found.omega, " = ", x ** (order // 2) * x.table.sqrt(alone), inset=2)
 
 

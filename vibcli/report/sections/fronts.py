@@ -17,10 +17,11 @@ def fronts(asked: "Sequence[RequestedSignal]", until: float) -> Iterator[Section
     rows: list[tuple[str, ...]] = []
     for one in asked:
         found = one.signal.leaps(until)
+        largest = max((abs(value) for _, *both in found for value in both), default=0.0)
         for t, before, after in found[:SHOWN]:
             error = one.signal.error(t)
-            rows.append((f"{one.label} [{one.unit}]".replace(" []", ""), figure(t), supported(before, error),
-                         supported(after, error)))
+            rows.append((f"{one.label} [{one.unit}]".replace(" []", ""), figure(t),
+                         *(supported(value, error, beside=largest) for value in (before, after))))
         if len(found) > SHOWN:
             rows.append((f"{one.label}: {len(found) - SHOWN} more", "", "", ""))
     if rows:

@@ -5,7 +5,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
-from vibcli.report.blocks import Picture, Section, section
+from vibcli.report.blocks import Picture, Section, paragraph, section
 
 if TYPE_CHECKING:
     from vibcli.report.document import Report
@@ -29,7 +29,12 @@ def lettering(problem: "Problem") -> list[str]:
 
 def mode_pictures(problem: "Problem", report: "Report") -> Iterator[Section]:
     """The shapes of the lowest modes on the scene at rest; none of one that is given by energies or matrices alone."""
-    if problem.numeric.has_free_symbols or not (problem.scene.bodies or problem.scene.members):
+    if not (problem.scene.bodies or problem.scene.members):
+        return
+    title = "Mode shapes on the scene at rest"
+    if problem.numeric.has_free_symbols:
+        named = ", ".join(problem.scene.parameters.free)
+        yield from section(title, paragraph(f"not drawn: these parameters have no values: {named}"))
         return
     from vibcli.drawing.symbols.mode_shape import draw
     from vibcli.drawing.vibration import caption
@@ -43,7 +48,7 @@ def mode_pictures(problem: "Problem", report: "Report") -> Iterator[Section]:
             animated=partial(_moving, problem, mode.index, report.normalise)))
         if len(pictures) < 2 * DIAGRAMS:
             pictures += _forces_of(problem, mode, report.normalise)
-    yield from section("Mode shapes on the scene at rest", *pictures)
+    yield from section(title, *pictures)
 
 
 def _forces_of(problem, mode, normalise):

@@ -31,11 +31,11 @@ def _followed(trajectory):
     off = float(balance.error) * largest
     start = float(balance.energy[0])
     rows = [("T + V at the start", figure(start if abs(start) > LEAST * largest else 0.0)),
-            ("at the end", supported(float(balance.energy[-1]), off))]
+            ("at the end", supported(float(balance.energy[-1]), off, beside=largest))]
     for words, values in (("work of the loads", balance.work), ("dissipated", balance.dissipated),
                           ("work of what drives the motion", balance.driving)):
         if values[-1]:
-            rows.append((words, supported(float(values[-1]), off)))
+            rows.append((words, supported(float(values[-1]), off, beside=largest)))
     yield from section("Energy", TableBlock(("", "[J]"), tuple(rows)), paragraph(_accuracy(trajectory)))
     events = [(figure(event.time), event.kind, event.name) for event in trajectory.events[:MOST_EVENTS]]
     more = len(trajectory.events) - len(events)

@@ -1,7 +1,7 @@
 """M, C, G and K of the small oscillations as matrices."""
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.notation.numbers import figure, width
@@ -34,7 +34,7 @@ def matrices(problem: "Problem", report: "Report") -> Iterator[Section]:
     letters = _tables(names, found, maths) if found.in_letters else []
     numbers = []
     if not problem.numeric.has_free_symbols:
-        known = dict(zip("MCGK", problem.configuration.told_matrices, strict=True))
+        known: dict[str, Any] = dict(zip("MCGK", problem.configuration.told_matrices, strict=True))
         numbers = _tables(names, found._replace(**known), _number, ", in numbers (SI units)" if letters else "")
     if numbers and not all(_fits(block) for block in letters if isinstance(block, TableBlock)):
         letters = []

@@ -61,7 +61,7 @@ def _values(problem, one, wanted, known):
         if float(t) > known:
             return None, None, None
         if wanted.digits is not None:
-            return value_at(problem, one, t, wanted.digits), None, None
+            return value_at(one, t, wanted.digits), None, None
         return if_known(lambda: (*value_of_signal(one.signal.read_at(float(t)), t), None),
                         lambda _: (None, None, unknown_at(one, t)))
 

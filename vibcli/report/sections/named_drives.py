@@ -32,6 +32,9 @@ class NamedDrives:
                 self._name(symbol, opening.node, f"{letter}{len(self.stands) + 1}")
             else:
                 self._names[symbol] = self._values[symbol] = self._opened.table.zero      # a unit load
+        table = self._opened.table
+        for legs in list(table.legs):
+            table.legs[tuple(substitute(legs, self._names))] = None
 
     def _name(self, symbol, node, name):
         opened, i = self._opened, self._opened.q.index(symbol)

@@ -67,16 +67,21 @@ def require_known(spec: "Spec", signals: "Sequence[Expression]", inputs: "Sequen
 
 def trees_asked(problem: "Problem", word: str, given: "Sequence[Expression]" = ()) -> list[tuple[str, NameRef | Sum]]:
     """[(text, tree)] of the signals asked: those given, else those of `find`, else the usual ones."""
+    return [(text, tree) for text, tree, _ in _signals_asked(problem, word, given)]
+
+
+def _signals_asked(problem, word, given):
+    """(text, tree, place in the file or None)"""
     if given:
         reader = Reader(members=problem.spec.members)
         given = [signal.with_tree(reader.at_places(signal.tree)) for signal in given]
         require_known(problem.spec, given)
-        return [(signal.text, signal.tree) for signal in given]
+        return [(signal.text, signal.tree, signal.where) for signal in given]
     find = problem.spec.get("find")
     record = find.about(word) if find is not None else None
     if record is not None and "of" in record:
-        return [(signal.text, signal.tree) for signal in record["of"]]
-    return [(name, NameRef(0, len(name), name, 0)) for name in _usual(problem)]
+        return [(signal.text, signal.tree, signal.where) for signal in record["of"]]
+    return [(name, NameRef(0, len(name), name, 0), None) for name in _usual(problem)]
 
 
 def _usual(problem):
@@ -99,8 +104,15 @@ def _middle(problem, name):
 
 def signals_asked(problem: "Problem", given: "Sequence[Expression]" = ()) -> list[RequestedSignal]:
     """The Asked signals of a motion in time."""
-    return [RequestedSignal(text, tree, dimension_of(problem, tree), problem.response.kept_signal(tree))
-            for text, tree in trees_asked(problem, RESPONSE, given)]
+    return [RequestedSignal(text, tree, dimension_of(problem, tree), _kept(problem.response, tree, where))
+            for text, tree, where in _signals_asked(problem, RESPONSE, given)]
+
+
+def _kept(response, tree, where):
+    try:
+        return response.kept_signal(tree)
+    except PhysicsError as error:
+        raise error.told(where) from None
 
 
 def dimension_of(problem: "Problem", tree: "NameRef | Sum") -> "Mapping[str, Fraction | int]":

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base.errors import NoBound, NoDigit, NotInLetters, PhysicsError, Unknown
 from vibcli.base.units import TIME, times
 from vibcli.language.sections.initial import FIELDS
-from vibcli.notation.numbers import figure, supported, with_unit
+from vibcli.notation.numbers import SHOWN, figure, is_lost, supported, with_unit
 from vibcli.reader.sections.find import RESPONSE
 from vibcli.report import blocks
 from vibcli.report.blocks import Name, Section, TableBlock, line, maths, paragraph, section
@@ -132,8 +132,9 @@ def _latest(motion, wanted):
 def _at_instants(problem, asked, wanted, known):
     """The values at the instants asked for, those up to `known`."""
     if wanted.at:
+        until = 0.0 if at_instants_alone(problem.response, wanted) else min(known, problem.response.until)
         rows = tuple((f"{one.label} [{one.unit}]", *(
-            if_known(lambda one=one, t=t: value_at(problem, one, t, wanted.digits), str)
+            if_known(lambda one=one, t=t: value_at(one, t, wanted.digits, until), str)
             if float(t) <= known else "–" for _, t in wanted.at))
             for one in asked)
         reasons = (unknown_at(one, t) for one, cells in zip(asked, rows, strict=True)
@@ -142,16 +143,23 @@ def _at_instants(problem, asked, wanted, known):
                            *map(paragraph, dict.fromkeys(filter(None, reasons))))
 
 
-def value_at(problem: "Problem", one: RequestedSignal, t: "Fraction", digits: int | None = None) -> str:
-    """A signal at an instant, as text."""
+def value_at(one: RequestedSignal, t: "Fraction", digits: int | None = None, until: float = 0.0) -> str:
+    """A signal at an instant, as text; 0 where it is that beside its largest up to another."""
     if digits is None:
         from vibcli.results.escalation import value_of_signal
 
-        signal = one.signal.read_at(float(t))
+        signal, end = one.signal.read_at(float(t)), max(until, float(t))
         value, error = value_of_signal(signal, t)
-        text, before = supported(value, error, 12), signal.before(float(t))
-        return text if before is None else f"{text} (before {supported(before, error, 12)})"
+        text, before = in_figures(one.signal, end, value, error, 12), signal.before(float(t))
+        return text if before is None else f"{text} (before {in_figures(one.signal, end, before, error, 12)})"
     return precise_text(one.signal.precise(t, digits), digits)
+
+
+def in_figures(signal: "Signal", t: float, value: float, error: float, digits: int = SHOWN) -> str:
+    """A value of a signal up to an instant, as text: 0 where it is that to so many digits of the largest."""
+    from vibcli.results.known_digits import size_beside
+
+    return supported(value, error, digits, beside=size_beside(signal, t) if is_lost(value, error) else 0.0)
 
 
 def precise_text(value: "mpmath.mpf", digits: int) -> str:
@@ -246,5 +254,5 @@ def extreme_cells(signal: "Signal", found: "BoundedExtreme", until: float, sense
         with suppress(PhysicsError):
             t, value = signal.precise_extreme(0.0, until, sense, digits)
             return precise_text(value, digits), precise_text(t, digits)
-    return supported(found.value, found.error), (supported(found.time, found.error_of_time)
-                                                 if found.tells_instant(until) else NoDigit.CELL)
+    return in_figures(signal, until, found.value, found.error), (
+        supported(found.time, found.error_of_time, beside=until) if found.tells_instant(until) else NoDigit.CELL)

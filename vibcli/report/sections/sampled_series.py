@@ -202,7 +202,9 @@ def eigenvalue_figure(problem: "Problem", wanted: "Wanted | None" = None) -> "Fi
     from vibcli.report.sections.shown_modes import shown, shown_damped
 
     if problem.numeric.has_free_symbols:
-        raise PhysicsError("eigenvalues are plotted in numbers", "give the parameters values with --set")
+        from vibcli.language.parameters import require_values
+
+        require_values(problem.scene.parameters, "a plot of the eigenvalues")
     found = []
     values = [(mode.index, complex(mode.eigenvalue)) for mode in shown_damped(problem, wanted) or ()] or [
         (mode.index, complex(float(mode.growth_rate or 0.0), float(mode.omega or 0.0)))

@@ -31,9 +31,10 @@ def shapes_in_numbers(problem: "Problem", normalise: str, members: Sequence[str]
             return
         for member, found in told.items():
             for start, end, text in found:
-                span = [] if len(found) == 1 else [
+                span = [Words(", "), "x", Words(" in m")] if len(found) == 1 else [
                     Words(f", {figure(start)} m < "), "x", Words(f" < {figure(end)} m")]
-                yield line("X(x) = ", text, Words(f"   of {member} in mode {mode.index}"), *span, inset=2)
+                yield line("X(x) = ", text, Words(f"   of {member} in mode {mode.index}"),
+                           *(span if text != "0" else []), inset=2)
 
 
 def shape_in_numbers(problem: "Problem", mode: "Mode", normalise: str,

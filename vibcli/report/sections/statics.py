@@ -11,6 +11,7 @@ from vibcli.report.blocks import Name, Section, TableBlock, Words, line, maths, 
 from vibcli.report.keys import Key
 from vibcli.report.sections.equations_of_motion import numeric_sum, with_lengths, with_numbers
 from vibcli.report.sections.equilibrium import slack_ropes
+from vibcli.report.sections.fewer_lengths import in_few_lengths
 from vibcli.report.sections.numeric_equations import ROUNDING
 from vibcli.report.sections.too_long import brief
 from vibcli.symbolic.derivatives import gradient, substitute
@@ -96,8 +97,11 @@ def reactions(problem: "Problem", report: "Report") -> Iterator[Section]:
         told = list(_in_letters(problem, report))
         yield from section(title, *told, note(signs) if told else paragraph(NONE))
     if not problem.scene.held:
+        found = along_the_motion(problem.numeric)
+        shown, lengths = in_few_lengths(list(found.values()), report.roots)
         yield from section("Reactions along a motion", blocks.equations(
-            line(Words(signal), " = ", brief(node)) for signal, node in along_the_motion(problem.numeric).items()))
+            line(Words(signal), " = ", brief(node)) for signal, node in zip(found, shown, strict=True)),
+            *with_lengths(lengths))
 
 
 def _balanced_as_drawn(problem):

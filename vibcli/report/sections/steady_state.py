@@ -111,9 +111,11 @@ def harmonics_of(signal: "LinearSignal") -> list[tuple[float, complex, float]]:
 def steady_rows(asked: "Sequence[RequestedSignal]", convention: str) -> Iterator[tuple[str, ...]]:
     """Rows of signal, Ω, f, T, amplitude and phase of each harmonic of the steady state."""
     for one in asked:
-        for Omega, X, error in harmonics_of(one.signal):
+        harmonics = harmonics_of(one.signal)
+        largest = max((abs(X) for _, X, _ in harmonics), default=0.0)
+        for Omega, X, error in harmonics:
             if Omega:
                 theta, turned = phase_in(convention, X), error / abs(X) if X else 0.0
                 yield (f"{one.label} [{one.unit}]", figure(Omega), figure(Omega / math.tau), figure(math.tau / Omega),
-                       supported(abs(X), error), supported(theta, turned),
-                       supported(degrees(theta), degrees(turned), 4))
+                       supported(abs(X), error, beside=largest), supported(theta, turned, beside=math.tau),
+                       supported(degrees(theta), degrees(turned), 4, beside=360.0))

@@ -141,8 +141,7 @@ def _is_number(spec, tree):
 
 def _tell(problem, sheet, asked, joined):
     for tell in BY_LETTERS if isinstance(asked.tree, QuantityRef) else OF_EXPRESSIONS:
-        if joined and tell not in (tell_direction, tell_instant):
-            sheet.join_next()
+        sheet.join_next(joined and tell not in (tell_direction, tell_instant, tell_receptance))
         with suppress(PhysicsError, SpecError):
             if tell(problem, sheet, asked):
                 return

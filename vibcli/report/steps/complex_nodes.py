@@ -33,12 +33,13 @@ class ComplexNode(NamedTuple):
 
 
 class LetteredStiffness(NamedTuple):
-    """Z = K − Ω²M + iΩC as lines tell it: rows of its letters, of their real and imaginary parts, and the letter of its
-    determinant."""
+    """Z = K − Ω²M + iΩC as lines tell it: rows of its letters, of their real and imaginary parts, the letter of its
+    determinant, and Ω."""
 
     letters: "Sequence[Sequence[Node]]"
     parts: "Sequence[Sequence[ComplexNode]]"
     determinant: "Node"
+    Omega: "Node"
 
 
 def determinant_of(rows: "Sequence[Sequence[ComplexNode]]") -> ComplexNode:

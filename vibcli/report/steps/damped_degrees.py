@@ -76,7 +76,8 @@ def _polynomial(about, sheet, found, head, uses):
 def _tell_pair(about, sheet, mode, lines, polynomial):
     """λ = −δ ± iω_d and ζ; each vanishing with the real and the imaginary part of the polynomial."""
     value, table, k = complex(mode.eigenvalue), about.table, mode.index
-    sheet.write(f"λ = {told(value.real)} ± {told(abs(value.imag))}·i", Words(" 1/s"), uses=lines,
+    real = f"{told(value.real)} " if value.real else ""
+    sheet.write(f"λ = {real}±{' ' * bool(real)}{told(abs(value.imag))}·i", Words(" 1/s"), uses=lines,
                 settles=f"eigenvalue[{k}]")
     delta, omega_d = (about.letter(sheet.letter(f"{name}{k}")) for name in ("delta", "omega_d"))
     parts = [None, None] if polynomial is None else _at(table, polynomial, -delta, omega_d)

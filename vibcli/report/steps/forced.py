@@ -12,6 +12,7 @@ from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.degree import Degree
 from vibcli.report.steps.from_the_start import KeptUp, tell_start
+from vibcli.report.steps.held_against import tell_found
 from vibcli.report.steps.phasors import tell_of_one
 from vibcli.report.steps.pieces import pieces_of, tell_impulses, tell_pieces
 from vibcli.report.steps.resonance import is_resonance, tell_growing, tell_resonance
@@ -88,14 +89,18 @@ def _one_harmonic(degree):
     mean = [] if steady.mean is None or steady.mean.is_zero else [steady.mean, " + "]
     line = sheet.write(Words("steady state:  "), Name(degree.name), " = ", *mean, node, uses=degree.found.lines,
                        settles="steady state")
-    lines = [line, *([_complex_equation(degree, X, steady, line)] if lags else [])]
+    lines = [line]
+    if lags:
+        _complex_equation(degree, X, steady)
     size = degree.about.tidy(formula.amplitude) if formula.undamped else formula.amplitude
     degree.settled([X], size, degree.unit, f"amplitude({degree.name})", lines)
     _by_ratio(degree, X, steady, lines)
     lag = _lag(degree, steady) if lags else None
     if lags and formula.tangent is not None:
         lines.append(_told_lag(degree, theta, formula, lag, lines))
-        if lag is not None:
+        if lag is None:
+            _tell_phase(degree, theta, steady, lines)
+        else:
             _know_lag(degree, theta, steady, lag, lines)
     degree.about.know(X, degree.about.value(formula.amplitude))
     tell_of_one(degree.about, sheet, X, formula.Omega, lines)
@@ -154,12 +159,23 @@ def _told_lag(degree, theta, formula, lag, lines):
 
 
 def _know_lag(degree, theta, steady, lag, lines):
-    """Let the last line tell the letter of the lag, θ = arg((R + iS)/(A + iB)), in numbers."""
+    """Let the last line tell the letter of the lag in numbers."""
+    degree.sheet.write(settles=theta.name, node=_angle(degree, steady), value=lag, unit="rad", letter=theta.name,
+                       joined=True, uses=lines)
+    degree.about.know(theta, lag)
+
+
+def _angle(degree, steady):
+    """θ = arg((R + iS)/(A + iB))."""
     (real, ahead), Omega = _load(degree, steady), steady.formula.Omega
     R, S = degree.K - degree.M * Omega ** 2, degree.C * Omega
-    node = theta.table.call("atan2", S * real - R * ahead, R * real + S * ahead)
-    degree.sheet.write(settles=theta.name, node=node, value=lag, unit="rad", letter=theta.name, joined=True, uses=lines)
-    degree.about.know(theta, lag)
+    return degree.about.table.call("atan2", S * real - R * ahead, R * real + S * ahead)
+
+
+def _tell_phase(degree, theta, steady, lines):
+    """The line of the phase of the coordinate that a sheet asks in letters, where it is θ."""
+    for asked in [one.asked for one in degree.problem.spec.answers if one.asked.text == f"phase({degree.name})"]:
+        tell_found(degree.problem, degree.sheet, asked, [(_angle(degree, steady), [theta])], lines)
 
 
 def _lag(degree, steady):
@@ -173,8 +189,9 @@ def _lag(degree, steady):
     return -phase(complex(real, ahead) / complex(resists, damps))
 
 
-def _complex_equation(degree, X, steady, line):
-    """(K − M Ω² + i C Ω) X e^{−iθ} = A + i B of a load A sin + B cos; B − i A where cosines are counted from."""
+def _complex_equation(degree, X, steady):
+    """Beside the last line (K − M Ω² + i C Ω) X e^{−iθ} = A + i B of a load A sin + B cos; B − i A where cosines are
+    counted from."""
     Omega = steady.formula.Omega
     real, ahead = _load(degree, steady)
     load = [real] if not real.is_zero or ahead.is_zero else []
@@ -185,8 +202,8 @@ def _complex_equation(degree, X, steady, line):
     theta = degree.sheet.letter("theta")
     damps = [] if degree.C.is_zero else [" + i·", Factor(degree.C * Omega)]
     resists = ["(", degree.K - degree.M * Omega ** 2, *damps, ")·"]
-    return degree.sheet.write(Words("with complex amplitudes  "), *resists, X, "·exp(−i·", Name(theta), ") = ", *load,
-                              settles="complex equation", uses=[line, *degree.found.lines])
+    degree.sheet.write(Words("with complex amplitudes  "), *resists, X, "·exp(−i·", Name(theta), ") = ", *load,
+                       settles="complex equation", uses=degree.found.lines, joined=True)
 
 
 def _load(degree, steady):

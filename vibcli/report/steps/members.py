@@ -10,16 +10,17 @@ from vibcli.analyses.closed_form.member_shapes import shape, unstrained
 from vibcli.analyses.closed_form.textbook_equation import by_letters, sides
 from vibcli.analyses.closed_form.tied_members import tied_equations
 from vibcli.base.errors import PhysicsError
-from vibcli.notation.names import GREEK, lowered
+from vibcli.notation.names import lowered
 from vibcli.notation.numbers import figure
 from vibcli.report.blocks import Factor, Name, WithNumbers, Words, factors
 from vibcli.report.own_letters import own_letters
 from vibcli.report.sections.frequency_equation import SIMPLE, whose
 from vibcli.report.sections.hanging_string import hanging_alone
-from vibcli.report.sections.members import carried, differential, of_what_is_no_member, station_conditions
+from vibcli.report.sections.members import carried, of_what_is_no_member
 from vibcli.report.steps.ends import Ends
 from vibcli.report.steps.hanging import general_solution
 from vibcli.report.steps.held import HINT
+from vibcli.report.steps.member_conditions import MemberConditions
 from vibcli.report.steps.member_motion import tell_motion_of_members
 from vibcli.report.steps.step import WorkedSolution, number, of_time, told
 from vibcli.symbolic.derivatives import substitute
@@ -35,7 +36,6 @@ FIRST = 3               # roots that are told
 HALVINGS = 60           # of the interval that holds one
 NEAR, FAR = 1e-2, 1e4   # βL between which they are looked for
 CLOSE, BESIDE = 1e-6, 1.05      # relative: of a frequency equation at its roots, and beside them
-ALONG = {"φ": "turn"}
 WITHOUT = "the steps of these members are not told: their frequency equation has no closed form here"
 UNKNOWN = "the steps of these members are not told: their equilibrium is not known in letters"
 
@@ -49,6 +49,7 @@ class MemberSteps:
             raise PhysicsError(UNKNOWN, HINT)
         self.form = problem.symbolic.linearisation
         self.matrices = of_what_is_no_member(problem)
+        self._conditions = MemberConditions(sheet, self.scene, self.form.pieces, self.matrices).write
         self.damped = bool(problem.symbolic.discrete_matrices[1]) or any(
             not one.piece.drag.is_zero for one in self.form.pieces)
 
@@ -68,7 +69,7 @@ class MemberSteps:
         groups = [tied or hanging_alone(self.problem, pieces)
                   for pieces, tied, _ in tied_equations(self.problem.symbolic, left)]
         alone = [one for one in found if one is not None]
-        known = {i for one in (*alone, *groups) if one for i in one.hung} | {
+        known = {i for one in alone for i in one.hung} | {i for one in groups if one for i in one.hung} | {
             i for one in groups if one for piece in one.pieces for row in piece.rows for i in row}
         mixed = len(groups) + bool(alone) > 1 and not self.problem.numeric.has_free_symbols
         if not found or None in groups or (groups and mixed) or not known.issuperset(self._others()):
@@ -177,18 +178,6 @@ class MemberSteps:
 
     def _pressed(self, found):
         return any(not (part.piece.bending.is_zero or part.piece.tension.is_zero) for part in found.pieces)
-
-    def _conditions(self, name):
-        """(the line of the differential equation, those of the stations) of a member."""
-        member, pieces = self.scene.members[name], [piece for piece in self.form.pieces if piece.owner == name]
-        u = GREEK.get(member.kind.letter, member.kind.letter)
-        self.sheet.write(f"{u}(x, t)", Words(f":  {ALONG.get(u, 'displacement')} of {name} at x, counted "
-                                                          "from its left end"), settles=u)
-        lines = [self.sheet.write(Words("motion of an element dx:  "), *one.parts, settles=f"equation of {name}")
-                 for one in differential(pieces, u)]
-        held = [self.sheet.write(*one.label, Words(":  "), *one.parts, settles="", uses=lines[-1:])
-                for one in station_conditions(member, self.form.pieces, self.matrices, self.scene)]
-        return (lines or [None])[-1], held
 
     def _standing_waves(self, found, uses):
         """u = X(x) sin(ωt + ε), β by ω, the general solution; of a beam under tension the shape that fits its ends."""

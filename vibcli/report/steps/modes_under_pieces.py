@@ -162,7 +162,8 @@ class ModesUnderPieces:
             " − " if mode.shape[i] < 0 else " + ", told(abs(mode.shape[i]) / mass), "·", Name(self.sheet.letter(
                 indexed(Q.text, i + 1))))]
         loads = ["−" if loads[0] == " − " else "", *loads[1:]] if loads else ["0"]
-        head = mode_named(self.about, self.sheet, order, mode is self.modes[0] and not all(self.rest))
+        sides = [Words("of the right sides  "), Q, Words(",  ")] * (mode is self.modes[0])
+        head = [*sides, *mode_named(self.about, self.sheet, order, mode is self.modes[0] and not all(self.rest))]
         line = self.sheet.write(
             *head, u, " = (", *shape, ")", Words(":  "), Name(p.text + "''"), *speed, *stiff, " = ", u, "·", Q, "/(", u,
             "·", M, "·", u, ") = ", *[part for part in loads if part != ""], *self._decay(mode), *self._start(mode),

@@ -8,6 +8,7 @@ from vibcli.analyses.closed_form.free_response import CRITICAL, OVER, UNDAMPED, 
 from vibcli.base.errors import PhysicsError
 from vibcli.notation.numbers import figure
 from vibcli.notation.units_in_sums import unit_beside
+from vibcli.quantities.expression import value_of
 from vibcli.report.blocks import Factor, Name, Quotient, Words
 from vibcli.report.steps.degree import Degree
 from vibcli.report.steps.extremes import Swing, tell_extremes
@@ -65,12 +66,22 @@ class OneDegree:
         asked = [one.asked for one in (*(rules.ask if rules is not None else ()), *(
             () if self.problem.numeric.has_free_symbols else answers))]
         told = {one.text: one.tree.head for one in asked if one.tree.kind == "quantity" and one.tree.head in FACTORS
-                and not one.tree.component and not one.tree.args and not self._is_read_off(one.tree.head)}
-        for i, (text, head) in enumerate(told.items()):
+                and not one.tree.component and not one.tree.args and not self._is_read_off(one.tree.head)
+                and self._is_here(one)}
+        for i, head in enumerate(dict.fromkeys(told.values())):
             words, unit, turning = FACTORS[head]
+            node, unit = single(getattr(self, head)), unit if self.degree.unit == "m" else turning
+            text, *others = [text for text, of in told.items() if of == head]
             self.degree.settled([Words(f"factor of the {words}:  "), self.about.letter(self.sheet.letter(head))],
-                                single(getattr(self, head)), unit if self.degree.unit == "m" else turning, text,
-                                self.found.lines, joined=i > 0)
+                                node, unit, text, self.found.lines, joined=i > 0)
+            line = self.sheet.steps[-1]
+            for other in others:
+                self.sheet.settles_too(line, other, node, line.value, line.unit)
+
+    def _is_here(self, asked):
+        """Is it asked of this place of rest?"""
+        here = self.about.value(getattr(self, asked.tree.head))
+        return not asked.tree.alone or (here is not None and isclose(value_of(self.problem, asked)[0], here))
 
     def _is_read_off(self, head):
         """Is a factor nothing, or a letter?"""

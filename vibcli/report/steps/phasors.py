@@ -47,7 +47,8 @@ class Phasors:
         self.values = [part for X in values for part in ((X.real,) if steady.undamped else (X.real, X.imag))]
         self.found = bool(values) and not steady.several and all(self.values)
         if steady.Z and not steady.several:
-            self.sheet.responses[steady.given] = LetteredStiffness(steady.Z, stiffness_of(steady), steady.D)
+            self.sheet.responses[steady.given] = LetteredStiffness(steady.Z, stiffness_of(steady), steady.D,
+                                                                   steady.given)
         self.by_cramer = by_cramer(steady) if not (steady.several or steady.numeric) and steady.Z else []
         self.known = self.found or bool(self.by_cramer)
         self.letters = [self.about.letter(self.sheet.letter(part, f"X{k + 1}"))

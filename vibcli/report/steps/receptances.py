@@ -14,10 +14,10 @@ from vibcli.report.steps.complex_nodes import ComplexNode, LetteredStiffness, de
 from vibcli.report.steps.complex_numbers import complex_parts, complex_told
 from vibcli.report.steps.held_against import tell_found
 from vibcli.report.steps.matrix_units import unit_of_entry
-from vibcli.report.steps.step import WorkedSolution
+from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
-from vibcli.symbolic.node import is_number
+from vibcli.symbolic.node import UNITS, Node, is_measure, is_number
 from vibcli.symbolic.normal_form import is_zero, textbook
 from vibcli.symbolic.syntax import QuantityRef
 from vibcli.symbolic.transfer_between_tables import copied
@@ -27,7 +27,6 @@ if TYPE_CHECKING:
 
     from vibcli.language.reader import Expression
     from vibcli.results.problem import Problem
-    from vibcli.symbolic.node import Node
 
 DEGREES = 3
 PARTS = "re", "im", "arg", "phase"
@@ -61,12 +60,13 @@ def response_at(tree: Any) -> "QuantityRef | None":
 class _Receptance:
     def __init__(self, problem: "Problem", sheet: WorkedSolution, response: QuantityRef):
         self.problem, self.sheet, self.table = problem, sheet, problem.scene.table
-        self.Omega, self.numeric = frequency_of(problem, response.args[0]), not problem.numeric.has_free_symbols
+        given, self.numeric = frequency_of(problem, response.args[0]), not problem.numeric.has_free_symbols
+        if given not in sheet.responses:
+            sheet.responses[given] = self._stiffness(given)
+        self.Z = sheet.responses[given]
+        self.Omega = self.Z.Omega
         parts = coefficients(problem.symbolic, *response.indices)
         self.b, self.c, (self.direct, *_) = ([self._power(part, i) for i in range(DEGREES)] for part in parts)
-        if self.Omega not in sheet.responses:
-            sheet.responses[self.Omega] = self._stiffness()
-        self.Z = sheet.responses[self.Omega]
 
     def _power(self, part, i) -> ComplexNode:
         """Σ sᵏ of [{i: node}] at s = iΩ."""
@@ -78,35 +78,48 @@ class _Receptance:
         parts = K - self.Omega ** 2 * M, self.Omega * (C + G)
         return ComplexNode(*(self.table.zero if is_zero(part) else part for part in parts))
 
-    def _stiffness(self) -> LetteredStiffness:
+    def _at(self, given) -> "tuple[Node, list[Any]]":
+        """(Ω, parts that open the line): one without letters has a letter of its own, which tells its unit."""
+        units = [is_measure(part) for part in reachable([given]) if part.op == "symbol"]
+        if not all(units):
+            return given, [Words("the response at  Ω = "), given, Words("  by  ")]
+        letter, value = self._fresh("Omega"), evaluate([given], Floats, dict.fromkeys(UNITS.values(), 1.0))[0]
+        told = [] if units else [Words(" rad/s")]
+        known = [] if is_number(given) else number(value, "rad/s")
+        self.sheet.write(Words("the response at  "), Name(letter), " = ", given, *told, *known, settles=letter,
+                         letter=letter, node=given if units else given / self.table.parameter(UNITS["s"]), value=value,
+                         unit="rad/s", opens=True)
+        return self.table.parameter(letter), [Words("by  ")]
+
+    def _stiffness(self, given) -> LetteredStiffness:
         """Write down the entries of Z and its determinant, and give them letters."""
-        sheet, zero, first = self.sheet, self.table.zero, len(self.sheet.steps)
+        self.Omega, head = self._at(given)
+        sheet, zero = self.sheet, self.table.zero
         letters = [[zero] * DEGREES for _ in range(DEGREES)]
         parts = [[ComplexNode(zero, zero)] * DEGREES for _ in range(DEGREES)]
         entries = [[self._entry(i, j) for j in range(DEGREES)] for i in range(DEGREES)]
-        fixed = not any(part.op == "symbol" for part in reachable([self.Omega]))
-        what = [self.Omega, *[Words(" rad/s")] * fixed]
         for i, j in ((i, j) for i in range(DEGREES) for j in range(DEGREES)):
             entry = entries[i][j]
             alike = all(is_zero(one - other) for one, other in zip(entry, entries[j][i], strict=True))
             if j < i and alike:
                 letters[i][j], parts[i][j] = letters[j][i], parts[j][i]
             elif not (entry.real.is_zero and entry.imaginary.is_zero):
-                name, joined = self._fresh(f"{sheet.matrix('Z')}{i + 1}{j + 1}"), len(sheet.steps) > first
+                name = self._fresh(f"{sheet.matrix('Z')}{i + 1}{j + 1}")
                 base = name.rstrip("′")
                 twin = [" = ", Name(f"{base[:-2]}{j + 1}{i + 1}{name[len(base):]}")] if j > i and alike else []
-                head = [] if joined else [Words("the response at  Ω = "), *what, Words("  by  ")]
                 letters[i][j] = self.table.parameter(name, positive=False)
                 sheet.write(*head, letters[i][j], *twin, " = ", *complex_parts(*entry), *self._number(entry, i, j),
-                            settles=name, joined=joined)
-                parts[i][j] = self._known(name, entry)
+                            settles=name, joined=not head)
+                parts[i][j], head = self._known(name, entry, unit_of_entry(self.problem, i, j)), []
         D = self.table.parameter(self._fresh("D"), positive=False)
         sheet.write(Words("their determinant  "), D, " = ", determinant(letters), settles=D.name, uses=[sheet.last])
-        return LetteredStiffness(letters, parts, D)
+        return LetteredStiffness(letters, parts, D, self.Omega)
 
     def _fresh(self, name):
         """A letter that no line has."""
         taken = {part for line in self.sheet.steps for part in (line.letter, line.settles)}
+        taken |= {part.name for line in self.sheet.steps for part in line.parts if isinstance(part, Node)
+                  and part.op == "symbol"}
         found = self.sheet.letter(name)
         while found in taken or f"{found}_re" in taken:
             name += "′"
@@ -116,10 +129,16 @@ class _Receptance:
     def _number(self, entry, i, j):
         if not self.numeric or all(is_number(part) for part in entry):
             return []
-        value = complex(*evaluate(list(entry), Floats, self.problem.numeric.floats))
+        value = complex(*evaluate(list(entry), Floats, self._floats))
         return [f" = {complex_told(value)}", Words(f" {unit_of_entry(self.problem, i, j)}")]
 
-    def _known(self, name, entry) -> ComplexNode:
+    @property
+    def _floats(self):
+        """The values of all letters."""
+        return {**self.problem.numeric.floats, **{line.letter: line.value for line in self.sheet.steps
+                                                  if line.letter and line.value is not None}}
+
+    def _known(self, name, entry, unit) -> ComplexNode:
         """The real and the imaginary part by letters of their own."""
         found = []
         for node, part in zip(entry, ("re", "im"), strict=True):
@@ -127,8 +146,9 @@ class _Receptance:
                 found.append(node)
                 continue
             own = self.sheet.letter(name, part)
-            value = evaluate([node], Floats, self.problem.numeric.floats)[0] if self.numeric else None
-            self.sheet.write(settles=own, letter=own, node=node, value=value, joined=True)
+            value = evaluate([node], Floats, self._floats)[0] if self.numeric else None
+            self.sheet.write(settles=own, letter=own, node=node, value=value, joined=True,
+                             unit="" if value is None else unit)
             found.append(self.table.parameter(own, positive=False))
         return ComplexNode(*found)
 

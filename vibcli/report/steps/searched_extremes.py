@@ -58,15 +58,17 @@ def _turn(problem, sheet, tree, value, uses) -> "tuple[Node, float]":
     taken = {one.letter for one in sheet.steps}
     name = next(name for n in count(1) for name in [sheet.letter(f"t{n}")] if name not in taken)
     letter = table.parameter(name)
-    sheet.write(*_rate_told(problem, tree.args[0]), " = 0", Words(" at  "), letter, *number(at, "s"), Words(
+    sheet.write(*_rate_told(problem, tree), " = 0", Words(" at  "), letter, *number(at, "s"), Words(
         "  (by a search)"), letter=name, settles=f"{TURN} {name}", value=at, unit="s", uses=uses, opens=True,
         vanishes=substitute([rate], {time: letter})[0])
     return letter, at
 
 
-def _rate_told(problem, signal):
+def _rate_told(problem, tree):
+    signal = tree.args[0]
     if not isinstance(signal, NameRef):
-        return [Words(f"the rate of {as_printed(signal.text)}")]
+        written = tree.text[signal.start - tree.start:signal.end - tree.start]
+        return [Words(f"the rate of {as_printed(written)}")]
     name = signal.name + "'" * signal.primes
     own = signal.name in problem.scene.coordinates
     return [Name(name + "'")] if own else [Words(f"the rate of {as_printed(name)}")]

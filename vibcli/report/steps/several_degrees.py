@@ -1,10 +1,8 @@
 """The steps from the equations of several degrees of freedom to their frequencies and modes: M, C, G, K, the
 determinant of K − ω²M written out of two, ratios of amplitudes, damped eigenvalues, amplitudes under one harmonic."""
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from vibcli.notation.names import lowered
 from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.assumed_shapes import tell_estimates
 from vibcli.report.steps.characteristic import polynomial, tell_polynomial, tell_roots
@@ -14,17 +12,11 @@ from vibcli.report.steps.held import SmallEquations
 from vibcli.report.steps.loads_that_swing import tell_loads
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number, of_time, told
+from vibcli.report.steps.told_matrices import tell_matrices
 from vibcli.report.steps.two_degrees import NOTHING, TwoDegrees
-from vibcli.symbolic.evaluation import evaluate_rational
-from vibcli.symbolic.nested_form import letters
-from vibcli.symbolic.node import is_number
 
 if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
-
-NUMBERED = 3        # degrees, up to which entries of matrices have numbers
-UNITS = {"M": ("kg", "kg·m", "kg·m²"), "K": ("N/m", "N", "N·m"), **dict.fromkeys("CG", ("N·s/m", "N·s", "N·m·s"))}
-MATRICES = ("mass matrix", "M"), ("damping matrix", "C"), ("gyroscopic matrix", "G"), ("stiffness matrix", "K")
 
 
 class SeveralDegrees:
@@ -39,8 +31,7 @@ class SeveralDegrees:
 
     def write(self) -> None:
         """Write down all of them."""
-        matrices = [self._matrix(words, letter, getattr(self.found, letter)) for words, letter in MATRICES
-                    if getattr(self.found, letter)]
+        matrices = tell_matrices(self.about, self.sheet, self.found)
         lines = list(matrices)
         self._letters: list[Node] = []
         if self.two is not None:
@@ -65,28 +56,6 @@ class SeveralDegrees:
             self.two.motion_in_letters()
         tell_from_start(self.about, self.sheet, self.found, lines)
         tell_loads(self.about, self.sheet, self.found)
-
-    def _matrix(self, words, letter, entries: "Mapping[tuple[int, int], Node]"):
-        parts: list[Any] = []
-        skew, name = letter == "G", self.sheet.matrix(letter)
-        for (i, j), node in sorted(entries.items()):
-            twins = skew or self.about.same(node, entries.get((j, i), self.about.table.zero))
-            if j < i and twins:
-                continue
-            twin = "" if i == j or not twins else f" = {'−' * skew}{name}{lowered(j + 1)}{lowered(i + 1)}"
-            parts += [Words(",  ")] * bool(parts) + [f"{name}{lowered(i + 1)}{lowered(j + 1)}{twin}"]
-            parts += self._put_in(letter, i, j, node)
-        return self.sheet.write(Words(f"{words}:  "), *parts, settles=letter, uses=self.found.lines)
-
-    def _put_in(self, letter, i, j, node):
-        """Parts of ` = entry`, and ` = number unit` of one that is more than a letter, of up to three degrees."""
-        names, told = self.about.scene.coordinates, [" = ", node] * (not is_number(node))
-        alone = letters(node) <= 1 and not is_number(node)
-        value = None if alone or len(names) > NUMBERED else self.about.value(node)
-        exact = None if value is None else evaluate_rational([node], self.problem.scene.parameters.exact)
-        value = 0.0 if exact == [0] else value
-        turns = sum(not self.problem.system.dimension(names[k]) for k in (i, j))
-        return [*told, *number(value, UNITS[letter][turns])] if value is not None else told or [" = ", node]
 
     def _modes(self, uses):
         """Each frequency, and the ratio of its amplitudes."""

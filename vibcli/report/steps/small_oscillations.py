@@ -129,8 +129,10 @@ class Derivation:
             if terms:
                 line = self.sheet.write(Words("at rest  "), *slope_by(self.sheet, "V", name), " = ", SumOfTerms(
                     tuple(terms)), " = 0", uses=[one.line for one in loaded])
+        beside = line is not None and len(self.names) == 1
+        uses = [line, *(one.line for one in loaded)] if beside else [line]
         for i, shown in enumerate(dict.fromkeys(one.shown for one in loaded if one.k is not None)):
-            self._tension(next(one for one in loaded if one.shown is shown), line, joined=i > 0)
+            self._tension(next(one for one in loaded if one.shown is shown), uses, joined=beside or i > 0)
         return line
 
     def _together(self, acting, i):
@@ -142,7 +144,7 @@ class Derivation:
         found = [shown * self.about.tidy(self.scene.table.total(several)) for shown, several in slopes.items()]
         return [term for term in found if not term.is_zero] or [one.shown * one.s.slopes[i] for one in acting]
 
-    def _tension(self, one, line, joined):
+    def _tension(self, one, balance, joined):
         """The tension of a spring at rest: what the balance leaves for it, or what its law gives there."""
         about, unit = self.about, self._unit_of_force(one.name)
         follows = (self.problem.spec.get("springs") or {}).get(one.name, {}).get("preload") == "static"
@@ -153,7 +155,7 @@ class Derivation:
         told = told if told and is_number(one.tension) else (" = ", one.tension, *told)
         self.sheet.write(Words(words), Name(one.shown.name), *told,
                          *(self._deflection(one, unit) if one.linear else ()), settles=one.shown.name,
-                         node=one.tension, value=force, unit=unit, uses=[line] if follows else places,
+                         node=one.tension, value=force, unit=unit, uses=balance if follows else places,
                          joined=joined)
 
     def _deflection(self, one, unit):

@@ -104,9 +104,9 @@ class WorkedSolution:
         found = WorkedLine(line.number, settles, line.uses, (), node, value, unit)
         self.steps.insert(self.steps.index(line) + 1, found)
 
-    def join_next(self) -> None:
-        """Let the next line be joined to the last one."""
-        self._beside = self.steps[-1] if self.steps else None
+    def join_next(self, joined: bool) -> None:
+        """Let the next line be joined to the last one, or not."""
+        self._beside = self.steps[-1] if joined and self.steps else None
 
     @property
     def opened(self) -> bool:

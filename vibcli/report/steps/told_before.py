@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.quantities.expression import value_of
+from vibcli.quantities.matrices import coordinate_number
 from vibcli.report.blocks import Name
 from vibcli.report.steps.instances import found_at, is_found
 from vibcli.report.steps.step import WorkedLine, WorkedSolution, unit_told
@@ -74,6 +75,20 @@ def _stands_in(sheet, number, letter):
 
 
 def _entry(problem, tree) -> "Node":
-    names = problem.scene.coordinates
-    i, j = (names.index(problem.spec.coordinate_name(one) or one) for one in tree.indices)
-    return problem.symbolic.matrices[MATRICES.index(tree.head)].get((i, j), problem.scene.table.zero)
+    return problem.symbolic.matrices[MATRICES.index(tree.head)].get(_place(problem, tree), problem.scene.table.zero)
+
+
+def _place(problem, tree):
+    i, j = (coordinate_number(problem, index) for index in tree.indices)
+    return i, j
+
+
+def asked_entries(problem: "Problem", letter: str) -> dict[tuple[int, int], str]:
+    """{(i, j): text} of the entries of a matrix that answers ask."""
+    found = {}
+    for asked in [answer.asked for answer in problem.spec.answers]:
+        tree = asked.tree
+        if isinstance(tree, QuantityRef) and tree.head == letter and len(tree.indices) == 2 and not tree.args:
+            with suppress(PhysicsError):
+                found[_place(problem, tree)] = asked.text
+    return found

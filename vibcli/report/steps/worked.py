@@ -22,6 +22,7 @@ from vibcli.report.steps.motion_in_time import tell_motion
 from vibcli.report.steps.one_degree import OneDegree
 from vibcli.report.steps.place_of_rest import about_rest
 from vibcli.report.steps.reactions import tell_accelerations, tell_forces, tell_statics
+from vibcli.report.steps.repeated_lines import without_repeats
 from vibcli.report.steps.several_degrees import SeveralDegrees
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.small_oscillations import Derivation
@@ -48,7 +49,7 @@ def worked(problem: "Problem") -> list[WorkedLine]:
         tell_chosen_motion(problem, sheet)
     settle_told(problem, sheet)
     tell_asked(problem, sheet)
-    return sheet.steps
+    return without_repeats(sheet.steps)
 
 
 def _sheet_of(problem):

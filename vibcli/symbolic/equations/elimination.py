@@ -18,6 +18,7 @@ from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.rationals import ONE, ZERO
 
 if TYPE_CHECKING:
+    from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
 
@@ -39,7 +40,7 @@ def solve_equations(nodes: "Sequence[Node]", unknowns: "Sequence[Node]", scene: 
     return found if not other else found._replace(tuples=[_shorter(pair, other.tuples, scene) for pair in found.tuples])
 
 
-def _shorter(pair, others, scene):
+def _shorter(pair: "tuple[Node, ...]", others: "Sequence[tuple[Node, ...]]", scene: Any) -> "tuple[Node, ...]":
     """Each expression of a solution in the shorter of two forms that agree at the sample."""
     values = evaluate(pair, Floats, scene.sample)
     for other in others:
@@ -49,7 +50,8 @@ def _shorter(pair, others, scene):
     return pair
 
 
-def _without(eliminated, nodes, unknowns, scene, thorough):
+def _without(eliminated: "tuple[int, Node, Fraction, Node, Node]", nodes: "Sequence[Node]", unknowns: "Sequence[Node]",
+             scene: Any, thorough: bool) -> Candidates | None:
     """The Candidates when an unknown is expressed by the others as `eliminated` says."""
     i, x, power, slope, rest = eliminated
     others = [unknown for unknown in unknowns if unknown is not x]
@@ -72,7 +74,7 @@ def _without(eliminated, nodes, unknowns, scene, thorough):
     return Candidates(found, complete) if found or complete else None
 
 
-def _resultant(node, x, power, slope, rest):
+def _resultant(node: "Node", x: "Node", power: Fraction, slope: "Node", rest: "Node") -> "Node | None":
     """Σ cⱼ (−rest)ʲ slopeᵈ⁻ʲ of a polynomial Σ cⱼ xʲ, free of x where slope·x + rest = 0; None of other equations."""
     terms = polynomial(node, x) if power == 1 and depends(node, (x,)) else None
     if terms is None or not all(e.denominator == 1 for e in terms):
@@ -81,7 +83,8 @@ def _resultant(node, x, power, slope, rest):
     return node.table.sum(*((c * (-rest) ** e * slope ** (degree - e), ONE) for e, c in terms.items()))
 
 
-def _linear(nodes, unknowns, eligible, scene):
+def _linear(nodes: "Sequence[Node]", unknowns: "Sequence[Node]", eligible: "Sequence[Node]",
+            scene: Any) -> "tuple[int, Node, Fraction, Node, Node] | None":
     """(number of the equation, unknown, power, slope, rest) of slope·x^power + rest = 0, the slope free of all
     unknowns where there is such a choice; None of none."""
     best = None
@@ -97,7 +100,7 @@ def _linear(nodes, unknowns, eligible, scene):
     return best and best[1]
 
 
-def _never_both(slope, rest, others, scene):
+def _never_both(slope: "Node", rest: "Node", others: "Sequence[Node]", scene: "Scene") -> bool:
     """Can slope and rest of a linear equation not vanish together, where any x would solve it?"""
     if len(others) > 1:
         return False

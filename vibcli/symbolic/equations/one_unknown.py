@@ -21,6 +21,8 @@ from vibcli.symbolic.surds import Pair
 from vibcli.symbolic.time_limit import within
 
 if TYPE_CHECKING:
+    from sympy.polys.rings import PolyElement
+
     from vibcli.symbolic.node import Node
 
 CALLS = 8_000_000
@@ -44,7 +46,7 @@ def solutions(node: "Node", unknown: "Node", samples: Sequence[dict[str, float]]
                                   for found in _Condition(one, unknown, samples).solutions()], [])
 
 
-def _sides(node, unknown):
+def _sides(node: "Node", unknown: "Node") -> "list[Node]":
     """A condition as it is for a positive unknown, and for a negative one, where its size or sign stands in it."""
     size, sign = (unknown.table.call(name, unknown) for name in ("abs", "sign"))
     if {size, sign}.isdisjoint(reachable([node])):
@@ -55,7 +57,7 @@ def _sides(node, unknown):
 class _Condition:
     """A condition as polynomials in the letters and x, sin x, cos x and roots that hold these."""
 
-    def __init__(self, node: "Node", unknown: "Node", samples: Sequence[dict[str, float]]):
+    def __init__(self, node: "Node", unknown: "Node", samples: Sequence[dict[str, float]]) -> None:
         table = self.table = node.table
         self.x, self.samples = unknown, samples
         self.sine, self.cosine = table.call("sin", unknown), table.call("cos", unknown)
@@ -72,10 +74,10 @@ class _Condition:
         factors = self._factors(self.quotients(self.node).numer)
         return [solution for factor in factors for solution in self._of_factor(factor, roots)]
 
-    def _factors(self, polynomial):
+    def _factors(self, polynomial: "PolyElement") -> "list[PolyElement]":
         return [factor for factor, _ in self.quotients.factors(polynomial)[1]]
 
-    def _of_factor(self, factor, roots):
+    def _of_factor(self, factor: "PolyElement", roots: "Sequence[Node]") -> list[SymbolicSolution]:
         present = [base for base in roots if self._degree(factor, base, HALF)]
         if len(present) > 1:
             return []
@@ -92,10 +94,10 @@ class _Condition:
         return [solution for value in self._polynomial_roots(factor, atom)
                 for solution in (self._of_sine(value) if atom is self.sine else self._of_cosine(value))]
 
-    def _degree(self, polynomial, atom, e=1):
+    def _degree(self, polynomial: "PolyElement", atom: "Node", e: Fraction | int = 1) -> int:
         return polynomial.degree(self.quotients.generator(atom, e)) if (atom, e) in self.quotients.atoms else 0
 
-    def _without_root(self, factor, base):
+    def _without_root(self, factor: "PolyElement", base: "Node") -> list[SymbolicSolution]:
         """A + B√D = 0 gives A² = B²D."""
         parts = self.quotients.coefficients(factor, base, HALF)
         if len(parts) != 2:
@@ -104,7 +106,7 @@ class _Condition:
         return [solution for factor in self._factors(self._one_of_two(squared.numer))
                 for solution in self._of_factor(factor, [])]
 
-    def _one_of_two(self, polynomial):
+    def _one_of_two(self, polynomial: "PolyElement") -> "PolyElement":
         """sin² replaced by 1 − cos²."""
         field = self.quotients.field
         cosine = field(self.quotients.generator(self.cosine))
@@ -113,7 +115,7 @@ class _Condition:
             total += c * (1 - cosine ** 2) ** (d // 2) * field(self.quotients.generator(self.sine)) ** (d % 2)
         return total.numer
 
-    def _polynomial_roots(self, polynomial, atom):
+    def _polynomial_roots(self, polynomial: "PolyElement", atom: "Node") -> "list[Node]":
         """The roots in an atom of a polynomial of degree one or two, or c₀ + cₙ xⁿ."""
         c = self.quotients.coefficients(polynomial, atom)
         n = len(c) - 1
@@ -128,7 +130,7 @@ class _Condition:
         power = self.quotients.node(-c[0] / c[n])
         return [sign * (sign * power) ** Fraction(1, n) for sign in (1, -1)]
 
-    def _of_sine(self, u):
+    def _of_sine(self, u: "Node") -> list[SymbolicSolution]:
         table = self.table
         if u.is_zero:
             return [SymbolicSolution(table.zero, u, table.one),
@@ -139,7 +141,7 @@ class _Condition:
         return [SymbolicSolution(inner, u, across), SymbolicSolution(table.pi - inner, u, -across),
                 SymbolicSolution(-table.pi - inner, u, -across)]
 
-    def _of_cosine(self, u):
+    def _of_cosine(self, u: "Node") -> list[SymbolicSolution]:
         table = self.table
         if u.is_zero:
             return [SymbolicSolution(sign * table.pi / 2, sign * table.one, u) for sign in (1, -1)]
@@ -149,11 +151,11 @@ class _Condition:
         inner, across = table.call("acos", u), self._beside(u)
         return [SymbolicSolution(inner, across, u), SymbolicSolution(-inner, -across, u)]
 
-    def _beside(self, u):
+    def _beside(self, u: "Node") -> "Node":
         """√(1 − u²)."""
         return root(single(1 - u * u), self.samples)
 
-    def _both(self, factor):
+    def _both(self, factor: "PolyElement") -> list[SymbolicSolution]:
         """a sin x + b cos x + d = 0."""
         by_sine = self.quotients.coefficients(factor, self.sine)
         if len(by_sine) != 2 or self._degree(by_sine[1].numer, self.cosine):

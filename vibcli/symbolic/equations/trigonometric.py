@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 
-def angles(terms: Any, x: "Node", sample_zero: Callable) -> "list[Node] | None":
+def angles(terms: Any, x: "Node", sample_zero: Callable[..., bool]) -> "list[Node] | None":
     """The x of Σ terms = 0, {monomial: coefficient}, linear in sin x and cos x up to a common factor of these; None of
     other equations. `sample_zero(node)`: does a coefficient vanish?"""
     table = x.table
@@ -40,7 +40,7 @@ def angles(terms: Any, x: "Node", sample_zero: Callable) -> "list[Node] | None":
     return found + _linear(rest.get((1, 0), zero), rest.get((0, 1), zero), rest.get((0, 0), zero))
 
 
-def _linear(a, b, c):
+def _linear(a: "Node", b: "Node", c: "Node") -> "list[Node]":
     """x of a sin x + b cos x + c = 0, each from −π to 2π and some beyond."""
     table, turn = a.table, 2 * a.table.pi
     if c.is_zero:

@@ -23,7 +23,8 @@ from vibcli.symbolic.rationals import HALF, ONE, ZERO
 from vibcli.symbolic.time_limit import within
 
 if TYPE_CHECKING:
-    from vibcli.symbolic.node import Node
+    from vibcli.symbolic.expression import Table
+    from vibcli.symbolic.node import Monomial, Node
 
 CALLS = 8_000_000
 VANISHING, MOST_ROOTS, MOST_RADICALS = 1e-12, 12, 3
@@ -33,7 +34,7 @@ class Candidates(NamedTuple):
     """Tuples of expressions, one for each unknown; complete: whether every solution is among them; always: whether
     the equations hold whatever the unknowns are."""
 
-    tuples: list
+    tuples: "list[tuple[Node, ...]]"
     complete: bool
     always: bool = False
 
@@ -64,7 +65,7 @@ def solve_equation(node: "Node", x: "Node", scene: Any, thorough: bool = False) 
     return Candidates([(node,) for node in found], complete) if found or complete else None
 
 
-def _angles(node, x, scene):
+def _angles(node: "Node", x: "Node", scene: Any) -> Candidates | None:
     try:
         found = angles(reduced(expanded(_cleared(node, x))), x, lambda part: vanishes(part, scene.sample))
     except (TooLong, ZeroDivisionError):
@@ -72,7 +73,7 @@ def _angles(node, x, scene):
     return Candidates([(node,) for node in found], False) if found else None
 
 
-def _common(exponents):
+def _common(exponents: Sequence[Fraction | int]) -> Fraction | None:
     """The largest step of which all exponents are multiples; None of none."""
     if not exponents:
         return None
@@ -89,7 +90,7 @@ def unpowered(power: "Node", step: Fraction, x: "Node", scene: Any) -> "list[Nod
     return [-root, root] if even else [root]
 
 
-def _power_roots(coefficients, scene, thorough):
+def _power_roots(coefficients: "list[Node]", scene: Any, thorough: bool) -> "tuple[list[Node], bool]":
     """(roots, whether they are all) of Σ cᵢ yⁱ, the coefficients from the highest down."""
     coefficients = _primitive(coefficients)
     if len(coefficients) == 2:
@@ -100,7 +101,7 @@ def _power_roots(coefficients, scene, thorough):
     return found or ([], False)
 
 
-def _primitive(coefficients):
+def _primitive(coefficients: "list[Node]") -> "list[Node]":
     """The coefficients divided by the powers of symbols that all their terms share."""
     try:
         monomials = [dict(monomial) for node in coefficients for monomial in expanded(node)]
@@ -111,7 +112,7 @@ def _primitive(coefficients):
     return [textbook(node.table.product((node, ONE), *common)) for node in coefficients] if common else coefficients
 
 
-def polynomial(node: "Node", x: "Node", radicals: int = MOST_RADICALS) -> "dict[int, Node]":
+def polynomial(node: "Node", x: "Node", radicals: int = MOST_RADICALS) -> "dict[Fraction | int, Node] | None":
     """{exponent: coefficient} of a polynomial in powers of x that vanishes wherever the node does; None of none."""
     try:
         terms = reduced(expanded(_cleared(node, x)))
@@ -134,7 +135,7 @@ def polynomial(node: "Node", x: "Node", radicals: int = MOST_RADICALS) -> "dict[
     return polynomial(a * a - b * b * root, x, radicals - 1)
 
 
-def _by_exponent(table, terms, x):
+def _by_exponent(table: "Table", terms: "Mapping[Monomial, Fraction | int]", x: "Node") -> "dict[Fraction | int, Node]":
     found = {}
     for monomial, value in terms.items():
         exponent = dict(monomial).get(x, ZERO)
@@ -143,7 +144,7 @@ def _by_exponent(table, terms, x):
     return {exponent: textbook(table.sum(*parts)) for exponent, parts in found.items()}
 
 
-def _cleared(node, x):
+def _cleared(node: "Node", x: "Node") -> "Node":
     """The numerator of a node over the denominators that hold x."""
     table, above, below = node.table, {}, {}
     for part in reachable([node]):
@@ -158,7 +159,9 @@ def _cleared(node, x):
     return above[node]
 
 
-def _cleared_sum(table, part, above, below):
+def _cleared_sum(table: "Table", part: "Node", above: "Mapping[Node, Node]",
+                 below: "Mapping[Node, dict[Node, Fraction | int] | None]"
+                 ) -> "tuple[Node, dict[Node, Fraction | int]]":
     common = {}
     for arg, _ in part.args:
         for base, power in (below[arg] or {}).items():
@@ -171,7 +174,9 @@ def _cleared_sum(table, part, above, below):
     return table.sum(*terms), common
 
 
-def _cleared_product(table, part, above, below):
+def _cleared_product(table: "Table", part: "Node", above: "Mapping[Node, Node]",
+                     below: "Mapping[Node, dict[Node, Fraction | int] | None]"
+                     ) -> "tuple[Node, dict[Node, Fraction | int]]":
     top, bottom = [(table.number(part.coefficient), ONE)], {}
     for base, e in part.args:
         own = below[base] or {}
@@ -191,10 +196,10 @@ def vanishes(node: "Node", sample: Mapping[str, float]) -> bool:
     terms = [node.table.product((part, ONE), (node.table.number(c), ONE)) for part, c in node.args] \
         if node.op == "sum" else [node]
     values = [*evaluate(terms, Floats, sample), float(node.coefficient) if node.op == "sum" else 0.0]
-    return abs(sum(values)) <= VANISHING * sum(map(abs, values))
+    return bool(abs(sum(values)) <= VANISHING * sum(map(abs, values)))
 
 
-def _symbols(scene):
+def _symbols(scene: Any) -> "tuple[dict[str, Any], dict[Any, Node]]":
     """({name: SymPy symbol}, {SymPy symbol: node}) of the parameters."""
     import sympy
 
@@ -203,7 +208,7 @@ def _symbols(scene):
     return symbols, {symbol: scene.parameters.nodes[name] for name, symbol in symbols.items()}
 
 
-def _factored(coefficients, scene):
+def _factored(coefficients: "list[Node]", scene: Any) -> "tuple[list[Node], bool]":
     """Roots of the factors of degree one and two that SymPy finds."""
     import sympy
 
@@ -222,7 +227,7 @@ def _factored(coefficients, scene):
     return found, complete
 
 
-def _by_sympy(node, x, scene):
+def _by_sympy(node: "Node", x: "Node", scene: Any) -> Candidates | None:
     """Whatever SymPy's solver finds and the project's algebra can say."""
     import sympy
 

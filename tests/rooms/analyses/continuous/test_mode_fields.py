@@ -4,7 +4,10 @@ import numpy as np
 import pytest
 from support.scenes import problem
 
+from vibcli.analyses.modes import LAST
 from vibcli.api.values import quantity_value
+from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.quantities.index_kinds import MOST_NODES
 
 KINDS = {
     "bars": ("EA: {k} N, mass_per_length: {m} kg/m", ("u", "force")),
@@ -104,3 +107,14 @@ def test_shapes_of_close_frequencies_are_told_apart(k):
     for mode, ratio in ((1, 1 / lower), (2, -lower), (3, 1 / lower), (4, -lower)):
         a, b = (quantity_value(scene, f"mode[{mode}][{name}.u(1 m)]").value for name in "ab")
         assert b / a == pytest.approx(ratio, rel=1e-3 * k + 1e-9), mode
+
+
+def test_nodes_are_counted_as_far_as_modes():
+    scene = problem("strings: {cord: {length: 3 m, preload: 90 N, mass_per_length: 0.1 kg/m, left: pinned, "
+                    "right: pinned}}")
+    assert quantity_value(scene, "node[1200][cord, 1001]").value == pytest.approx(3 * 1001 / 1200, rel=1e-13)
+    assert MOST_NODES == LAST
+    with pytest.raises(PhysicsError, match="'cord' has 3 nodes in mode 4"):
+        quantity_value(scene, f"node[4][cord, {LAST}]")
+    with pytest.raises(SpecError, match=f"expected a whole number from 1 to {LAST} in square brackets"):
+        quantity_value(scene, f"node[4][cord, {LAST + 1}]")

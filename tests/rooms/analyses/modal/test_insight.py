@@ -4,11 +4,12 @@ import json
 import math
 import random
 from fractions import Fraction
+from pathlib import Path
 
 import mpmath
 import numpy as np
 import pytest
-from support.scenes import problem, value
+from support.scenes import problem, problem_of, value
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.cli.program import run
@@ -506,3 +507,9 @@ def test_wide_tables_are_cut(solve):
     text = ("bodies:\n" + "".join(f"  b{i}: {{mass: 1, slide: x{i}}}\n" for i in range(10))
             + "springs:\n" + "".join(f"  s{i}: {{k: {i + 1}, between: [ground, b{i}]}}\n" for i in range(10)))
     assert "… 2 more modes: see --json" in solve(text, "--insight")
+
+
+def test_what_rounds_of_a_static_deflection_is_zero():
+    """Pulled sideways a disc on three springs does not turn, not even by 1e-91 of how far it moves."""
+    path = Path(__file__).parents[4] / "problems/6_more_degrees/disc_on_three_tight_springs.yaml"
+    assert problem_of(path).modal.result("estimates").deflection == {"x": 1.0, "y": 1.0, "phi": 0.0}
