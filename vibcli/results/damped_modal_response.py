@@ -118,11 +118,11 @@ class DampedModalResponse(ModalResponse):
 
     def _left_out(self, modes: "ComplexModes") -> "LeftOutEnergy":
         """The LeftOutEnergy."""
-        from vibcli.analyses.continuous.field_start import FieldStart
+        from vibcli.analyses.continuous.field_start import StartInFields
         from vibcli.analyses.continuous.left_out_energy import LeftOutEnergy
 
         in_fields = any(part is not None for given in self.fields for part in given)
-        start = FieldStart(self._transfer, self.deviations, self.fields) if in_fields else None
+        start = StartInFields(self._transfer, self.deviations, self.fields) if in_fields else None
         return LeftOutEnergy(modes, self._transfer, self.deviations, start)
 
     @cached_property

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 ORDERS = 5          # u … u⁗
 
 
-class FieldStart:
+class StartInFields:
     """Coordinates and their rates at t = 0, and (u, v) over each piece, Forcings of the place, as of start_energy."""
 
     def __init__(self, transfer: "ExactTransfer", begun: tuple[np.ndarray, np.ndarray], given: "Sequence[Any]"):
@@ -80,8 +80,9 @@ def _end_forces(one: "PlacedPiece", u: "Forcing") -> tuple[np.ndarray, np.ndarra
     need[0, 1] = turn * (piece.tension + piece.gradient * np.array([0.0, piece.length]))
     if half == 2:
         need[0, 3], need[1, 2] = -piece.bending * turn, piece.bending * turn
-    return tuple(np.einsum("aoe,eo->ea", part, ends[[0, -1]]).ravel()
-                 for part, ends in ((need, values), (np.abs(need), sizes)))
+    found, size = (np.einsum("aoe,eo->ea", part, ends[[0, -1]]).ravel()
+                   for part, ends in ((need, values), (np.abs(need), sizes)))
+    return found, size
 
 
 def _accelerated(one: "PlacedPiece", u: "Forcing | None", speed: "Forcing | None") -> float:

@@ -18,7 +18,7 @@ AROUND = 4          # places on the upper half of a circle about each τ
 SHARES = 1 / 32, 1 / 64         # of τ: their radii on both sides of products
 
 
-class Places(NamedTuple):
+class PlacesOnCircles(NamedTuple):
     """Those on the upper half of a circle about 0, and of circles about each of the τ."""
 
     circle: np.ndarray
@@ -31,11 +31,11 @@ class Places(NamedTuple):
         return np.concatenate([self.circle, self.around.ravel()])
 
 
-def places_on(circle: np.ndarray, radius: float = 0.0, share: float = 0.0) -> Places:
+def places_on(circle: np.ndarray, radius: float = 0.0, share: float = 0.0) -> PlacesOnCircles:
     """Those of a circle, and, where there is a share, about the τ beyond a radius."""
     poles = FIRST * radius * WIDER ** np.arange(MANY if share else 0)
     turn = np.exp(1j * np.pi * (np.arange(AROUND) + 0.5) / AROUND)
-    return Places(circle, poles, poles[:, None] * (1 + share * turn))
+    return PlacesOnCircles(circle, poles, poles[:, None] * (1 + share * turn))
 
 
 class Column(NamedTuple):
@@ -53,7 +53,7 @@ class Column(NamedTuple):
         """Does it hold B itself?"""
         return self.power < 0 and self.smooth is None
 
-    def weights(self, places: Places) -> np.ndarray:
+    def weights(self, places: PlacesOnCircles) -> np.ndarray:
         """Those of (h, s h) at all places on upper halves, their conjugates being those on the lower ones."""
         own = self._symbol(places.circle) * places.circle / (2 * len(places.circle))
         around = np.zeros(places.around.shape, complex)

@@ -24,7 +24,7 @@ import numpy as np
 from vibcli.analyses.continuous.damped_energies import ROUNDED, DampedSwings, OwnEnergies, energies
 from vibcli.analyses.continuous.dragged_pieces import DraggedPieces
 from vibcli.analyses.continuous.free_fading import fading
-from vibcli.analyses.continuous.left_out_columns import MANY, SHARES, Column, Places, places_on
+from vibcli.analyses.continuous.left_out_columns import MANY, SHARES, Column, PlacesOnCircles, places_on
 from vibcli.analyses.continuous.left_out_readings import Reading, readings
 from vibcli.analyses.continuous.modal_reads import key_of
 from vibcli.analyses.continuous.modal_start import of_load
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
     from vibcli.analyses.continuous.complex_modes import ComplexModes
     from vibcli.analyses.continuous.exact_transfer import ExactTransfer
-    from vibcli.analyses.continuous.field_start import FieldStart
+    from vibcli.analyses.continuous.field_start import StartInFields
     from vibcli.analyses.continuous.unit_answers import UnitAnswers
 
 EPSILON = 2.0**-52
@@ -61,14 +61,14 @@ class Slots(NamedTuple):
     own: OwnEnergies
     circles: list[DampedSwings]
     massive: np.ndarray
-    places: list[Places]
+    places: list[PlacesOnCircles]
 
 
 class LeftOutEnergy:
-    """Of ComplexModes; begun: q and v at t = 0; of a start in fields that: a FieldStart; fading: δ."""
+    """Of ComplexModes; begun: q and v at t = 0; of a start in fields that: a StartInFields; fading: δ."""
 
     def __init__(self, modes: "ComplexModes", transfer: "ExactTransfer", begun: "tuple[np.ndarray, np.ndarray]",
-                 start: "FieldStart | None" = None):
+                 start: "StartInFields | None" = None):
         self.modes, self.states, self.basis, self.transfer = modes, modes.states, modes.basis, transfer
         self.n, (_, C, M), rates = transfer.n, transfer.matrix.polynomial, modes.states.rates
         self.held, self.struck = (transfer.at_rest(begun[0]), M @ begun[1]) if start is None else np.zeros((2, self.n))
