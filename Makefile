@@ -4,10 +4,12 @@
 # Then as many that atheris guides by the code they reach, where it can be installed.
 # make peers: packages for course systems, read by programs that are not ours.
 # make test: everything that must hold, as CI runs it; style and types are checked beside the tests.
+# make test JOBS=8: in as many processes, where there are as many cores.
 PYTHON ?= python3
 BIN := .venv/bin
 INSTALL := $(BIN)/python -m pip install --no-compile --quiet --disable-pip-version-check
 COUNT ?= 100000
+JOBS ?= 2
 SEED ?= 1
 PROBLEM ?= problems/6_two_degrees/cart_with_pendulum.yaml
 
@@ -39,10 +41,10 @@ test: $(BIN)/pytest
 	@$(MAKE) --no-print-directory -j 2 lint all
 
 chosen: $(BIN)/pytest
-	$(BIN)/pytest -q -n 2 -m "not sweep" --ignore tests/fuzz
+	$(BIN)/pytest -q -n $(JOBS) -m "not sweep" --ignore tests/fuzz
 
 all: $(BIN)/pytest
-	$(BIN)/pytest -q -n 2
+	$(BIN)/pytest -q -n $(JOBS)
 
 peers: $(BIN)/pytest
 	-$(INSTALL) -e ".[peers,cluster]"

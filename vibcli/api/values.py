@@ -11,7 +11,7 @@ from vibcli.language.reader import Reader
 from vibcli.quantities import FAMILIES
 from vibcli.quantities.dimensions import unit_of
 from vibcli.quantities.expression import evaluated, measure, value_of
-from vibcli.quantities.quantity import ERROR, OF_STATE, ROUNDING, declared, kind_of
+from vibcli.quantities.quantity import ERROR, OF_STATE, ROUNDING, absolute, declared, kind_of
 from vibcli.reader.answer_check import check_question
 from vibcli.symbolic.syntax import QuantityRef, parts_of
 
@@ -95,7 +95,8 @@ def _measured(problem: "Problem", tree: QuantityRef) -> tuple[Any, float]:
     if isinstance(value, bool):
         return value, 0.0
     value = complex(value) if isinstance(value, complex) else float(value)
-    return value, float(relative * abs(value) if value else _rounding(problem, tree))
+    off = float(absolute(value, relative))
+    return value, off if value else max(off, _rounding(problem, tree))
 
 
 def _rounding(problem: "Problem", tree: QuantityRef) -> float:

@@ -3,7 +3,7 @@ rounding. This hangs on what is written alone, never on how well the result is k
 
 from typing import TYPE_CHECKING
 
-from vibcli.base.errors import Diagnostic, SpecError
+from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
 from vibcli.base.written_digits import SHORT, digits_written, half_a_unit
 from vibcli.quantities.expression import bounded, measure, value_of
 from vibcli.quantities.quantity import parts_that_cancel, quantity_of
@@ -48,7 +48,18 @@ def _share(problem: "Problem", rtol: "Expression") -> float:
 
 
 def _small(problem: "Problem", answer: "Answer") -> float:
-    """What counts as zero: rounding beside the largest number of its kind."""
+    """What counts as zero: rounding beside the largest number of its kind, and what is found as 0, whatever its
+    bound."""
+    found, error = map(float, bounded(problem, answer.asked))
+    if not found and answer.expected.parts.whole is not None:
+        return error
+    try:
+        return max(_rounding(problem, answer), 0.0 if found else error)
+    except PhysicsError:        # how large its kind become is not found: its own bound tells it from 0
+        return 4 * error
+
+
+def _rounding(problem: "Problem", answer: "Answer") -> float:
     tree, quantities = answer.asked.tree, answer.asked.parts.quantities
     quantity = quantity_of(problem.spec, tree)
     if quantity is not None and quantity.size is not None:

@@ -20,7 +20,7 @@ def figure(some: "Sequence[WorkPrecision]") -> Figure:
     return Figure(title, tuple(_panel(one, len(some) > 1) for one in some))
 
 
-def _panel(one, named):
+def _panel(one: "WorkPrecision", named: bool) -> Panel:
     ours, points = one.points[0], one.points
     edge = MARGIN * max(_drawn(x) for point in points for x in (point.error, point.bound) if x is not None)
     lost = [point.seconds[1] for point in points if point.error is None]
@@ -36,7 +36,7 @@ def _panel(one, named):
     return Panel(label, "processor time [s]", True, True, tuple(curves), x_range=(low / MARGIN, edge))
 
 
-def _drawn(error):
+def _drawn(error: float) -> float:
     return max(float(error), LEAST)
 
 

@@ -42,7 +42,7 @@ def stage_costs(problem: Problem, kinds: set[str]) -> list[StageCost]:
     return [_cost(fresh, stage, stage in needed) for stage in STAGES]
 
 
-def _cost(problem, stage, taken):
+def _cost(problem: Problem, stage: str, taken: bool) -> StageCost:
     if taken:
         return StageCost(stage, problem.timings[stage], True)
     if stage in DEAR and (len(problem.scene.q) > FEW or problem.scene.pieces):

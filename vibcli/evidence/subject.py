@@ -75,7 +75,7 @@ class TimeIsOver(Exception):
 class Deadline:
     """The processor time that a method has; one that takes many steps asks now and then."""
 
-    def __init__(self, seconds: float):
+    def __init__(self, seconds: float) -> None:
         self._until = process_time() + seconds
 
     def check(self) -> None:

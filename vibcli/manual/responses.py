@@ -43,8 +43,11 @@ RESPONSE = [
          "has mass, is bounded by the energy that each jump or bend of loads at places and along members, each bend of "
          "the way of a driven end, each blow on a mass or along a member, or the start leaves them, which never grows, "
          "and which fades where drag acts on all that has mass. Of moments, forces and other rates the energy of their "
-         "rate does it, where loads begin smoothly, set in on a mass or along members. Else, as of a moment after a "
-         "force that sets in at once where nothing has mass, with driven ends that jump, after a start in a field, or "
+         "rate does it, where loads begin smoothly, set in on a mass or along members. After a force sets in at once "
+         "where nothing has mass, moments of beams and rates of their displacements have a bound too, and after a blow "
+         "there their displacements, by energies of what is smoothed ever less, whose sum converges; after a start in "
+         "fields that fit all ends and joints, moments, forces and rates. Else, as of a shear after a force that sets "
+         "in at once there, with driven ends that jump, of moments after a start in a field that bends a free end, or "
          "where loads along a chain or mast are no polynomials of the place, it is estimated from how amplitudes fall; "
          "reports, `check` and `--json` say so. A damper of √(Nμ) beside drag is "
          "refused, as no wave comes back from it."),

@@ -3,8 +3,7 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from vibcli.notation.numbers import width
-from vibcli.notation.plain import plain
+from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.rationals import HALF, ONE
 
@@ -13,7 +12,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 SHORT = 2           # roots of fewer terms are left in place
-SHORTER = 0.75      # of the columns of what is multiplied out, in which it is shown as it was before
+SHORTER = 0.75      # of the letters, or columns, of what is multiplied out, in which it is shown as it was before
 
 
 def abbreviated(nodes: "Sequence[Node]", known: "dict[Node, Node]") -> "tuple[list[Node], list[tuple[Node, Node]]]":
@@ -34,7 +33,7 @@ def abbreviated(nodes: "Sequence[Node]", known: "dict[Node, Node]") -> "tuple[li
 
 def _shorter(grouped: "Node", square: "Node") -> "Node":
     """The first where it is shorter by far: the law of cosines stays."""
-    return grouped if width(plain(grouped)) < SHORTER * width(plain(square)) else square
+    return grouped if letters(grouped) < SHORTER * letters(square) else square
 
 
 def _by_legs(table: "Table") -> "dict[Node, Node]":

@@ -86,14 +86,14 @@ def factor_rank(pair: "tuple[Node, Fraction | int]") -> tuple[int, int]:
     return kind, base.index
 
 
-def upright(value: Any, node: "Node") -> "tuple[Any, Sequence[tuple[Node, Fraction | int]]]":
-    """(value, factors) of value times a node, in which −(−a − b)·c is (a + b)·c; of what moves, in which −k·(h − x) is
-    k·(x − h), −(b·k − a·c)·x is (a·c − b·k)·x and −sin(b − t) is sin(t − b)."""
+def upright(value: Any, node: "Node", alone: bool = False) -> "tuple[Any, Sequence[tuple[Node, Fraction | int]]]":
+    """(value, factors) of value times a node, in which −(−a − b)·c is (a + b)·c; of what moves and what stands `alone`,
+    in which −k·(h − x) is k·(x − h), −(b·k − a·c)·x is (a·c − b·k)·x and −sin(b − t) is sin(t − b)."""
     args = node.args if node.op == "product" else ((node, ONE),)
     turned = [exponent in (1, -1) and _all_negative(base) for base, exponent in args]
     args = [(-base if turn else base, exponent) for turn, (base, exponent) in zip(turned, args, strict=True)]
     value *= (-1) ** sum(turned)
-    if not node.mask or (value > 0 and sum(base.op in ("sum", "call") for base, _ in args) < 2):
+    if not (node.mask or alone) or (value > 0 and sum(base.op in ("sum", "call") for base, _ in args) < 2):
         return value, args
     args = sorted(args, key=factor_rank)
     better = {i: opposite for i, (base, exponent) in enumerate(args) if exponent == 1

@@ -131,7 +131,7 @@ class Notation:
         if node.op == "number":
             return node.coefficient < 0, self.number(abs(node.coefficient))
         if node.op == "product":
-            value, args = upright(node.coefficient, node)
+            value, args = upright(node.coefficient, node, alone=True)
             return value < 0, self.product(abs(value), args)
         return False, self.write(node, 0)
 

@@ -58,7 +58,7 @@ def to_float(a: int, bits: int) -> float:
     return math.ldexp(float(a), -bits)
 
 
-def times_power(x: np.ndarray, power: int) -> float:
+def times_power(x: Any, power: int) -> float:
     """x 2^power as a float, of whatever mantissa() takes."""
     m, e = mantissa(x)
     return to_float(m, -(e + power))

@@ -7,7 +7,7 @@ from weakref import WeakKeyDictionary
 
 from vibcli.base.errors import Diagnostic, NotInLetters, PhysicsError, SpecError
 from vibcli.quantities.cycle_count import counts_cycles
-from vibcli.quantities.quantity import about_which, declared, is_choice
+from vibcli.quantities.quantity import about_which, absolute, declared, is_choice
 from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
 from vibcli.symbolic.running_errors import Rounded, RunningErrors, error_in, number_in
 from vibcli.symbolic.semantics import lower, lower_measured
@@ -111,7 +111,7 @@ def _evaluated(problem: "Problem", expression: "Expression", arithmetic: Running
 
 def _rounded(problem: "Problem", quantity: QuantityRef, arithmetic: RunningErrors) -> Rounded:
     value, error = measure(problem, quantity)
-    return Rounded(value, (error * abs(value) if value else 0.0) + _searched(problem, quantity, value), arithmetic.unit)
+    return Rounded(value, absolute(value, error) + _searched(problem, quantity, value), arithmetic.unit)
 
 
 def _searched(problem: "Problem", quantity: QuantityRef, value: complex) -> float:
@@ -165,7 +165,7 @@ def argument_in(problem: "Problem", tree: Any, arithmetic: Any, values: Mapping[
     values = dict(values)
     for quantity in parts_of(tree).quantities:
         value, error = measure(problem, quantity)
-        values[quantity.text] = Rounded(value, error * abs(value), arithmetic.unit)
+        values[quantity.text] = Rounded(value, absolute(value, error), arithmetic.unit)
     return evaluate([lower(tree, problem.scene.table, _symbols(problem.scene))], arithmetic, values)[0]
 
 

@@ -72,6 +72,25 @@ def measured(found: Any, least: float = 0.0) -> tuple[Any, float]:
     return value, max(least, float(error / abs(value))) if value else ROUNDING
 
 
+class ErrorOfZero(float):
+    """What stands for the relative bound of a number that is found as 0 and may be off by `absolute`."""
+
+    __slots__ = ("absolute",)
+    absolute: float
+
+    def __new__(cls, absolute: float) -> "ErrorOfZero":
+        made = super().__new__(cls, 1.0 if absolute else ROUNDING)
+        made.absolute = absolute
+        return made
+
+
+def absolute(value: Any, error: Any) -> Any:
+    """The absolute bound of a number, given its relative one."""
+    if isinstance(error, ErrorOfZero):
+        return error.absolute
+    return error * abs(value) if value else 0.0
+
+
 def counted(count: int, noun: str) -> str:
     """A number of things in words: one mode, 2 modes."""
     return f"one {noun}" if count == 1 else f"{count} {noun}s"

@@ -14,6 +14,7 @@ from vibcli.quantities.quantity import (
     ROUNDING,
     SIGNAL,
     Declaration,
+    ErrorOfZero,
     declared,
     one,
 )
@@ -70,9 +71,9 @@ def _require_digit(problem: "Problem", tree: QuantityRef, args: Sequence[Any], f
 
 def relative(value: float, off: float) -> float:
     """The relative error bound of a value that may be off by so much; of 0, if it may be off at all, 1."""
-    if not value or not isfinite(off):
-        return 1.0 if off else ROUNDING
-    return max(ROUNDING, off / abs(value))
+    if value and isfinite(off):
+        return max(ROUNDING, off / abs(value))
+    return 1.0 if value else ErrorOfZero(off)
 
 
 def _doubt(problem: "Problem", tree: QuantityRef, value: float, off: Callable[..., float]) -> float:

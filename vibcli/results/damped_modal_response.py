@@ -54,7 +54,7 @@ class DampedModalResponse(ModalResponse):
         """Its damped modes."""
         modal = self.problem.modal
         if self.part is None:
-            return modal.damped
+            return cast("Modes", modal.damped)
         from vibcli.analyses.modal.mode_sequence import Modes
         from vibcli.analyses.modal.modes import damped_modes
 
@@ -112,18 +112,18 @@ class DampedModalResponse(ModalResponse):
         if series.resting != basis.at_rest:
             raise PhysicsError("motions that nothing holds are not told from those that creep",
                                "hold them, or damp them more")
-        modes = ComplexModes(basis, self._felt(basis), (*self._start(basis), self._dragged(basis)),
+        modes = ComplexModes(basis, self._felt(basis), (*self._start(basis), *self._dragged(basis)),
                              None if self.let_go else self._left_out)
         return ModalMotion(modes, self._transfer, self._forces, self.problem.work)
 
     def _left_out(self, modes: "ComplexModes") -> "LeftOutEnergy":
         """The LeftOutEnergy."""
+        from vibcli.analyses.continuous.field_start import FieldStart
         from vibcli.analyses.continuous.left_out_energy import LeftOutEnergy
-        from vibcli.analyses.continuous.start_energy import start_energy
 
-        transfer, in_fields = self._transfer, any(part is not None for given in self.fields for part in given)
-        twice = start_energy(transfer, self.deviations, self.fields) if in_fields else None
-        return LeftOutEnergy(modes, transfer, self.deviations, twice)
+        in_fields = any(part is not None for given in self.fields for part in given)
+        start = FieldStart(self._transfer, self.deviations, self.fields) if in_fields else None
+        return LeftOutEnergy(modes, self._transfer, self.deviations, start)
 
     @cached_property
     def _known(self) -> "list[Known | DampedSeries]":
@@ -137,13 +137,17 @@ class DampedModalResponse(ModalResponse):
             raise PhysicsError(f"the motion in time of this scene is not found: {error}", "ask for steady(…)") from None
         return [within_region(damped.region)]
 
-    def _dragged(self, basis: "DampedBasis") -> "np.ndarray":
-        """φᵀ C u at t = 0."""
-        found: np.ndarray = basis.shapes.T @ (self.matrices[1] @ self.deviations[0])
-        for number, placed in enumerate(basis.placed):
-            if placed.piece.drag:
-                found = found + placed.piece.drag / placed.piece.inertia * self._displaced(basis, number)
-        return found
+    def _dragged(self, basis: "DampedBasis") -> "tuple[np.ndarray, np.ndarray]":
+        """φᵀ C u and φᵀ C v at t = 0."""
+        from vibcli.analyses.continuous.modal_start import of_field
+
+        place, speed = (basis.shapes.T @ (self.matrices[1] @ part) for part in self.deviations)
+        for number, one in enumerate(basis.placed):
+            if one.piece.drag:
+                rate, given = one.piece.drag / one.piece.inertia, self.fields[number][1]
+                place = place + rate * self._displaced(basis, number)
+                speed = speed + rate * (0.0 if given is None else of_field(basis, number, given, 0))
+        return place, speed
 
     @property
     def _dying(self) -> "Sequence[DampedMode]":

@@ -136,7 +136,7 @@ class FullSignal(Signal):
 
         scene, arguments = self.motion.problem.scene, [part.args[0] for part in signs]
 
-        def of_states(t: float, q: "np.ndarray", v: "np.ndarray") -> Any:
+        def of_states(t: "np.ndarray", q: "np.ndarray", v: "np.ndarray") -> Any:
             return evaluate(arguments, Arrays, self.motion.named(trajectory.names, t, q, v))
 
         found = senses(trajectory, scene, arguments, evaluate(arguments, Arrays, values), times, of_states)

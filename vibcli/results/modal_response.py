@@ -3,7 +3,7 @@ strings whose waves are not followed."""
 
 from collections.abc import Callable, Mapping
 from functools import cached_property, partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.base.errors import PhysicsError
 from vibcli.results.damping_of_modes import damping_of_modes
@@ -55,7 +55,7 @@ class ModalResponse(ResponseOfMembers):
     def natural(self) -> "Modes":
         """Its modes without dampers."""
         if self.part is None:
-            return self.problem.modal.modes
+            return cast("Modes", self.problem.modal.modes)
         from vibcli.analyses.modal.mode_sequence import Modes
         from vibcli.analyses.modal.modes import natural_modes
 

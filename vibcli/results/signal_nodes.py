@@ -1,6 +1,5 @@
 """Signals as nodes: names that are read off a motion may prove to be one and the same."""
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
@@ -9,11 +8,13 @@ from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import ExpressionError
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
 
 
-def node_of_signal(tree: Any, table: "Table", symbol: Callable) -> "Node":
+def node_of_signal(tree: Any, table: "Table", symbol: "Callable[..., Node]") -> "Node":
     """The node of a signal; PhysicsError where a difference of what is one is divided by or has its logarithm taken."""
     try:
         node = lower(tree, table, symbol)
@@ -24,5 +25,5 @@ def node_of_signal(tree: Any, table: "Table", symbol: Callable) -> "Node":
     return node
 
 
-def _refused(verb, hint="look for a difference that vanishes"):
+def _refused(verb: str, hint: str = "look for a difference that vanishes") -> PhysicsError:
     return PhysicsError(f"this signal {verb} what is zero, or lost in rounding, all along", hint)

@@ -6,6 +6,7 @@ sums and products use the operators of the numbers themselves.
 
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic import discontinuous_functions
@@ -166,6 +167,14 @@ def evaluate_rational(nodes: "Sequence[Node]", values: Mapping[str, Fraction]) -
 
 def multiprecision() -> Any:
     """mpmath numbers at the working precision of mpmath.mp."""
+    import mpmath
+
+    return _of_precision(mpmath.mp.prec)
+
+
+@cache
+def _of_precision(binary_digits: int) -> Any:
+    """Those while mpmath.mp has so many binary digits."""
     import mpmath
 
     class Multiprecision:

@@ -1,9 +1,14 @@
 """Signs before brackets, as books have them."""
 
+import math
+import random
+
 import pytest
 
 from vibcli.notation.latex import latex
 from vibcli.notation.plain import plain
+from vibcli.notation.scene_language import language
+from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression import Table
 
 SAMPLE = {"a": 1.2, "b": 1.5, "h": 0.5, "k": 30.0, "c": 26.0, "R": 2.0, "r": 1.0}
@@ -51,14 +56,46 @@ def test_couplings_are_written_in_the_order_of_their_letters():
 
 
 def test_what_has_one_sign_keeps_it():
-    """R − r of two radii, R − R cos x, 1 − x, and letters alone."""
+    """R − r of two radii, R − R cos x, 1 − x, and terms of letters alone."""
     table, s = _table()
     assert plain(-(s["R"] - s["r"]) * s["x"]) == "−(R − r)·x"
     assert plain(-s["y"] * (s["R"] - s["R"] * table.call("cos", s["x"]))) == "−(R − R·cos\u00a0x)·y"
     assert plain(-s["k"] * (1 - s["x"])) == "−k·(1 − x)"
-    assert plain(-s["R"] * (s["b"] * s["k"] - s["a"] * s["c"])) == "−R·(b·k − a·c)"
+    assert plain(s["h"] - s["R"] * (s["b"] * s["k"] - s["a"] * s["c"])) == "h − R·(b·k − a·c)"
+    assert plain(-s["R"] * (s["b"] * s["k"] - s["a"] * s["c"])) == "R·(a·c − b·k)"
 
 
 def test_more_signs_are_never_made():
     _, s = _table()
     assert plain(-s["k"] * (s["h"] + s["a"] - s["x"])) == "−k·(a + h − x)"
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_turned_signs_keep_the_value(seed):
+    """Of products of differences, sines and cosines of them, alone and in sums, by Python's arithmetic on what is
+    written."""
+    draw, (table, s) = random.Random(seed), _table()
+    names = [*s]
+
+    def difference():
+        picked = draw.sample(names, draw.choice((2, 2, 3, 4)))
+        found = table.zero
+        for name in picked:
+            factor = s[draw.choice(names)] if draw.random() < 0.4 else table.one
+            found = found + draw.choice((-1, 1, -2)) * s[name] * factor
+        return found
+
+    def product():
+        found = table.number(draw.choice((-1, 1, -3)))
+        for _ in range(draw.choice((1, 2, 3))):
+            part = difference()
+            kind = draw.random()
+            part = table.call("sin", part) if kind < 0.2 else table.call("cos", part) if kind < 0.3 else part
+            found = found * (part ** draw.choice((1, 1, 1, 2, -1)))
+        return found
+
+    node = product() if seed % 2 else product() + product() * s["x"]
+    at = {name: draw.uniform(0.3, 2.0) for name in names}
+    value, = evaluate([node], Floats, at)
+    written = eval(language(node).replace("^", "**"), {"sin": math.sin, "cos": math.cos}, at)
+    assert written == pytest.approx(value, rel=1e-9, abs=1e-9)

@@ -45,7 +45,7 @@ def shown(line):
 def test_means_in_letters():
     of = told(ONE)
     wanted = {"mean(f.power)": "c·w²·X²/2", "rms(x)": "√2·X/2", "mean(x^4)": "3·X⁴/8",
-              "rms(x'')": "√2·w²·X/2", "mean(f.force*x)": "−X²·(m·w² − k)/2",
+              "rms(x'')": "√2·w²·X/2", "mean(f.force*x)": "X²·(k − m·w²)/2",
               "mean(T) - mean(s.energy)": "X²·(m·w² − k)/4"}
     for asked, node in wanted.items():
         assert shown(of[asked]).split(":  ")[1] == node

@@ -6,11 +6,11 @@ from support.modes_found_once import modes_found_once  # noqa: F401
 from support.scenes import problem
 
 from vibcli.api.reports import require_certified
-from vibcli.api.values import given_expression
+from vibcli.api.values import given_expression, quantity_asked
 from vibcli.base.errors import NoDigit, PhysicsError
 from vibcli.check.verdicts import check
 from vibcli.language.signals_of_places import with_places
-from vibcli.quantities.expression import measure
+from vibcli.quantities.expression import bounded, measure
 from vibcli.report.sections.motion_data import response_data
 from vibcli.report.sections.requested_signals import signals_asked
 from vibcli.report.sections.response import unknown_at, value_at
@@ -145,3 +145,12 @@ def test_a_diagram_of_forces_of_which_no_digit_is_known_is_refused(monkeypatch):
 def test_values_of_what_dies_out_beyond_floats_are_read_by_fewer_modes():
     fast = signals_asked(cantilever())[1].signal
     assert fast.read_at(1e-7).modal.count >= fast.modal.count
+
+
+def test_a_number_that_is_found_as_zero_may_be_off_by_its_bound(monkeypatch):
+    """It was taken to be exact."""
+    scene = cantilever()
+    monkeypatch.setattr("vibcli.results.known_digits.size_of", lambda signal, t: 1.0)
+    monkeypatch.setattr(ModalSignal, "values", lambda self, times: np.zeros(len(times)))
+    monkeypatch.setattr(ModalSignal, "error", lambda self, t: 1e-9)
+    assert bounded(scene, quantity_asked(scene.spec, "arm.u(L)(0.01 s)")) == (0.0, 1e-9)

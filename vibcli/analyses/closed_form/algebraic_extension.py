@@ -12,7 +12,7 @@ MOST = 1e8      # numbers by which common factors of two elements are looked for
 class Extension:
     """F[λ]/(p) for an irreducible p over a field F. `modulus`: [p₀, …, p_d] with p_d ≠ 0; `zero` of F."""
 
-    def __init__(self, field: Any, modulus: Sequence[Any]):
+    def __init__(self, field: Any, modulus: Sequence[Any]) -> None:
         self.field, self.zero, self.one = field, field(0), field(1)
         lead = modulus[-1]
         self.modulus = [c / lead for c in modulus]
@@ -49,7 +49,7 @@ class Extension:
             s = s[1], self.minus(s[0], self._product(quotient, s[1]))
         return self.reduced([c / r[1][0] for c in s[1]])
 
-    def _product(self, a, b):
+    def _product(self, a: Sequence[Any], b: Sequence[Any]) -> list[Any]:
         _require_short(a, b)
         found = [self.zero] * (len(a) + len(b) - 1)
         for i, x in enumerate(a):
@@ -57,7 +57,7 @@ class Extension:
                 found[i + j] += x * y
         return found
 
-    def _divided(self, a, b):
+    def _divided(self, a: Sequence[Any], b: Sequence[Any]) -> tuple[list[Any], list[Any]]:
         a, quotient = list(a), [self.zero] * max(0, len(a) - len(b) + 1)
         while len(a) >= len(b):
             _require_short(a, b, a[-1:])
@@ -84,7 +84,7 @@ class Extension:
             pivots.append(column)
         return [self._solution(n, work, pivots, free) for free in range(n) if free not in pivots]
 
-    def _solution(self, n, work, pivots, free):
+    def _solution(self, n: int, work: Sequence[list[list[Any]]], pivots: Sequence[int], free: int) -> list[list[Any]]:
         vector = [[] for _ in range(n)]
         vector[free] = [self.one]
         for row, column in zip(work, pivots, strict=False):
@@ -92,7 +92,7 @@ class Extension:
         return vector
 
 
-def unless_long(work: Callable, *args: Any) -> Any:
+def unless_long(work: Callable[..., Any], *args: Any) -> Any:
     """What work gives; None where it is TooLong."""
     try:
         return work(*args)
@@ -100,7 +100,7 @@ def unless_long(work: Callable, *args: Any) -> Any:
         return None
 
 
-def _require_short(*elements):
+def _require_short(*elements: Sequence[Any]) -> None:
     """TooLong where sums or products of their coefficients have. SymPy puts a number for one letter after the
     other, each as many times longer as that letter's degree (Char, Geddes & Gonnet, GCDHEU, 1989), so that the product
     of all degrees tells how long they become."""
@@ -110,7 +110,7 @@ def _require_short(*elements):
         raise TooLong
 
 
-def _trimmed(element):
+def _trimmed(element: list[Any]) -> list[Any]:
     while element and not element[-1]:
         element.pop()
     return element

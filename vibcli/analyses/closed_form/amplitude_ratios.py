@@ -43,7 +43,8 @@ def with_ratio(table: "Table", mode: "ClosedMode", M: "Mapping[tuple[int, int], 
     return mode
 
 
-def _quarter_period_apart(table, mode, M, G, K):
+def _quarter_period_apart(table: "Table", mode: "ClosedMode", M: "Mapping[tuple[int, int], Node]", G: Mapping[Any, Any],
+                          K: "Mapping[tuple[int, int], Node]") -> "Node":
     """q₂/(i q₁), a number where ω solves a quadratic equation and that makes it one."""
     whole = factored(_entry(table, M, K, 0, 0) / (table.parameter(OMEGA) * G[0, 1]))
     if mode.solves is None:
@@ -52,5 +53,6 @@ def _quarter_period_apart(table, mode, M, G, K):
     return whole if element is None else element
 
 
-def _entry(table, M, K, i, j):
+def _entry(table: "Table", M: "Mapping[tuple[int, int], Node]", K: "Mapping[tuple[int, int], Node]", i: int,
+           j: int) -> "Node":
     return K.get((i, j), table.zero) - table.parameter(OMEGA) ** 2 * M.get((i, j), table.zero)

@@ -1,7 +1,7 @@
 """The modes of one block in letters."""
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.closed_form.algebraic_extension import Extension, unless_long
 from vibcli.analyses.closed_form.amplitude_ratios import OMEGA, of_omega
@@ -13,7 +13,9 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.rationals import HALF
 
 if TYPE_CHECKING:
+    from vibcli.analyses.closed_form.characteristic_roots import Simple, Surd
     from vibcli.analyses.closed_form.decoupling import DecoupledBlock
+    from vibcli.analyses.closed_form.toeplitz_chains import Cosine
     from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
 
@@ -36,10 +38,13 @@ def block_modes(table: "Table", n: int, part: "DecoupledBlock", damping: "Mappin
     return modes, left
 
 
-def _mode(table, root, shape, shares, values):
+def _mode(table: "Table", root: "Simple | Surd | Turning | Cosine", shape: list[Any] | None,
+          shares: tuple[Any, Any] | None, values: Sequence[dict[str, float]]) -> ClosedMode:
     sign = -1 if evaluate([root.square], Floats, values[0])[0] < 0 else 1
+    if isinstance(root, Turning):       # G leaves no null vectors, and is told beside no damping
+        return ClosedMode(root.square, root.omega(values, sign), unstable=sign < 0, solves=root)
     mode = ClosedMode(root.square, root.omega(values, sign), shape and [root.value(x) for x in shape], sign < 0,
-                      root.pair, solves=root if isinstance(root, Turning) else None)
+                      root.pair)
     pair = root.pair if root.pair is not None and root.pair.in_letters else None
     if shape and pair:
         mode = mode._replace(pattern=[of_omega(pair.quotients, x) for x in shape])
@@ -50,7 +55,8 @@ def _mode(table, root, shape, shares, values):
                          zeta_pattern=pair and of_omega(pair.quotients, shares) / (2 * table.parameter(OMEGA)))
 
 
-def _amplitudes(chi, modulus, part, vector, n):
+def _amplitudes(chi: Characteristic, modulus: list[Any], part: "DecoupledBlock", vector: Sequence[list[Any]],
+                n: int) -> list[list[Any]]:
     """x = Σ column·y with the first amplitude that is not zero 1, as elements of F[λ]/(modulus)."""
     field = Extension(chi.quotients.field, modulus)
     found = [[] for _ in range(n)]

@@ -27,7 +27,7 @@ CALLS, LARGEST = 6_000_000, 6
 class Characteristic:
     """A block of M, C, G, K with its elements in a field of quotients, and the factors of its polynomial in λ."""
 
-    def __init__(self, table: "Table", n: int, matrices: Any, sample: Mapping[str, float]):
+    def __init__(self, table: "Table", n: int, matrices: Any, sample: Mapping[str, float]) -> None:
         nodes = [node for matrix in matrices for node in matrix.values()]
         self.sample, self.quotients = sample, Quotients(table, nodes)
         self.M, self.C, self.G, self.K = ([[self._element(matrix, i, j) for j in range(n)] for i in range(n)]
@@ -35,10 +35,10 @@ class Characteristic:
         polynomial = within(CALLS, self._determinant, None)
         self.factors = self._split(polynomial) if polynomial else []
 
-    def _element(self, matrix, i, j):
+    def _element(self, matrix: "Mapping[tuple[int, int], Node]", i: int, j: int) -> Any:
         return self.quotients(matrix[i, j]) if (i, j) in matrix else self.quotients.field(0)
 
-    def _determinant(self):
+    def _determinant(self) -> Any:
         """det(s²M + sG + K) with λ = −s², a polynomial of the ring but for its denominators."""
         s = self.quotients.unknown
         rows = [[k + s * g + s * s * m for m, g, k in zip(*row, strict=True)]
@@ -47,12 +47,12 @@ class Characteristic:
         whole = determinant(rows, self.quotients.ring)
         return self._in_lambda(self.quotients.settled(self.quotients.field(whole)).numer)
 
-    def _in_lambda(self, polynomial):
+    def _in_lambda(self, polynomial: Any) -> Any:
         halved = {(*powers[:-1], powers[-1] // 2): value * (-1) ** (powers[-1] // 2)
                   for powers, value in polynomial.terms()}
         return self.quotients.ring.from_dict(halved)
 
-    def _split(self, polynomial):
+    def _split(self, polynomial: Any) -> list[tuple[list[Any], int]]:
         """[(coefficients from the lowest, multiplicity)] of the factors that hold λ."""
         _, factors = self.quotients.factors(polynomial)
         parts = [(self.quotients.coefficients(factor), power) for factor, power in factors]
@@ -61,7 +61,9 @@ class Characteristic:
     def roots(self, modulus: Sequence[Any]) -> "Sequence[Simple | Surd | Turning | Cosine] | None":
         """The solutions of a factor, None where there are none that are short."""
         turns = any(map(any, self.G))
-        return within(CALLS, lambda: solutions(self.quotients, modulus, self.sample, turns), None)
+        found: Sequence[Simple | Surd | Turning | Cosine] | None = within(
+            CALLS, lambda: solutions(self.quotients, modulus, self.sample, turns), None)
+        return found
 
     def null_vectors(self, modulus: Sequence[Any]) -> "list[list[list[FracElement]]]":
         """A basis of (K − λM) x = 0 as elements of F[λ]/(modulus); none where that takes too long, or where G turns."""
@@ -69,14 +71,15 @@ class Characteristic:
             return []
         field = Extension(self.quotients.field, modulus)
 
-        def work():
+        def work() -> "list[list[list[Any]]]":
             rows = [[field.reduced([k, -m]) for m, k in zip(*row, strict=True)]
                     for row in zip(self.M, self.K, strict=True)]
             try:
                 return field.null_vectors(rows)
             except (IndexError, ZeroDivisionError, TooLong):     # or the polynomial was not factored
                 return []
-        return within(CALLS, work, [])
+        found: list[list[list[FracElement]]] = within(CALLS, work, [])
+        return found
 
     def polynomial(self, modulus: Sequence[Any]) -> "list[Node]":
         """The coefficients of an unsolved factor from the highest, as nodes."""
@@ -97,4 +100,5 @@ def determinant(rows: Sequence[list[dict[tuple[Any, ...], Any]]], ring: Any) -> 
                     key = tuple(sorted((*rest, column)))
                     found[key] = found.get(key, ring(0)) + row[column] * minor * sign
         minors = found
-    return minors.get(tuple(range(n)), ring(0))
+    result: dict[tuple[int, ...], Any] = minors.get(tuple(range(n)), ring(0))
+    return result

@@ -24,7 +24,7 @@ class Simple:
 
     pair = None
 
-    def __init__(self, quotients: "Quotients", modulus: Sequence[Any]):
+    def __init__(self, quotients: "Quotients", modulus: Sequence[Any]) -> None:
         self.quotients, self.square = quotients, quotients.node(-modulus[0] / modulus[1])
 
     def value(self, element: Sequence[Any]) -> "Node":
@@ -39,7 +39,7 @@ class Simple:
 class Surd:
     """One of the two roots of p₂λ² + p₁λ + p₀."""
 
-    def __init__(self, pair: Pair, sign: int):
+    def __init__(self, pair: Pair, sign: int) -> None:
         self.pair, self.sign = pair, sign
         self.front, self.rest = pair.written(pair.rational, pair.factor * sign)
         self.square = self.front * self.rest
@@ -60,7 +60,7 @@ class Turning:
 
     pair = None
 
-    def __init__(self, pair: Pair, modulus: Sequence[Any], sign: int):
+    def __init__(self, pair: Pair, modulus: Sequence[Any], sign: int) -> None:
         self.parts, self.modulus = pair, modulus
         front, rest = pair.written(pair.rational, pair.factor * sign)
         self.sign = 1 if evaluate([front * rest], Floats, pair.sample)[0] > 0 else -1
@@ -73,7 +73,8 @@ class Turning:
         field = Extension(quotients.field, self.modulus)
         a, b = ([quotients(node) * self.sign ** i for i, node in enumerate(nodes)] for nodes in (above, below))
         found = unless_long(field.quotient, a, b)
-        return quotients.node(found[0]) if found is not None and len(found) == 1 else None
+        result: Node | None = quotients.node(found[0]) if found is not None and len(found) == 1 else None
+        return result
 
     def omega(self, samples: Sequence[dict[str, float]], sign: int = 1) -> "Node":
         return positive(self.frequency, samples)
@@ -95,7 +96,7 @@ def solutions(quotients: "Quotients", modulus: Sequence[Any], sample: Mapping[st
     return cosines(quotients, modulus)
 
 
-def _turning(quotients, modulus, sample):
+def _turning(quotients: "Quotients", modulus: Sequence[Any], sample: Mapping[str, float]) -> list[Turning] | None:
     """The roots of p(ω²) where it falls into two quadratic factors q(ω)·q(−ω), else None."""
     unknown = quotients.unknown.numer
     whole = sum((c.numer * unknown ** (2 * i) for i, c in enumerate(modulus)), quotients.ring(0))

@@ -1,10 +1,13 @@
 """What closed forms are: frequencies, shapes and damping as expressions."""
 
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.symbolic.nested_form import letters
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
 
 ROUNDED = 10**12    # a denominator of numbers that stand for roots
 READABLE, LONGEST = 50, 100     # letters in all amplitudes of a mode, and of an expression, above which it is not read
@@ -20,11 +23,11 @@ class ClosedMode(NamedTuple):
 
     square: Any
     omega: Any
-    shape: list = None
+    shape: "list[Node] | None" = None
     unstable: bool = False
     pair: Any = None
     index: int = 1  # type: ignore[assignment]
-    pattern: list = None
+    pattern: "list[Node] | None" = None
     turns: bool = False
     solves: Any = None
     zeta: Any = None
@@ -54,7 +57,7 @@ class ClosedForms(NamedTuple):
     from the highest; critical: (symbol, value) of the damping coefficient for which ζ = 1, or None;
     numbered: of a member, which has modes without end, the ClosedMode by its number, else None."""
 
-    modes: list
-    polynomials: list = []
-    critical: tuple = None
+    modes: list[ClosedMode]
+    polynomials: "list[list[Node]]" = []
+    critical: "tuple[Node, Node] | None" = None
     numbered: Any = None

@@ -20,7 +20,7 @@ def damps_each(parts: "Sequence[DecoupledBlock]", C: "Mapping[tuple[int, int], N
     return True
 
 
-def _vanishes(C, left, right):
+def _vanishes(C: "Mapping[tuple[int, int], Node]", left: Mapping[int, int], right: Mapping[int, int]) -> bool:
     terms = [(C[i, j], x * y) for i, x in left.items() for j, y in right.items() if (i, j) in C]
     return not terms or is_zero(terms[0][0].table.sum(*terms))
 

@@ -21,7 +21,7 @@ class DecoupledBlock:
 
     __slots__ = ("columns", "matrices")
 
-    def __init__(self, columns: Sequence[dict[int, int]], matrices: "Sequence[dict[tuple[int, int], Node]]"):
+    def __init__(self, columns: Sequence[dict[int, int]], matrices: "Sequence[dict[tuple[int, int], Node]]") -> None:
         self.columns, self.matrices = columns, matrices
 
     def __len__(self) -> int:
@@ -85,7 +85,7 @@ def congruent(table: "Table", matrix: "Mapping[tuple[int, int], Node]",
     return found
 
 
-def _combined(columns, column):
+def _combined(columns: Sequence[dict[int, int]], column: Mapping[int, int]) -> dict[int, int]:
     found = {}
     for a, x in column.items():
         for i, y in columns[a].items():
@@ -103,9 +103,9 @@ def symmetry(block: DecoupledBlock) -> list[tuple[int, int]] | None:
 class _Search:
     """Coordinate after coordinate is sent to itself or another one, with either sign, as long as the entries agree."""
 
-    exchange: list
+    exchange: list[tuple[int, int] | None]
 
-    def __init__(self, block: DecoupledBlock):
+    def __init__(self, block: DecoupledBlock) -> None:
         self.n, self.matrices, self.tried = len(block), block.matrices, 0
         self.exchange = [None] * self.n
 
@@ -140,7 +140,7 @@ class _Search:
         return True
 
 
-def _alike(matrix, pair, image, sign):
+def _alike(matrix: "Mapping[tuple[int, int], Node]", pair: tuple[int, int], image: tuple[int, int], sign: int) -> bool:
     here, there = matrix.get(pair), matrix.get(image)
     if here is None or there is None:
         return here is there

@@ -14,6 +14,7 @@ from vibcli.symbolic.radicals import root
 
 if TYPE_CHECKING:
     from vibcli.analyses.closed_form.frequency_response import Formula
+    from vibcli.symbolic.node import Node
 
 
 class Dimensionless(NamedTuple):
@@ -54,13 +55,13 @@ def dimensionless(formula: "Formula") -> Dimensionless | None:
     return Dimensionless(_simple(found[0]), found[1], root(_simple(k / m), samples), zeta)
 
 
-def _simple(node):
+def _simple(node: "Node") -> "Node":
     return shorter(textbook(node))
 
 
-def _holds(Omega, *nodes):
+def _holds(Omega: "Node", *nodes: "Node") -> bool:
     return Omega in reachable(nodes)
 
 
-def _positive(node):
+def _positive(node: "Node") -> bool:
     return node.table.is_positive(node)

@@ -7,7 +7,7 @@
 linear parts of its frequency function with impedances there, functions of θ = βl and under an axial force of η = αl.
 """
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -22,6 +22,7 @@ from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.rationals import HALF
 
 if TYPE_CHECKING:
+    from vibcli.analyses.closed_form.frequency_functions import Function
     from vibcli.mechanics.factored_system import PlacedPiece
     from vibcli.symbolic.node import Node
 
@@ -35,7 +36,7 @@ class WaveArguments(NamedTuple):
     wave_number: "Node"
     second: "Node | None" = None
 
-    def called(self, functions: tuple) -> "Node":
+    def called(self, functions: tuple[tuple[int, *tuple[str, ...]], ...]) -> "Node":
         """The product of functions, ((0, names), …)."""
         x = self.wave_number
         return x.table.product(*((x.table.call(name, (name in HYPERBOLIC and self.second) or x), 1)
@@ -50,7 +51,8 @@ class WaveArguments(NamedTuple):
         else:
             order = 2 if piece.bending.is_zero else 4
             force = force * (x / piece.length) ** order
-        return (force + piece.foundation) / piece.inertia
+        found: Node = (force + piece.foundation) / piece.inertia
+        return found
 
 
 def is_pulled(piece: Any) -> bool:
@@ -103,21 +105,22 @@ def end_stiffness(placed: "PlacedPiece", waves: WaveArguments, joints: Collectio
             (0, 1): _quotient(waves, _sum((less, HALF), (more, -HALF)), held, scales[2])}
 
 
-def _at(function, unknown, *values):
+def _at(function: "Function", unknown: "Sequence[Node]",
+        *values: "tuple[int, int, Fraction | int]") -> "list[Function]":
     """The functions with values for what is unknown."""
     number = unknown[0].table.number
     return [{names: substitute([node], dict(zip(unknown, map(number, one), strict=True)))[0]
              for names, node in function.items()} for one in values]
 
 
-def _parted(function, unknown):
+def _parted(function: "Function", unknown: "Node") -> "Function":
     """What stands before the unknown."""
     table = unknown.table
     return {names: textbook((node - substitute([node], {unknown: table.zero})[0]) / unknown)
             for names, node in function.items()}
 
 
-def _sum(*parts):
+def _sum(*parts: "tuple[Function, Fraction | int]") -> "Function":
     """Σ factor·function."""
     names = dict.fromkeys(name for function, _ in parts for name in function)
     found = {}
@@ -127,7 +130,8 @@ def _sum(*parts):
     return {one: node for one, node in found.items() if not node.is_zero}
 
 
-def _quotient(waves, above: Mapping, below: Mapping, scale):
+def _quotient(waves: WaveArguments, above: "Function",
+              below: "Function", scale: "Node") -> "tuple[Node, Node]":
     """(above, below) of scale·above/below."""
     table = waves.wave_number.table
     above, below = ({names: node for names, node in one.items() if not node.is_zero} for one in (above, below))
@@ -143,10 +147,10 @@ def _quotient(waves, above: Mapping, below: Mapping, scale):
     if not _in_letters(cleared):
         return textbook(scale) * raw[0], raw[1]
     (over, one), (under, other) = map(content, cleared)
-    return quotient(textbook(scale * one / other) * over / under)
+    return quotient(textbook(scale * (one / other)) * over / under)
 
 
-def _in_letters(nodes):
+def _in_letters(nodes: "list[Node]") -> bool:
     """Have sums no numbers but small ones?"""
     return all(is_small(Fraction(c)) for part in reachable(nodes) for c in (
         part.coefficient, *(c for _, c in (part.args if part.op == "sum" else ()))))

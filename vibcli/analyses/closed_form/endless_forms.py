@@ -24,6 +24,7 @@ from vibcli.symbolic.normal_form import textbook
 if TYPE_CHECKING:
     from vibcli.analyses.closed_form.member_frequencies import FrequencyEquation
     from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
 
 EVEN, SEARCHED = 16, 100        # roots from which on they are π apart; those of other equations that are told
@@ -43,15 +44,16 @@ def endless_forms(symbolic: "SymbolicSystem") -> ClosedForms | None:
     return ClosedForms([], numbered=lambda number: _mode(one, number))
 
 
-def _in_order(found, sample):
+def _in_order(found: "FrequencyEquation", sample: dict[str, float]) -> bool:
     """Is the first of them stable at the sample values, and is none pressed in a bed?"""
     piece, first = found.pieces[0].piece, _root(found, 1)
     square = substitute([found.square], {found.wave_number: first})[0]
     lowest, tension = evaluate([square, piece.tension], Floats, sample)
-    return lowest > 0 and (tension >= 0 or piece.foundation.is_zero)
+    result: bool = lowest > 0 and (tension >= 0 or piece.foundation.is_zero)
+    return result
 
 
-def _mode(found, number):
+def _mode(found: "FrequencyEquation", number: int) -> ClosedMode:
     """The ClosedMode so numbered, rigid ones first."""
     table, x, order = found.wave_number.table, found.wave_number, found.order
     elastic = number - (0 if unstrained(found) else rigid_motions(found))
@@ -73,7 +75,8 @@ def _root(found: "FrequencyEquation", number: int) -> "Node":
     table, resting = found.wave_number.table, unstrained(found)
     if right.is_zero and left.op == "call" and left.name in ("sin", "cos"):
         halves = 2 * number - (1 if left.name == "cos" else 2 * resting)
-        return table.pi * table.number(Fraction(halves, 2))
+        result: Node = table.pi * table.number(Fraction(halves, 2))
+        return result
     bare = all(Z is None or Z.is_zero for end in found.impedances for Z in end)
     wanted = min(number, EVEN) if bare else number
     told = roots(found, wanted) if wanted <= SEARCHED else None
@@ -82,5 +85,5 @@ def _root(found: "FrequencyEquation", number: int) -> "Node":
     return _digits(table, told[wanted - 1] + pi * (number - wanted), 17)
 
 
-def _digits(table, value, count):
+def _digits(table: "Table", value: float, count: int) -> "Node":
     return table.number(Fraction(f"{value:.{count}g}"))

@@ -5,7 +5,7 @@ Products of entries are not multiplied out, and sums have the sign that they hav
 textbook prints them. |H| = s √((N_r² + Ω²N_i²)/(D_r² + Ω²D_i²)), tan θ = Ω (N_r D_i − N_i D_r)/(N_r D_r + Ω²N_i D_i).
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters, PhysicsError
@@ -22,9 +22,13 @@ from vibcli.symbolic.rationals import ONE, ZERO
 from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
+    from typing import TypeVar
+
     from vibcli.mechanics.symbolic_system import SymbolicSystem
     from vibcli.mechanics.system import MechanicalSystem
     from vibcli.symbolic.node import Node
+
+    Place = TypeVar("Place", int, tuple[int, int])
 
 SQUARE = "Omega squared"        # the symbol of Ω² while a formula is being made
 MOST = 2                        # degrees of freedom
@@ -46,18 +50,20 @@ class Formula:
 
     __slots__ = ("Omega", "denominator", "numerator", "order", "peak", "poles", "scale", "short", "table", "zeros")
 
-    def __init__(self, table: Table, Omega: "Node", numerator: "Sequence[Node]", denominator: "Sequence[Node]",
-                 order: int, short: bool):
+    def __init__(self, table: Table, Omega: "Node", numerator: "tuple[Node, Node]", denominator: "tuple[Node, Node]",
+                 order: int, short: bool) -> None:
         w, square = table.variable(SQUARE), {table.variable(SQUARE): Omega * Omega}
         self.table, self.Omega, self.order, self.short = table, Omega, order, short
         nothing = _nothing(numerator)
-        self.poles, self.zeros = (None if nothing else _root(parts, w) for parts in (denominator, numerator))
+        self.poles, self.zeros = (None if nothing else _root(pair, w) for pair in (denominator, numerator))
         self.scale = _common(table, numerator)
-        self.denominator = tuple(substitute([denominator[0], _simple(denominator[1])], square))
-        numerator = [_simple(part / self.scale) for part in numerator]
-        self.numerator = tuple(substitute(numerator, square))
+        real, imaginary = substitute([denominator[0], _simple(denominator[1])], square)
+        self.denominator = real, imaginary
+        parts = [_simple(part / self.scale) for part in numerator]
+        real, imaginary = substitute(parts, square)
+        self.numerator = real, imaginary
         peaked = short and not order and not nothing
-        self.peak = _peak(self.scale, Omega, numerator, denominator, w) if peaked else None
+        self.peak = _peak(self.scale, Omega, parts, denominator, w) if peaked else None
 
     @property
     def vanishes(self) -> bool:
@@ -92,7 +98,7 @@ class Formula:
                                                                                       self.denominator)]
         return squares[0] * (self.scale * self.Omega**self.order) ** 2, squares[1]
 
-    def _size(self, parts):
+    def _size(self, parts: "tuple[Node, Node]") -> "Node":
         real, imaginary = parts
         if imaginary.is_zero:
             return real if not real.mask and self.table.is_positive(real) else self.table.sqrt(real * real)
@@ -158,15 +164,16 @@ def from_parts(symbolic: "SymbolicSystem", b: "Sequence[dict[int, Any]]", c: "Se
     direct = _pair(d, 0, w, zero)
     if not all(part.is_zero for part in direct):
         parts.append(_times(direct, det, w))
-    numerator = tuple(table.sum(*((part[k], ONE) for part in parts)) for k in (0, 1))
-    return Formula(table, Omega, numerator, det, order, n == 1)
+    real, imaginary = (table.sum(*((part[k], ONE) for part in parts)) for k in (0, 1))
+    return Formula(table, Omega, (real, imaginary), det, order, n == 1)
 
 
-def _determinant(D, w):
+def _determinant(D: "Sequence[list[tuple[Node, Node]]]", w: "Node") -> "tuple[Node, Node]":
     return D[0][0] if len(D) == 1 else _minus(_times(D[0][0], D[1][1], w), _times(D[0][1], D[1][0], w))
 
 
-def _slowly(sample, Omega, matrices):
+def _slowly(sample: Mapping[str, float], Omega: "Node",
+            matrices: "Sequence[dict[tuple[int, int], Node]]") -> dict[str, float]:
     """Sample values with Ω near zero, where letters of its own make it."""
     held = set(reachable([node for entries in matrices for node in entries.values()]))
     own = {part.name for part in reachable([Omega]) if part.op == "symbol" and part not in held}
@@ -174,7 +181,7 @@ def _slowly(sample, Omega, matrices):
         name: SLOW for name in own if name not in sample}
 
 
-def _common(table, nodes):
+def _common(table: Table, nodes: "tuple[Node, Node]") -> "Node":
     """The letters that all terms of the nodes have in common."""
     try:
         monomials = [dict(monomial) for node in nodes for monomial in expanded(node)]
@@ -185,41 +192,42 @@ def _common(table, nodes):
     return table.product(*((atom, e) for atom, e in least if e > 0))
 
 
-def _simple(node):
+def _simple(node: "Node") -> "Node":
     return shorter(textbook(node))
 
 
-def _copied(parts, table):
+def _copied(parts: "Sequence[Mapping[Place, Node]]", table: Table) -> "list[dict[Place, Node]]":
     return [dict(zip(part, copied(list(part.values()), table), strict=True)) for part in parts]
 
 
-def _pair(parts, i, w, zero):
+def _pair(parts: "Sequence[dict[int, Node]]", i: int, w: "Node", zero: "Node") -> "tuple[Node, Node]":
     """(even, odd over iΩ) of entry i of a polynomial in s, s² = −Ω²."""
     zeroth, first, second = (part.get(i, zero) for part in parts)
     return zeroth - w * second, first
 
 
-def _taking_part(D, b, c):
+def _taking_part(D: "Sequence[list[tuple[Node, Node]]]", b: "Sequence[tuple[Node, Node]]",
+                 c: "Sequence[tuple[Node, Node]]") -> "Sequence[int]":
     """The coordinates that H depends on: of two that are not coupled those that are driven and seen; one at least."""
     if len(D) == 1 or not _nothing(D[0][1], D[1][0]):
         return range(len(D))
     return [i for i in range(len(D)) if not _nothing(b[i]) and not _nothing(c[i])] or [0]
 
 
-def _nothing(*pairs):
+def _nothing(*pairs: "tuple[Node, Node]") -> bool:
     return all(part.is_zero for pair in pairs for part in pair)
 
 
-def _times(one, two, w):
+def _times(one: "tuple[Node, Node]", two: "tuple[Node, Node]", w: "Node") -> "tuple[Node, Node]":
     (a, b), (c, d) = one, two
     return a * c - w * (b * d), a * d + b * c
 
 
-def _minus(one, two):
+def _minus(one: "tuple[Node, Node]", two: "tuple[Node, Node]") -> "tuple[Node, Node]":
     return one[0] - two[0], one[1] - two[1]
 
 
-def _adjugate(D, i, j, zero):
+def _adjugate(D: "Sequence[list[tuple[Node, Node]]]", i: int, j: int, zero: "Node") -> "tuple[Node, Node]":
     """Entry (i, j) of adj D."""
     if len(D) == 1:
         return zero + 1, zero
@@ -228,7 +236,7 @@ def _adjugate(D, i, j, zero):
     return -D[i][j][0], -D[i][j][1]
 
 
-def _root(parts, w):
+def _root(parts: "tuple[Node, Node]", w: "Node") -> "Node | None":
     """Ω at which an undamped part vanishes, where it is linear in Ω² and not always of one sign; None elsewhere."""
     real, imaginary = parts
     real = textbook(real)
@@ -239,7 +247,8 @@ def _root(parts, w):
     return None if square.is_zero or w.table.is_positive(-square) else w.table.sqrt(square)
 
 
-def _peak(scale, Omega, numerator, denominator, w):
+def _peak(scale: "Node", Omega: "Node", numerator: "Sequence[Node]", denominator: "tuple[Node, Node]",
+          w: "Node") -> Peak | None:
     """The Peak of s/|k − mΩ² + iΩc|, for c² < 2km: Ω² = k/m − c²/(2m²), and 2k²/(2km − c²) where s, or what stands
     above, has the factor Ω²; None of other responses."""
     real, c = denominator

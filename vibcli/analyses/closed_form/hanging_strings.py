@@ -6,7 +6,7 @@
 so that a chain that hangs from one end has J₀(z) = 0 there, ω = z/2·√(g/L).
 """
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.closed_form.free_letters import FREQUENCY, IMPEDANCES, free_letter, free_letters
@@ -19,6 +19,7 @@ from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
     from vibcli.mechanics.factored_system import PlacedPiece
+    from vibcli.numerics.pieces.piece import Piece
     from vibcli.symbolic.node import Node
 
 ENDS = ("z", "theta", "eta")
@@ -30,17 +31,17 @@ class HangingString(NamedTuple):
     other end and of impedances; the Bessel function whose zeros are the roots, or None; X = J₀(ζ) − σ Y₀(ζ) with the
     square of ζ/z as a function of the place and σ, None where X is J₀ alone; the coordinates of what hangs on it."""
 
-    members: tuple
+    members: tuple[str, ...]
     pieces: "list[PlacedPiece]"
     left: "Node"
     right: "Node"
     wave_number: "Node"
     omega: "Node"
     square: "Node"
-    named: list
+    named: "list[tuple[Node, Node]]"
     zeros_of: str | None
     sigma: "Node | None"
-    hung: list
+    hung: list[int]
 
     def along(self, place: "Node") -> "Node":
         """ζ at a place from the left end."""
@@ -88,7 +89,8 @@ def tensions(piece: Any) -> "tuple[Node, Node]":
 class _Ends:
     """What holds at the ends of one, (q₁, q₀) of q₁ f₁(z) + q₀ f₀(z) = 0, f of J or Y."""
 
-    def __init__(self, piece, pulls, ends, omega, taken):
+    def __init__(self, piece: "Piece", pulls: "Sequence[Node]", ends: "Sequence[Node]", omega: "Node",
+                 taken: Collection[str]) -> None:
         self.piece, self.tensions, self.ends, self.omega, self.taken = piece, pulls, ends, omega, taken
         self.table, self.letters = omega.table, {}
         self.calls = {(name, side): self.table.call(name, ends[side]) for names, side in (
@@ -106,7 +108,7 @@ class _Ends:
             Z = substitute([Z], {self.omega: self.table.sqrt(own)})[0]
         return self.table.one, textbook((-2 if side else 2) * Z / (piece.gradient * z))
 
-    def _lettered(self, Z):
+    def _lettered(self, Z: "Node") -> "Node":
         known = next((letter for letter, one in self.letters.items() if one is Z), None)
         taken = {*self.taken, *(one.name for one in self.letters)}
         letter = known or self.table.parameter(free_letter(taken, IMPEDANCES))
@@ -116,9 +118,10 @@ class _Ends:
     def of(self, part: Any, side: int, functions: tuple[str, str]) -> "Node":
         """q₁ f₁ + q₀ f₀ of J or of Y."""
         zero, one = (self.calls[name, side] for name in functions)
-        return part[0] * one + part[1] * zero
+        found: Node = part[0] * one + part[1] * zero
+        return found
 
-    def equation(self, parts: list) -> "tuple[Node, Node, str | None]":
+    def equation(self, parts: "Sequence[tuple[Node, Node] | None]") -> "tuple[Node, Node, str | None]":
         """(left side, right side, the function whose zeros are the roots or None)."""
         if None in parts:
             side = 1 - parts.index(None)
@@ -130,7 +133,7 @@ class _Ends:
         (size, lead), *rest = [(size, crossed) for size, crossed in terms if not size.is_zero]
         return lead, self.table.total([-textbook(one / size) * crossed for one, crossed in rest]), None
 
-    def _crossed(self, i, j):
+    def _crossed(self, i: int, j: int) -> "Node":
         """J_i(z₁) Y_j(z₂) − Y_i(z₁) J_j(z₂)."""
         calls = self.calls
         return calls[FIRST[i], 0] * calls[SECOND[j], 1] - calls[SECOND[i], 0] * calls[FIRST[j], 1]

@@ -25,7 +25,7 @@ def coupled(entries: "Collection[tuple[int, int]]", start: Collection[int]) -> s
     return found
 
 
-def acting(M: Any, K: Any, moving: Collection[int], square: "Node") -> "tuple[dict, list[int]]":
+def acting(M: Any, K: Any, moving: Collection[int], square: "Node") -> "tuple[dict[tuple[int, int], Node], list[int]]":
     """({(i, j): Z} of the coordinates that members move, those that hang on them); `square`: ω²."""
     zero = square.table.zero
     inside = coupled({*M, *K}, moving)
@@ -42,7 +42,7 @@ def acting(M: Any, K: Any, moving: Collection[int], square: "Node") -> "tuple[di
     return {pair: written for pair, node in Z.items() if not (written := _shortest(node)).is_zero}, hung
 
 
-def _without(Z, row, column, own):
+def _without(Z: "Node", row: "Node", column: "Node", own: "Node") -> "Node":
     """Z − row·column/own; k − M ω² − k²/(k − m ω²) of an oscillator as −M ω² − k m ω²/(k − m ω²)."""
     freed, rest = textbook(Z + row), textbook(own + column)
     if row is column and _count(freed) < _count(Z):
@@ -50,12 +50,12 @@ def _without(Z, row, column, own):
     return Z - row * column / own
 
 
-def _count(node):
+def _count(node: "Node") -> int:
     """Of the terms of a sum."""
     return 0 if node.is_zero else len(node.args) + bool(node.coefficient) if node.op == "sum" else 1
 
 
-def _shortest(node):
+def _shortest(node: "Node") -> "Node":
     return min((node, textbook(node), single(node)), key=letters)
 
 
@@ -72,7 +72,8 @@ def over(Z: "Node", scale: "Node") -> "Node":
     return table.total([single(term / scale ** 2) for term in terms])
 
 
-def at_station(rows: "Sequence[Mapping[int, Node]]", Z: "Mapping[tuple[int, int], Node]", zero: "Node") -> tuple:
+def at_station(rows: "Sequence[Mapping[int, Node]]", Z: "Mapping[tuple[int, int], Node]",
+               zero: "Node") -> "tuple[Node | None, ...]":
     """The impedances of the motions of a station, None of what is held, and of two motions what couples them where
     anything does; `rows`: the motions by coordinates, as many as move."""
     if all(len(row) < 2 for row in rows):

@@ -1,6 +1,6 @@
 """Several degrees of freedom in letters: block after block, the modes of each from its characteristic polynomial."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.analyses.closed_form.amplitude_ratios import with_ratio
@@ -20,6 +20,7 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.time_limit import within
 
 if TYPE_CHECKING:
+    from vibcli.analyses.closed_form.closed_forms import ClosedMode
     from vibcli.analyses.modal.modal_analysis import ModalAnalysis
     from vibcli.mechanics.symbolic_system import SymbolicSystem
     from vibcli.symbolic.node import Node
@@ -39,7 +40,7 @@ def several(symbolic: "SymbolicSystem", modal: "ModalAnalysis", M: "Mapping[tupl
     values = [candidate.numeric.floats for candidate in candidates]
     damping = C if C and not G and damps_each(parts, C) else {}
 
-    def solved():
+    def solved() -> "list[tuple[list[ClosedMode], list[list[Node]]]]":
         return [block_modes(table, n, part, congruent(table, damping, part.columns), values) for part in parts]
 
     found = within(CALLS, solved, [])
@@ -52,7 +53,8 @@ def several(symbolic: "SymbolicSystem", modal: "ModalAnalysis", M: "Mapping[tupl
     return ClosedForms(_confirmed(modes, candidates), left)
 
 
-def _numbered(modes, left, values):
+def _numbered(modes: "Sequence[ClosedMode]", left: "Sequence[list[Node]]",
+              values: dict[str, float]) -> "list[ClosedMode]":
     """The modes sorted, each with its number among all at the sample values."""
     squares = evaluate([mode.square for mode in modes], Floats, values)
     others = [x for polynomial in left for x in roots_in_numbers(polynomial, values)]
@@ -61,7 +63,7 @@ def _numbered(modes, left, values):
             for i, (square, mode) in enumerate(ascending)]
 
 
-def _confirmed(modes, candidates):
+def _confirmed(modes: "Sequence[ClosedMode]", candidates: "list[ModalAnalysis]") -> "list[ClosedMode]":
     """The modes without shapes and damping ratios that do not hold in numbers."""
     found = []
     for mode in modes:

@@ -27,9 +27,14 @@ from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.rationals import HALF
 
 if TYPE_CHECKING:
+    from vibcli.analyses.closed_form.frequency_functions import Function
     from vibcli.mechanics.factored_system import PlacedPiece
+    from vibcli.mechanics.linearisation import Linearisation
     from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.numerics.pieces.piece import Piece
     from vibcli.symbolic.node import Node
+
+    Impedances = tuple[Node | None, ...]        # of the motions of a station
 
 MOST = 2            # pieces of a chain whose equation is written out
 WAVE_NUMBER, SECOND = "βL", "αL"     # products, as notation.names reads them
@@ -43,18 +48,18 @@ class FrequencyEquation(NamedTuple):
     impedance} by ω of what stands there as a letter, and the coordinates of what hangs on the stations; of a beam under
     an axial force αL besides, the argument of sinh and cosh, and its square by βL."""
 
-    members: tuple
+    members: tuple[str, ...]
     order: int
     wave_number: "Node"
     omega: "Node"
     square: "Node"
-    arguments: list
-    function: dict
+    arguments: "list[Node]"
+    function: "Function"
     pieces: "list[PlacedPiece]"
-    impedances: "list[tuple]"
-    standing: "list[tuple]"
+    impedances: "list[tuple[Node | None, ...]]"
+    standing: "list[tuple[Node | None, ...]]"
     letters: "dict[Node, Node]"
-    hung: list
+    hung: list[int]
     second: "Node | None" = None
     second_square: "Node | None" = None
 
@@ -77,7 +82,7 @@ class FrequencyEquation(NamedTuple):
         other = {} if self.second is None else {self.second: table.sqrt(self.second_square)}
         return substitute(substitute(list(nodes), self.letters), {self.omega: table.sqrt(self.square), **other})
 
-    def called(self, functions: tuple) -> "Node":
+    def called(self, functions: tuple[tuple[int, *tuple[str, ...]], ...]) -> "Node":
         """The product of functions of the arguments, ((number of the piece, names), …)."""
         return self.omega.table.product(*((self.omega.table.call(name, (
             name in HYPERBOLIC and self.second) or self.arguments[piece]), 1) for piece, *names in functions
@@ -99,7 +104,7 @@ def frequency_equations(symbolic: "SymbolicSystem") -> "list[FrequencyEquation |
 
 def chains(pieces: "Sequence[PlacedPiece]") -> "list[list[PlacedPiece]]":
     """The pieces in chains from left to right, those of each member and of members that begin where others end."""
-    found: list = []
+    found: list[list[PlacedPiece]] = []
     for piece in pieces:
         if found and found[-1][-1].owner == piece.owner:
             found[-1].append(piece)
@@ -113,14 +118,14 @@ def chains(pieces: "Sequence[PlacedPiece]") -> "list[list[PlacedPiece]]":
     return found
 
 
-def _end(placed, side):
+def _end(placed: "PlacedPiece", side: int) -> "tuple[dict[int, Node], ...]":
     """The rows of its left (0) or right (1) end; () where all of that is held."""
     half = len(placed.rows) // 2
     rows = placed.rows[side * half:][:half]
     return tuple(rows) if any(rows) else ()
 
 
-def _equation(form, chain, taken):
+def _equation(form: "Linearisation", chain: "list[PlacedPiece]", taken: set[str]) -> FrequencyEquation | None:
     chain = _joined(form, chain)
     pulled = [part for part in chain if not (part.piece.bending.is_zero or part.piece.tension.is_zero)]
     if len(chain) > (1 if pulled else MOST) or not all(part.piece.gradient.is_zero for part in chain):
@@ -154,7 +159,7 @@ def _equation(form, chain, taken):
         impedances=[tuple(Z and textbook(*found.by_wave_number(Z)) for Z in end) for end in at_stations])
 
 
-def _joined(form, chain):
+def _joined(form: "Linearisation", chain: "list[PlacedPiece]") -> "list[PlacedPiece]":
     """The chain with stretches as one that are alike and meet where nothing acts on them."""
     if len(chain) < 2:
         return chain
@@ -174,26 +179,26 @@ def _joined(form, chain):
     return found
 
 
-def _second(x, taken):
+def _second(x: "Node", taken: set[str]) -> "Node":
     """αL, or a letter for it where βL is one."""
     second = x.table.parameter(SECOND if x.name == WAVE_NUMBER else free_letter({*taken, x.name}, ARGUMENTS))
     in_order(second)
     return second
 
 
-def _square_of_both(piece, x, second, length):
+def _square_of_both(piece: "Piece", x: "Node", second: "Node", length: "Node") -> "Node":
     """ω² of a beam under an axial force: EI α²β² + k = μ ω²."""
     return textbook((piece.bending * x ** 2 * second ** 2 / length ** 4 + piece.foundation) / piece.inertia)
 
 
-def _wave_number(length, taken):
+def _wave_number(length: "Node", taken: set[str]) -> "Node":
     """βL, or a letter for it where L is not the length."""
     table = length.table
     alike = "L" not in taken or length is table.parameter("L")
     return table.parameter(WAVE_NUMBER if alike else free_letter(taken, ARGUMENTS))
 
 
-def _pieces(chain, square, x, length):
+def _pieces(chain: "Sequence[PlacedPiece]", square: "Node", x: "Node", length: "Node") -> list[UniformPiece] | None:
     """A UniformPiece of each by β of the first; None where one stands on a foundation of its own."""
     first, found = chain[0].piece, []
     for part in chain:
@@ -208,7 +213,8 @@ def _pieces(chain, square, x, length):
     return found
 
 
-def _lettered(impedances, omega, taken, bedded):
+def _lettered(impedances: "Sequence[tuple[Node | None, ...]]", omega: "Node", taken: set[str],
+              bedded: bool) -> "tuple[dict[Node, Node], list[tuple[Node | None, ...]]]":
     """{letter: impedance} of what is neither a spring nor an inertia alone, and the impedances with these letters."""
     many = dict.fromkeys(Z for end in impedances for Z in end if Z is not None and stands_apart(Z, omega, bedded))
     names = free_letters(taken, IMPEDANCES, len(many))
@@ -216,7 +222,8 @@ def _lettered(impedances, omega, taken, bedded):
     return {letter: Z for Z, letter in letters.items()}, [tuple(letters.get(Z, Z) for Z in end) for end in impedances]
 
 
-def _without_units(pieces, impedances):
+def _without_units(pieces: Sequence[UniformPiece], impedances: "Sequence[Impedances]",
+                   ) -> "tuple[list[UniformPiece], list[Impedances]]":
     """β, the stiffness S and the impedances of several pieces by those of the first: β/β₁, S/S₁, Z/(S₁ β₁³) of the
     displacement of a beam, Z/(S₁ β₁) of what has one motion or of a turn,
     Z/(S₁ β₁²) of what couples both."""
@@ -227,17 +234,19 @@ def _without_units(pieces, impedances):
             for end in impedances]
 
 
-def _stiffness(piece):
-    return piece.tension if piece.bending.is_zero else piece.bending
+def _stiffness(piece: "Piece") -> "Node":
+    found: Node = piece.tension if piece.bending.is_zero else piece.bending
+    return found
 
 
-def _stations(chain):
+def _stations(chain: "Sequence[PlacedPiece]") -> "list[tuple[dict[int, Node], ...]]":
     """[rows of the motions] of the stations from left to right."""
     half = len(chain[0].rows) // 2
     return [chain[0].rows[:half], *(part.rows[half:] for part in chain)]
 
 
-def impedances(form: Any, chain: "Sequence[PlacedPiece]", omega: "Node") -> "tuple[list[tuple], list[int]] | None":
+def impedances(form: Any, chain: "Sequence[PlacedPiece]",
+               omega: "Node") -> "tuple[list[tuple[Node | None, ...]], list[int]] | None":
     """[(Z of the displacement, of beams of the turn, what couples both where anything does)] of the stations, None of
     what is held, and the coordinates of what hangs on them; None where what acts on one station is coupled to another,
     or to another member."""

@@ -6,9 +6,9 @@ left in it.
                             under an axial force N with αx in sinh and cosh, a = α/β, Q = EI X‴ − N X′
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from math import pi
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vibcli.analyses.closed_form.textbook_equation import quotient, sides
 from vibcli.base.named_tuple import NamedTuple
@@ -23,11 +23,16 @@ if TYPE_CHECKING:
     from vibcli.analyses.closed_form.member_frequencies import FrequencyEquation
     from vibcli.symbolic.node import Node
 
+    Sum = Mapping[str, int | Node]          # {name of a function: what stands before it}
+    Terms = Sequence[tuple[int | Node, Sum]]
+
 ALONG, SECOND = "βx", "αx"      # products, as notation.names reads them
 HYPERBOLIC = "sinh", "cosh"
 SLOPE = {"cosh": ("sinh", 1), "sinh": ("cosh", 1), "cos": ("sin", -1), "sin": ("cos", 1)}
-LEFT = {(True, True): ({"cosh": 1, "cos": -1}, {"sinh": 1, "sin": -1}), (True, False): ({"sin": 1}, {"sinh": 1}),
-        (False, True): ({"cos": 1}, {"cosh": 1}), (False, False): ({"cosh": 1, "cos": 1}, {"sinh": 1, "sin": 1})}
+# by whether the displacement is held, whether the turn is
+LEFT: dict[tuple[bool, bool], tuple[dict[str, int], dict[str, int]]] = {
+    (True, True): ({"cosh": 1, "cos": -1}, {"sinh": 1, "sin": -1}), (True, False): ({"sin": 1}, {"sinh": 1}),
+    (False, True): ({"cos": 1}, {"cosh": 1}), (False, False): ({"cosh": 1, "cos": 1}, {"sinh": 1, "sin": 1})}
 STEP, LEAST, FACTOR = 0.05, 1e-3, 1.15      # of βL, below one step by factors; under 2·STEP rounding leaves few digits
 
 
@@ -56,10 +61,10 @@ def shape(found: "FrequencyEquation") -> MemberShape | None:
         return MemberShape(_sum(one, along), table.zero, None)
     at_right = [_at_right(found, terms) for terms in (one, two)]
     ends = found.wave_number, found.second or found.wave_number
-    sigma = tuple(_sum(terms, ends) for terms in at_right)
+    above, below = (_sum(terms, ends) for terms in at_right)
     if found.second is not None or any(len(terms) > 1 for terms in at_right):
-        sigma = quotient(single(sigma[0]) / single(sigma[1]))
-    return MemberShape(_sum(one, along), _sum(two, along), sigma)
+        above, below = quotient(single(above) / single(below))
+    return MemberShape(_sum(one, along), _sum(two, along), (above, below))
 
 
 def on_both_sides(found: "FrequencyEquation", place: "Node") -> "list[tuple[Node, Node, Node]]":
@@ -73,7 +78,7 @@ def on_both_sides(found: "FrequencyEquation", place: "Node") -> "list[tuple[Node
         piece = placed.piece
         end = textbook(placed.start + piece.length)
         along = textbook(place - placed.start if way > 0 else end - place)
-        terms = [(1, {"sin": 1})] if Z is None else [(1, {"cos": 1})] if Z.is_zero else [(1, {"cos": 1}), (
+        terms: Terms = [(1, {"sin": 1})] if Z is None else [(1, {"cos": 1})] if Z.is_zero else [(1, {"cos": 1}), (
             textbook(Z * piece.length / (piece.tension * argument)), {"sin": 1})]
         values = [_sum(terms, (at, at)) for at in (textbook(argument * along / piece.length), argument)]
         sides.append((placed.start, end, *values))
@@ -81,42 +86,44 @@ def on_both_sides(found: "FrequencyEquation", place: "Node") -> "list[tuple[Node
     return [(a, b, there * left), (c, d, here * right)]
 
 
-def _by_units(found, Z, order):
+def _by_units(found: "FrequencyEquation", Z: "Node", order: int) -> "Node":
     """Z/(S β) of a force along the one motion or of a moment, Z/(S β³) of a shear force."""
     piece = found.pieces[0].piece
     stiffness = piece.tension if piece.bending.is_zero else piece.bending
     return textbook(Z / (stiffness * (found.wave_number / piece.length) ** order))
 
 
-def _of_second_order(found, Z):
+def _of_second_order(found: "FrequencyEquation", Z: "Node | None") -> "Terms":
     """S X′(0) = Z X(0)."""
     if Z is None:
         return [(1, {"sin": 1})]
     return [(1, {"cos": 1})] if Z.is_zero else [(1, {"cos": 1}), (_by_units(found, Z, 1), {"sin": 1})]
 
 
-def _ratio(found):
+def _ratio(found: "FrequencyEquation") -> "Node":
     """a = α/β; 1 without an axial force."""
     return found.wave_number.table.one if found.second is None else found.second / found.wave_number
 
 
-def _of_fourth_order(found, Z, turn):
+def _of_fourth_order(found: "FrequencyEquation", Z: "Node | None", turn: "Node | None") -> "Sequence[Terms]":
     """Two functions with Q(0) = −Z X(0) or X(0) = 0, and EI X″(0) = Z X′(0) or X′(0) = 0."""
     a = _ratio(found)
     if (Z is None) != (turn is None) and all(one is None or one.is_zero for one in (Z, turn)):
         return [[(1, terms)] for terms in LEFT[Z is None, turn is None]]
-    sheared, bent = {"sinh": 1 / a, "sin": -1}, {"cosh": 1, "cos": -1}
-    one, two = [(1, {name: a * c for name, c in sheared.items()})], [(1, bent)]
+    sheared: Sum = {"sinh": 1 / a, "sin": -1}
+    bent: Sum = {"cosh": 1, "cos": -1}
+    one: Terms = [(1, {name: a * c for name, c in sheared.items()})]
+    two: Terms = [(1, bent)]
     if Z is not None:
-        shear = [] if Z.is_zero else [(-_by_units(found, Z, 3), sheared)]
+        shear: Terms = [] if Z.is_zero else [(-_by_units(found, Z, 3), sheared)]
         one = [(1, {"cosh": 1, "cos": a ** 2}), *shear]
     if turn is not None:
-        moment = [] if turn.is_zero else [(_by_units(found, turn, 1), bent)]
+        moment: Terms = [] if turn.is_zero else [(_by_units(found, turn, 1), bent)]
         two = [(1, {"sinh": a, "sin": 1}), *moment]
     return (two, one) if Z is turn is None else (one, two)
 
 
-def _at_right(found, terms):
+def _at_right(found: "FrequencyEquation", terms: "Terms") -> "Terms":
     """What vanishes of the shape at the right end: X, X′, X″, Q, or EI X″ + Z X′ + what a coupling adds, Z X."""
     across, turn, *both = found.standing[1]
     a = _ratio(found)
@@ -132,7 +139,7 @@ def _at_right(found, terms):
     return [*_derivative(terms, 2, a), *((size * factor, slope) for size, slope in _derivative(terms, 1, a)), *more]
 
 
-def _derivative(terms: "list[tuple[Any, Mapping[str, Any]]]", order, a):
+def _derivative(terms: "Terms", order: int, a: "Node") -> "Terms":
     """By βx."""
     for _ in range(order):
         terms = [(size, {SLOPE[name][0]: (a if name in HYPERBOLIC else 1) * SLOPE[name][1] * c
@@ -140,13 +147,13 @@ def _derivative(terms: "list[tuple[Any, Mapping[str, Any]]]", order, a):
     return terms
 
 
-def _shear(terms, a):
+def _shear(terms: "Terms", a: "Node") -> "Terms":
     """Q/(EI β³): a sinh of cosh, a² sin of cos; the third derivative without an axial force."""
     return [(size, {SLOPE[name][0]: (a if name in HYPERBOLIC else -a ** 2) * SLOPE[name][1] * c
                     for name, c in one.items()}) for size, one in terms]
 
 
-def _sum(terms, arguments):
+def _sum(terms: "Terms", arguments: "tuple[Node, Node]") -> "Node":
     """Σ factor·(sum of functions), sin and cos of the first argument, sinh and cosh of the second."""
     table = arguments[0].table
     return table.total([size * table.total([table.call(name, arguments[name in HYPERBOLIC]) * c
@@ -182,7 +189,8 @@ def roots(found: "FrequencyEquation", count: int) -> list[float] | None:
     values = {node.name: 1.0 for node in reachable([whole]) if node.op == "symbol"}
 
     def residual(at: float) -> float:
-        return evaluate([whole], Floats, {**values, x.name: at})[0]
+        found: float = evaluate([whole], Floats, {**values, x.name: at})[0]
+        return found
 
     told, at = [0.0] * unstrained(found), LEAST
     while len(told) < count and at < (count + 2) * pi:

@@ -3,7 +3,7 @@
 A set of values is admissible where the figure fits together and as many modes are unstable as at the first.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import Inertless, PhysicsError, SpecError
@@ -43,7 +43,7 @@ def samples(symbolic: "SymbolicSystem", modal: "ModalAnalysis", wanted: int = WA
     return found
 
 
-def _candidates(symbolic):
+def _candidates(symbolic: "SymbolicSystem") -> "Iterable[ModalAnalysis]":
     """Modes: those that reach the equilibrium found in letters, or others at random values."""
     if symbolic.equilibrium is not None:
         return symbolic.equilibrium.reached
@@ -53,7 +53,7 @@ def _candidates(symbolic):
             for attempt in range(ATTEMPTS))
 
 
-def _same_figure(symbolic, candidate):
+def _same_figure(symbolic: "SymbolicSystem", candidate: "ModalAnalysis") -> bool:
     """Are M, C, G, K those in letters? A rope that leaves its pulley elsewhere makes another figure."""
     for letters, numbers in zip(symbolic.matrices, candidate.configuration.linear_system.matrices(), strict=True):
         pairs = list({*letters, *numbers})
@@ -65,7 +65,7 @@ def _same_figure(symbolic, candidate):
     return True
 
 
-def _unstable(candidate):
+def _unstable(candidate: "ModalAnalysis") -> int:
     if len(candidate.scene.q) == 1:
         return squares(candidate)[0] < 0
     return sum(mode.growth_rate is not None for mode in candidate.modes)
@@ -90,13 +90,14 @@ def confirmed(modes: "Sequence[ClosedMode]", polynomials: "Sequence[list[Node]]"
                for candidate in candidates)
 
 
-def _are_roots(modes, candidate):
+def _are_roots(modes: "Sequence[ClosedMode]", candidate: "ModalAnalysis") -> bool:
     values = evaluate([part for mode in modes for part in (mode.omega, mode.square)], Floats, candidate.numeric.floats)
     return all(omega >= 0 and abs(omega * omega - (-square if mode.unstable else square)) <= CLOSE * abs(square)
                for mode, omega, square in zip(modes, values[::2], values[1::2], strict=True))
 
 
-def _found(modes, polynomials, candidate):
+def _found(modes: "Sequence[ClosedMode]", polynomials: "Sequence[list[Node]]",
+           candidate: "ModalAnalysis") -> list[float]:
     return sorted([*evaluate([mode.square for mode in modes], Floats, candidate.numeric.floats),
                    *(x for polynomial in polynomials for x in roots_in_numbers(polynomial, candidate.numeric.floats))])
 
@@ -105,10 +106,11 @@ def roots_in_numbers(polynomial: "Sequence[Node]", values: Mapping[str, float]) 
     """The real parts of the roots of a polynomial with coefficients from the highest."""
     import numpy as np
 
-    return np.roots(evaluate(polynomial, Floats, values)).real.tolist()
+    found: list[float] = np.roots(evaluate(polynomial, Floats, values)).real.tolist()
+    return found
 
 
-def _agree(found, wanted):
+def _agree(found: Sequence[float], wanted: Sequence[float]) -> bool:
     largest = max(map(abs, wanted), default=0.0)
     return len(found) == len(wanted) and all(
         abs(a - b) <= CLOSE * max(abs(b), 1e-4 * largest) for a, b in zip(found, wanted, strict=True))
@@ -119,7 +121,7 @@ def shape_confirmed(mode: "ClosedMode", amplitudes: "Sequence[Node]", candidates
     return all(_balanced(mode, amplitudes, candidate) for candidate in candidates)
 
 
-def _balanced(mode, amplitudes, candidate):
+def _balanced(mode: "ClosedMode", amplitudes: "Sequence[Node]", candidate: "ModalAnalysis") -> bool:
     square, = evaluate([mode.square], Floats, candidate.numeric.floats)
     omega = abs(square) ** 0.5
     x = evaluate(amplitudes, Floats, {**candidate.numeric.floats, "ω": omega})
@@ -141,13 +143,14 @@ def damping_confirmed(modes: "Sequence[ClosedMode]", candidates: "Sequence[Modal
     return all(_damping_agrees(modes, candidate) for candidate in candidates)
 
 
-def _damping_agrees(modes, candidate):
+def _damping_agrees(modes: "Sequence[ClosedMode]", candidate: "ModalAnalysis") -> bool:
     zetas = evaluate([mode.zeta for mode in modes], Floats, candidate.numeric.floats)
     if len(candidate.scene.q) == 1:
         M, C, _, K = (matrix.get((0, 0), 0.0) for matrix in candidate.configuration.linear_system.matrices())
         square, omega_d = K / M - C * C / (4 * M * M), evaluate([modes[0].omega_d], Floats, candidate.numeric.floats)[0]
-        return abs(zetas[0] ** 2 * 4 * K * M - C * C) <= CLOSE * C * C and (
-            square <= 0 or abs(omega_d * omega_d - square) <= CLOSE * K / M)
+        result: bool = abs(zetas[0] ** 2 * 4 * K * M - C * C) <= CLOSE * C * C and (
+                    square <= 0 or abs(omega_d * omega_d - square) <= CLOSE * K / M)
+        return result
     omegas = evaluate([mode.omega for mode in modes], Floats, candidate.numeric.floats)
     if any(zeta >= 1 for zeta in zetas):
         return True

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.modal.modal_analysis import ModalAnalysis
     from vibcli.mechanics.symbolic_system import SymbolicSystem
     from vibcli.scene.scene import Scene
+    from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
 
 
@@ -49,7 +50,7 @@ def damped_frequency(M: "Node", C: "Node", K: "Node", values: Sequence[dict[str,
     return min((flat, table.product((root(front, values), ONE), (table.sqrt(rest), ONE), *below)), key=letters)
 
 
-def _parts(*nodes):
+def _parts(*nodes: "Node") -> "tuple[Fraction, dict[Node, int]]":
     """(rational, {base: exponent}) of a product of nodes, the sums with whole coefficients."""
     scale, found = Fraction(1), {}
     for node in nodes:
@@ -61,7 +62,8 @@ def _parts(*nodes):
     return scale, found
 
 
-def _difference(table, a, b):
+def _difference(table: "Table", a: "tuple[Fraction, dict[Node, int]]",
+                b: "tuple[Fraction, dict[Node, int]]") -> "tuple[Node, Node]":
     """(common factors, rest) of a − b, the rest with whole coefficients."""
     (x, left), (y, right) = a, b
     scale = Fraction(gcd(x.numerator, y.numerator), lcm(x.denominator, y.denominator))

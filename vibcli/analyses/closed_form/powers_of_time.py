@@ -3,6 +3,7 @@
     K Qₖ = Fₖ − (k+1) (C + G) Qₖ₊₁ − (k+2)(k+1) M Qₖ₊₂.
 """
 
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters
@@ -16,9 +17,14 @@ from vibcli.symbolic.rationals import ONE
 from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from vibcli.mechanics.symbolic_linear import Tree
     from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
+
+    Matrix = dict[tuple[int, int], Node]
 
 MOST_POWERS, SINGULAR, UNDYING = 4, 1e-12, 1e-9
 
@@ -60,7 +66,7 @@ def require_damped(symbolic: "SymbolicSystem") -> None:
                        "give numbers with --set")
 
 
-def _coordinates(symbolic: Any):
+def _coordinates(symbolic: Any) -> "list[Node]":
     """q(t) of each coordinate."""
     import numpy as np
 
@@ -82,18 +88,18 @@ def _coordinates(symbolic: Any):
     return total
 
 
-def _row(entries, i, Q):
+def _row(entries: "Mapping[tuple[int, int], Node]", i: int, Q: "Sequence[Node]") -> "Node":
     return Q[0].table.sum(*((node * Q[j], ONE) for (row, j), node in entries.items() if row == i))
 
 
-def _matrices(symbolic):
+def _matrices(symbolic: "SymbolicSystem") -> "tuple[Matrix, Matrix, Matrix]":
     """M, C + G, K as {(i, j): node}."""
     M, C, G, K = symbolic.matrices
     zero = symbolic.scene.table.zero
     return M, {pair: C.get(pair, zero) + G.get(pair, zero) for pair in {*C, *G}}, K
 
 
-def _numbers(entries, n, sample):
+def _numbers(entries: "Mapping[tuple[int, int], Node]", n: int, sample: dict[str, float]) -> "np.ndarray":
     import numpy as np
 
     found = np.zeros((n, n))
@@ -102,11 +108,11 @@ def _numbers(entries, n, sample):
     return found
 
 
-def _slope(scene, node):
+def _slope(scene: "Scene", node: "Node") -> "Node":
     return gradient(node).get(scene.time, scene.table.zero)
 
 
-def _powers(scene, node):
+def _powers(scene: "Scene", node: "Node") -> "dict[int, Node]":
     """{k: coefficient} of a polynomial in the time; NotInLetters of another function."""
     try:
         terms = expanded(node)

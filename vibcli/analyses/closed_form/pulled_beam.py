@@ -12,17 +12,19 @@ from itertools import combinations, product
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from vibcli.analyses.closed_form.frequency_functions import Factor, Indices
     from vibcli.symbolic.node import Node
 
 FUNCTIONS = ("cosh", "cos"), ("sinh", "sin")       # those that stand together
 
 
-def carried_minors(alpha: "Node", beta: "Node", bending: "Node") -> "Iterator[tuple]":
+def carried_minors(alpha: "Node", beta: "Node",
+                   bending: "Node") -> "Iterator[tuple[Indices, Indices, dict[tuple[str, ...], Factor]]]":
     """(row, column, {names of functions: factor}) of the minors of what the beam carries, times (α² + β²)²; the
     arguments of sinh and cosh are αl, those of sin and cos are βl."""
     T, scale = _transfer(alpha, beta), [alpha.table.one, alpha.table.one, bending, bending]
     for (i, j), (k, m) in product(combinations(range(4), 2), repeat=2):
-        minor: dict = {}
+        minor: dict[tuple[str, ...], Node] = {}
         for one, two, sign in ((T[i][k], T[j][m], 1), (T[i][m], T[j][k], -1)):
             for (name, x), (other, y) in product(one.items(), two.items()):
                 for names, factor in reduced_product(*sorted((name, other))):
@@ -31,11 +33,11 @@ def carried_minors(alpha: "Node", beta: "Node", bending: "Node") -> "Iterator[tu
         yield (i, j), (k, m), {names: size * node for names, node in minor.items()}
 
 
-def _transfer(a, b):
+def _transfer(a: "Node", b: "Node") -> "list[list[dict[str, Node]]]":
     """The rows of X, X′, M/EI, Q/EI at the right end by the same at the left one, times α² + β²."""
     even, odd = FUNCTIONS
 
-    def entry(names, *sizes):
+    def entry(names: "tuple[str, str]", *sizes: "Node") -> "dict[str, Node]":
         return dict(zip(names, sizes, strict=True))
 
     one = a.table.one
@@ -48,7 +50,7 @@ def _transfer(a, b):
             [entry(odd, a * b ** 4, a ** 4 * b), kept, back, mean]]
 
 
-def reduced_product(one: str, two: str) -> list[tuple]:
+def reduced_product(one: str, two: str) -> list[tuple[tuple[str, ...], int]]:
     """A product of two functions as [(names, factor)], by cos² = 1 − sin² and cosh² = 1 + sinh²."""
     if one == two == "cos":
         return [((), 1), (("sin", "sin"), -1)]

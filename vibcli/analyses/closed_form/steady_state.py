@@ -63,7 +63,7 @@ def steady_state(symbolic: "SymbolicSystem", signal: Any) -> Steady:
     return Steady(found, wave, argument, _mean(symbolic, rows, drive))
 
 
-def _mean(symbolic, rows, drive):
+def _mean(symbolic: "SymbolicSystem", rows: "list[dict[int, Node]]", drive: "Mapping[int, Node]") -> "Node | None":
     """What the constants in {i: function of the time} do to the signal of these rows."""
     scene, n = symbolic.scene, len(symbolic.scene.q)
     fixed = {i: textbook(node - scene.terms_with(node, scene.time.mask)) for i, node in drive.items()}
@@ -113,7 +113,7 @@ def waves_of_all(scene: "Scene", drive: "Mapping[int, Node]") -> "dict[int, dict
     return {i: _about(scene, found, base) for i, found in acting.items()}
 
 
-def _forwards(scene, found):
+def _forwards(scene: "Scene", found: "Mapping[tuple[Node, str], Node]") -> "dict[tuple[Node, str], Node]":
     """Waves whose arguments grow with the time."""
     told = {}
     for (argument, wave), node in found.items():
@@ -123,7 +123,8 @@ def _forwards(scene, found):
     return told
 
 
-def _about(scene, found, base):
+def _about(scene: "Scene", found: "Mapping[tuple[Node, str], Node]",
+           base: "Mapping[Node, Node]") -> "dict[tuple[Node, str], Node]":
     """Waves by the arguments that stand for theirs."""
     told, table = {}, scene.table
     for (argument, wave), node in found.items():
@@ -140,7 +141,7 @@ def _about(scene, found, base):
     return told
 
 
-def _reference(scene, acting):
+def _reference(scene: "Scene", acting: "Mapping[int, dict[tuple[Node, str], Node]]") -> str:
     """sin or cos: the one that drives, or in which the file says what drives; sin where it says both."""
     said = [*scene.driven.values(), *(term.weight for term in scene.forces)]
     for kinds in ({wave for found in acting.values() for _, wave in found},
@@ -151,7 +152,8 @@ def _reference(scene, acting):
     return "sin"
 
 
-def _in_phase(found, argument, wave, Omega):
+def _in_phase(found: "Mapping[tuple[Node, str], Node]", argument: "Node", wave: str,
+              Omega: "Node") -> "tuple[Node, Node]":
     """(part in phase, that ahead over Ω) of A sin + B cos."""
     A, B = (found.get((argument, name), Omega.table.zero) for name in WAVES)
     ahead = textbook((B if wave == "sin" else -A) / Omega)

@@ -17,6 +17,7 @@ from vibcli.symbolic.normal_form import expanded, factors_of, reduced
 
 if TYPE_CHECKING:
     from vibcli.analyses.closed_form.member_frequencies import FrequencyEquation
+    from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
 
 ONE, BOTH, SINES, UNEQUAL, SWAPPED = (), ((0, "cos", "cosh"),), ((0, "sin", "sinh"),), ((0, "cos", "sinh"),), (
@@ -50,7 +51,8 @@ def met(found: "FrequencyEquation") -> bool:
     return len(found.pieces) > 1 and found.order == 2 and (len(acting) > 1 or bool(found.letters))
 
 
-def by_letters(found: "FrequencyEquation", taken: "Collection[str]") -> "tuple[FrequencyEquation, list]":
+def by_letters(found: "FrequencyEquation",
+               taken: "Collection[str]") -> "tuple[FrequencyEquation, list[tuple[Node, Node]]]":
     """Several pieces with letters θ₁, θ₂, that are not `taken`, for the arguments of their functions, and what all
     letters are that stand in the equation: [(letter, argument or impedance)]."""
     x, arguments = found.wave_number, found.arguments
@@ -62,7 +64,7 @@ def by_letters(found: "FrequencyEquation", taken: "Collection[str]") -> "tuple[F
         *((letter, argument) for argument, letter in named.items()), *found.named]
 
 
-def _of_second_order(found):
+def _of_second_order(found: "FrequencyEquation") -> "tuple[Node, Node]":
     table, x, function = found.wave_number.table, found.wave_number, found.function
     sine, cosine = function.get(((0, "sin"),)), function.get(((0, "cos"),))
     for name, other in (("sin", cosine), ("cos", sine)):
@@ -75,7 +77,7 @@ def _of_second_order(found):
     return table.call("tan", x), ratio
 
 
-def _of_fourth_order(found):
+def _of_fourth_order(found: "FrequencyEquation") -> "tuple[Node, Node] | None":
     table, x, function = found.wave_number.table, found.wave_number, found.function
     kinds = set(function)
     if kinds == {SINES}:
@@ -90,13 +92,13 @@ def _of_fourth_order(found):
     return None
 
 
-def _as_sum(found):
+def _as_sum(found: "FrequencyEquation") -> "tuple[Node, Node]":
     """The sum by powers of βL and of letters: that of the lowest power on the left, the others on the right."""
     table, x, groups = found.wave_number.table, found.wave_number, {}
     for functions, coefficient in found.function.items():
         for monomial, value in reduced(expanded(coefficient)).items():
             groups.setdefault(monomial, {})[functions] = value
-    sums: dict = {}
+    sums: dict[tuple[tuple[Node, Fraction | int], ...], tuple[Node, Fraction]] = {}
     for monomial, terms in groups.items():
         total = table.sum(*((found.called(functions), value) for functions, value in terms.items()))
         if not total.is_zero:
@@ -109,7 +111,7 @@ def _as_sum(found):
                               for monomial, (total, number) in sums.items() if total is not left])
 
 
-def _monomial(table, factors, number):
+def _monomial(table: "Table", factors: "tuple[tuple[Node, Fraction | int], ...]", number: Fraction) -> "Node":
     return table.product((table.number(number), 1), *factors)
 
 
@@ -138,7 +140,7 @@ def is_small(value: Fraction) -> bool:
     return max(abs(value.numerator), value.denominator) <= SMALL
 
 
-def _quotient(above, below):
+def _quotient(above: "Node", below: "Node") -> "Node":
     """The quotient with common factors cancelled."""
     found = single(above / below)
     return found.table.product(*factors_of(found.table, reduced(expanded(found))))

@@ -35,8 +35,14 @@ from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
+    from typing import TypeVar
+
     from vibcli.mechanics.factored_system import PlacedPiece
+    from vibcli.numerics.pieces.piece import Piece
+    from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
+
+    Thing = TypeVar("Thing")
 
 ZEROS = ("z", "y", "w")       # letters of arguments of Bessel's functions
 JOINTS = 2          # motions in which members of one equation meet
@@ -50,7 +56,7 @@ class Tied(NamedTuple):
     is, by ω}; the coordinates of what hangs on them; of clamped ones the stiffness of each along the displacement, and
     {letter: what it tells}."""
 
-    members: tuple
+    members: tuple[str, ...]
     omega: "Node"
     left: "list[Node]"
     right: "Node"
@@ -60,12 +66,13 @@ class Tied(NamedTuple):
     arguments: "dict[Node, tuple[int, Node]]"
     letters: "dict[Node, Node]"
     pieces: "list[PlacedPiece]"
-    hung: list
+    hung: list[int]
     clamped: "list[Node]"
     roles: "dict[Node, str]"
 
 
-def tied_equations(symbolic: Any, pieces: "Sequence[PlacedPiece]") -> list[tuple]:
+def tied_equations(symbolic: Any,
+                   pieces: "Sequence[PlacedPiece]") -> "list[tuple[list[PlacedPiece], Tied | None, int]]":
     """[(pieces that belong together, their equation, how many coordinates they have with what hangs on them)] of
     `pieces`; None where no equation is told."""
     form, taken = symbolic.linearisation, {*symbolic.scene.coordinates, *symbolic.scene.parameters.nodes}
@@ -75,13 +82,13 @@ def tied_equations(symbolic: Any, pieces: "Sequence[PlacedPiece]") -> list[tuple
             for group in components([one for one in form.pieces if any(one is piece for piece in pieces)], entries)]
 
 
-def _moved(pieces):
+def _moved(pieces: "Sequence[PlacedPiece]") -> set[int]:
     return {i for piece in pieces for row in piece.rows for i in row}
 
 
 def components(pieces: "Sequence[PlacedPiece]", entries: "Collection[tuple[int, int]]") -> "list[list[PlacedPiece]]":
     """Pieces in groups that share coordinates, or whose coordinates entries of the matrices tie."""
-    found: list = []
+    found: list[tuple[set[int], list[PlacedPiece]]] = []
     for piece in pieces:
         own = coupled(entries, _moved([piece]))
         near = [group for group in found if group[0] & own]
@@ -111,16 +118,16 @@ def tied(form: Any, pieces: "Sequence[PlacedPiece]", taken: Collection[str]) -> 
     return equation.found(hung) if equation.told else None
 
 
-def _varies(placed):
+def _varies(placed: "PlacedPiece") -> bool:
     return not placed.piece.gradient.is_zero
 
 
-def _even(placed):
+def _even(placed: "PlacedPiece") -> bool:
     """Has a piece inertia, and one tension along it unless it is a string?"""
     return (placed.piece.gradient.is_zero or placed.piece.bending.is_zero) and not placed.piece.inertia.is_zero
 
 
-def _met(placed, joints):
+def _met(placed: "PlacedPiece", joints: Sequence[int]) -> list[int]:
     """The motions of one end of a piece that are joints; nothing where both ends have some."""
     half = len(placed.rows) // 2
     found = [(number // half, number % half) for number, row in enumerate(placed.rows)
@@ -128,35 +135,37 @@ def _met(placed, joints):
     return [motion for _, motion in found] if len({side for side, _ in found}) == 1 else []
 
 
-def _opposite(part):
+def _opposite(part: "tuple[Node, Node]") -> "tuple[Node, Node]":
     return -part[0], part[1]
 
 
 class _Equation:
     """What stands in the equation of members that meet at joints, each letter once."""
 
-    def __init__(self, table, omega, taken, Z, joints, pieces):
+    def __init__(self, table: "Table", omega: "Node", taken: Collection[str], Z: "dict[tuple[int, int], Node]",
+                 joints: list[int], pieces: "Sequence[PlacedPiece]") -> None:
         self.table, self.omega, self.taken, self.Z, self.joints, self.pieces = table, omega, taken, Z, joints, pieces
         far = [node for piece in pieces for row in piece.rows for i, slope in row.items() if i not in joints
                for node in [self._impedance(i, slope)] if stands_apart(node, omega, not piece.piece.foundation.is_zero)]
         self.letters = self._named(far, IMPEDANCES)
-        self.arguments: dict = {}
+        self.arguments: dict[Node, tuple[int, Node]] = {}
         self.waves = self._waves()
-        self.parts = [(end_stiffness if isinstance(waves, WaveArguments) else hanging_stiffness)(
-            piece, waves, joints, partial(self._far, piece.piece, waves))
-            for piece, waves in zip(pieces, self.waves, strict=True)]
+        fars = [partial(self._far, piece.piece, waves) for piece, waves in zip(pieces, self.waves, strict=True)]
+        self.parts = [end_stiffness(piece, waves, joints, far) if isinstance(waves, WaveArguments)
+                      else hanging_stiffness(piece, waves, joints, far)
+                      for piece, waves, far in zip(pieces, self.waves, fars, strict=True)]
         self.told = None not in self.parts
         if not self.told:
             return
         self.clamped = any(len(one) > 1 for one in self.parts)
-        self.letters_of: dict = {}
-        self.stiffnesses: dict = {}
+        self.letters_of: dict[tuple[Node, Node], Node] = {}
+        self.stiffnesses: dict[tuple[Node, Node], Node] = {}
         for names, keys in ((STIFFNESSES, [(0, 0)]), (TURNS, [(1, 1)]), (BOTH, [(0, 1)])) if self.clamped else (
                 (STIFFNESSES, [(0, 0), (1, 1)]),):
             self._name([one[key] for one in self.parts for key in keys if key in one and not one[key][0].is_zero],
                        names)
 
-    def _waves(self):
+    def _waves(self) -> list[WaveArguments | BesselArguments]:
         """θ of each piece, with η where an axial force acts; z at both ends of strings whose tension varies."""
         pairs = [bessel_powers(placed.piece, self.omega) for placed in self.pieces if _varies(placed)]
         zs = self._named([power for pair in pairs for power in pair if power], ZEROS)
@@ -174,32 +183,32 @@ class _Equation:
         return [WaveArguments(thetas[power], etas.get(power)) if power else BesselArguments(*map(zs.get, next(ends)))
                 for power in powers]
 
-    def _named(self, things, names):
+    def _named(self, things: "Sequence[Thing]", names: Sequence[str]) -> "dict[Thing, Node]":
         """{thing: letter}, what is alike once."""
         once = list(dict.fromkeys(things))
         found = free_letters(self.taken, names, len(once))
         return {thing: self.table.parameter(name) for thing, name in zip(once, found, strict=True)}
 
-    def _name(self, parts, names):
+    def _name(self, parts: "Sequence[tuple[Node, Node]]", names: Sequence[str]) -> None:
         """Letters of stiffnesses, those of opposite sign by the same one."""
-        once: list = []
+        once: list[tuple[Node, Node]] = []
         for part in parts:
             once += [part] if _opposite(part) not in once else []
         named = self._named(once, names)
         self.letters_of |= named
         self.stiffnesses |= named | {part: -named[_opposite(part)] for part in parts if part not in named}
 
-    def _impedance(self, i, slope):
+    def _impedance(self, i: int, slope: "Node") -> "Node":
         return over(self.Z.get((i, i), self.table.zero), slope)
 
-    def _far(self, piece, waves, i, slope):
+    def _far(self, piece: "Piece", waves: WaveArguments | BesselArguments, i: int, slope: "Node") -> "Node":
         """What acts on an end that is no joint: a letter, or by θ."""
         known = self._impedance(i, slope)
         if isinstance(waves, BesselArguments):
             return self.letters.get(known, known)
         return self.letters.get(known) or substitute([known], {self.omega: self.table.sqrt(waves.square(piece))})[0]
 
-    def _joints(self, placed):
+    def _joints(self, placed: "PlacedPiece") -> "dict[int, tuple[int, Node]]":
         """{motion: (the coordinate of the joint, how much the end of a member moves by it)}."""
         half = len(placed.rows) // 2
         return {number % half: pair for number, row in enumerate(placed.rows) for pair in row.items()
@@ -209,7 +218,7 @@ class _Equation:
         """The equation."""
         table = self.table
         sums = {(i, j): self.Z.get((i, j), table.zero) for i in self.joints for j in self.joints}
-        owners: dict = {}
+        owners: dict[Node, list[PlacedPiece]] = {}
         for placed, part in zip(self.pieces, self.parts, strict=True):
             met = self._joints(placed)
             for (m, n), stiffness in part.items():

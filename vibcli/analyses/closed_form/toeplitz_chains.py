@@ -13,6 +13,8 @@ from vibcli.symbolic.radicals import root
 from vibcli.symbolic.rationals import ONE
 
 if TYPE_CHECKING:
+    import mpmath
+
     from vibcli.symbolic.node import Node
     from vibcli.symbolic.rational_functions import Quotients
 
@@ -25,11 +27,11 @@ class Cosine:
 
     pair = None
 
-    def __init__(self, quotients: "Quotients", shift: Any, scale: Any, j: int, N: int):
+    def __init__(self, quotients: "Quotients", shift: Any, scale: Any, j: int, N: int) -> None:
         self.quotients, self.shift, self.scale, self.j, self.N = quotients, shift, scale, j, N
         self.square = self._short() or self.value([quotients.field(0), quotients.field(1)])
 
-    def _short(self):
+    def _short(self) -> "Node | None":
         """2s·sin²(θ/2) where s = −t·2, 2s·sin²((π − θ)/2) where s = t·2, else None."""
         if self.shift not in (2 * self.scale, -2 * self.scale):
             return None
@@ -55,7 +57,7 @@ class Cosine:
         return root(sign * self.square, samples)
 
 
-def _doubled(waves):
+def _doubled(waves: Sequence[Any]) -> list[Any]:
     """Σ wₖ 2cos kθ (w₀ alone without the 2) times 2cos θ, in the same form."""
     found = [waves[0] * 0 for _ in range(len(waves) + 1)]
     for k, w in enumerate(waves):
@@ -82,7 +84,7 @@ def cosines(quotients: "Quotients", modulus: Sequence[Any]) -> list[Cosine] | No
     return [Cosine(quotients, shift + scale * a, scale * b, j, N) for j in range(1, N // 2 + 1) if gcd(j, N) == 1]
 
 
-def _numeric(quotients, modulus):
+def _numeric(quotients: "Quotients", modulus: Sequence[Any]) -> tuple[Any, Any, list[Fraction]] | None:
     """(t, s, rational coefficients of the polynomial in μ) with λ = tμ + s; None where there are no such."""
     d, lead = len(modulus) - 1, modulus[-1]
     zero = quotients.field(0)
@@ -93,11 +95,11 @@ def _numeric(quotients, modulus):
             continue
         numbers = [c / scale ** (d - i) for i, c in enumerate(moved)]
         if all(c.numer.is_ground and c.denom.is_ground for c in numbers):
-            return scale, shift, [quotients.rational(c.numer.LC / c.denom.LC) if c else 0 for c in numbers]
+            return scale, shift, [quotients.rational(c.numer.LC / c.denom.LC) if c else Fraction(0) for c in numbers]
     return None
 
 
-def _in_proportion(quotients, moved):
+def _in_proportion(quotients: "Quotients", moved: Sequence[Any]) -> bool:
     """May all c_{d−i} be numbers times tⁱ? Then the ratios c_{d−i}ᵏ/c_{d−k}ⁱ, of the first c_{d−k} that is not 0, are
     the same at two places."""
     d, k, found = len(moved) - 1, 1 if moved[-2] else 2, []
@@ -111,12 +113,12 @@ def _in_proportion(quotients, moved):
     return found[0] == found[1]
 
 
-def _at(quotients, polynomial, place):
+def _at(quotients: "Quotients", polynomial: Any, place: Sequence[int]) -> Fraction:
     return sum((quotients.rational(value) * prod(x ** power for x, power in zip(place, powers, strict=True))
                 for powers, value in polynomial.terms()), Fraction(0))
 
 
-def _scale(quotients, moved):
+def _scale(quotients: "Quotients", moved: Sequence[Any]) -> Any:
     """A quotient t with c_{d−1}/t or c_{d−2}/t² a number."""
     if moved[-2]:
         numer, denom = moved[-2].numer.primitive()[1], moved[-2].denom.primitive()[1]
@@ -135,7 +137,7 @@ def _scale(quotients, moved):
     return parts[0] / parts[1]
 
 
-def _moved(coefficients, shift, zero):
+def _moved(coefficients: Sequence[Any], shift: float, zero: Any) -> list[Any]:
     """The coefficients of p(μ + shift)."""
     found = [zero]
     for c in reversed(coefficients):
@@ -146,7 +148,7 @@ def _moved(coefficients, shift, zero):
     return found[:len(coefficients)]
 
 
-def _matched(coefficients, d):
+def _matched(coefficients: Sequence[Fraction], d: int) -> tuple[int, Fraction, Fraction] | None:
     """(N, a, b) with the roots of the polynomial the numbers a + b·2cos(2πj/N), j prime to N; None where none are."""
     import mpmath
 
@@ -166,11 +168,12 @@ def _matched(coefficients, d):
             waves = sorted(2 * mpmath.cospi(mpmath.mpf(2 * j) / N) for j in angles)
             found = _map(waves, roots, mpmath)
             if found is not None:
-                return N, *found
+                a, b = found
+                return N, a, b
     return None
 
 
-def _map(waves, roots, mpmath):
+def _map(waves: "Sequence[mpmath.mpf]", roots: "Sequence[mpmath.mpf]", mpmath: Any) -> Sequence[Fraction] | None:
     """Rational (a, b), b > 0, with roots = a + b·waves to almost all digits."""
     b = (roots[-1] - roots[0]) / (waves[-1] - waves[0])
     a = roots[0] - b * waves[0]

@@ -3,7 +3,7 @@
     2·αL²·βL² + (αL⁴ + βL⁴)·cos βL·cosh αL + αL·βL·(αL² − βL²)·sin βL·sinh αL = 0       clamped and free
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from math import gcd, lcm
 from typing import TYPE_CHECKING, Any
@@ -11,8 +11,16 @@ from typing import TYPE_CHECKING, Any
 from vibcli.symbolic.normal_form import expanded, reduced
 
 if TYPE_CHECKING:
+    from vibcli.analyses.closed_form.end_stiffness import WaveArguments
+    from vibcli.analyses.closed_form.frequency_functions import Function
     from vibcli.analyses.closed_form.member_frequencies import FrequencyEquation
+    from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
+
+    Exponent = Fraction | int
+    Powers = tuple[tuple[Node, Exponent], ...]      # ((letter, exponent), …)
+    Polynomial = dict[tuple[int, int], Fraction]    # {(i, j): c} of αⁱβʲ
+    Group = tuple[Powers, tuple[int, int, int], Fraction, dict[Any, Polynomial]]
 
 
 def by_wave_numbers(found: "FrequencyEquation") -> "tuple[Node, Node]":
@@ -26,7 +34,7 @@ def by_wave_numbers(found: "FrequencyEquation") -> "tuple[Node, Node]":
     return sides[0], sides[1]
 
 
-def ratio(waves: Any, above: Mapping, below: Mapping) -> "tuple[Node, Node]":
+def ratio(waves: "WaveArguments", above: "Function", below: "Function") -> "tuple[Node, Node]":
     """Two functions of αL and βL without what divides both; `waves`: their `second`, `wave_number` and `called`."""
     parted = [_groups(waves, function) for function in (above, below)]
     shared = [min(powers[k] for groups in parted for _, powers, *_ in groups) for k in range(3)]
@@ -36,19 +44,19 @@ def ratio(waves: Any, above: Mapping, below: Mapping) -> "tuple[Node, Node]":
     return over, under
 
 
-def _groups(waves, function):
+def _groups(waves: "FrequencyEquation | WaveArguments", function: "Function") -> "list[Group]":
     """[(what letters stand before, powers, content, what is left)]."""
-    groups: dict = {}
+    groups: dict[Powers, dict[Any, Polynomial]] = {}
     for functions, coefficient in function.items():
         for monomial, value in reduced(expanded(coefficient)).items():
             powers = dict(monomial)
-            exponents = tuple(int(powers.pop(one, 0)) for one in (waves.second, waves.wave_number))
+            exponents = int(powers.pop(waves.second, 0)), int(powers.pop(waves.wave_number, 0))
             polynomials = groups.setdefault(tuple(powers.items()), {})
             polynomials.setdefault(functions, {})[exponents] = Fraction(value)
     return [(others, *_parted(polynomials)) for others, polynomials in groups.items()]
 
 
-def _parted(polynomials: "Mapping[tuple, dict]"):
+def _parted(polynomials: "Mapping[Any, Polynomial]") -> "tuple[tuple[int, int, int], Fraction, dict[Any, Polynomial]]":
     """((powers of αL, of βL, of αL² + βL² that divide all), their content, what is left)."""
     content = Fraction(gcd(*(c.numerator for one in polynomials.values() for c in one.values())),
                        lcm(*(c.denominator for one in polynomials.values() for c in one.values())))
@@ -61,7 +69,7 @@ def _parted(polynomials: "Mapping[tuple, dict]"):
     return (a, b, sums), content, rest
 
 
-def _divided(polynomial):
+def _divided(polynomial: "Polynomial") -> "Polynomial":
     """{(i, j): c} of αⁱβʲ by α² + β²; {} where that leaves a rest."""
     left, found = dict(polynomial), {}
     while left:
@@ -76,7 +84,8 @@ def _divided(polynomial):
     return found
 
 
-def _product(found, parted, below, shared, sign):
+def _product(found: "FrequencyEquation | WaveArguments", parted: "Group", below: "Sequence[tuple[Node, Exponent]]",
+             shared: Sequence[int], sign: "Exponent") -> "Node":
     """sign·(what stands before)·(Σ polynomial·functions)."""
     others, powers, content, rest = parted
     a, b, table = found.second, found.wave_number, found.second.table
@@ -86,7 +95,7 @@ def _product(found, parted, below, shared, sign):
     return table.product((table.number(sign * content), 1), *others, *below, *front, (total, 1))
 
 
-def _factored(table, a, b, polynomial):
+def _factored(table: "Table", a: "Node", b: "Node", polynomial: "Polynomial") -> "Node":
     """Σ c·αⁱβʲ with the powers that divide it in front."""
     least = [min(powers[k] for powers in polynomial) for k in (0, 1)]
     total = table.sum(*((a ** (i - least[0]) * b ** (j - least[1]), c) for (i, j), c in sorted(polynomial.items())))

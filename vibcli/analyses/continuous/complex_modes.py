@@ -76,14 +76,15 @@ def _sorted(matrix, rigid):
 
 
 class ComplexModes:
-    """Of a DampedBasis, as RealModes: inputs φᵀb (modes, channels); start: φᵀ M u₀, φᵀ M v₀ and φᵀ C u₀; left(of
-    these): the LeftOutEnergy of those left out. gaps: how far each λ is from the next; shown_by_start: ⟨zₙ, z⟩ of the
-    start."""
+    """Of a DampedBasis, as RealModes: inputs φᵀb (modes, channels); start: φᵀ M u₀, φᵀ M v₀, φᵀ C u₀ and φᵀ C v₀;
+    left(of these): the LeftOutEnergy of those left out. gaps: how far each λ is from the next; shown_by_start: ⟨zₙ, z⟩
+    and ⟨zₙ, A z⟩ of the start."""
 
-    def __init__(self, basis: DampedBasis, inputs: np.ndarray, start: tuple[np.ndarray, np.ndarray, np.ndarray],
+    def __init__(self, basis: DampedBasis, inputs: np.ndarray,
+                 start: tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray],
                  left: "Callable[[ComplexModes], LeftOutEnergy] | None" = None):
         self.basis, self.count, free = basis, basis.shapes.shape[1], basis.free
-        place, speed, drag = start
+        place, speed, drag, dragged = start
         rates = basis.rates[free:]
         share = np.where(rates.imag > 0, 2.0, 1.0)
         begin = share * (rates * place[free:] + speed[free:] + drag[free:])
@@ -98,7 +99,8 @@ class ComplexModes:
         errors = basis.errors[free:]
         self.gaps = nearest(rates)
         self.doubt = Doubt(errors + EPSILON * (rates != 0), 8 * EPSILON + 4 * errors * abs(rates) / self.gaps)
-        self.shown_by_start = rates * (speed[free:] - rates * place[free:] - drag[free:])
+        first = rates * (speed[free:] - rates * place[free:] - drag[free:])
+        self.shown_by_start = first, -rates * (first + 2 * dragged[free:])
         self.disturbed = left and partial(LeftOutMotions, left(self))
 
     def rows(self, output: "LinearOutput") -> tuple[np.ndarray, np.ndarray]:

@@ -33,13 +33,15 @@ BLOWN = 32.0        # times its natural size: where a piece is as large, it is n
 
 class PieceStack:
     """Pieces of one differential equation, evaluated together: their coefficients as columns; ends[p]: the rows
-    {coordinate: component} of the end values of piece p, of short ones of u₀, θ₀, w, ψ; numbers[p]: its place among all
-    pieces; beta: retardations."""
+    {coordinate: component} of the end values of piece p, of short ones of u₀, θ₀, w, ψ; shares[p]: (i, j, a, b, share
+    of d[a, b] in D[i, j]) of it; numbers[p]: its place among all pieces; beta: retardations."""
 
-    __slots__ = ("beta", "ends", "numbers", "piece", "retarded", "short")
+    __slots__ = ("beta", "ends", "numbers", "piece", "retarded", "shares", "short")
 
     def __init__(self, placed: "Sequence[PlacedPiece]", numbers: "Sequence[int]", ends: "Sequence[tuple]", short: bool):
         self.ends, self.numbers, self.short = list(ends), list(numbers), short
+        self.shares = [[(i, j, a, b, float(x * y)) for a, row in enumerate(rows) for b, other in enumerate(rows)
+                        for i, x in row.items() for j, y in other.items()] for rows in self.ends]
         self.piece = Piece(*(np.array([[float(getattr(one.piece, name))] for one in placed]) for name in Piece._fields))
         self.beta = np.array([[float(one.retardation)] for one in placed])
         self.retarded = bool(self.beta.any())
@@ -50,10 +52,10 @@ class PieceStack:
         piece, factor = self.piece, (1 + self.beta * s) if self.retarded else 1.0
         kappa = retarded_reaction(piece, s, self.beta)
         if not steep and not self.short:
-            return np.moveaxis(stiffness(piece, kappa), (-2, -1), (0, 1)) * factor, None
+            return stiffness(piece, kappa).transpose(2, 3, 0, 1) * factor, None
         found = stiffness_and_slope(piece, kappa)
         found = in_relative_motions(piece, kappa, *found, bent) if self.short else found
-        d, slope = (np.moveaxis(part, (-2, -1), (0, 1)) for part in found)
+        d, slope = (part.transpose(2, 3, 0, 1) for part in found)
         slope = slope * reaction_rate(piece, s, self.beta) * factor if steep else None
         return d * factor, slope + self.beta * d if steep and self.retarded else slope
 
@@ -177,9 +179,9 @@ class DynamicMatrix:
                 for a, row in enumerate(rows):
                     for i, x in row.items():
                         size[i] += float(x) ** 2 * np.abs(d[a, a, p])
-                _added(D, rows, d[:, :, p])
+                _added(D, stack.shares[p], d[:, :, p])
                 if steeper is not None:
-                    _added(slope, rows, steeper[:, :, p])
+                    _added(slope, stack.shares[p], steeper[:, :, p])
         return EvaluatedMatrix(self, D, slope, size, excess, ends, self._put(D, slope, s) if loaded else {}, given)
 
     def _put(self, D, slope, s):
@@ -212,19 +214,16 @@ class DynamicMatrix:
             k, c, m = self.polynomial[:, i, j].tolist()
             if away.any():
                 c = np.where(away, left[i, j], c)
-            D[i, j] = k + square * m if not np.any(c) else k + s * c + square * m
+            D[i, j] = k + square * m if not np.count_nonzero(c) else k + s * c + square * m
             if slope is not None:
                 slope[i, j] = 2 * s * m + c
         return D, slope
 
 
-def _added(D, rows, d):
-    """Adds Sᵀ d S to D; rows: those of S."""
-    for a, b in np.ndindex(len(rows), len(rows)):
-        for i, x in rows[a].items():
-            for j, y in rows[b].items():
-                share = float(x * y)
-                D[i, j] += d[a, b] if share == 1.0 else share * d[a, b]
+def _added(D, shares, d):
+    """Adds Sᵀ d S to D."""
+    for i, j, a, b, share in shares:
+        D[i, j] += d[a, b] if share == 1.0 else share * d[a, b]
 
 
 def _left(piece, Z, s, away, d, steeper):

@@ -16,8 +16,7 @@ A load f(τ) leaves minus the mean of (h, s h) f̂(s) over a circle about all s 
 that of a step; Π takes off what each mode between this circle and those left out brings.
 """
 
-from functools import cached_property
-from math import comb, factorial, inf
+from math import inf
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -25,6 +24,8 @@ import numpy as np
 from vibcli.analyses.continuous.damped_energies import ROUNDED, DampedSwings, OwnEnergies, energies
 from vibcli.analyses.continuous.dragged_pieces import DraggedPieces
 from vibcli.analyses.continuous.free_fading import fading
+from vibcli.analyses.continuous.left_out_columns import MANY, SHARES, Column, Places, places_on
+from vibcli.analyses.continuous.left_out_readings import Reading, readings
 from vibcli.analyses.continuous.modal_reads import key_of
 from vibcli.analyses.continuous.modal_start import of_load
 from vibcli.analyses.continuous.unit_answers import UnitLoadsOf
@@ -36,6 +37,7 @@ if TYPE_CHECKING:
 
     from vibcli.analyses.continuous.complex_modes import ComplexModes
     from vibcli.analyses.continuous.exact_transfer import ExactTransfer
+    from vibcli.analyses.continuous.field_start import FieldStart
     from vibcli.analyses.continuous.unit_answers import UnitAnswers
 
 EPSILON = 2.0**-52
@@ -51,91 +53,87 @@ MOST = 4_096        # modes that a start in fields is divided in, as all of them
 
 class Slots(NamedTuple):
     """Unit loads, or unit displacements of driven ends: inputs (modes, slots), how far each mode is felt by them as
-    they begin; modes, and circles: what does so on both circles, as DampedSwings, modes with their OwnEnergies;
-    massive: bᵀ M⁻¹ b of those that act on mass, (slots, slots)."""
+    they begin; modes, and circles: what does so at places of both circles, as DampedSwings, modes with their
+    OwnEnergies; massive: bᵀ M⁻¹ b of those that act on mass, (slots, slots)."""
 
     inputs: np.ndarray
     modes: DampedSwings
     own: OwnEnergies
     circles: list[DampedSwings]
     massive: np.ndarray
-
-
-class Column(NamedTuple):
-    """The answer to a unit load on a slot: ∂ᵏ/∂sᵏ of (h, s h) at s, its `imaginary` part or the real one; of a power −1
-    the answer to a blow."""
-
-    slot: int
-    exponent: complex
-    power: int
-    imaginary: bool = False
-
-    def weights(self, places: np.ndarray) -> np.ndarray:
-        """Those of (h, s h) at places on the upper half of a circle, and their conjugates on the lower one."""
-        if self.power < 0:
-            return -places / (2 * len(places))
-        upper, lower = (factorial(self.power) * s / (s - self.exponent) ** (self.power + 1) / (2 * len(places))
-                        for s in (places, places.conj()))
-        return (upper - lower.conj()) / 2j if self.imaginary else (upper + lower.conj()) / 2
+    places: list[Places]
 
 
 class LeftOutEnergy:
-    """Of ComplexModes; begun: q and v at t = 0; of a start in fields besides `twice` its energy, None of others;
-    fading: δ."""
+    """Of ComplexModes; begun: q and v at t = 0; of a start in fields that: a FieldStart; fading: δ."""
 
     def __init__(self, modes: "ComplexModes", transfer: "ExactTransfer", begun: "tuple[np.ndarray, np.ndarray]",
-                 twice: float | None = None):
+                 start: "FieldStart | None" = None):
         self.modes, self.states, self.basis, self.transfer = modes, modes.states, modes.basis, transfer
         self.n, (_, C, M), rates = transfer.n, transfer.matrix.polynomial, modes.states.rates
-        self.held, self.struck = (transfer.at_rest(begun[0]), M @ begun[1]) if twice is None else np.zeros(
-            (2, self.n))
-        self.fading = fading(transfer) if twice is None else 0.0
+        self.held, self.struck = (transfer.at_rest(begun[0]), M @ begun[1]) if start is None else np.zeros((2, self.n))
+        self.fading = fading(transfer) if start is None else 0.0
         self._dragged = DraggedPieces(transfer, self.fading)
         C = C - 2 * self.fading * M
         size = np.sqrt(np.maximum(np.diagonal(C), 0.0))
         values, vectors = np.linalg.eigh(C / np.outer(*[np.where(size, size, 1.0)] * 2))
         self._strokes = (size[:, None] * vectors * np.sqrt(np.maximum(values, 0.0)))[:, values > INDEFINITE]
         self.valid = bool((C == C.T).all() and (values >= -INDEFINITE).all() and not C[size == 0].any()
-                          and not self._grows() and (twice or 0.0) < inf
+                          and not self._grows() and (start is None or start.twice(0) < inf)
                           and not any(one.retardation for one in transfer.pieces))
         apart = min(APART, (BALANCE / max(1, len(rates))) ** 0.5)
         half = int(PLACES / apart / 2) + 1
         turn = np.exp(1j * np.pi * (np.arange(half) + 0.5) / half)
-        self.places = [(1 - share * apart) * self.basis.radius * turn for share in (1.0, 1.5)]
+        circles = [(1 - share * apart) * self.basis.radius * turn for share in (1.0, 1.5)]
+        self._places = [[places_on(circle, self.basis.radius, smooth * share)
+                         for circle, share in zip(circles, SHARES, strict=True)] for smooth in range(2)]
         least = (1 - 1.5 * apart) * (1 - apart) * self.basis.radius
         self.chosen = np.flatnonzero(np.abs(rates) > least)
-        self.valid &= self.basis.of_points <= (least if twice is None else 0.0) and (
-            twice is None or len(rates) <= MOST)
-        self.loads, self._twice = UnitLoadsOf(transfer), twice
+        self.valid &= self.basis.of_points <= (least if start is None else 0.0) and (
+            start is None or len(rates) <= MOST)
+        self.loads, self._start = UnitLoadsOf(transfer), start
         self._known: dict[Any, Any] = {}
 
     @property
     def in_fields(self) -> bool:
         """Does the motion start so?"""
-        return self._twice is not None
+        return self._start is not None
 
-    @cached_property
-    def begun(self) -> float:
-        """‖Π z‖ of a start in fields."""
-        if self._twice is None:
-            return 0.0
+    def begun(self, k: int) -> float:
+        """‖Π Aᵏ z‖ of a start in fields, without its blows."""
+        if ("begun", k) not in self._known:
+            twice = 0.0 if self._start is None else self._start.twice(k)
+            self._known["begun", k] = self._begun(k, twice) if 0 < twice < inf else twice
+        return self._known["begun", k]
+
+    @property
+    def begun_by(self) -> np.ndarray:
+        """The blows of A z of a start in fields, on each coordinate."""
+        return np.zeros(self.n) if self._start is None else self._start.blows
+
+    def _begun(self, k, twice):
         chosen, modes = np.flatnonzero(self.states.rates), self.modes
-        begin, shown = self.states.begin[chosen], modes.shown_by_start[chosen]
+        rates, shown = self.states.rates[chosen], modes.shown_by_start[k][chosen]
+        begin = self.states.begin[chosen] * rates**k
+        if k:
+            blown = self.begun_by @ self.basis.shapes[:, self.states.modes[chosen]]
+            begin, shown = begin - np.where(rates.imag > 0, 2.0, 1.0) * blown, shown - rates * blown
         swings, own = self._modes(np.zeros((len(chosen), 0)), {}, chosen)
         found, off = energies(swings, begin[:, None], swings, begin[:, None], own, self._dragged.drags)
-        felt, still = begin * shown, float((modes.rigid_start[1] ** 2).sum())
-        found = found[0, 0] + self._twice - 2 * float(felt.real.sum()) - still
-        off = off[0, 0] + ROUNDED * (self._twice + 2 * float(np.abs(felt).sum()) + still)
-        slips = np.sqrt(own.energies) @ (modes.doubt.size[chosen] * np.abs(begin) + modes.lost[chosen])
-        return float(np.sqrt(max(found, 0.0) + off) + slips)
+        felt, still = begin * shown, 0.0 if k else float((modes.rigid_start[1] ** 2).sum())
+        found = found[0, 0] + twice - 2 * float(felt.real.sum()) - still
+        off = off[0, 0] + ROUNDED * (twice + 2 * float(np.abs(felt).sum()) + still)
+        lost = modes.doubt.size[chosen] * np.abs(begin) + np.abs(rates) ** k * modes.lost[chosen]
+        return float(np.sqrt(max(found, 0.0) + off) + np.sqrt(own.energies) @ lost)
 
     def _grows(self):
         """Does a mode, as where K is not positive? Not one that nothing damps, which rounding makes seem to."""
         rates = self.states.rates
         return bool((rates.real > (self.basis.errors[self.states.modes] + EPSILON) * np.abs(rates)).any())
 
-    def of_channels(self, channels: "Sequence[int]") -> Slots:
-        """Unit loads on coordinates and along members, and unit displacements of driven ends."""
+    def of_channels(self, channels: "Sequence[int]", smooth: bool = False) -> Slots:
+        """Unit loads on coordinates and along members, and unit displacements of driven ends; at places about the τ
+        too where what is asked is `smooth`."""
         at, numbers = list(channels), self.states.modes[self.chosen]
         share = np.where(self.states.rates.imag > 0, 2.0, 1.0)[self.chosen, None]
         along = {}
@@ -146,20 +144,22 @@ class LeftOutEnergy:
             along[number] = reads
         felt = self.states.inputs[self.chosen[:, None], at] / share
         forces = np.where(np.isin(at, list(self.loads.driven)), felt, 0.0)
-        return self._slots(felt, forces, along, lambda s: self.loads.of_channels(at, s), self.loads.massive(at))
+        return self._slots(felt, forces, along, lambda s: self.loads.of_channels(at, s), self.loads.massive(at), smooth)
 
-    def of_output(self, output: LinearOutput) -> Slots:
+    def of_output(self, output: LinearOutput, smooth: bool = False) -> Slots:
         """A unit load where displacements of coordinates or a place are read."""
         row = np.array([output.q.get(i, 0.0) for i in range(self.n)])
         reads = self.basis.rows(output)[0][self.states.modes[self.chosen]][:, None]
         return self._slots(reads, 0 * reads, {place.piece: reads for place in output.places},
-                           lambda s: self.loads.of_output(output, s), (row @ self.loads.inverse @ row)[None, None])
+                           lambda s: self.loads.of_output(output, s), (row @ self.loads.inverse @ row)[None, None],
+                           smooth)
 
-    def _slots(self, felt, forces, along, answers: "Callable[[np.ndarray], UnitAnswers]", massive):
+    def _slots(self, felt, forces, along, answers: "Callable[[np.ndarray], UnitAnswers]", massive, smooth):
         modes, own = self._modes(felt - forces, along, self.chosen)
         share = np.where(self.states.rates.imag > 0, 2.0, 1.0)[self.chosen, None]
-        circles = [self._circle(answers(s)) for s in self.places]
-        return Slots(share * felt, modes._replace(loads=-forces), own, circles, massive)
+        places = self._places[smooth]
+        circles = [self._circle(answers(one.all)) for one in places]
+        return Slots(share * felt, modes._replace(loads=-forces), own, circles, massive, places)
 
     def _circle(self, answers):
         """DampedSwings of all slots at each place of a circle."""
@@ -177,11 +177,11 @@ class LeftOutEnergy:
         number = len(slots.massive)
         at = np.array([column.slot for column in columns])
         blows = np.zeros((number, len(columns)))
-        blows[at, range(len(columns))] = [column.power < 0 for column in columns]
+        blows[at, range(len(columns))] = [column.is_blow for column in columns]
         felt, sides = slots.inputs[:, at], []
         rates = self.states.rates[self.chosen, None]
-        for s, there in zip(self.places, slots.circles, strict=True):
-            v = np.array([column.weights(s) for column in columns]).T
+        for places, there in zip(slots.places, slots.circles, strict=True):
+            s, v = places.all, np.array([column.weights(places) for column in columns]).T
             sums = (1 / (s - rates)) @ v + (1 / (s.conj() - rates)) @ v.conj() + blows.any(axis=0)
             circle = np.zeros((len(s), number, len(columns)), complex)
             circle[:, at, range(len(columns))] = 2 * v
@@ -197,12 +197,25 @@ class LeftOutEnergy:
 
     def norms(self, channels: "Sequence[int]", columns: "Sequence[Column]", e: np.ndarray) -> np.ndarray:
         """‖Π Σ e b‖ of rows of e, with all that may put them off; slots of columns: channels."""
-        on, key = tuple(channels), (tuple(channels), tuple(columns))
+        return self._norms(self._sums(channels, columns), e)
+
+    def smooth_norms(self, channels: "Sequence[int]", columns: "Sequence[Column]", e: np.ndarray) -> np.ndarray:
+        """‖Π (τ − A)⁻¹ Σ e b‖ for each τ, (τ, rows of e)."""
+        return self._smooth_norms(self._sums(channels, _smooth(columns)), e)
+
+    def _sums(self, channels, columns):
+        smooth = columns[0].smooth is not None
+        on, key = (tuple(channels), smooth), (tuple(channels), tuple(columns))
         if key not in self._known:
             if on not in self._known:
-                self._known[on] = self.of_channels(channels)
+                self._known[on] = self.of_channels(channels, smooth)
             self._known[key] = self.of_columns(self._known[on], columns)
-        return self._norms(self._known[key], e)
+        return self._known[key]
+
+    def _smooth_norms(self, sums, e):
+        blocks = np.arange(MANY * e.shape[1]).reshape(MANY, -1)
+        found, off, slips = sums
+        return np.array([self._norms((found[np.ix_(at, at)], off[np.ix_(at, at)], slips[at]), e) for at in blocks])
 
     def _norms(self, sums, e):
         found, off, slips = sums
@@ -243,44 +256,44 @@ class LeftOutEnergy:
         lost = np.array([self.basis.lost(LinearOutput(q={i: 1.0}))[0] for i in range(self.n)])
         return lost.reshape(self.n, -1)[:, self.states.modes[chosen]].T @ np.abs(self._strokes)
 
-    def reaches(self, output: LinearOutput, order: int) -> "list[tuple[int, float]]":
-        """[(k, ‖Π A⁻ᵏ a‖)] of what makes up an output's order-th rate."""
-        key = key_of(output), order
+    def readings(self, output: LinearOutput, order: int) -> list[Reading]:
+        """What makes up an output's order-th rate."""
+        return readings(output, order, self.transfer.pieces, [bool(x) for x in np.diagonal(self.loads.inverse)])
+
+    def reach(self, reading: Reading) -> float:
+        """‖Π A⁻ᵏ a‖."""
+        key = key_of(reading.output), reading.rate
         if key not in self._known:
-            self._known[key] = [(self._level(*part), self._reach(*part)) for part in self._parts(output, order)]
+            columns, e = reading.columns(reading.level, self.fading)
+            sums = self.of_columns(self.of_output(reading.output), columns)
+            self._known[key] = float(self._norms(sums, np.array([e]))[0])
         return self._known[key]
 
-    def levels(self, output: LinearOutput, order: int) -> list[int]:
-        """The k of these."""
-        return [self._level(*part) for part in self._parts(output, order)]
+    def smooth_reaches(self, reading: Reading) -> np.ndarray:
+        """‖Π (τ − A)⁻¹ A¹⁻ᵏ a‖ for each τ, (τ,)."""
+        key = key_of(reading.output), reading.rate, "smooth"
+        if key not in self._known:
+            columns, e = reading.columns(reading.level - 1, self.fading)
+            sums = self.of_columns(self.of_output(reading.output, True), _smooth(columns))
+            self._known[key] = self._smooth_norms(sums, np.array([e]))[:, 0]
+        return self._known[key]
 
-    def _parts(self, output, order):
-        """(output of what is read of displacements, which rate of it is)."""
-        for rate, row in enumerate((output.q, output.v, output.a)):
-            if any(row.values()):
-                yield LinearOutput(q=row), rate + order
-        for place, factor in output.places.items():
-            if factor:
-                yield LinearOutput(places={place._replace(rates=0): factor}), place.rates + order
-
-    def _level(self, output, rate):
-        """k: 0 of displacements and slopes, of the first rate of what has mass; 1 of forces; by 1 more of each rate."""
-        if any(place.along >= self.transfer.pieces[place.piece].piece.order // 2 for place in output.places):
-            return 1 + rate
-        massive = not output.places and all(self.loads.inverse[i, i] for i in output.q)
-        return max(rate - massive, 0)
-
-    def _reach(self, output, rate):
-        """Of sᵐ/(s + δ)ᵏ⁺¹, divided in powers of s + δ."""
-        k, columns, e = self._level(output, rate), [], []
-        for j in range(rate + 1):
-            factor, power = comb(rate, j) * (-self.fading) ** (rate - j), k - j
-            if factor:
-                columns.append(Column(0, 0j if power < 0 else complex(-self.fading), power))
-                e.append(-factor if power < 0 else factor / factorial(power))
-        return float(self._norms(self.of_columns(self.of_output(output), columns), np.array([e]))[0])
+    @property
+    def tau(self) -> np.ndarray:
+        """Those of smooth norms."""
+        return self._places[True][0].poles + self.fading
 
     def takes(self, channel: int, exponent: complex, power: int) -> bool:
         """Is the energy that a load sets free known, and finite?"""
         return abs(exponent) <= FAST * self.basis.radius and self.loads.takes(channel) and (
             power >= 0 or (power == -1 and bool(self.loads.massive([channel])[0, 0])))
+
+    def takes_smooth(self, channel: int, exponent: complex, power: int) -> bool:
+        """Is that of (τ − A)⁻¹ of what it sets free?"""
+        return abs(exponent) <= FAST * self.basis.radius and self.loads.takes(channel) and (
+            power >= 0 or (power == -1 and channel not in self.loads.driven))
+
+
+def _smooth(columns):
+    """The same columns for each τ."""
+    return [column._replace(smooth=j) for j in range(MANY) for column in columns]

@@ -16,7 +16,10 @@ if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
 AT_ONCE = "as a load, or a rate of it, sets in or lets go at once where nothing has mass"
+FALLS, SAFE = 0.6, 2.0      # of one term to the next, τ growing four times: up to there; times what those beyond add
+MOVED = "as a driven end, or a rate of its displacement, jumps"
 IN_FIELD = "as it is a force, or a rate, after a start in a field"
+UNFIT = f"{IN_FIELD} that is not smooth, or does not fit all ends and joints"
 
 
 class LeftOutMotions:
@@ -34,23 +37,58 @@ class LeftOutMotions:
         if not self.bounds(output, t, order):
             return inf
         begun = self.times <= max(t, float(self.times[0]))
-        faded = np.exp(-self.energy.fading * np.maximum(t - self.times[begun], 0.0))
-        found = sum(reach * float(self._sizes_of(k)[begun] @ faded) for k, reach in self.energy.reaches(output, order))
+        faded = begun * np.exp(-self.energy.fading * np.maximum(t - self.times, 0.0))
+        found = sum(self._of(one, faded) for one in self.energy.readings(output, order))
         return found if found < inf else inf
 
     def bounds(self, output: "LinearOutput", _: float, order: int = 0) -> bool:
         """Is that bound finite?"""
-        return self.energy.valid and all(self._is_finite(k) for k in self.energy.levels(output, order))
+        return self.energy.valid and all(map(self._is_bounded, self.energy.readings(output, order)))
+
+    def _of(self, reading, faded):
+        if self._is_finite(reading.level):
+            return self.energy.reach(reading) * float(self._sizes_of(reading.level) @ faded)
+        return self._by_smoothing(reading, faded)
+
+    def _is_bounded(self, reading):
+        return self._is_finite(reading.level) or self._is_smooth(reading)
+
+    def _is_smooth(self, reading):
+        """Does what is left out have a bound by (τ − A)⁻¹ of it?"""
+        k = reading.level
+        return reading.rate <= k and self.energy.begun(k) < inf and all(
+            self.energy.takes_smooth(*key) for part in self._rated(k) for key in part
+            ) and self._by_smoothing(reading, np.ones(len(self.times))) < inf
+
+    def _by_smoothing(self, reading, faded):
+        """With Jτ = τ (τ − A)⁻¹, which tend to 1, [a, z] = [a, J₀ z] + Σ [a, (Jₙ₊₁ − Jₙ) z], each by the energies of
+
+            (Jₙ₊₁ − Jₙ) = (τₙ − τₙ₊₁) A (τₙ₊₁ − A)⁻¹ (τₙ − A)⁻¹
+
+        one (τ − A)⁻¹ with a, the other with z; beyond the last τ these fall as the last of them do."""
+        energy, (tau, k) = self.energy, (self.energy.tau, reading.level)
+        sizes, reach = self._sizes_of(k, smooth=True) @ faded, energy.reach(reading)
+        terms = np.diff(tau) * energy.smooth_reaches(reading)[1:] * sizes[:-1]
+        fall = terms[-1] / terms[-2] if terms[-2] else 0.0
+        if not fall <= FALLS:
+            return inf
+        begun = energy.begun(k) * faded[0]
+        return reach * (begun + tau[0] * sizes[0]) + float(terms.sum()) + SAFE * float(terms[-1]) * fall / (1 - fall)
 
     def reason(self, output: "LinearOutput") -> str:
         """Why no bound is known of it, in words, where the energy that something leaves is infinite or not known; "" of
         all else."""
-        levels = self.energy.levels(output, 0) if self.energy.valid else []
-        beyond = {key for k in levels for part in self._rated(k) for key in part if not self.energy.takes(*key)}
-        if beyond:
-            moved = range(self.energy.n, self.energy.n + len(self.energy.transfer.driven))
-            return AT_ONCE if all(power < 0 and channel not in moved for channel, _, power in beyond) else ""
-        return IN_FIELD if self.energy.in_fields and any(levels) else ""
+        known = self.energy.readings(output, 0) if self.energy.valid else []
+        levels = {one.level for one in known if not self._is_bounded(one)}
+        parts = [part for k in levels for part in self._rated(k)]
+        beyond = {key for part in parts for key in part if not self.energy.takes(*key)}
+        if any(power >= 0 for *_, power in beyond):
+            return ""
+        if self.energy.in_fields and any(levels):
+            return UNFIT if levels == {1} else IN_FIELD
+        if any(channel in self.energy.loads.driven for channel, *_ in beyond) or any(map(self._jumps, parts)):
+            return MOVED
+        return AT_ONCE if beyond else ""
 
     def obstacle(self, _: "LinearOutput", __: float) -> str:
         """Why it is not, where amplitudes tell nothing either."""
@@ -65,12 +103,14 @@ class LeftOutMotions:
         """The same of the k-th rate."""
         while len(self._parts) <= k:
             self._parts.append([_rate(part, self.energy.fading) for part in self._parts[-1]])
+            if len(self._parts) == 2 and self.energy.in_fields:
+                self._parts[1][0] = _with_blows(self._parts[1][0], self.energy.begun_by)
         return self._parts[k]
 
     def _is_finite(self, k):
         """Is the energy of all of them known? It is infinite where a driven end jumps."""
         if k not in self._finite:
-            self._finite[k] = not (k and self.energy.in_fields) and all(
+            self._finite[k] = self.energy.begun(k) < inf and all(
                 self.energy.takes(*key) for key in {key for part in self._rated(k) for key in part}) and not any(
                     self._jumps(part) for part in self._rated(k))
         return self._finite[k]
@@ -80,9 +120,9 @@ class LeftOutMotions:
         return any(abs(sum(own)) > ROUNDING * sum(map(abs, own)) for channel in self.energy.loads.driven
                    for own in [[c.real for (at, _, power), c in part.items() if at == channel and not power]])
 
-    def _sizes_of(self, k):
-        """‖Π Aᵏ z‖ of what begins with each segment."""
-        if k not in self._sizes:
+    def _sizes_of(self, k, smooth=False):
+        """‖Π Aᵏ z‖ of what begins with each segment; or ‖Π (τ − A)⁻¹ Aᵏ z‖ of the same, (τ, segments)."""
+        if (k, smooth) not in self._sizes:
             parts = self._rated(k)
             channels = sorted({channel for part in parts for channel, *_ in part})
             keys = sorted({key for part in parts for key in part}, key=str)
@@ -91,10 +131,13 @@ class LeftOutMotions:
             e = np.array([[-c.imag if column.imaginary else c.real for column in columns
                            for c in [part.get((channels[column.slot], column.exponent, column.power), 0j)]]
                           for part in parts])
-            found = self.energy.norms(channels, columns, e) if columns else np.zeros(len(parts))
-            found[0] += self.energy.begun
-            self._sizes[k] = found
-        return self._sizes[k]
+            if smooth:
+                found = self.energy.smooth_norms(channels, columns, e)
+            else:
+                found = self.energy.norms(channels, columns, e) if columns else np.zeros(len(parts))
+                found[0] += self.energy.begun(k)
+            self._sizes[k, smooth] = found
+        return self._sizes[k, smooth]
 
     def _begun(self, number):
         """That of one."""
@@ -141,4 +184,12 @@ def _rate(part, fading):
         if power >= 0:
             found.add((channel, s, power), c * (s + fading))
         found.add(*(((channel, s, power - 1), c * power) if power else ((channel, 0j, -1), -c)))
+    return found.kept()
+
+
+def _with_blows(part, blows):
+    """A part beside blows on coordinates."""
+    found = _Changes()
+    for key, c in [*part.items(), *(((i, 0j, -1), size) for i, size in enumerate(blows.tolist()) if size)]:
+        found.add(key, c)
     return found.kept()

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from vibcli.analyses.continuous.exact_transfer import ExactTransfer
-    from vibcli.analyses.excitation.forcing import Forcing
+    from vibcli.analyses.excitation.forcing import Forcing, Segment
     from vibcli.mechanics.factored_system import PlacedPiece
 
 PLACES, WAVES = 16, 4.0     # of Gauss's rule on a panel, and how far fields may turn or grow over one
@@ -29,15 +29,15 @@ def start_energy(transfer: "ExactTransfer", begun: tuple[np.ndarray, np.ndarray]
         if u is None:
             found += float(ends @ stiffness(one.piece, np.float64(one.piece.foundation)) @ ends)
         else:
-            found += _of_field(one, u, ends)
+            found += of_field(one, u, ends)
         found += 0.0 if speed is None else one.piece.inertia * _squares(speed, one.piece.length)[0]
     return found
 
 
-def _of_field(one: "PlacedPiece", u: "Forcing", ends: np.ndarray) -> float:
+def of_field(one: "PlacedPiece", u: "Forcing", ends: np.ndarray) -> float:
     """Of a field, whose values and slopes have to be those of the ends and continuous."""
     piece, half = one.piece, one.piece.order // 2
-    edges = _edges(u, piece.length)
+    edges = edges_of(u, piece.length)
     sides = [np.array([_along(segment, x) for x in (low, high)]) for segment, low, high in edges]
     joined = [ends[:half], *(side[at][:half] for side in sides for at in range(2)), ends[half:]]
     for order in range(half):
@@ -49,7 +49,7 @@ def _of_field(one: "PlacedPiece", u: "Forcing", ends: np.ndarray) -> float:
     return float(piece.foundation * squares[0] + tension + (piece.bending * squares[2] if half == 2 else 0.0))
 
 
-def _edges(given, length):
+def edges_of(given: "Forcing", length: float) -> "list[tuple[Segment, float, float]]":
     """[(segment, from, to)], counted from the start of the piece."""
     segments = given.segments(inf)
     starts = [max(0.0, one.start) for one in segments]
@@ -64,13 +64,20 @@ def _along(segment, x):
 
 def _squares(given, length):
     """∫ u² dx, ∫ u′² dx, ∫ u″² dx and ∫ x u′² dx."""
-    nodes, weights = np.polynomial.legendre.leggauss(PLACES)
     found = np.zeros(4)
-    for segment, low, high in _edges(given, length):
-        pace = max((abs(complex(wave.exponent)) + wave.power / length for wave in segment.waves), default=0.0)
-        panels = 1 + int(pace * (high - low) / WAVES)
-        x = low + (high - low) / panels * (np.arange(panels)[:, None] + (1 + nodes) / 2).ravel()
+    for segment, low, high in edges_of(given, length):
+        x, rule = rule_between([segment], low, high, length)
         u = np.array([_along(segment, place) for place in x])
-        rule = np.tile(weights, panels) * (high - low) / panels / 2
         found += rule @ np.column_stack([u**2, x * u[:, 1] ** 2])
     return found
+
+
+def rule_between(segments: "Sequence[Segment]", low: float, high: float,
+                 length: float) -> tuple[np.ndarray, np.ndarray]:
+    """(places, weights) of Gauss's rule for squares of fields between two places of a piece."""
+    nodes, weights = np.polynomial.legendre.leggauss(PLACES)
+    waves = [wave for one in segments for wave in one.waves]
+    pace = max((abs(complex(wave.exponent)) + wave.power / length for wave in waves), default=0.0)
+    panels = 1 + int(pace * (high - low) / WAVES)
+    x = low + (high - low) / panels * (np.arange(panels)[:, None] + (1 + nodes) / 2).ravel()
+    return x, np.tile(weights, panels) * (high - low) / panels / 2

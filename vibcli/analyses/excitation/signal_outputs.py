@@ -56,11 +56,11 @@ def as_output(configuration: "Configuration", row: LinearFunction,
     """(LinearOutput, {channel: node of the time}) of a LinearFunction."""
     channel = len(configuration.scene.q) if channel is None else channel
     opened, n = configuration.with_inputs, configuration.with_inputs.n
-    kept = [{i: x for i, x in part.items() if i < n} for part in (row.q, row.v, row.a)]
+    q, v, a = ({i: x for i, x in part.items() if i < n} for part in (row.q, row.v, row.a))
     node = _direct(opened, row)
     if node is None:
-        return LinearOutput(row.constant, *kept), {}
-    return LinearOutput(row.constant, *kept, {channel: 1.0}), {channel: node}
+        return LinearOutput(row.constant, q, v, a), {}
+    return LinearOutput(row.constant, q, v, a, {channel: 1.0}), {channel: node}
 
 
 def _direct(opened: "SystemWithInputs", row: LinearFunction) -> "Node | None":

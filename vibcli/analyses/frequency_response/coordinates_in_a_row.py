@@ -11,6 +11,7 @@ its product, of which every factor adds less than Σ |yᵢ| |δDᵢⱼ| |xⱼ| d
 or D singular but for rounding, it is left to another method.
 """
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -42,14 +43,15 @@ class Row:
 
     __slots__ = ("above", "below", "diagonal", "ends", "otherwise")
 
-    def __init__(self, system: Any, ends: tuple[int, int], otherwise: Any):
+    def __init__(self, system: Any, ends: tuple[int, int], otherwise: Any) -> None:
         self.ends, self.otherwise = ends, otherwise
         self.diagonal, self.above, self.below = (
             np.stack([np.diagonal(part, k) for part in (system.K, system.C, system.M)]) for k in (0, 1, -1))
         if (self.above == self.below).all():
             self.below = self.above
 
-    def __call__(self, system: Any, s: np.ndarray, steep: bool = False) -> tuple:
+    def __call__(self, system: Any, s: np.ndarray,
+                 steep: bool = False) -> tuple[np.ndarray, np.ndarray | None, np.ndarray]:
         """(H, dH/ds or None, whether there is a pole)."""
         values, slopes, lost = self._together(self._sloped if steep else self._valued, system, s)
         return repaired(system, s, values, slopes, np.flatnonzero(lost), self.otherwise)
@@ -62,18 +64,18 @@ class Row:
             x[lost], y[lost] = self.otherwise.fields(system, s[lost])
         return x, y
 
-    def _together(self, find, system, s):
+    def _together(self, find: Callable[..., Any], system: Any, s: np.ndarray) -> list[Any]:
         many = max(1, int(BLOCK / system.n))
         parts = [find(system, s[k:k + many]) for k in range(0, max(len(s), 1), many)]
         return [None if part[0] is None else np.concatenate(part, axis=-1) for part in zip(*parts, strict=True)]
 
-    def _valued(self, system, s):
+    def _valued(self, system: Any, s: np.ndarray) -> tuple[np.ndarray, None, np.ndarray]:
         pivots, lost = self._pivots(s)
         at, to = self.ends
         way = _factors(pivots, at)[min(at, to):max(at, to) + 1]
         return way.prod(axis=0) * (system.b[0, at] * system.c[0, to]), None, lost
 
-    def _sloped(self, system, s):
+    def _sloped(self, system: Any, s: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """dH/ds = −yᵀ D′ x."""
         x, y, lost = self._fields(system, s)
         turned = (y * x * _slopes(self.diagonal, s)).sum(axis=0)
@@ -84,13 +86,13 @@ class Row:
         to = self.ends[1]
         return x[to] * system.c[0, to], -turned, lost
 
-    def _fields(self, system, s):
+    def _fields(self, system: Any, s: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         pivots, lost = self._pivots(s)
         at, to = self.ends
         turned = pivots._replace(above=pivots.below, below=pivots.above)
         return _field(pivots, at) * system.b[0, at], _field(turned, to) * system.c[0, to], lost
 
-    def _pivots(self, s):
+    def _pivots(self, s: np.ndarray) -> "tuple[Pivots, np.ndarray]":
         """(Pivots, whether D is singular but for rounding) at each s."""
         counted(len(s) * self.diagonal.shape[1] * PRODUCTS / MILLION)
         above = _entries(self.above, s)
@@ -100,18 +102,21 @@ class Row:
         return pivots, ~(near.min(axis=0) > 64 * SINGULAR * len(near))
 
 
-def _entries(parts, s):
+def _entries(parts: np.ndarray, s: np.ndarray) -> np.ndarray:
     """K + sC + s²M of so many entries, (m, N), or (m, 1) where they do not change."""
     K, C, M = parts[:, :, None]
     if M.any():
-        return K + s * (C + s * M)
-    return K + s * C if C.any() else K
+        found: np.ndarray = K + s * (C + s * M)
+        return found
+    result: np.ndarray = K + s * C if C.any() else K
+    return result
 
 
-def _slopes(parts, s):
+def _slopes(parts: np.ndarray, s: np.ndarray) -> np.ndarray:
     """C + 2sM of so many entries, (m, N), or (m, 1) where they do not change."""
     _, C, M = parts[:, :, None]
-    return C + 2 * s * M if M.any() else C
+    found: np.ndarray = C + 2 * s * M if M.any() else C
+    return found
 
 
 class Pivots(NamedTuple):
@@ -124,7 +129,7 @@ class Pivots(NamedTuple):
     inverse: np.ndarray
 
 
-def _eliminated(diagonal, above, below):
+def _eliminated(diagonal: np.ndarray, above: np.ndarray, below: np.ndarray) -> Pivots:
     """The Pivots from D's diagonal, (n, N), and from what is above and below it; not finite beyond one that is zero."""
     both, between = (np.stack([part, part[::-1]], axis=1) for part in (diagonal, above * below))
     less = np.empty_like(both[1:])
@@ -138,7 +143,7 @@ def _eliminated(diagonal, above, below):
     return Pivots(above, below, ahead, back, inverse)
 
 
-def _factors(pivots, at):
+def _factors(pivots: Pivots, at: int) -> np.ndarray:
     """xₗ of a unit at l, and what each other coordinate moves by over its neighbour on the side of l: (n, N)."""
     found = np.empty_like(pivots.ahead)
     with np.errstate(all="ignore"):
@@ -148,7 +153,7 @@ def _factors(pivots, at):
     return found
 
 
-def _field(pivots, at):
+def _field(pivots: Pivots, at: int) -> np.ndarray:
     """D⁻¹ of a unit at a coordinate, (n, N)."""
     found = _factors(pivots, at)
     with np.errstate(all="ignore"):

@@ -46,7 +46,8 @@ class Rectangle(NamedTuple):
     high: float
 
     def holds(self, s: np.ndarray) -> np.ndarray:
-        return (np.abs(s.real) < self.width) & (s.imag > self.low) & (s.imag < self.high)
+        found: np.ndarray = (np.abs(s.real) < self.width) & (s.imag > self.low) & (s.imag < self.high)
+        return found
 
     @property
     def sides(self) -> list[tuple[complex, complex]]:
@@ -60,7 +61,7 @@ class CountedRoots:
     """A function whose zeros are counted: slope(s) is f′/f there, steps lead from s to zeros, poles are all it has,
     near `starts` zeros may lie."""
 
-    def __init__(self, slope: "Field", steps: "Sequence[Field]", poles: np.ndarray, starts: np.ndarray):
+    def __init__(self, slope: "Field", steps: "Sequence[Field]", poles: np.ndarray, starts: np.ndarray) -> None:
         self.slope, self.steps, self.poles, self._starts = slope, steps, poles, starts
 
     def zeros(self, parts: "Sequence[Rectangle]", around: "Sequence[SideSamples]", depth: int = DEEPEST) -> np.ndarray:
@@ -74,10 +75,12 @@ class CountedRoots:
         return np.concatenate([near[:0], *(self._within(*one, near, depth)
                                            for one in zip(parts, counts, poles, roots, strict=True))])
 
-    def _within(self, part, count, poles, roots, near, depth):
+    def _within(self, part: Rectangle, count: int, poles: np.ndarray, roots: np.ndarray, near: np.ndarray,
+                depth: int) -> np.ndarray:
         found = near[part.holds(near)]
         if len(found) == count or not count:
-            return found[:count]
+            result: np.ndarray = found[:count]
+            return result
         if not depth and len(roots):
             one = distinct(followed(lambda s: count * self.steps[0](s), roots.mean(keepdims=True)))
             if len(one) == 1 and part.holds(one).all():
@@ -135,7 +138,8 @@ def zeros_beside(response: "FrequencyResponseFunction", known: CountedPoles | No
         return distinct(np.concatenate([led_to, *_further(response, known, low, high)]))
 
 
-def _further(response, known, low, high):
+def _further(response: "FrequencyResponseFunction", known: CountedPoles | None, low: float,
+             high: float) -> list[np.ndarray]:
     """The counted zeros from some way below the first pole on, where they are certain."""
     away = UNDER * known.poles.imag.min(initial=np.inf) if known is not None else np.inf
     if low < away < high:
@@ -165,13 +169,15 @@ def uncertain(low: float, high: float) -> PhysicsError:
                         "poles, lie too near one another", "ask for its values at frequencies")
 
 
-def _seen(response, poles):
+def _seen(response: "FrequencyResponseFunction", poles: np.ndarray) -> np.ndarray:
     """The poles that H has: of several modes at one place one."""
     at = taking_part(response, poles / 1j)
-    return 1j * at[np.diff(at, prepend=-np.inf).real > ALIKE * np.abs(at)]
+    found: np.ndarray = 1j * at[np.diff(at, prepend=-np.inf).real > ALIKE * np.abs(at)]
+    return found
 
 
-def _divided(poles, low, high, share, width):
+def _divided(poles: np.ndarray, low: float, high: float, share: float,
+             width: float) -> list[Rectangle]:
     """The Rectangles of a strip between gaps of the poles, the last beyond `high`."""
     at = ascending(poles.imag[(poles.imag > low) & (poles.imag <= high)])
     mean, above = (high - low) / (len(at) + 1), poles.imag[poles.imag > high]
@@ -181,7 +187,7 @@ def _divided(poles, low, high, share, width):
     return [Rectangle(width, a, b) for a, b in pairwise(edges)]
 
 
-def _around(slope, parts):
+def _around(slope: "Field", parts: "Sequence[Rectangle]") -> "list[SideSamples | None]":
     """The SideSamples of f′/f around each of some Rectangles, None where something lies next to a side."""
     sides = along(slope, [side for part in parts for side in part.sides])
     found: list[SideSamples | None] = []
@@ -192,26 +198,28 @@ def _around(slope, parts):
     return found
 
 
-def _turned(sides):
+def _turned(sides: "Sequence[SideSamples]") -> float:
     return float(sum(side.values.sum() for side in sides).imag / (2 * np.pi))
 
 
-def _turns(samples):
+def _turns(samples: SideSamples) -> int:
     return round(_turned([samples]))
 
 
-def _of_response(response, s):
+def _of_response(response: "FrequencyResponseFunction", s: np.ndarray) -> np.ndarray:
     values, slopes, _ = response.at(s, True)
     with np.errstate(all="ignore"):
-        return slopes / values
+        found: np.ndarray = slopes / values
+        return found
 
 
-def _of_matrix(response, s):
+def _of_matrix(response: "MemberTransfer", s: np.ndarray) -> np.ndarray:
     """Of det D, tr D⁻¹ D′."""
     system = response.system
     free, found = np.ix_(system.free, system.free), system.matrix.at(s, True, loaded=False)
     D, slope = (np.moveaxis(part[free], -1, 0) for part in (found.D, found.slope))
-    return np.trace(np.linalg.solve(D, slope), axis1=1, axis2=2)
+    result: np.ndarray = np.trace(np.linalg.solve(D, slope), axis1=1, axis2=2)
+    return result
 
 
 def _held(response: "MemberTransfer", high: float) -> np.ndarray:
@@ -239,7 +247,7 @@ def _turns_of(count: "Callable[[float], Any]", low: float, high: float) -> list[
     return found
 
 
-def _cuts(part, marks):
+def _cuts(part: Rectangle, marks: np.ndarray) -> list[float]:
     """Heights at which a Rectangle is cut, in its largest gap."""
     at = np.array([part.low, *np.sort(marks.imag[part.holds(marks)]), part.high])
     k = int(np.diff(at).argmax())
@@ -257,7 +265,7 @@ def _roots(part: Rectangle, samples: SideSamples, poles: np.ndarray, count: int)
     return middle + size * np.roots([(-1)**k * x for k, x in enumerate(e)])
 
 
-def _beside(response, poles):
+def _beside(response: "FrequencyResponseFunction", poles: np.ndarray) -> np.ndarray:
     """Where H ≈ r/(s − p) + h is zero next to each pole, which may hardly be felt."""
     found = []
     for step in SMALL if len(poles) else ():

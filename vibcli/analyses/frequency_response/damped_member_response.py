@@ -36,10 +36,12 @@ class DampedMemberTransfer(FrequencyResponseFunction):
 
     __slots__ = ("_modes", "_static", "_sum", "_zeros", "damping", "driven", "still", "turns")
 
-    def __init__(self, still: "MemberTransfer", modes: "Modes", damping: "MemberDamping", driven: bool, turns: int):
+    def __init__(self, still: "MemberTransfer", modes: "Modes", damping: "MemberDamping", driven: bool,
+                 turns: int) -> None:
         super().__init__(still.order)
         self.still, self.damping, self.driven, self.turns = still, damping, driven, turns
-        self._modes, self._static = modes, 0.0
+        self._modes = modes
+        self._static: complex = 0.0
         self._sum: DampedSum | None = None
         self._zeros: dict[tuple[float, float], np.ndarray] = {}
 
@@ -70,29 +72,32 @@ class DampedMemberTransfer(FrequencyResponseFunction):
             slopes = around.sum(axis=0) / (4 * radius)
         return values, slopes, resonant
 
-    def _damped_at(self, omega):
+    def _damped_at(self, omega: np.ndarray) -> np.ndarray:
         """c at frequencies."""
         if self.damping.ratios:
             return 2 * min(map(float, self.damping.ratios)) * omega
-        return sum(float(a) * omega**(2 * k) for k, a in enumerate(self.damping.series))
+        return sum((float(a) * omega**(2 * k) for k, a in enumerate(self.damping.series)), np.zeros(omega.shape))
 
-    def _resonant(self, s):
+    def _resonant(self, s: np.ndarray) -> np.ndarray:
         """At rest, where what moves freely has no response."""
         found = s == 0
-        return found & self.still.at(np.zeros(1, complex))[2][0] if found.any() else found
+        result: np.ndarray = found & self.still.at(np.zeros(1, complex))[2][0] if found.any() else found
+        return result
 
-    def _values(self, s):
+    def _values(self, s: np.ndarray) -> np.ndarray:
         if not len(s):
             return s
         turned = (-s * s)**self.turns
         if self.driven and self.damping.whole:
             series = [float(a) for a in self.damping.series]
-            return turned * self.still.at(np.sqrt(-fractions(series, s)[0][0]))[0]
+            result: np.ndarray = turned * self.still.at(np.sqrt(-fractions(series, s)[0][0]))[0]
+            return result
         if self._sum is None:
             self._static = self._at_rest() if self.driven else 0.0
             self._sum = DampedSum(self.damping, self._modes, self._by_supports if self.driven else self._by_loads)
         found = self._sum.at(s)
-        return turned * (self._static - s * s * found if self.driven else found)
+        value: np.ndarray = turned * (self._static - s * s * found if self.driven else found)
+        return value
 
     @property
     def drifting(self) -> "AtRest | None":
@@ -100,18 +105,20 @@ class DampedMemberTransfer(FrequencyResponseFunction):
         leave as it is; None where that is not found."""
         return self.still.drifting if self.damping.ratios and not self.driven else None
 
-    def _at_rest(self):
+    def _at_rest(self) -> complex:
         values, _, resonant = self.still.at(np.zeros(1, complex))
         if resonant[0]:
             raise PhysicsError("responses of what moves freely beside driven supports are not found with damping by "
                                "modes", "write `proportional: [alpha, beta]`, or hold it")
-        return values[0]
+        found: complex = values[0]
+        return found
 
-    def _by_loads(self, sigma):
+    def _by_loads(self, sigma: np.ndarray) -> np.ndarray:
         return self.still.at(sigma)[0]
 
-    def _by_supports(self, sigma):
-        return (self._static - self.still.at(sigma)[0]) / sigma**2
+    def _by_supports(self, sigma: np.ndarray) -> np.ndarray:
+        found: np.ndarray = (self._static - self.still.at(sigma)[0]) / sigma**2
+        return found
 
     def poles(self, low: float = 0.0, high: float = math.inf) -> np.ndarray:
         high = high if math.isfinite(high) else self.end
@@ -121,7 +128,8 @@ class DampedMemberTransfer(FrequencyResponseFunction):
         root = np.sqrt((omega**2 - half**2 + 0j)[half < omega]).real
         found = -half[half < omega] + 1j * root
         found = found[(root >= low) & (root <= high)]
-        return found[np.argsort(found.imag)]
+        result: np.ndarray = found[np.argsort(found.imag)]
+        return result
 
     def zeros(self, low: float = 0.0, high: float = math.inf) -> np.ndarray:
         high = high if math.isfinite(high) else self.end
@@ -129,7 +137,7 @@ class DampedMemberTransfer(FrequencyResponseFunction):
             self._zeros[low, high] = zeros_beside(self, self._told_up_to(high), self.still, low, high)
         return self._zeros[low, high]
 
-    def _told_up_to(self, high):
+    def _told_up_to(self, high: float) -> CountedPoles | None:
         """The CountedPoles, which all modes are."""
         poles = self.poles(0.0, ABOVE * high)
         return CountedPoles(poles, high / (1 + int((poles.imag <= high).sum())))
@@ -152,7 +160,7 @@ class DampedMemberTransfer(FrequencyResponseFunction):
         found = sum(weight * of_value_at(self.still, place) for place, weight in zip(places, weights, strict=True))
         return (found + 8 * UNIT * size) * abs(Omega)**(self.order + 2 * self.turns)
 
-    def _places(self, Omega):
+    def _places(self, Omega: float) -> tuple[list[complex], list[float]]:
         """Where the sum without damping is taken, and what by."""
         if self._sum.zeta > HIGHEST:
             return [Omega * self._sum.zeta**k for k in (-1, 0, 1)], [1 / SHARE] * 3

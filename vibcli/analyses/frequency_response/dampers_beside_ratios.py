@@ -7,12 +7,13 @@ output, u an input with displacements g of supports, the dampers pull with s f (
 """
 
 import math
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix
-from vibcli.analyses.frequency_response.counted_zeros import CountedRoots, counted_among
+from vibcli.analyses.frequency_response.counted_zeros import CountedPoles, CountedRoots, counted_among
 from vibcli.analyses.frequency_response.damped_member_response import BEYOND, DampedMemberTransfer
 from vibcli.analyses.frequency_response.member_poles_and_zeros import ABOVE, LOWEST, distinct, followed
 from vibcli.analyses.frequency_response.member_response import MemberTransfer
@@ -34,7 +35,7 @@ class DampersBesideRatios(DampedMemberTransfer):
     __slots__ = ("_C", "_counted", "_forced", "_g", "_held", "_kept", "_plain", "_read", "_shared")
 
     def __init__(self, still: MemberTransfer, modes: "Modes", damping: "MemberDamping", driven: bool, turns: int,
-                 counted: "Modes"):
+                 counted: "Modes") -> None:
         super().__init__(still.without_damping, modes, damping, driven, turns)
         self._counted, self._kept = counted, {}
         system = still.system
@@ -44,7 +45,7 @@ class DampersBesideRatios(DampedMemberTransfer):
         self._held, self._C, self._g = held, C[np.ix_(held, held)], C[np.ix_(held, inputs)] @ g
         loaded = _with_loads(self.still.system, held)
 
-        def one(output, given, by_supports=False):
+        def one(output: MemberOutput, given: MemberInput, by_supports: bool = False) -> DampedMemberTransfer:
             plain = MemberTransfer(_between(*loaded, output, given), self.still.marks)
             return DampedMemberTransfer(plain, modes, damping, by_supports, 0)
 
@@ -57,7 +58,8 @@ class DampersBesideRatios(DampedMemberTransfer):
         self._forced = [one(row, given, driven) for row in seen]
         self._shared = [[one(row, load) for load in loads] for row in seen]
 
-    def _parts(self, s, of):
+    def _parts(self, s: np.ndarray,
+               of: Callable[..., np.ndarray]) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         """H₀[y, u] (N,), H₀[y, T] (N, T), H₀[T, u] (N, T), H₀[T, T] (N, T, T), or their bounds."""
         shared = [np.stack([of(one) for one in row], axis=-1) for row in self._shared]
         return (of(self._plain), np.stack([of(one) for one in self._read], axis=-1),
@@ -68,9 +70,10 @@ class DampersBesideRatios(DampedMemberTransfer):
             return s
         plain, read, forced, shared = self._parts(s, lambda one: one._values(s))
         pull = self._pulls(s, forced, shared)
-        return (-s * s)**self.turns * (plain - s * np.einsum("nt,nt->n", read, pull))
+        found: np.ndarray = (-s * s)**self.turns * (plain - s * np.einsum("nt,nt->n", read, pull))
+        return found
 
-    def _pulls(self, s, forced, shared):
+    def _pulls(self, s: np.ndarray, forced: np.ndarray, shared: np.ndarray) -> np.ndarray:
         """f, (N, T)."""
         whole = np.eye(len(self._C)) + s[:, None, None] * (self._C @ shared)
         return np.linalg.solve(whole, (forced @ self._C.T + self._g)[:, :, None])[:, :, 0]
@@ -89,7 +92,7 @@ class DampersBesideRatios(DampedMemberTransfer):
             found = self._followed(high) if counted is None else counted.poles
         return found[(found.imag >= low) & (found.imag <= high)]
 
-    def _told(self, high):
+    def _told(self, high: float) -> np.ndarray | None:
         """The damped modes of so high a frequency, by Im λ; None where they are not told."""
         try:
             modes = self._counted.numbered(1, max(len(self._counted.up_to(BEYOND * high)), 1))
@@ -98,11 +101,11 @@ class DampersBesideRatios(DampedMemberTransfer):
         found = np.array([mode.eigenvalue for mode in modes if mode.omega_d], complex)
         return found[np.argsort(found.imag)]
 
-    def _told_up_to(self, high):
+    def _told_up_to(self, high: float) -> CountedPoles | None:
         top = ABOVE * high
         return self._counted_up_to(top) if self._told(top) is None else super()._told_up_to(high)
 
-    def _counted_up_to(self, high):
+    def _counted_up_to(self, high: float) -> CountedPoles | None:
         """The CountedPoles as zeros of det(1 + s C H₀[T, T]), whose poles are those without dampers; None where the
         count does not tell."""
         if high not in self._kept:
@@ -113,14 +116,15 @@ class DampersBesideRatios(DampedMemberTransfer):
             except PhysicsError:
                 self._kept[high] = None
                 self.leave_uncounted("poles")
-        return self._kept[high]
+        found: CountedPoles | None = self._kept[high]
+        return found
 
-    def _followed(self, high):
+    def _followed(self, high: float) -> np.ndarray:
         estimates = self._coupled(high)
         polished = [followed(self._to_pole, np.array([s])) for s in estimates]
         return distinct([one[0] if len(one) else s for one, s in zip(polished, estimates, strict=True)])
 
-    def _coupled(self, high):
+    def _coupled(self, high: float) -> np.ndarray:
         """Im λ > 0 of λ² + λ (c + Φᵀ C Φ) + ω² = 0 over the modes up to a multiple of a frequency."""
         modes = self._modes.first(max(FEWEST, len(self._modes.up_to(COUPLED * high))))
         shapes = np.array([[float(mode.shape[i]) for mode in modes] for i in self._held])
@@ -129,18 +133,20 @@ class DampersBesideRatios(DampedMemberTransfer):
         found = np.linalg.eigvals(np.block([[np.zeros_like(c), np.eye(len(c))], [-squares, -c]]))
         return found[(found.imag > 0) & (found.imag <= BEYOND * high)]
 
-    def _to_pole(self, s):
+    def _to_pole(self, s: np.ndarray) -> np.ndarray:
         return -1 / self._steepness(s)
 
-    def _steepness(self, s):
+    def _steepness(self, s: np.ndarray) -> np.ndarray:
         """f′/f of f = det(1 + s C H₀[T, T])."""
         ahead, behind = (self._determinant(s * (1 + side * ASIDE)) for side in (1, -1))
-        return (ahead - behind) / (2 * ASIDE * s * self._determinant(s))
+        found: np.ndarray = (ahead - behind) / (2 * ASIDE * s * self._determinant(s))
+        return found
 
-    def _determinant(self, s):
+    def _determinant(self, s: np.ndarray) -> np.ndarray:
         """det(1 + s C H₀[T, T])."""
         shared = np.stack([np.stack([one._values(s) for one in row], axis=-1) for row in self._shared], axis=-2)
-        return np.linalg.det(np.eye(len(self._C)) + s[:, None, None] * (self._C @ shared))
+        found: np.ndarray = np.linalg.det(np.eye(len(self._C)) + s[:, None, None] * (self._C @ shared))
+        return found
 
     def error(self, Omega: float) -> float:
         """|δH| of bounds E of H₀, to first order, and of what solving for f rounds."""

@@ -5,13 +5,17 @@ the output does not see it: then that mode is left out. With x = D⁻¹b and y =
 dH/ds = c′ᵀx + yᵀ(b′ − D′x) + d′.
 """
 
+from collections.abc import Sequence
 from functools import lru_cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.analyses.frequency_response.quadratics import polynomial, slope
 from vibcli.numerics.fixed_point import count_floats
+
+if TYPE_CHECKING:
+    from vibcli.analyses.frequency_response.transfer_function import TransferFunction
 
 SINGULAR = 2.0**-46     # 1/condition of the scaled matrix below which a frequency counts as one of a pole
 UNSEEN = 1e-9           # share of b or c along a mode, below which the mode takes no part
@@ -23,10 +27,12 @@ class Direct:
 
     __slots__ = ()
 
-    def __call__(self, system: Any, s: np.ndarray, steep: bool = False) -> tuple:
+    def __call__(self, system: Any, s: np.ndarray,
+                 steep: bool = False) -> tuple[np.ndarray, np.ndarray | None, np.ndarray]:
         """(H, dH/ds or None, whether there is a pole)."""
         parts = [_block(system, part, steep) for part in _parts(system, s)]
-        return tuple(np.concatenate(part) if part[0] is not None else None for part in zip(*parts, strict=True))
+        values, slopes, resonant = zip(*parts, strict=True)
+        return np.concatenate(values), np.concatenate(slopes) if steep else None, np.concatenate(resonant)
 
     def fields(self, system: Any, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """(D⁻¹b, D⁻ᵀc), of least squares where D is singular: (N, n) each."""
@@ -37,7 +43,7 @@ class Direct:
 direct = Direct()
 
 
-def _parts(system, s):
+def _parts(system: "TransferFunction", s: np.ndarray) -> list[np.ndarray]:
     size = max(1, int(BLOCK / max(system.n, 1) ** 2))
     return [s[k:k + size] for k in range(0, max(len(s), 1), size)]
 
@@ -49,20 +55,23 @@ def scales(system: Any, s: np.ndarray) -> np.ndarray:
     if not (size > 0).all():
         across = _summed(rows, Omega)
         size = np.where(size > 0, size, np.where(across > 0, across, 1.0))
-    return np.exp2(-np.round(np.log2(size) / 2))
+    found: np.ndarray = np.exp2(-np.round(np.log2(size) / 2))
+    return found
 
 
-def _summed(parts, Omega):
-    return parts[0] + Omega * parts[1] + Omega * Omega * parts[2]
+def _summed(parts: Sequence[np.ndarray], Omega: np.ndarray) -> np.ndarray:
+    found: np.ndarray = parts[0] + Omega * parts[1] + Omega * Omega * parts[2]
+    return found
 
 
 @lru_cache
 def probe(n: int) -> np.ndarray:
     """A vector with a part along every mode."""
-    return 1.0 + 0.5 * np.sin(np.arange(1, n + 1) * 2.399963)
+    found: np.ndarray = 1.0 + 0.5 * np.sin(np.arange(1, n + 1) * 2.399963)
+    return found
 
 
-def _block(system, s, steep):
+def _block(system: "TransferFunction", s: np.ndarray, steep: bool) -> tuple[np.ndarray, np.ndarray | None, np.ndarray]:
     count_floats(system.n, len(s) / 10)
     scale, at = scales(system, s), s[:, None, None]
     D = (system.K + at * system.C + at * at * system.M) * scale[:, :, None] * scale[:, None, :]
@@ -93,7 +102,7 @@ def solutions(D: np.ndarray, right: np.ndarray) -> np.ndarray:
 
 
 def repaired(system: Any, s: np.ndarray, values: np.ndarray, slopes: np.ndarray | None, lost: np.ndarray,
-             otherwise: Any = direct) -> tuple:
+             otherwise: Any = direct) -> tuple[np.ndarray, np.ndarray | None, np.ndarray]:
     """(H, dH/ds or None, whether there is a pole), by another method at the frequencies that are lost."""
     resonant = np.zeros(len(s), bool)
     if len(lost):
@@ -103,7 +112,7 @@ def repaired(system: Any, s: np.ndarray, values: np.ndarray, slopes: np.ndarray 
     return values, slopes, resonant
 
 
-def _fields(system, s):
+def _fields(system: "TransferFunction", s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     at, b, c = s[:, None, None], polynomial(system.b, s), polynomial(system.c, s)
     D = system.K + at * system.C + at * at * system.M
     if symmetric(system):
@@ -112,7 +121,7 @@ def _fields(system, s):
     return _least(D, b[:, :, None])[:, :, 0], _least(D.transpose(0, 2, 1), c[:, :, None])[:, :, 0]
 
 
-def _least(D, right):
+def _least(D: np.ndarray, right: np.ndarray) -> np.ndarray:
     found = solutions(D, right)
     for k in np.flatnonzero(np.isnan(found).any(axis=(1, 2))):
         found[k] = np.linalg.pinv(D[k]) @ right[k]
@@ -127,8 +136,9 @@ def symmetric(system: Any) -> bool:
 def along(system: Any, s: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
     """dH/ds from x = D⁻¹b and y = D⁻ᵀc."""
     moved = x @ system.C.T + 2 * s[:, None] * (x @ system.M.T)
-    return (np.einsum("ki,ki->k", slope(system.c, s), x) + slope(system.d, s)
-            + np.einsum("ki,ki->k", y, slope(system.b, s) - moved))
+    found: np.ndarray = (np.einsum("ki,ki->k", slope(system.c, s), x) + slope(system.d, s)
+                         + np.einsum("ki,ki->k", y, slope(system.b, s) - moved))
+    return found
 
 
 def apart_from_poles(D: np.ndarray, b: np.ndarray, c: np.ndarray) -> tuple[complex, bool]:

@@ -42,7 +42,7 @@ class DrivenFields(NamedTuple):
             found[here] = self._within(own[number], places[here] - float(own[number].start), order)
         return found
 
-    def _within(self, placed, x, order):
+    def _within(self, placed: "PlacedPiece", x: np.ndarray, order: int) -> np.ndarray:
         piece, s = placed.piece._make(float(value) for value in placed.piece), np.array([self.s])
         x = np.clip(x, 0.0, piece.length)
         kappa = retarded_reaction(piece, s, placed.retardation)[0]

@@ -34,13 +34,15 @@ def sloped(system: "FrequencyResponseFunction", Omega: np.ndarray) -> tuple[np.n
     return _at(system, Omega, True)
 
 
-def _at(system, Omega, steep):
+def _at(system: "FrequencyResponseFunction", Omega: float | np.ndarray,
+        steep: bool) -> tuple[np.ndarray, np.ndarray | None, np.ndarray]:
     shape = np.shape(Omega)
     s = 1j * np.atleast_1d(np.asarray(Omega, dtype=float)).ravel()
     values, slopes, resonant = system.at(s, steep)
     if system.order:
         power = s**(system.order - 1)
         values, slopes = values * power * s, slopes * power * s + system.order * power * values if steep else None
-    parts = [np.where(resonant, 0.0, part).reshape(shape) if part is not None else None for part in (values, slopes)]
-    return *parts, resonant.reshape(shape)
+    values, slopes = (np.where(resonant, 0.0, part).reshape(shape) if part is not None else None
+                      for part in (values, slopes))
+    return values, slopes, resonant.reshape(shape)
 

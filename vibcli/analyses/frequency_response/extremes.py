@@ -66,24 +66,24 @@ def reaches(system: "FrequencyResponseFunction", start: float = 0.0, end: float 
     return len(near) > 0 and (_seen(system, near[0] * ANYWHERE) or _seen(system, near[:FEW] * ASIDE))
 
 
-def _seen(system, Omega):
+def _seen(system: "FrequencyResponseFunction", Omega: np.ndarray) -> bool:
     """Is H more than rounding at one of these frequencies?"""
     values, resonant = sampled(system, Omega)
     values, Omega = values[~resonant], Omega[~resonant]
     return bool(values.any() and (abs(values) > system.noise(Omega)).any())
 
 
-def _extreme(Omega, size, maximum):
+def _extreme(Omega: float, size: float | None, maximum: bool) -> Extreme:
     return Extreme(float(Omega), None if size is None else float(size), bool(maximum))
 
 
-def _through(system, low, high):
+def _through(system: "FrequencyResponseFunction", low: np.ndarray, high: np.ndarray) -> np.ndarray:
     """Whether H passes a pole or a zero between the ends of each interval, without damping."""
     ends = [(sloped(system, edge)[0] / 1j**system.order).real for edge in (low, high)]
     return ends[0] * ends[1] < 0
 
 
-def _nearest(places, Omega):
+def _nearest(places: np.ndarray, Omega: np.ndarray) -> np.ndarray:
     """The place next to each Ω: H is unbounded there but for rounding, so that a slope does not tell more."""
     return places[np.abs(Omega[:, None] - places).argmin(axis=1)] if len(Omega) else Omega
 
@@ -112,7 +112,8 @@ def places(system: "FrequencyResponseFunction", start: float = 0.0, end: float =
     return ascending(near[(near >= low) & (near <= high)])
 
 
-def _brackets(system, start, end):
+def _brackets(system: "FrequencyResponseFunction", start: float,
+              end: float) -> tuple[list[np.ndarray], list[np.ndarray]]:
     """The ends (low, high) of the intervals in which the slope changes its sign, and the slopes there."""
     Omega = places(system, start, end)
     steep = steepness(system, Omega)

@@ -36,15 +36,17 @@ def fixed_points(without: "FrequencyResponseFunction",
     systems = [without, *(without.with_damper(with_one, typical * share) for share in (1.0, 2.0, STRONG))]
     Omega = ascending(np.concatenate([places(system) for system in systems]))
 
-    def difference(Omega):
+    def difference(Omega: np.ndarray) -> np.ndarray:
         values = [sampled(system, Omega)[0] for system in systems[:3]]
         free, held = values[0], limit(*values)
         with np.errstate(all="ignore"):
-            return np.log(np.abs(free)) - np.log(np.abs(held))
+            found: np.ndarray = np.log(np.abs(free)) - np.log(np.abs(held))
+            return found
 
-    def felt(Omega):    # elsewhere the limit is lost in rounding
+    def felt(Omega: np.ndarray) -> np.ndarray:    # elsewhere the limit is lost in rounding
         free, once = (sampled(system, Omega)[0] for system in systems[:2])
-        return np.abs(once - free) > FELT * np.abs(free)
+        found: np.ndarray = np.abs(once - free) > FELT * np.abs(free)
+        return found
 
     gaps = difference(Omega)
     gaps[(np.abs(gaps) <= 1e-12) | ~felt(Omega)] = np.nan
@@ -63,5 +65,6 @@ def limit(free: np.ndarray, once: np.ndarray, twice: np.ndarray) -> np.ndarray:
     with np.errstate(all="ignore"):
         one, two = once - free, (twice - free) / 2
         E = (one - two) / (twice - once)
-        return (one + once * E) / E
+        found: np.ndarray = (one + once * E) / E
+        return found
 

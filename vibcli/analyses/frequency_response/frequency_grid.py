@@ -42,25 +42,27 @@ def adaptive(system: "FrequencyResponseFunction", low: float, high: float, log: 
     return Omega, values
 
 
-def _between(low, high, log, endless):
+def _between(low: np.ndarray, high: np.ndarray, log: bool, endless: np.ndarray) -> np.ndarray:
     """The middles of gaps; beside the middle where that is a pole or a zero."""
     middle = np.sqrt(low * high) if log else (low + high) / 2
     aside = low ** (1 - ASIDE) * high ** ASIDE if log else low + ASIDE * (high - low)
     return np.where(_is_clear(middle, endless), middle, aside)
 
 
-def _clear(Omega, endless):
+def _clear(Omega: np.ndarray, endless: np.ndarray) -> np.ndarray:
     """Without what is as good as at a pole or a zero."""
-    return Omega[_is_clear(Omega, endless)]
+    found: np.ndarray = Omega[_is_clear(Omega, endless)]
+    return found
 
 
-def _is_clear(Omega, endless):
+def _is_clear(Omega: np.ndarray, endless: np.ndarray) -> np.ndarray:
     if not len(endless):
         return np.ones(len(Omega), bool)
-    return np.abs(Omega[:, None] - endless).min(axis=1) > CLOSEST * Omega
+    found: np.ndarray = np.abs(Omega[:, None] - endless).min(axis=1) > CLOSEST * Omega
+    return found
 
 
-def _bent(Omega, values, log):
+def _bent(Omega: np.ndarray, values: np.ndarray, log: bool) -> np.ndarray:
     """Whether the curve of log |H| or arg H bends at either end of each gap that can still be halved."""
     x, size = np.log(Omega) if log else Omega, np.abs(values)
     gaps = np.zeros(len(x) - 1, bool)

@@ -16,7 +16,7 @@ class FrequencyResponseFunction:
 
     __slots__ = ("_uncounted", "order")
 
-    def __init__(self, order: int = 0):
+    def __init__(self, order: int = 0) -> None:
         self.order = order
         self._uncounted: set[str] = set()
 

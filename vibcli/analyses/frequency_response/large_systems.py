@@ -5,7 +5,7 @@ band, all frequencies at once, or by LU.
 Each method gives (H, dH/ds or None, whether there is a pole) at each s.
 """
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -25,6 +25,9 @@ from vibcli.base.work import counted
 from vibcli.numerics import bands
 from vibcli.numerics.fixed_point import MILLION
 
+if TYPE_CHECKING:
+    pass
+
 NARROW = 16             # widest band on either side
 LARGE = 64              # coordinates from which on another order of them is looked for
 COUPLED = 400           # degrees of freedom up to which complex modes of a narrow band are worth their time
@@ -42,7 +45,7 @@ def chosen(system: Any) -> Any:
     return modal_solution(system, banded or direct, COUPLED if banded else np.inf) or banded
 
 
-def _ordered(system):
+def _ordered(system: Any) -> tuple[np.ndarray, int]:
     """(order of the coordinates, half the width of the band); as they stand where more entries than those of a narrow
     band are not zero."""
     pattern = (system.K != 0) | (system.M != 0) | (system.C != 0)
@@ -60,7 +63,7 @@ def _ordered(system):
     return order, width
 
 
-def _width(pattern):
+def _width(pattern: np.ndarray) -> int:
     rows, columns = np.nonzero(pattern)
     return int(np.abs(rows - columns).max(initial=0))
 
@@ -70,14 +73,15 @@ class Banded:
 
     __slots__ = ("back", "order", "rows", "symmetric", "turned", "width")
 
-    def __init__(self, system: Any, order: np.ndarray, width: int):
+    def __init__(self, system: Any, order: np.ndarray, width: int) -> None:
         self.order, self.width, self.back = order, width, np.argsort(order)
         parts = [matrix[np.ix_(order, order)] for matrix in (system.K, system.C, system.M)]
         self.symmetric = symmetric(system)
         self.rows = np.stack([_by_rows(part, width) for part in parts])
         self.turned = self.rows if self.symmetric else np.stack([_by_rows(part.T, width) for part in parts])
 
-    def __call__(self, system: Any, s: np.ndarray, steep: bool = False) -> tuple:
+    def __call__(self, system: Any, s: np.ndarray,
+                 steep: bool = False) -> tuple[np.ndarray, np.ndarray | None, np.ndarray]:
         """(H, dH/ds or None, whether there is a pole)."""
         if len(s) * system.n <= FEW:
             return direct(system, s, steep)
@@ -94,7 +98,7 @@ class Banded:
             x[lost], y[lost] = direct.fields(system, s[lost])
         return x, y
 
-    def _solved(self, system, s, both):
+    def _solved(self, system: Any, s: np.ndarray, both: bool) -> tuple[np.ndarray, np.ndarray | None, np.ndarray]:
         """(D⁻¹b, D⁻ᵀc or None, the numbers of the frequencies at which D is singular but for rounding)."""
         across = 2 * self.width + 1
         many = int(max(8, min(WINDOW / (across + 3) / (self.width + 1), HELD / (across + 3) / system.n)))
@@ -102,7 +106,7 @@ class Banded:
         x, y, lost = zip(*parts, strict=True)
         return np.concatenate(x), np.concatenate(y) if both else None, np.flatnonzero(np.concatenate(lost))
 
-    def _block(self, system, s, both):
+    def _block(self, system: Any, s: np.ndarray, both: bool) -> tuple[np.ndarray, np.ndarray | None, np.ndarray]:
         n = system.n
         counted(len(s) * n * (self.width + 1)**2 / MILLION)
         scale = np.ascontiguousarray(scales(system, s)[:, self.order].T)
@@ -119,20 +123,21 @@ class Banded:
             y = self._unscaled(found[:, -1], scale)
         return x, y, lost
 
-    def _scaled(self, rows, s, scale):
+    def _scaled(self, rows: np.ndarray, s: np.ndarray, scale: np.ndarray) -> np.ndarray:
         """D by rows, (n, 2w + 1, N)."""
         K, C, M = rows[..., None]
-        D = K + s * (C + s * M)
+        D: np.ndarray = K + s * (C + s * M)
         beside = np.pad(scale, ((self.width, self.width), (0, 0)))
         for j in range(D.shape[1]):
             D[:, j] *= scale * beside[j:j + len(scale)]
         return D
 
-    def _unscaled(self, x, scale):
-        return (x * scale).T[:, self.back]
+    def _unscaled(self, x: np.ndarray, scale: np.ndarray) -> np.ndarray:
+        found: np.ndarray = (x * scale).T[:, self.back]
+        return found
 
 
-def _by_rows(matrix, width):
+def _by_rows(matrix: np.ndarray, width: int) -> np.ndarray:
     """(n, 2w + 1): the columns i − w … i + w of row i."""
     n = len(matrix)
     columns = np.arange(n)[:, None] + np.arange(-width, width + 1)

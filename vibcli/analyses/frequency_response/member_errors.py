@@ -57,7 +57,7 @@ def _bound(system: "MemberSystem", found: "EvaluatedMatrix", s: np.ndarray) -> f
     return float(y @ rounded[free] + seen + 8 * EPSILON * abs(c[:, 0] @ X) + _of_places(system, s, X))
 
 
-def _of_places(system, s, X):
+def _of_places(system: "MemberSystem", s: np.ndarray, X: np.ndarray) -> float:
     """What rounding of places within pieces changes of what is seen there."""
     found = 0.0
     for factor, number, share, order in system.output.within:

@@ -23,6 +23,7 @@ from vibcli.numerics.ascending import ascending
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from vibcli.analyses.frequency_response.counted_zeros import CountedPoles
     from vibcli.analyses.frequency_response.member_response import MemberTransfer
     from vibcli.analyses.modal.modal_analysis import ModalAnalysis
     from vibcli.analyses.modal.undamped import Mode
@@ -39,7 +40,7 @@ class Marks:
     one are no others."""
 
     def __init__(self, modal: "ModalAnalysis", shared: "Mapping[int, float] | None",
-                 scene: "MemberTransfer | None" = None):
+                 scene: "MemberTransfer | None" = None) -> None:
         self._modal, self.shared, self.scene = modal, shared, scene
         self._held: Any = None
 
@@ -102,10 +103,11 @@ def poles(response: "MemberTransfer", low: float, high: float) -> np.ndarray:
     if not low and counted is None:
         response.leave_uncounted("poles")
     found = _looked_for(response, low, high) if counted is None else counted.poles
-    return found[(found.imag >= low) & (found.imag <= high)]
+    result: np.ndarray = found[(found.imag >= low) & (found.imag <= high)]
+    return result
 
 
-def _looked_for(response, low, high):
+def _looked_for(response: "MemberTransfer", low: float, high: float) -> np.ndarray:
     """Damping may turn or merge what would move without it: from many places; a frequency without dampers near which
     none is found stands for its own."""
     start = 1j * np.array([mode.omega for mode in response.marks.natural(low, high)])
@@ -117,19 +119,20 @@ def _looked_for(response, low, high):
     return found[np.argsort(found.imag)]
 
 
-def _counted(response, high):
+def _counted(response: "MemberTransfer", high: float) -> "CountedPoles | None":
     """The CountedPoles up to some way beyond a frequency, None where they are not certain."""
     from vibcli.analyses.frequency_response.counted_zeros import CountedPoles, counted_poles
 
     response = response.marks.scene or response
     top = ABOVE * high
 
-    def find():
+    def find() -> "CountedPoles | None":
         if response.moves_by_modes:
             return CountedPoles(poles(response, 0.0, top), high / (1 + len(response.marks.natural(0.0, high))))
         with suppress(PhysicsError):
             return counted_poles(response, _looked_for(response, 0.0, top), LOWEST * response.pace, top)
-    return response.once(("counted", high), find)
+    known: CountedPoles | None = response.once(("counted", high), find)
+    return known
 
 
 def zeros(response: "MemberTransfer", low: float, high: float) -> np.ndarray:
@@ -137,7 +140,8 @@ def zeros(response: "MemberTransfer", low: float, high: float) -> np.ndarray:
     certain."""
     if response.marks.shared is not None and response.moves_by_modes:
         with suppress(PhysicsError):        # beside gyroscopic terms what nothing else holds is not counted
-            return _newton_kept(response, 1j * ascending(response.marks.held(low, high)))
+            found: np.ndarray = _newton_kept(response, 1j * ascending(response.marks.held(low, high)))
+            return found
     if response.undamped:
         natural = np.array([mode.omega for mode in response.marks.natural(low, high)])
         return 1j * zeros_on_axis(response, taking_part(response, ascending(natural)), low or LOWEST * response.pace,
@@ -147,7 +151,7 @@ def zeros(response: "MemberTransfer", low: float, high: float) -> np.ndarray:
     return zeros_beside(response, _counted(response, high), response.without_damping, low, high)
 
 
-def _newton_kept(response, places):
+def _newton_kept(response: "MemberTransfer", places: np.ndarray) -> np.ndarray:
     """Without those that no zero of H is near: modes in which the place rests anyhow. Where modes of the scene have the
     same frequency, no slope is seen there, and H beside it tells."""
     if not len(places):
@@ -156,7 +160,8 @@ def _newton_kept(response, places):
     beside, steep, _ = response.at(places * (1 + ASIDE), True)
     with np.errstate(all="ignore"):
         shared = (slopes == 0) & ((steep * places * ASIDE / beside).real > 0.5)
-        return places[(np.abs(values / slopes) <= 1e-6 * np.abs(places)) | shared]
+        found: np.ndarray = places[(np.abs(values / slopes) <= 1e-6 * np.abs(places)) | shared]
+        return found
 
 
 def error_of(modes: "list[Mode]", Omega: float) -> float:

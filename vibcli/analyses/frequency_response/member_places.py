@@ -8,6 +8,7 @@ and the left end of the right one show
     beams      B u″ = M_l = −M₀,  B u‴ = N u′ − Q_l = N u′ + Q₀.
 """
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.continuous.divided_pieces import divided_at
@@ -15,6 +16,8 @@ from vibcli.analyses.frequency_response.member_system import MemberOutput
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+
+    import mpmath
 
     from vibcli.mechanics.factored_system import PlacedPiece
     from vibcli.mechanics.inputs_outputs.place_signals import PlaceOutput
@@ -34,7 +37,7 @@ def seen_at(place: "PlaceOutput", pieces: "Sequence[PlacedPiece]", n: int,
     return pieces, n, _derivative(pieces[k], k, share == 1, place.order, number(place.factor))
 
 
-def _derivative(placed, k, right, order, factor):
+def _derivative(placed: "PlacedPiece", k: int, right: bool, order: int, factor: "float | mpmath.mpf") -> MemberOutput:
     """A derivative of u at the right end of a piece, else at its left one, times a factor."""
     piece, half = placed.piece, placed.piece.order // 2
     first, sign = (half, 1.0) if right else (0, -1.0)
@@ -49,5 +52,5 @@ def _derivative(placed, k, right, order, factor):
     return MemberOutput((row, {}, {}), ((-sign * factor / piece.bending, k, first),))
 
 
-def _scaled(row, factor):
+def _scaled(row: Mapping[Any, Any], factor: "float | mpmath.mpf") -> dict[Any, Any]:
     return {i: x * factor for i, x in row.items() if x and factor}

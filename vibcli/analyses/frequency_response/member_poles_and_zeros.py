@@ -45,7 +45,7 @@ def zeros_on_axis(response: FrequencyResponseFunction, poles: np.ndarray, low: f
     return np.concatenate(found) if found else np.zeros(0)
 
 
-def _between(response, edges):
+def _between(response: FrequencyResponseFunction, edges: np.ndarray) -> np.ndarray:
     """Those between the neighbours among some poles."""
     a, width = edges[:-1], np.diff(edges)
     inside, points = enclosed(response, a + INSET * width, edges[1:] - INSET * width), POINTS
@@ -98,7 +98,8 @@ def taking_part(response: FrequencyResponseFunction, places: np.ndarray) -> np.n
     for first in range(0, len(beside), len(CLOSE)):
         near = sizes[first:first + len(CLOSE)]
         grows = grows | (near[1] > 3 * near[0]) | (near[3] > 3 * near[2])
-    return places[grows]
+    found: np.ndarray = places[grows]
+    return found
 
 
 def followed(step: "Callable[[np.ndarray], np.ndarray]", places: np.ndarray) -> np.ndarray:
@@ -115,13 +116,15 @@ def followed(step: "Callable[[np.ndarray], np.ndarray]", places: np.ndarray) -> 
         left, steps = left[near], steps[near]
         at[left] += steps
         left = left[moved[left] > SETTLED * np.abs(at[left])]
-    return at[moved <= STILL * np.abs(at)]
+    found: np.ndarray = at[moved <= STILL * np.abs(at)]
+    return found
 
 
 def to_zero(response: FrequencyResponseFunction, s: np.ndarray) -> np.ndarray:
     """Newton's step towards the next zero."""
     values, slopes, _ = response.at(s, True)
-    return -values / slopes
+    found: np.ndarray = -values / slopes
+    return found
 
 
 def distinct(places: Any) -> np.ndarray:

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from vibcli.analyses.frequency_response.beside_rigid_motions import AtRest
     from vibcli.analyses.frequency_response.member_marks import Marks
-    from vibcli.analyses.frequency_response.member_system import MemberSystem
+    from vibcli.analyses.frequency_response.member_system import MemberSystem, Solved
 
 BESIDE, AT_POLE = 1e-3, 1e-8        # relative distances from a frequency: where poles are looked for, where it is one
 
@@ -30,7 +30,7 @@ class MemberTransfer(FrequencyResponseFunction):
 
     __slots__ = ("_kept", "marks", "system")
 
-    def __init__(self, system: "MemberSystem", marks: "Marks", order: int = 0):
+    def __init__(self, system: "MemberSystem", marks: "Marks", order: int = 0) -> None:
         super().__init__(order)
         self.system, self.marks = system, marks
         self._kept: dict[Any, Any] = {}
@@ -71,13 +71,13 @@ class MemberTransfer(FrequencyResponseFunction):
             for part, put in zip(found, other, strict=True):
                 if part is not None:
                     part[near[better]] = put[better]
-        for k in np.flatnonzero(found.singular & (s == 0)):
+        for k in np.flatnonzero(found.singular & (s == 0)).tolist():
             self._put_at_rest(found, k)
         self._require_digits(s[found.singular & (s != 0)])
         return found.values, found.slopes, found.resonant
 
     @property
-    def _at_rest(self):
+    def _at_rest(self) -> "AtRest":
         """H at s = 0, where D is singular; None where that is no rigid motion."""
         from vibcli.analyses.frequency_response.beside_rigid_motions import at_rest
 
@@ -85,7 +85,8 @@ class MemberTransfer(FrequencyResponseFunction):
             next_pole = self.marks.next_to_zero
             self._kept["rest"] = None if next_pole is None else at_rest(self, next_pole, lambda s: max(
                 of_value_at(self, complex(at)) for at in s[:len(s) // 2]))
-        return self._kept["rest"]
+        found: AtRest = self._kept["rest"]
+        return found
 
     @property
     def drifting(self) -> "AtRest | None":
@@ -93,7 +94,7 @@ class MemberTransfer(FrequencyResponseFunction):
         rest = self._at_rest
         return None if rest is None or not rest.resonant else rest.of_rate(self.order)
 
-    def _put_at_rest(self, found, k):
+    def _put_at_rest(self, found: "Solved", k: int) -> None:
         rest = self._at_rest
         if rest is None:
             raise self._lost_digits
@@ -101,7 +102,7 @@ class MemberTransfer(FrequencyResponseFunction):
         if found.slopes is not None:
             found.slopes[k] = rest.slope
 
-    def _require_digits(self, s):
+    def _require_digits(self, s: np.ndarray) -> None:
         """LostDigits where D is nearly singular away from all natural frequencies."""
         for Omega in np.abs(s[s.real == 0].imag):
             near = self.poles((1 - BESIDE) * Omega, (1 + BESIDE) * Omega)
@@ -109,7 +110,7 @@ class MemberTransfer(FrequencyResponseFunction):
                 raise self._lost_digits
 
     @property
-    def _lost_digits(self):
+    def _lost_digits(self) -> LostDigits:
         piece = min((one.piece for one in self.system.matrix.pieces), key=lambda one: one.length)
         return LostDigits("responses lose their digits: places on a member are too near each other beside its "
                           f"length: {float(piece.length):.3g} m",
@@ -117,13 +118,15 @@ class MemberTransfer(FrequencyResponseFunction):
 
     def to_pole(self, s: np.ndarray) -> np.ndarray:
         """Newton's step towards the next pole of any response of the scene, seen at its nodes."""
-        return self._to_pole(self.system, s)
+        found: np.ndarray = self._to_pole(self.system, s)
+        return found
 
     def to_pole_within(self, s: np.ndarray) -> np.ndarray:
         """The same, seen within pieces too, whose ends may rest."""
-        return self._to_pole(self.system.divided(SHARES[0]), s)
+        found: np.ndarray = self._to_pole(self.system.divided(SHARES[0]), s)
+        return found
 
-    def _to_pole(self, system, s):
+    def _to_pole(self, system: "MemberSystem", s: np.ndarray) -> np.ndarray:
         step, excess = system.to_pole(s)
         for share in SHARES[1:]:
             near = np.flatnonzero(~(excess < BLOWN))
@@ -143,11 +146,14 @@ class MemberTransfer(FrequencyResponseFunction):
         return self._found(member_marks.poles, low, high) if scene is None else scene.poles(low, high)
 
     def zeros(self, low: float = 0.0, high: float = math.inf) -> np.ndarray:
-        return self._found(member_marks.zeros, low, high)
+        found: np.ndarray = self._found(member_marks.zeros, low, high)
+        return found
 
-    def _found(self, find, low, high):
+    def _found(self, find: "Callable[[MemberTransfer, float, float], np.ndarray]", low: float,
+               high: float) -> np.ndarray:
         high = high if math.isfinite(high) else self.end
-        return self.once((find, low, high), lambda: find(self, low, high))
+        found: np.ndarray = self.once((find, low, high), lambda: find(self, low, high))
+        return found
 
     def once(self, key: Any, find: "Callable[[], Any]") -> Any:
         """What is found, kept."""

@@ -27,7 +27,7 @@ UNIT = 2.0**-52
 class MemberInput(NamedTuple):
     """weights {coordinate of an input: its share}, times (−s²)^turns."""
 
-    weights: dict
+    weights: dict[int, Any]
     turns: int = 0
 
 
@@ -35,9 +35,9 @@ class MemberOutput(NamedTuple):
     """rows: {coordinate: coefficient} of s⁰, s¹, s²; ends: (factor, piece, end value) of the forces on ends of pieces
     that it holds besides; within: (factor, piece, part of its length, order) of derivatives of u there."""
 
-    rows: tuple
-    ends: tuple = ()
-    within: tuple = ()
+    rows: tuple[dict[int, Any], ...]
+    ends: tuple[tuple[float, int, int], ...] = ()
+    within: tuple[tuple[float, int, float, int], ...] = ()
 
     def divided(self, share: float, order: Any) -> "MemberOutput":
         """The same where each piece has become two at a part of its length; order(piece): its order."""
@@ -65,7 +65,7 @@ class MemberSystem:
     __slots__ = ("_divided", "driven", "free", "given", "matrix", "output", "pattern")
 
     def __init__(self, matrix: "DynamicMatrix", driven: "Sequence[int] | np.ndarray", given: MemberInput,
-                 output: MemberOutput):
+                 output: MemberOutput) -> None:
         self.matrix, self.given, self.output = matrix, given, output
         self.driven = np.array(driven, int)
         self.free = np.array([i for i in range(matrix.n) if i not in driven], int)
@@ -168,7 +168,8 @@ class MemberSystem:
             c, c_slope = self._seen_within(c, c_slope, one, s)
         return c, c_slope
 
-    def _seen_at_end(self, c, c_slope, found, one, s):
+    def _seen_at_end(self, c: np.ndarray, c_slope: np.ndarray | None, found: "EvaluatedMatrix",
+                     one: tuple[float, int, int], s: np.ndarray) -> tuple[np.ndarray, np.ndarray | None]:
         """c and its slope with the force on the end of a piece, less what its stiffness resists rates with."""
         factor, number, end = one
         placed, parts = self.matrix.pieces[number], found.of_end(number, end)
@@ -182,7 +183,8 @@ class MemberSystem:
                 c_slope[i] += factor * x * (steep - beta * weight / whole) / whole
         return c, c_slope
 
-    def _seen_within(self, c, c_slope, one, s):
+    def _seen_within(self, c: np.ndarray, c_slope: np.ndarray | None, one: tuple[float, int, float, int],
+                     s: np.ndarray) -> tuple[np.ndarray, np.ndarray | None]:
         """c and its slope with what is seen within a piece."""
         from vibcli.analyses.frequency_response.places_within_pieces import loaded_within, weights_within
 
@@ -204,12 +206,12 @@ class MemberSystem:
         return c, c_slope
 
 
-def _among(D, rows, columns):
+def _among(D: np.ndarray, rows: np.ndarray, columns: np.ndarray) -> np.ndarray:
     """D over some rows and columns, ascending: no copy where they follow one another."""
     return D[_run(rows)][:, _run(columns)]
 
 
-def _run(numbers):
+def _run(numbers: np.ndarray) -> slice | np.ndarray:
     """As a slice where it can be one."""
     first, last = (numbers[0], numbers[-1] + 1) if len(numbers) else (0, 0)
     return slice(first, last) if last - first == len(numbers) else numbers

@@ -52,7 +52,7 @@ def transfer_to(configuration: "Configuration", signal: "SignalName", given: Mem
     return DampedMemberTransfer(*parts)
 
 
-def _of_displacements(output, order):
+def _of_displacements(output: MemberOutput, order: int) -> tuple[MemberOutput, int]:
     """An output of one rate alone as one of displacements, and the order that makes it that."""
     present = [rate for rate, row in enumerate(output.rows) if any(row.values())]
     if len(present) != 1:
@@ -87,7 +87,7 @@ def _still(configuration: "Configuration", signal: "SignalName", given: MemberIn
     return MemberTransfer(system, Marks(modal, system.shared(), poles), order)
 
 
-def _of_scene(modal, kept):
+def _of_scene(modal: ModalAnalysis, kept: range | None) -> MemberTransfer:
     """What has the poles of all responses of a scene, and no output."""
     opened = modal.configuration.with_inputs
     elements, n = opened.elements, len(opened.scene.q)

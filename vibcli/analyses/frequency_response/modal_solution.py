@@ -13,13 +13,17 @@ is one at which a far end of a chain hardly feels the other, so that this sum is
 told is some 10⁻⁷ of itself off in single precision.
 """
 
-from typing import Any
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.analyses.frequency_response.direct import SINGULAR, repaired
 from vibcli.analyses.frequency_response.modes_of_matrices import TURNED, coupled, decoupled, reduced_to_unit_mass
 from vibcli.analyses.frequency_response.quadratics import polynomial, slope
+
+if TYPE_CHECKING:
+    pass
 
 ROUNDING = 2.0**-51
 SINGLE = 2.0**-20       # what single precision makes of a product, relative
@@ -43,7 +47,7 @@ def modal_solution(system: Any, otherwise: Any, most: float = np.inf) -> "ModalS
 class DecoupledModalSum:
     """Modes that damping does not couple: f = 1/(s² + 2ζω s + ω²), and s times as much."""
 
-    def __init__(self, system: Any, squares: np.ndarray, rates: np.ndarray, shapes: np.ndarray):
+    def __init__(self, system: Any, squares: np.ndarray, rates: np.ndarray, shapes: np.ndarray) -> None:
         self.squares, self.rates, self.shapes, self.inertia = squares, rates, shapes, system.M @ shapes
         self.missed = system.K @ shapes - self.inertia * squares, system.C @ shapes - self.inertia * rates
         self.pace = np.sqrt(max(np.abs(squares).max(), np.finfo(float).tiny))
@@ -78,23 +82,23 @@ class CoupledModalSum:
     (m, n), None where D is the same as Dᵀ; shares: L of b and c."""
 
     def __init__(self, system: Any, pairs: np.ndarray, real: np.ndarray, right: np.ndarray, left: np.ndarray | None,
-                 shares: Any, pace: float):
+                 shares: Any, pace: float) -> None:
         self.pairs, self.real, self.right, self.left, self.shares, self.pace = pairs, real, right, left, shares, pace
         velocity, self.inertia = self._turned(right), system.M @ right
         self.momentum = system.C @ right + system.M @ velocity
         self.missed = system.K @ right + self._turned(self.momentum)
 
-    def _turned(self, of_modes):
+    def _turned(self, of_modes: np.ndarray) -> np.ndarray:
         """The product with B."""
         first, second, alone = self._parts(of_modes)
         straight, across = self.pairs.real, self.pairs.imag
         return np.hstack([first * straight - second * across, first * across + second * straight, alone * self.real])
 
-    def _parts(self, of_modes):
+    def _parts(self, of_modes: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         count = len(self.pairs)
         return of_modes[..., :count], of_modes[..., count:2 * count], of_modes[..., 2 * count:]
 
-    def _spread(self, of_modes, share, sign=1):
+    def _spread(self, of_modes: np.ndarray, share: np.ndarray, sign: int = 1) -> np.ndarray:
         """The coefficients of f in (s − B)⁻¹ of shares, or with −1 of Bᵀ."""
         (first, second, alone), (one, two, three) = self._parts(of_modes), self._parts(share)
         return np.hstack([first * one + second * two, sign * (first * two - second * one), alone * three])
@@ -127,8 +131,10 @@ class CoupledModalSum:
     def seen(self, c: np.ndarray) -> np.ndarray:
         """Y, (n, m)."""
         if self.left is None:
-            return self._spread(self.right, self.shares(c))
-        return self._spread(self.left.T, self.right.T @ c, -1)
+            found: np.ndarray = self._spread(self.right, self.shares(c))
+            return found
+        result: np.ndarray = self._spread(self.left.T, self.right.T @ c, -1)
+        return result
 
 
 class ModalSolution:
@@ -136,7 +142,7 @@ class ModalSolution:
 
     __slots__ = ("modes", "otherwise", "rows", "scales", "single", "sizes", "x", "y")
 
-    def __init__(self, system: Any, otherwise: Any, modes: Any):
+    def __init__(self, system: Any, otherwise: Any, modes: Any) -> None:
         self.otherwise, self.modes, pace = otherwise, modes, modes.pace
         driven = [(power, factor, *modes.driven(part)) for power, factor, part in _terms(system.b)]
         self.x = [(power, factor, X) for power, factor, X, _ in driven]
@@ -152,7 +158,8 @@ class ModalSolution:
                                  for part in group]).astype(np.float32)
         self.sizes = np.abs(np.stack([np.diag(matrix) for matrix in (system.K, system.C, system.M)], axis=1))
 
-    def __call__(self, system: Any, s: np.ndarray, steep: bool = False) -> tuple:
+    def __call__(self, system: Any, s: np.ndarray,
+                 steep: bool = False) -> tuple[np.ndarray, np.ndarray | None, np.ndarray]:
         """(H, dH/ds or None, whether there is a pole)."""
         with np.errstate(all="ignore"):
             found = [self._values(part, steep) for part in self._parts(s)]
@@ -170,16 +177,16 @@ class ModalSolution:
             x[lost], y[lost] = self.otherwise.fields(system, s[lost])
         return x, y
 
-    def _parts(self, s):
+    def _parts(self, s: np.ndarray) -> list[np.ndarray]:
         many = max(1, int(BLOCK / self.single.shape[1]))
         return [s[k:k + many] for k in range(0, max(len(s), 1), many)]
 
-    def _fields(self, s):
+    def _fields(self, s: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         near, f = self.modes.functions(s)
         x, y = (_sum(terms, s, [_times(part, f) for *_, part in terms]).T for terms in (self.x, self.y))
         return x, y, self._told(s, near, f)[1]
 
-    def _values(self, s, steep):
+    def _values(self, s: np.ndarray, steep: bool) -> tuple[np.ndarray, np.ndarray | None, np.ndarray]:
         near, f = self.modes.functions(s)
         missed, lost = self._told(s, near, f)
         values, slopes = _sum(self.rows, s, [row @ f for *_, row in self.rows]) + missed, None
@@ -190,7 +197,7 @@ class ModalSolution:
                            [row @ f for k, _, row in self.rows if k])
         return values, slopes, lost
 
-    def _told(self, s, near, f):
+    def _told(self, s: np.ndarray, near: np.ndarray, f: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """(yᵀr, whether something else than rounding may be left of each H): x and y may be off by β/near of their
         size."""
         at, (_, y0, r0) = s / self.modes.pace, self.scales
@@ -202,7 +209,8 @@ class ModalSolution:
         lost = self._lost(s, x, y, missed, near, np.abs(single[:-2]))
         return y0 * r0 * (y * missed).sum(axis=0).astype(complex), lost
 
-    def _lost(self, s, x, y, missed, near, f):
+    def _lost(self, s: np.ndarray, x: np.ndarray, y: np.ndarray, missed: np.ndarray, near: np.ndarray,
+              f: np.ndarray) -> np.ndarray:
         x0, y0, r0 = self.scales
         Omega = np.sqrt(_squared(s))
         size = self.sizes @ np.stack([np.ones(len(s)), Omega, Omega**2])
@@ -215,26 +223,29 @@ class ModalSolution:
         summed = sum(Omega**k * (np.abs(row).astype(np.float32) @ f) for k, _, row in self.rows) / self.modes.pace
         told -= 2 * beta / near * together
         small = ((beta + TURNED) / near + SINGLE) * beta * together <= ROUNDING * told
-        return (near <= 64 * SINGULAR) | ((missed != 0) & ~(small & (summed <= len(self.sizes) * told)))
+        found: np.ndarray = (near <= 64 * SINGULAR) | ((missed != 0) & ~(small & (summed <= len(self.sizes) * told)))
+        return found
 
 
-def _terms(coefficients):
+def _terms(coefficients: np.ndarray) -> list[tuple[int, complex, np.ndarray]]:
     """[(power of s, 1 or i, real coefficients)], as many as are not zero, at least one."""
     found = [(power, factor, part) for power, whole in enumerate(coefficients)
              for factor, part in ((1.0, whole.real), (1j, whole.imag)) if part.any()]
     return found or [(0, 1.0, np.zeros(len(coefficients[0])))]
 
 
-def _sum(terms, s, parts):
+def _sum(terms: Sequence[tuple[Any, ...]], s: np.ndarray, parts: Sequence[np.ndarray]) -> Any:
     """Σ factor sᵏ part."""
     return sum(part if not power and factor == 1.0 else s.dtype.type(factor) * s**power * part
                for (power, factor, *_), part in zip(terms, parts, strict=True))
 
 
-def _squared(x):
-    return x.real**2 + x.imag**2
+def _squared(x: np.ndarray) -> np.ndarray:
+    found: np.ndarray = x.real**2 + x.imag**2
+    return found
 
 
-def _times(matrix, x):
+def _times(matrix: np.ndarray, x: np.ndarray) -> np.ndarray:
     """A real matrix times complex columns."""
-    return (matrix @ x.view(x.real.dtype)).view(x.dtype)
+    found: np.ndarray = (matrix @ x.view(x.real.dtype)).view(x.dtype)
+    return found

@@ -29,7 +29,7 @@ def by_modes(response: "FrequencyResponseFunction", count: int, Omega: float) ->
     return complex(total * s**response.order)
 
 
-def _lowest(response, count):
+def _lowest(response: "FrequencyResponseFunction", count: int) -> tuple[np.ndarray, complex]:
     """(so many poles above the axis Im s = 0, the one that follows, or as far away)."""
     end = response.end
     found = _different(response.poles(0.0, end))
@@ -41,21 +41,22 @@ def _lowest(response, count):
     return found[:count], found[count] if len(found) > count else 4 * found[-1]
 
 
-def _different(poles):
+def _different(poles: np.ndarray) -> np.ndarray:
     """Those above the real axis, ascending, close ones as one."""
     poles = np.sort_complex(poles[poles.imag > ONE * np.abs(poles)] / 1j) * 1j
     apart = np.append(True, np.abs(np.diff(poles)) > ONE * np.abs(poles[1:])) if len(poles) else np.zeros(0, bool)
-    return poles[apart]
+    found: np.ndarray = poles[apart]
+    return found
 
 
-def _around(response, centre, radius):
+def _around(response: "FrequencyResponseFunction", centre: complex, radius: float) -> tuple[complex, complex]:
     """The coefficients of 1/(s − centre) and 1/(s − centre)² of H."""
     turn = radius * np.exp(2j * np.pi * (np.arange(POINTS) + 0.5) / POINTS)
     values = response.at(centre + turn)[0]
-    return np.mean(values * turn), np.mean(values * turn**2)
+    return complex(np.mean(values * turn)), complex(np.mean(values * turn**2))
 
 
-def _free(response, first, s):
+def _free(response: "FrequencyResponseFunction", first: np.ndarray, s: complex) -> complex:
     """What moves freely adds: A/s² + B/s; rounding where nothing does."""
     radius = SHARE * (abs(first[0]) if len(first) else response.pace)
     B, A = _around(response, 0j, radius)

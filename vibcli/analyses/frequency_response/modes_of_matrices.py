@@ -6,7 +6,7 @@ Of symmetric ones that commute modes are real (Caughey & O'Kelly 1965, J. Appl. 
 """
 
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -14,6 +14,9 @@ from vibcli.analyses.frequency_response.direct import probe
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.fixed_point import count_floats
 from vibcli.numerics.state_space import first_order
+
+if TYPE_CHECKING:
+    pass
 
 COUPLED = 1e-14         # coupling by damping, relative to the damping of two modes
 DEPENDENT = 1e8         # condition of the modes from which on LU has too much left to do
@@ -46,12 +49,13 @@ def reduced_to_unit_mass(system: Any) -> UnitMass | None:
     return UnitMass(back.T @ system.K @ back, back.T @ system.C @ back, back)
 
 
-def _symmetric(matrix):
+def _symmetric(matrix: np.ndarray) -> bool:
     return bool((np.abs(matrix - matrix.T) <= 1e-15 * np.abs(matrix)).all())
 
 
-def _same(matrix, other):
-    return np.abs(matrix - other).max() <= TURNED * np.abs(matrix).max()
+def _same(matrix: np.ndarray, other: np.ndarray) -> bool:
+    found: bool = np.abs(matrix - other).max() <= TURNED * np.abs(matrix).max()
+    return found
 
 
 def decoupled(system: Any, reduced: UnitMass | None) -> "tuple[np.ndarray, np.ndarray, np.ndarray] | None":
@@ -69,12 +73,12 @@ def decoupled(system: Any, reduced: UnitMass | None) -> "tuple[np.ndarray, np.nd
     return squares, np.diag(damping), back @ turn
 
 
-def _commute(K, C):
+def _commute(K: np.ndarray, C: np.ndarray) -> bool:
     """Whether K C = C K but for rounding, as seen along one vector."""
     along = probe(len(K))
     apart = K @ (C @ along) - C @ (K @ along)
     K, C = np.abs(K), np.abs(C)
-    return (np.abs(apart) <= COUPLED * len(K) * (K @ (C @ along) + C @ (K @ along))).all()
+    return bool((np.abs(apart) <= COUPLED * len(K) * (K @ (C @ along) + C @ (K @ along))).all())
 
 
 class PairedModes(NamedTuple):
@@ -106,7 +110,8 @@ def coupled(system: Any, reduced: UnitMass, asked: Sequence[np.ndarray]) -> Pair
     return shares and PairedModes(values[above], values[alone].real, right, left, shares, pace)
 
 
-def _shares(system, W, back, asked):
+def _shares(system: Any, W: np.ndarray, back: np.ndarray,
+            asked: Sequence[np.ndarray]) -> tuple[Callable[[np.ndarray], np.ndarray] | None, np.ndarray | None]:
     """(the function that gives L b, L), the latter None where D is the same as Dᵀ; (None, None) where the modes are
     nearly dependent, as seen along what is asked for."""
     n = len(back)

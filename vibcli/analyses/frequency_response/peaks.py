@@ -6,7 +6,7 @@ half-power points of a peak are where |H| = peak/√2 on either side of it; Q = 
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -36,7 +36,7 @@ def antiresonances(system: "FrequencyResponseFunction", known: Sequence[Extreme]
     return _made_by(system.zeros(0.0, end), dips, [one.Omega for one in known if one.maximum]) if dips else []
 
 
-def _made_by(marks, found, between):
+def _made_by(marks: np.ndarray, found: Sequence[Extreme], between: Sequence[Any]) -> list[Extreme]:
     """Those in whose interval between others there is a pole or zero that is not real."""
     marks = marks.imag[marks.imag > 0]
     edges = np.array([0.0, *between, np.inf])
@@ -80,13 +80,13 @@ def half_powers(system: "FrequencyResponseFunction", tops: Sequence[Extreme], kn
     return found.reshape(-1, 2)
 
 
-def _ends(system, peak, dips):
+def _ends(system: "FrequencyResponseFunction", peak: Extreme, dips: np.ndarray) -> tuple[float, float]:
     """The minima on either side of a peak, or what is beyond the last one."""
     below, above = dips[dips < peak.Omega], dips[dips > peak.Omega]
     return below.max(initial=0.0), above.min() if len(above) else _beyond(system, peak.Omega, peak.value / np.sqrt(2))
 
 
-def _beyond(system, Omega, level):
+def _beyond(system: "FrequencyResponseFunction", Omega: float, level: float) -> float:
     """A frequency above Ω at which |H| has fallen below the level; the last one looked at where there is none."""
     last = max(system.pace, Omega) * WIDE
     while Omega < last:

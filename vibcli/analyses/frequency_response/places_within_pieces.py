@@ -24,7 +24,7 @@ def weights_within(placed: "PlacedPiece", s: np.ndarray, share: float, order: in
     piece = placed.piece._make(float(value) for value in placed.piece)
     unit = np.eye(piece.order)
 
-    def seen(kappa):
+    def seen(kappa: np.ndarray) -> np.ndarray:
         return fields(piece, kappa[..., None], unit, share * piece.length)[..., order]
 
     kappa = retarded_reaction(piece, s, placed.retardation)
@@ -42,7 +42,7 @@ def loaded_within(drive: "SpreadDrive", placed: "PlacedPiece", s: np.ndarray, sh
     if form is None:
         return np.zeros(len(s)), None
 
-    def seen(kappa):
+    def seen(kappa: np.ndarray) -> np.ndarray:
         return loaded_fields(piece, kappa, form, share * piece.length)[..., order:order + 1]
 
     kappa, factor = retarded_reaction(piece, s, beta), 1 + beta * s if beta else 1.0

@@ -7,12 +7,16 @@ With s = σ(1 + 1/μ) about a point σ to the right of all poles the leading mat
 at infinity goes to μ = 0. They are starting values: what is told of H is located on H itself.
 """
 
-from typing import Any
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vibcli.numerics.ascending import ascending
 from vibcli.numerics.fixed_point import count_floats
+
+if TYPE_CHECKING:
+    from vibcli.analyses.frequency_response.transfer_function import TransferFunction
 
 FAR = 1e-7      # |μ| of what counts as infinite
 STEPS, NEAR, STILL = 6, 0.03, 1e-6
@@ -31,7 +35,8 @@ def poles(system: Any) -> np.ndarray:
 
         alone = decoupled(system, reduced_to_unit_mass(system))
         if alone is not None:
-            return _of_modes(*alone[:2])
+            result: np.ndarray = _of_modes(*alone[:2])
+            return result
         from vibcli.analyses.frequency_response.poles_in_a_row import poles_in_a_row
 
         found = poles_in_a_row(system)
@@ -40,7 +45,7 @@ def poles(system: Any) -> np.ndarray:
     return _roots([system.K, system.C, system.M], pace(system))
 
 
-def _of_modes(squares, rates):
+def _of_modes(squares: np.ndarray, rates: np.ndarray) -> np.ndarray:
     """The s of s² + 2ζω s + ω² with Im s ≥ 0."""
     root = np.sqrt(rates**2 / 4 - squares + 0j)
     far = -rates / 2 - np.where(rates < 0, -1, 1) * np.where(root.imag == 0, root, 0)
@@ -63,7 +68,7 @@ def zeros(system: Any) -> np.ndarray:
     return _zeros_of_all(system, _roots(parts, pace(system)))
 
 
-def _cut_chain(system):
+def _cut_chain(system: "TransferFunction") -> list[tuple[np.ndarray, ...]] | None:
     """[(K, C, M)] of what is left of coordinates in a row on either side of the way from the input to the output, and
     of the couplings on the way, whose poles are the zeros: H = det D_left · ∏ couplings · det D_right/det D. None of
     other systems; bordered as above, what lies on a long way would drown the others."""
@@ -84,11 +89,12 @@ def _cut_chain(system):
     return [block for block in blocks if len(block[0])]
 
 
-def _of_block(system, parts):
+def _of_block(system: Any, parts: tuple[np.ndarray, ...]) -> np.ndarray:
     """The s with Im s ≥ 0 at which a block is singular."""
     K, C, M = parts
     if system.undamped:
-        return np.sqrt(-_squares(K, M, pace(system))) * 1j
+        found: np.ndarray = np.sqrt(-_squares(K, M, pace(system))) * 1j
+        return found
     return _roots([K, C, M], pace(system))
 
 
@@ -103,31 +109,34 @@ def endless(system: Any) -> list[np.ndarray]:
     return [Omega[np.diff(Omega, prepend=0.0) > ALIKE * Omega] for Omega in found]
 
 
-def _near(places, others, count=1):
+def _near(places: np.ndarray, others: np.ndarray, count: int = 1) -> np.ndarray:
     """Which have so many others at the same place but for rounding?"""
-    return (np.abs(places[:, None] - others) <= ALIKE * np.abs(places)[:, None]).sum(axis=1) >= count
+    found: np.ndarray = (np.abs(places[:, None] - others) <= ALIKE * np.abs(places)[:, None]).sum(axis=1) >= count
+    return found
 
 
-def _order(system, at):
+def _order(system: Any, at: np.ndarray) -> np.ndarray:
     """H′ (s − p)/H at some way from each place p: −1 of a pole, 1 of a zero, whatever modes of one frequency make of
     them together there."""
     off = at * APART
     values, slopes, _ = system.at(at + off, True)
     with np.errstate(all="ignore"):
-        return (slopes * off / values).real
+        found: np.ndarray = (slopes * off / values).real
+        return found
 
 
-def _zeros_of_all(system, places):
+def _zeros_of_all(system: "TransferFunction", places: np.ndarray) -> np.ndarray:
     """Those that are zeros of H; where modes have the same frequency, by H beside it."""
     shared = _near(places, system.poles())
     found = np.concatenate([_kept(system, places[~shared]), places[shared]])
     doubtful = _near(found, system.poles())
     if doubtful.any():
         doubtful[doubtful] = ~(_order(system, found[doubtful]) > 0.5)
-    return found[~doubtful]
+    result: np.ndarray = found[~doubtful]
+    return result
 
 
-def _kept(system, places, sign=-1):
+def _kept(system: "TransferFunction", places: np.ndarray, sign: int = -1) -> np.ndarray:
     """Those to which Newton's method on H converges, or with `sign` 1 that on 1/H: rounding scatters zeros at infinity
     anywhere, and a mode that takes no part is no pole of H."""
     at, step, near = places.astype(complex), np.full(len(places), np.inf + 0j), np.arange(len(places))
@@ -144,10 +153,11 @@ def _kept(system, places, sign=-1):
         near = near[np.abs(step[near]) <= NEAR * np.abs(at[near])]      # where the others are they stay
         at[near] += step[near]
         near = near[np.abs(step[near]) > SETTLED * np.abs(at[near])]
-    return at[(np.abs(step) <= STILL * np.abs(at)) & (np.abs(at - places) <= NEAR * np.abs(places))]
+    found: np.ndarray = at[(np.abs(step) <= STILL * np.abs(at)) & (np.abs(at - places) <= NEAR * np.abs(places))]
+    return found
 
 
-def _vanishes(system, at, values):
+def _vanishes(system: "TransferFunction", at: np.ndarray, values: np.ndarray) -> np.ndarray:
     """Is H, where its value is 0, 0 beside it too: is it so small that floats do not hold it?"""
     found = np.zeros(len(at), bool)
     if (values == 0).any():
@@ -163,7 +173,7 @@ def pace(system: Any) -> float:
     return float(np.exp(np.mean(np.log(rates)))) if rates else 1.0
 
 
-def _roots(parts, pace):
+def _roots(parts: Sequence[np.ndarray], pace: float) -> np.ndarray:
     """s with Im s ≥ 0 of A₀ + s A₁ + s² A₂."""
     A0, A1, A2 = _balanced([part * pace**k for k, part in enumerate(parts)])
     n, shift = len(A0), 1.0
@@ -182,7 +192,7 @@ def _roots(parts, pace):
     return found[found.imag >= 0]
 
 
-def _squares(A0, A2, pace):
+def _squares(A0: np.ndarray, A2: np.ndarray, pace: float) -> np.ndarray:
     """s² of A₀ + s² A₂ where it is real and negative."""
     A0, A2 = _balanced([A0, A2 * pace**2])
     try:
@@ -194,7 +204,7 @@ def _squares(A0, A2, pace):
     return found[found < 0]
 
 
-def _balanced(parts):
+def _balanced(parts: list[np.ndarray]) -> list[np.ndarray]:
     """The same with rows and columns of one size."""
     parts = [part.copy() for part in parts]
     for _ in range(3):

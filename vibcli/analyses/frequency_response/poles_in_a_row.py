@@ -6,6 +6,7 @@ tridiagonal (Bini, Gemignani & Tisseur 2005, SIAM J. Matrix Anal. Appl. 27, 153)
 They start from the modes without dampers, with what these do to each alone.
 """
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -42,25 +43,28 @@ def poles_in_a_row(system: Any) -> np.ndarray | None:
             left, rounds = left[~(np.abs(step) <= LAST * np.abs(s[left]))], rounds + 1
     s = s[np.argsort(s.imag)]
     close = np.abs(np.diff(s)) <= APART * np.abs(s[1:])
-    return None if len(left) or close.any() or not (s.imag > APART * np.abs(s)).all() else s
+    found: np.ndarray | None = None if len(left) or close.any() or not (s.imag > APART * np.abs(s)).all() else s
+    return found
 
 
-def _first(system):
+def _first(system: Any) -> np.ndarray | None:
     """Where the search starts; None where M is not positive definite, and where a mode by itself does not oscillate."""
     reduced = reduced_to_unit_mass(system)
     if reduced is None:
         return None
     squares, turn = np.linalg.eigh((reduced.K + reduced.K.T) / 2)
     rates = ((reduced.C @ turn) * turn).sum(axis=0) / 2
-    return np.sqrt(squares - rates**2) * 1j - rates if (squares > rates**2).all() else None
+    found: np.ndarray | None = np.sqrt(squares - rates**2) * 1j - rates if (squares > rates**2).all() else None
+    return found
 
 
-def _along(parts, k):
+def _along(parts: Sequence[np.ndarray], k: int) -> np.ndarray:
     """The diagonals beside the main one of K, C and M: (3, n − |k|, 1)."""
     return np.stack([np.diagonal(part, k) for part in parts])[:, :, None]
 
 
-def _slopes(diagonal, above, below, s):
+def _slopes(diagonal: np.ndarray, above: np.ndarray, below: np.ndarray,
+            s: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """(Σ δᵢ′/δᵢ of all pivots but the last, this, its slope)."""
     D, steep = _polynomial(diagonal, s)
     (one, one_steep), (other, other_steep) = _polynomial(above, s), _polynomial(below, s)
@@ -74,7 +78,7 @@ def _slopes(diagonal, above, below, s):
     return total, pivot, slope
 
 
-def _polynomial(parts, s):
+def _polynomial(parts: np.ndarray, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(K + sC + s²M, its derivative) of so many entries, (m, N)."""
     K, C, M = parts
     return K + s * (C + s * M), C + 2 * s * M

@@ -5,6 +5,7 @@ as H is over γ, and Ω₀ by that times γ².
 """
 
 import math
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -24,7 +25,7 @@ FINEST = 2.0**-46       # of Ω: places nearer to one another are told apart no 
 class ResponseErrors:
     """Of what is read off the graph of one FrequencyResponseFunction."""
 
-    def __init__(self, system: "FrequencyResponseFunction"):
+    def __init__(self, system: "FrequencyResponseFunction") -> None:
         self.system = system
 
     def relative(self, Omega: np.ndarray) -> np.ndarray:
@@ -45,7 +46,7 @@ class ResponseErrors:
             place[~lost], height[~lost] = self._of_turns(Omega[~lost], off[~lost])
         return place, height
 
-    def _of_turns(self, Omega, off):
+    def _of_turns(self, Omega: np.ndarray, off: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         blind = self._blind(Omega)
         width = self._width(Omega, 2 * blind)
         return 2 * off * width + blind + GIVEN * Omega, off + (blind / width)**2
@@ -58,22 +59,26 @@ class ResponseErrors:
         flat = steep == 0       # a mode that takes no part has the same frequency
         if flat.any():
             steep[flat] = np.abs(sloped(self.system, Omega[flat] * (1 + ASIDE))[1])
-        return _over(self.system.errors(Omega), steep, Omega)
+        found: np.ndarray = _over(self.system.errors(Omega), steep, Omega)
+        return found
 
     def of_levels(self, Omega: np.ndarray, off: np.ndarray) -> np.ndarray:
         """|δΩ| of places where |H| has a height that is off by so much, relative."""
-        return _over(self.relative(Omega) + off, self.steepness(Omega), Omega)
+        found: np.ndarray = _over(self.relative(Omega) + off, self.steepness(Omega), Omega)
+        return found
 
     def steepness(self, Omega: np.ndarray) -> np.ndarray:
         """|d log|H|/dΩ|."""
-        return np.abs(steepness(self.system, Omega))
+        found: np.ndarray = np.abs(steepness(self.system, Omega))
+        return found
 
     def of_crossing(self, other: "ResponseErrors", Omega: np.ndarray) -> np.ndarray:
         """|δΩ| of places where |H| is that of another ResponseErrors' system."""
         here, there = (steepness(one.system, Omega) for one in (self, other))
-        return _over(self.relative(Omega) + other.relative(Omega), np.abs(here - there), Omega)
+        found: np.ndarray = _over(self.relative(Omega) + other.relative(Omega), np.abs(here - there), Omega)
+        return found
 
-    def _blind(self, Omega):
+    def _blind(self, Omega: np.ndarray) -> np.ndarray:
         """How far about each top D is singular but for rounding, so that no slope is seen."""
         step, found, dark = 2 * GIVEN * Omega, np.zeros(len(Omega)), np.arange(len(Omega))
         for k in range(TRIES):
@@ -86,7 +91,7 @@ class ResponseErrors:
         found[dark] = step[dark]
         return found
 
-    def _width(self, Omega, least):
+    def _width(self, Omega: np.ndarray, least: np.ndarray) -> np.ndarray:
         """γ of |H| = top/√(1 + (Ω − Ω₀)²/γ²), by how it falls beside each top, no nearer than `least`."""
         least = np.maximum(least, FINEST * Omega)
         step, height = np.maximum(NEAR * Omega, least), np.abs(sampled(self.system, Omega)[0])
@@ -101,12 +106,12 @@ class ResponseErrors:
         with np.errstate(all="ignore"):
             return np.where(fall > 0, step / np.sqrt(np.expm1(2 * np.minimum(fall, MOST))), Omega)
 
-    def _beside(self, find, Omega, step):
+    def _beside(self, find: Callable[..., np.ndarray], Omega: np.ndarray, step: np.ndarray) -> np.ndarray:
         """What is found a step below and above each frequency: (2, N)."""
         return find(self.system, np.concatenate([Omega - step, Omega + step])).reshape(2, -1)
 
 
-def _over(off, steep, Omega):
+def _over(off: np.ndarray, steep: np.ndarray, Omega: np.ndarray) -> np.ndarray:
     """|δΩ| of what is off by so much where it is so steep; all of Ω where it is level."""
     with np.errstate(all="ignore"):
         return np.where(steep != 0, off / steep + GIVEN * Omega, Omega)

@@ -1,6 +1,7 @@
 """The transfer function of one output to one input, H(s) = c(s)ᵀ (K + s C + s² M)⁻¹ b(s) + d(s), s = iΩ."""
 
 import math
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -16,6 +17,7 @@ from vibcli.mechanics.inputs_outputs.outputs import linear_row
 from vibcli.numerics.ascending import median
 
 if TYPE_CHECKING:
+    from vibcli.analyses.frequency_response.beside_rigid_motions import AtRest
     from vibcli.analyses.modal.modal_analysis import ModalAnalysis
     from vibcli.analyses.transient.data_errors import DataErrors
     from vibcli.mechanics.configuration import Configuration
@@ -31,7 +33,7 @@ class TransferFunction(FrequencyResponseFunction):
     __slots__ = ("C", "K", "M", "_asked", "_data", "_magnitudes", "_marks", "_method", "_modal", "b", "c", "d")
 
     def __init__(self, M: np.ndarray, C: np.ndarray, K: np.ndarray, b: np.ndarray, c: np.ndarray,
-                 d: Any = (0.0, 0.0, 0.0), order: int = 0, modal: "ModalAnalysis | None" = None):
+                 d: Any = (0.0, 0.0, 0.0), order: int = 0, modal: "ModalAnalysis | None" = None) -> None:
         super().__init__(order)
         self.M, self.C, self.K = (np.asarray(matrix, dtype=float) for matrix in (M, C, K))
         self.b, self.c, self.d = (np.asarray(part) for part in (b, c, d))
@@ -52,7 +54,8 @@ class TransferFunction(FrequencyResponseFunction):
         if self._magnitudes is None:
             parts = [np.abs(matrix) for matrix in (self.K, self.C, self.M)]
             self._magnitudes = [np.diag(part) for part in parts], [part.max(axis=1) for part in parts]
-        return self._magnitudes
+        found: tuple[list[np.ndarray], list[np.ndarray]] = self._magnitudes
+        return found
 
     @property
     def undamped(self) -> bool:
@@ -95,12 +98,12 @@ class TransferFunction(FrequencyResponseFunction):
     def endless(self, low: float = 0.0, high: float = math.inf) -> list[np.ndarray]:
         return [marks[(marks >= low) & (marks <= high)] for marks in self._once(poles_and_zeros.endless)]
 
-    def _once(self, find):
+    def _once(self, find: Callable[..., Any]) -> Any:
         if find not in self._marks:
             self._marks[find] = find(self)
         return self._marks[find]
 
-    def _resting(self):
+    def _resting(self) -> "AtRest | None":
         """The AtRest of what nothing holds; None of what is held. No place of the circle is much nearer to a pole than
         the one on the axis, by which its error is bounded."""
         scale, = scales(self, np.zeros(1))
@@ -122,7 +125,8 @@ class TransferFunction(FrequencyResponseFunction):
             still = np.zeros(self.n)
             linear = self._modal.configuration.linear_system
             self._data = of_elements(linear, (self.M, self.C, self.K), (still, still), still)
-        return self._data
+        found: DataErrors = self._data
+        return found
 
     def error(self, Omega: float) -> float:
         return float(self.errors(np.array([Omega]))[0])
@@ -144,11 +148,13 @@ class TransferFunction(FrequencyResponseFunction):
         return [float(mode.omega) for mode in modes if mode.omega]
 
     def with_damper(self, other: Any, c: float) -> "TransferFunction":
-        def part(name):
+        def part(name: str) -> np.ndarray:
             zero = getattr(self, name)
-            return zero + c * (getattr(other, name) - zero)
+            found: np.ndarray = zero + c * (getattr(other, name) - zero)
+            return found
 
-        return TransferFunction(*map(part, ("M", "C", "K", "b", "c", "d")), self.order)
+        M, C, K, b, seen, d = map(part, ("M", "C", "K", "b", "c", "d"))
+        return TransferFunction(M, C, K, b, seen, d, self.order)
 
     def felt(self, other: Any) -> float:
         """Such that c Ω is of the size of K."""
@@ -158,7 +164,7 @@ class TransferFunction(FrequencyResponseFunction):
         return median(stiff[both] / added[both]) / self.pace if both.any() else 1.0
 
 
-def _within(marks, low, high):
+def _within(marks: np.ndarray, low: float, high: float) -> np.ndarray:
     return marks[(marks.imag >= low) & (marks.imag <= high)]
 
 
@@ -180,7 +186,7 @@ def transfer(configuration: "Configuration", signal: str, driven_by: str, order:
     return TransferFunction(M, C, K, b, c, np.array(direct_part(row, chosen)), order, modal)
 
 
-def _dense(parts, n):
+def _dense(parts: Sequence[dict[int, complex]], n: int) -> np.ndarray:
     kind = complex if any(isinstance(x, complex) for part in parts for x in part.values()) else float
     found = np.zeros((3, n), kind)
     for power, part in enumerate(parts):

@@ -36,4 +36,5 @@ def of_values(system: "TransferFunction", data: "DataErrors", Omega: np.ndarray)
     found = (y * (missed + 2 * DATA * at * turned)).sum(axis=1) + (GIVEN + n * EPSILON) * (of_c * size).sum(axis=1)
     found = found + 2 * DATA * large * np.abs((slope(system.c, s) * x).sum(axis=1) + slope(system.d, s))
     found = found + GIVEN * of_d + 8 * EPSILON * np.abs((c * x).sum(axis=1) + d)
-    return found * large**system.order * (1.0 + 2 * system.order * DATA)
+    result: np.ndarray = found * large**system.order * (1.0 + 2 * system.order * DATA)
+    return result

@@ -1,11 +1,15 @@
 """What estimates by assumed shapes are made of: combinations that are orthonormal, and when they are bounds."""
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
+    import mpmath
+
+    from vibcli.base.errors import Where
     from vibcli.language.reader import Expression
     from vibcli.mechanics.factored_system import FactoredSystem
 
@@ -15,10 +19,10 @@ NOTHING, FAR = 1e-30, 10**30       # of numbers with 60 digits: what cancels lea
 class RitzEstimates(NamedTuple):
     """shapes: the columns of Φ; M, K: M̂ and K̂ as rows; modes: the estimates by ascending ω̃²."""
 
-    shapes: list
-    M: list
-    K: list
-    modes: list
+    shapes: list[list[Any]]
+    M: list[list[Any]]
+    K: list[list[Any]]
+    modes: "list[RitzMode]"
 
 
 class RitzMode(NamedTuple):
@@ -28,9 +32,9 @@ class RitzMode(NamedTuple):
     index: int  # type: ignore[assignment]
     square: float
     omega: float | None
-    shape: list
+    shape: list[Any]
     exact: float | None
-    weights: list | None = None
+    weights: list[Any] | None = None
 
 
 def require_bounds(elements: "FactoredSystem", M: Any, K: Any) -> None:
@@ -74,13 +78,13 @@ def amplitude_of(modal: Any, name: str, expression: "Expression") -> tuple[int, 
     return list(names).index(name), amplitude
 
 
-def _is_real(value):
+def _is_real(value: "mpmath.mpf") -> bool:
     import mpmath
 
     return mpmath.isfinite(value) and not mpmath.im(value)
 
 
-def orthonormal(shapes: list, M: Any, places: list) -> list:
+def orthonormal(shapes: "Sequence[list[mpmath.mpf]]", M: Any, places: "Sequence[Where]") -> "list[list[mpmath.mpf]]":
     """Combinations of the shapes with qᵢᵀMqⱼ = δᵢⱼ, one after the other; PhysicsError where there are fewer."""
     import mpmath
 
@@ -97,7 +101,7 @@ def orthonormal(shapes: list, M: Any, places: list) -> list:
     return found
 
 
-def _dependent(number, shape, rest, place):
+def _dependent(number: int, shape: "list[mpmath.mpf]", rest: "list[mpmath.mpf]", place: "Where") -> PhysicsError:
     """Why a shape adds no motion with inertia to those before it, of which `rest` is left."""
     if not any(shape):
         return PhysicsError(f"shape {number} is zero: nothing moves in it", "give an amplitude that is not zero", place)

@@ -12,6 +12,8 @@ import numpy as np
 
 if TYPE_CHECKING:
     from vibcli.analyses.modal.modal_analysis import ModalAnalysis
+    from vibcli.analyses.modal.undamped import Mode
+    from vibcli.mechanics.configuration import Configuration
 
 NEAR = 1e6
 LEAST, STEP = 6, 1e-2             # how many modes are looked at; the step of the differences
@@ -41,11 +43,11 @@ def bifurcation_warning(condition: float) -> str | None:
             f"{round(math.log10(condition / 2))} digits fewer than the data").replace("e+0", "e").replace("e+", "e")
 
 
-def _rate(mode):
+def _rate(mode: "Mode") -> float:
     return float(mode.omega if mode.omega is not None else mode.growth_rate)
 
 
-def _condition(configuration, mode):
+def _condition(configuration: "Configuration", mode: "Mode") -> float:
     """Σ |terms of xᴴKx| over |xᴴKx|."""
     elements, x = configuration.element_data, [complex(value) for value in mode.shape]
     springs = [k * abs(sum(a * x[i] for i, a in row.items())) ** 2 for k, row in elements.springs]
@@ -56,7 +58,7 @@ def _condition(configuration, mode):
     return (size + _change(configuration, np.real(x))) / max(left, EPSILON * size) if size else 1.0
 
 
-def _change(configuration, x):
+def _change(configuration: "Configuration", x: np.ndarray) -> float:
     """By how much xᵀKx changes over the size of the figure, as its first and second derivatives tell."""
     if configuration.system.is_linear or not any(configuration.system.linearisation.K):
         return 0.0
@@ -69,11 +71,12 @@ def _change(configuration, x):
     system, numeric = configuration.system, configuration.numeric
     unit = max(abs(a) / (length if system.dimension(name) else 1.0) for name, a in zip(names, x, strict=True))
 
-    def along(step):
+    def along(step: float) -> float:
         moved = {name: at[name] + step * a / unit for name, a in zip(names, x, strict=True)}
         place = numeric.closed(at, {**at, **moved})
         K = in_numbers(system.linearisation, Floats, {**numeric.floats, **place}).elements.stiffness()
-        return sum(value * x[i] * x[j] for (i, j), value in K.items())
+        found: float = sum(value * x[i] * x[j] for (i, j), value in K.items())
+        return found
 
     before, here, after = (along(step) for step in (-STEP, 0.0, STEP))
     change = abs(after - before) / (2 * STEP) + abs(after - 2 * here + before) / (2 * STEP**2)

@@ -1,6 +1,7 @@
 """Shapes of modes whose frequencies are close: in floats each is a mix of both, by the rounding of the data over the
 gap (Davis & Kahan 1970), so they are found in more digits; those of one frequency may be mixed as one likes."""
 
+from collections.abc import Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +13,10 @@ from vibcli.analyses.modal.undamped import Mode
 from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
+    import mpmath
+
     from vibcli.analyses.modal.modal_analysis import ModalAnalysis
+    from vibcli.analyses.modal.mode_sequence import Modes
 
 NEAR, ONE, DIGITS = 1e-4, 1e-25, 40     # relative gap of frequencies below which shapes lose digits; of one frequency
 COINCIDING, BESIDE = 4e-16, 3       # gap of eigenvalues in floats; modes of members after one that may be close to it
@@ -41,7 +45,7 @@ def told_apart(modal: "ModalAnalysis", mode: Any) -> Any:
         return mode
 
 
-def _of_bodies(modal, mode):
+def _of_bodies(modal: "ModalAnalysis", mode: DampedMode | Mode) -> DampedMode | Mode:
     if isinstance(mode, DampedMode):
         return _damped(modal, mode)
     if not isinstance(mode, Mode) or not isinstance(mode.omega, float) or not mode.omega or (
@@ -58,7 +62,7 @@ def _of_bodies(modal, mode):
     return mode._replace(shape=shape if shape.imag.any() else shape.real)
 
 
-def _damped(modal, mode):
+def _damped(modal: "ModalAnalysis", mode: DampedMode) -> DampedMode:
     if modal.scene.pieces or not isinstance(mode.eigenvalue, complex) or len(modal.scene.q) > CERTIFIABLE or not (
             mode.omega and _eigenvalue_gap(modal.damped, mode) < NEAR):
         return mode
@@ -78,7 +82,7 @@ def apart(modal: "ModalAnalysis", mode: "DampedMode | Mode") -> float:
     return _natural_gap(modal, mode) if isinstance(mode, Mode) else _damped_gap(modal, mode.index)
 
 
-def _damped_gap(modal, number):
+def _damped_gap(modal: "ModalAnalysis", number: int) -> float:
     modes, (mode, *_), least = modal.damped, modal.damped.numbered(number, number), 0.0
     if not mode.omega:
         return 1.0
@@ -95,14 +99,14 @@ def _damped_gap(modal, number):
     return float(away)
 
 
-def _eigenvalue_gap(modes, mode):
+def _eigenvalue_gap(modes: "Sequence[Any]", mode: DampedMode) -> "float | mpmath.mpf":
     """How far an eigenvalue is from that of any other mode, conjugates included, in parts of it."""
     size = abs(mode.eigenvalue)
     return min((abs(mode.eigenvalue - value) / size for other in modes if other.index != mode.index
                 for value in (other.eigenvalue, other.eigenvalue.conjugate())), default=1.0)
 
 
-def _natural_gap(modal, mode):
+def _natural_gap(modal: "ModalAnalysis", mode: Mode) -> float:
     """Of so many coordinates that floats alone tell shapes."""
     if len(modal.scene.q) <= CERTIFIABLE_SQUARES or modal.scene.pieces or not (
             isinstance(mode.omega, float) and mode.omega):
@@ -111,7 +115,7 @@ def _natural_gap(modal, mode):
     return away if away > ALIKE else 1.0
 
 
-def _gap(modes, mode):
+def _gap(modes: "Modes", mode: Mode) -> float:
     """How far the next frequency is, in parts of it."""
     beside = modes.numbered(max(mode.index - 1, 1), mode.index + 1)
     return min((abs((other.omega or 0) / mode.omega - 1) for other in beside if other.index != mode.index), default=1.0)

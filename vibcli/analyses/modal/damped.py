@@ -8,7 +8,7 @@ nonsymmetric_large.py).
 
 import math
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -34,6 +34,9 @@ from vibcli.analyses.modal.undamped_certified import enclosed, spread
 from vibcli.numerics import fixed_point as fx
 from vibcli.numerics.precision import working_bits
 
+if TYPE_CHECKING:
+    from vibcli.mechanics.factored_system import FactoredSystem
+
 GOAL = 160
 WANTED = 60
 FAINT = 1e-9        # relative bound of Re λ and Im λ, above which weak damping is found in more digits
@@ -41,8 +44,8 @@ TRIES = 4
 FARTHEST = 2000
 
 
-def damped(elements: Any, precise: Callable | None = None, exact: Callable | None = None,
-           digits: int | None = None) -> list[DampedMode]:
+def damped(elements: Any, precise: "Callable[..., FactoredSystem] | None" = None,
+           exact: Callable[..., Any] | None = None, digits: int | None = None) -> list[DampedMode]:
     """The damped modes by ascending |λ|; None where nothing damps or turns (no C, no G) and K is symmetric.
 
     With neither C nor G the first of each ±λ alone is given.
@@ -56,7 +59,8 @@ def damped(elements: Any, precise: Callable | None = None, exact: Callable | Non
     return within_floats(_damped, elements, precise, exact, digits)
 
 
-def _damped(elements, precise, exact, digits):
+def _damped(elements: "FactoredSystem", precise: "Callable[..., FactoredSystem] | None",
+            exact: Callable[..., Any] | None, digits: int | None) -> list[DampedMode]:
     arithmetic = choose(elements, digits).arithmetic
     if arithmetic == IN_DIGITS:
         return damped_digits(elements, precise, exact, digits)
@@ -78,7 +82,8 @@ def _damped(elements, precise, exact, digits):
     return collected(answer, NearestFloats, answer.shapes())
 
 
-def damped_digits(elements: Any, precise: Callable | None, exact: Callable | None, digits: int) -> list[DampedMode]:
+def damped_digits(elements: Any, precise: "Callable[[int], FactoredSystem]",
+                  exact: "Callable[[], FactoredSystem | None]", digits: int) -> list[DampedMode]:
     """The damped modes to `digits` correct digits, in numbers of mpmath."""
     from vibcli.analyses.modal.damped_shapes_precise import shapes
 
@@ -95,10 +100,11 @@ def damped_digits(elements: Any, precise: Callable | None, exact: Callable | Non
     return collected(answer, Digits, shapes(answer.system, answer.found, answer.scale))
 
 
-def _exactly(exact, elements):
+def _exactly(exact: Callable[..., Any] | None, elements: "FactoredSystem") -> "FactoredSystem | None":
     """The data as Fractions, or None; on what K is not symmetric by, rounding has no part then."""
     data = exact() if exact is not None else None
-    return data.with_parts(K_size=None) if data is not None and elements.circulatory else data
+    found: FactoredSystem | None = data.with_parts(K_size=None) if data is not None and elements.circulatory else data
+    return found
 
 
 def depth(elements: Any, scale: Scaling) -> tuple[int, int]:
@@ -126,7 +132,7 @@ class CertifiedEigenvalues:
 
     __slots__ = ("conservative", "decided", "follower", "found", "scale", "system", "undamped")
 
-    def __init__(self, elements: Any, data: Any, goal: Any, wanted: int, unit: float):
+    def __init__(self, elements: Any, data: Any, goal: Any, wanted: int, unit: float) -> None:
         form, follows, held = form_of(elements), elements.circulatory, bool(dragged(elements))
         self.undamped = not damped_at_all(elements)
         self.conservative, self.follower = self.undamped and not follows, form == FOLLOWER
@@ -165,7 +171,8 @@ class CertifiedEigenvalues:
             self.found = rested(self.found, self.system.bits)
             self.decided = all(d.re or d.im for d in self.found)
 
-    def _modal(self, elements, data, goal, deep, zeros, unit):
+    def _modal(self, elements: "FactoredSystem", data: "FactoredSystem", goal: int, deep: int, zeros: int | None,
+               unit: float) -> ModalDamping:
         answer = enclosed(data, self.scale, zeros, goal=goal)
         if unit > EXACT or data.K_size:
             answer.add_data_error(data, self.scale, unit)
@@ -195,4 +202,5 @@ class CertifiedEigenvalues:
         basis = in_units(fx.floats(self.system.basis, self.system.bits), self.scale)[1]
         out = basis @ np.array([d.x for d in self.found]).T
         lead = out[np.argmax(np.abs(out), axis=0), range(out.shape[1])]
-        return out * np.where(lead == 0, 1.0, np.abs(lead) / np.where(lead == 0, 1.0, lead))
+        found: np.ndarray = out * np.where(lead == 0, 1.0, np.abs(lead) / np.where(lead == 0, 1.0, lead))
+        return found

@@ -22,7 +22,6 @@ if TYPE_CHECKING:
 
     from vibcli.analyses.modal.scaling import Scaling
     from vibcli.analyses.modal.undamped_certified import EnclosedEigenvalues
-    from vibcli.symbolic.interval_arithmetic import Interval
 
 
 class Eigenvalue(NamedTuple):
@@ -51,7 +50,7 @@ class ModalDamping:
     __slots__ = ("basis", "bits", "c", "coupled", "decided", "deep", "same", "values")
 
     def __init__(self, answer: "EnclosedEigenvalues", elements: Any, scale: "Scaling", untouched: int | None, goal: int,
-                 deep: int):
+                 deep: int) -> None:
         self.bits, self.values, self.basis = answer.bits, answer.values.copy(), answer.shapes
         self.values[answer.zero] = 0
         self.same, self.coupled, self.deep = goal - 60, goal - 30, deep
@@ -62,7 +61,7 @@ class ModalDamping:
         self.decided = untouched is not None
         self._clear(untouched or 0)
 
-    def _align(self):
+    def _align(self) -> None:
         """Turns the basis of each repeated frequency to the axes of the damping in it."""
         size = np.abs(fx.floats(self.values, self.bits))
         gap = np.abs(fx.floats(np.subtract.outer(self.values, self.values), self.bits))
@@ -78,7 +77,7 @@ class ModalDamping:
                 self.c[:, part] = fx.product(self.c[:, part], turn, self.bits)
                 self.c[part, :] = fx.product(turn.T, self.c[part, :], self.bits)
 
-    def _clear(self, untouched):
+    def _clear(self, untouched: int) -> None:
         """Couplings that vanish but for the working precision become zero, as do `untouched` rigid motions."""
         largest = max(abs(x) for x in self.c.ravel().tolist())
         self.c[np.abs(self.c) <= (largest >> self.coupled)] = 0
@@ -100,12 +99,12 @@ class ModalDamping:
             out += self._alone(part[0]) if len(part) == 1 else self._coupled(part, wanted)
         return out
 
-    def _unit(self, i, value=1.0):
+    def _unit(self, i: int, value: complex = 1.0) -> np.ndarray:
         x = np.zeros(len(self.values), complex)
         x[i] = value
         return x
 
-    def _alone(self, i):
+    def _alone(self, i: int) -> list[Eigenvalue]:
         """λ² + c λ + ω̂² = 0; the smaller real root as ω̂²/larger (Press et al. 2007, eq. 5.6.4)."""
         bits, c, k = self.bits, int(self.c[i, i]), int(self.values[i])
         excess = c * c - (k << (bits + 2))
@@ -128,12 +127,12 @@ class ModalDamping:
             out.append(Eigenvalue(re, im, radius, self._unit(i), left, i, excess))
         return out
 
-    def _coupled(self, part, wanted):
+    def _coupled(self, part: list[int], wanted: int) -> list[Eigenvalue]:
         """The eigenvalues of modes that damping couples."""
         system = Coupled(self, part)
         top, bits = math.log2(np.abs(system.matrix).max()), self.bits
 
-        def enough(root):
+        def enough(root: Root) -> bool:
             return known(root, bits, wanted, self.deep, top - self.coupled + 50)
 
         found = eigenvalues(system.apply, system.matrix, bits, enough, top + 4 - self.coupled)
@@ -142,7 +141,7 @@ class ModalDamping:
         rigid = [Eigenvalue(0, 0, -math.inf, x, x) for x in zero]
         return rigid + [self._full(part, system, root, zero) for root, zero in marked]
 
-    def _full(self, part, system, root, zero):
+    def _full(self, part: list[int], system: "Coupled", root: Root, zero: bool) -> Eigenvalue:
         """An Eigenvalue of all modes from one of the first-order form; `zero`: it vanishes by structure."""
         k = len(part)
         value = complex(fx.to_float(root.re, self.bits), fx.to_float(root.im, self.bits))
@@ -162,7 +161,7 @@ class Coupled:
 
     __slots__ = ("bits", "c", "elastic", "matrix", "omega", "pull", "rigid")
 
-    def __init__(self, modal: ModalDamping, part: Sequence[int]):
+    def __init__(self, modal: ModalDamping, part: Sequence[int]) -> None:
         self.bits, self.c, values = modal.bits, modal.c[np.ix_(part, part)], modal.values[part]
         self.elastic, self.rigid = np.flatnonzero(values != 0), np.flatnonzero(values == 0)
         roots = [math.isqrt(abs(int(values[i])) << self.bits) for i in self.elastic]
@@ -185,7 +184,7 @@ class Coupled:
         out[self.elastic] -= self.pull[:, None] * u >> bits
         return out
 
-    def place(self, u: "Interval") -> np.ndarray:
+    def place(self, u: np.ndarray) -> np.ndarray:
         """q from u = Ω q, for a motion too slow for its velocities to count."""
         q = np.zeros(len(self.c), complex)
         q[self.elastic] = u / fx.floats(self.omega, self.bits)
@@ -196,7 +195,8 @@ def known(root: Root, bits: int, wanted: int, deep: int, floor: float) -> bool:
     """Whether Re λ is known to `wanted` bits, or λ to `deep` bits, or both are below 2^floor."""
     size = fx.log2(root.re * root.re + root.im * root.im, 2 * bits) / 2
     radius = root.radius
-    return radius <= max(fx.log2(root.re, bits) - wanted, size - deep) or max(size, radius) <= floor
+    found: bool = radius <= max(fx.log2(root.re, bits) - wanted, size - deep) or max(size, radius) <= floor
+    return found
 
 
 def vanishing(found: Sequence[Root], zeros: int | None, bits: int, top: float) -> list[tuple[Root, bool]]:

@@ -58,7 +58,7 @@ class FirstOrder:
 
     __slots__ = ("elastic", "k", "matrix", "omega", "rigid", "shapes", "size")
 
-    def __init__(self, modal: Approximate, c: np.ndarray, size: np.ndarray):
+    def __init__(self, modal: Approximate, c: np.ndarray, size: np.ndarray) -> None:
         self.k, self.shapes = len(modal.values), modal.shapes
         self.elastic, self.rigid = np.flatnonzero(modal.values), np.flatnonzero(modal.values == 0)
         self.omega = np.sqrt(np.abs(modal.values[self.elastic]))
@@ -107,7 +107,7 @@ class FirstOrder:
                 vectors = np.hstack([slow_vectors[:, small], vectors[:, large]])
         return values, vectors, bounds(self.matrix, self.size, values, vectors)
 
-    def _inverse(self):
+    def _inverse(self) -> np.ndarray:
         """A⁻¹ = [[0, Ω⁻¹], [−sΩ⁻¹, −sΩ⁻¹ C Ω⁻¹]] in the order (v, u)."""
         k, out = self.k, np.zeros_like(self.matrix)
         sign = -np.sign(self.matrix[range(k), range(k, 2 * k)])
@@ -127,10 +127,12 @@ def bounds(matrix: np.ndarray, rounding: np.ndarray, values: np.ndarray, vectors
     wide, size = np.abs(left), np.abs(vectors)
     unsure = (rounding + 4 * math.sqrt(len(size)) * UNIT * np.abs(matrix)) @ size
     unsure += 4 * UNIT * size * np.abs(values)
-    return (np.abs(e) + wide @ unsure).sum(axis=1)
+    found: np.ndarray = (np.abs(e) + wide @ unsure).sum(axis=1)
+    return found
 
 
-def _modes(form, values, places, radius, scale, damps):
+def _modes(form: FirstOrder, values: np.ndarray, places: np.ndarray, radius: np.ndarray, scale: "Scaling",
+           damps: bool) -> list[DampedMode]:
     """One mode for each rigid zero, real eigenvalue and conjugate pair."""
     found = []
     for i in form.rigid:
@@ -141,13 +143,15 @@ def _modes(form, values, places, radius, scale, damps):
     return numbered(found + _entries(values, places, radius, damps), form.shapes, scale)
 
 
-def _worst(values, radius):
+def _worst(values: np.ndarray, radius: np.ndarray) -> float:
     """The largest relative bound of what moves."""
     moving = values != 0
-    return (radius[moving] / np.abs(values[moving])).max(initial=0.0)
+    found: float = (radius[moving] / np.abs(values[moving])).max(initial=0.0)
+    return found
 
 
-def _entries(values, shapes, radius, damps):
+def _entries(values: np.ndarray, shapes: np.ndarray, radius: np.ndarray,
+             damps: bool) -> list[tuple[complex, np.ndarray, float]]:
     """(λ, shape, relative error) of each real eigenvalue and of the first of each conjugate pair."""
     found = []
     for value, x, off in zip(values, shapes.T, radius, strict=True):

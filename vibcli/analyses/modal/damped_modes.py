@@ -1,7 +1,7 @@
 """Damped modes as they are handed on: numbered, two real eigenvalues of one over-damped mode as a pair."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     import mpmath
 
     from vibcli.analyses.modal.damped import CertifiedEigenvalues
-    from vibcli.analyses.modal.damped_in_modal_coordinates import Eigenvalue
+    from vibcli.analyses.modal.damped_in_modal_coordinates import Eigenvalue, ModalDamping
 
 ULP = 2.0 ** -52
 PROPORTIONAL = 1e-12
@@ -37,7 +37,7 @@ class DampedMode:
 
     def __init__(self, index: int, eigenvalue: "complex | mpmath.mpc", omega: "float | mpmath.mpf",
                  zeta: "float | mpmath.mpf | None", shape: np.ndarray, error: "float | mpmath.mpf", note: Any = None,
-                 decay: float | None = None, bounds: tuple[Any, Any] | None = None):
+                 decay: float | None = None, bounds: tuple[Any, Any] | None = None) -> None:
         self.index, self.eigenvalue, self.omega, self.zeta = index, eigenvalue, omega, zeta
         self.shape, self.error, self.note = shape, error, note
         re, im = eigenvalue.real, eigenvalue.imag
@@ -51,7 +51,7 @@ class DampedMode:
         return DampedMode(index, self.eigenvalue, self.omega, self.zeta, shape, self.error, self.note, self.decay,
                           self.bounds)
 
-    def _shared(self):
+    def _shared(self) -> tuple[float, float]:
         if not self.omega_d:
             return self.error, self.error
         real, imaginary = abs(float(self.decay)), abs(float(self.omega_d))
@@ -94,7 +94,7 @@ def collected(answer: "CertifiedEigenvalues", numbers: type[Any], shapes: np.nda
     return out
 
 
-def _by_size(found):
+def _by_size(found: "Sequence[Eigenvalue]") -> list[int]:
     """Places by ascending |λ|; of eigenvalues of one size, to SAME bits, that which decays least comes first."""
     squares = [d.re ** 2 + d.im ** 2 for d in found]
     order = sorted(range(len(found)), key=squares.__getitem__)
@@ -104,7 +104,7 @@ def _by_size(found):
     return order
 
 
-def _imaginary(d, size, answer):
+def _imaginary(d: "Eigenvalue", size: float, answer: "CertifiedEigenvalues") -> bool:
     """Whether Re λ is zero: nothing at the depth asked for, or a conservative system.
 
     There −λ̄ is an eigenvalue too, so one that stands alone next to the axis is on it.
@@ -135,11 +135,11 @@ def pairs(system: Any, found: "Sequence[Eigenvalue]") -> dict[int, int]:
     return out
 
 
-def _real(d, bits):
+def _real(d: "Eigenvalue", bits: int) -> float:
     return fx.to_float(d.re, bits)
 
 
-def _nearly_alone(system):
+def _nearly_alone(system: "ModalDamping") -> Iterator[tuple[int, tuple[float, float]]]:
     """Over-damped modes coupled no more than by rounding, each with its two eigenvalues."""
     c, values = fx.floats(system.c, system.bits), fx.floats(system.values, system.bits)
     own = np.abs(c.diagonal())
@@ -153,7 +153,7 @@ def _nearly_alone(system):
             yield i, (far, values[i] / far)
 
 
-def _note(d, zeta):
+def _note(d: "Eigenvalue", zeta: "float | mpmath.mpf | None") -> str | None:
     """What to say of a mode at or next to critical damping, and of a zero."""
     if not d.re and not d.im:
         return "rigid motion: λ = 0"

@@ -7,6 +7,7 @@ eigenvalues are those of Λ − (YBZ)⁻¹ Y [Φᵀr; 0], and Gershgorin's discs
 and, where nothing damps them, slide at (a, 0), which leaves Ca and Ωa behind: both are zero by structure.
 """
 
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -20,8 +21,14 @@ from vibcli.numerics.double_double import DoubleDouble
 from vibcli.numerics.symmetric_eigenvalues import radii
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
     from vibcli.analyses.modal.scaling import Scaling
     from vibcli.numerics.split_products import BoundedProduct
+
+    Complex = tuple[DoubleDouble, DoubleDouble]     # (real part, imaginary part)
+    Terms = Sequence[tuple[float, dict[int, float]]]
+    Entries = Mapping[tuple[int, int], float | Fraction]
 
 PASSES, LARGE = 4, 0.1          # LARGE: of a step between two modes
 DATA = 2.0**-51                 # rounding of weights and components
@@ -61,7 +68,7 @@ def bettered(elements: Any, scale: "Scaling", natural: Approximate, values: np.n
 class _System:
     __slots__ = ("elements", "loose", "matrices", "omega", "phi", "scale", "sliding")
 
-    def __init__(self, elements: Any, scale: "Scaling", natural: Approximate, sliding: np.ndarray):
+    def __init__(self, elements: Any, scale: "Scaling", natural: Approximate, sliding: np.ndarray) -> None:
         n, p, omega = elements.n, scale.coordinates, np.sqrt(abs(natural.values))
         self.elements, self.scale, self.phi, self.sliding = elements, scale, natural.shapes, sliding
         self.omega = np.where(omega > 0, omega, SLOW * omega[omega > 0].min())
@@ -70,7 +77,7 @@ class _System:
         skew = abs(self.phi.T @ m.hi - np.eye(n)) + n * UNIT * (abs(self.phi).T @ abs(m.hi))
         self.loose = float(skew.sum(axis=1).max())
 
-    def _data(self):
+    def _data(self) -> "tuple[tuple[Terms, Entries, int], ...]":
         """(terms, entries, unit) of M, C + G and K."""
         one, scale = self.elements, self.scale
         return ((one.inertias, one.M, scale.mass), (one.dampers, turning(one), scale.damping),
@@ -99,7 +106,7 @@ class _System:
         errors = radii(nearest, abs(nearest[:, None] - nearest[None, :]), off)
         return DampedApproximate(nearest, self._turned(values, shapes, size, e), np.where(still, 0.0, errors))
 
-    def _turned(self, values, shapes, size, e):
+    def _turned(self, values: np.ndarray, shapes: np.ndarray, size: np.ndarray, e: np.ndarray) -> np.ndarray:
         """Better shapes, to first order."""
         with np.errstate(divide="ignore", invalid="ignore"):
             turn = e / (values[None, :] - values[:, None])
@@ -109,9 +116,10 @@ class _System:
         scaled, real = shapes * size, values.imag == 0
         better = scaled + scaled @ turn
         better[:, real] = better[:, real].real
-        return better / np.sqrt(abs((better.conj() * (self.matrices[0].value.hi @ better)).sum(axis=0)))
+        found: np.ndarray = better / np.sqrt(abs((better.conj() * (self.matrices[0].value.hi @ better)).sum(axis=0)))
+        return found
 
-    def _left(self, values, shapes):
+    def _left(self, values: np.ndarray, shapes: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """(λ²Mx + λCx + Kx, of what slides Cx, what it may be off by, Mx), a column for each mode."""
         applied = [_complex_times(matrix, shapes) for matrix in self.matrices]
         total, unsure = applied[0]
@@ -119,12 +127,13 @@ class _System:
             unsure = unsure * abs(values) + off + 32 * dd.UNIT * (_size(total) * abs(values) + _size(more))
             total = _plus(_by(total, values), more)
         damped, off = applied[1]
-        total = tuple(DoubleDouble(*(np.where(self.sliding, *both) for both in zip(drag, left, strict=True)))
-                      for drag, left in zip(damped, total, strict=True))
+        real, imaginary = (DoubleDouble(*(np.where(self.sliding, *both) for both in zip(drag, left, strict=True)))
+                           for drag, left in zip(damped, total, strict=True))
         unsure, inertial = np.where(self.sliding, off, unsure), applied[0][0]
-        return total[0].hi + 1j * total[1].hi, unsure, inertial[0].hi + 1j * inertial[1].hi
+        return real.hi + 1j * imaginary.hi, unsure, inertial[0].hi + 1j * inertial[1].hi
 
-    def _inverse(self, values, inertial):
+    def _inverse(self, values: np.ndarray,
+                 inertial: np.ndarray) -> tuple[np.ndarray, float, np.ndarray, np.ndarray] | None:
         """(Y, ‖YBZ − I‖, by which each mode is scaled, Ω a), None where it is too large."""
         n = len(self.phi)
         a = self.phi.T @ inertial
@@ -151,12 +160,12 @@ class _System:
         if known is None:
             return found._replace(errors=np.full(len(found.values), np.inf))
         sides = known[0][:, :len(self.phi)] @ self.phi.T, found.shapes * known[2]
-        rates, change = abs(found.values), 0.0
+        rates, change = abs(found.values), np.zeros(len(found.values))
         for power, (terms, entries, unit) in zip((2, 1, 0), self._data(), strict=True):
             change = change + rates**power * self._felt(terms, entries, unit, *sides)
         return found._replace(errors=np.where(found.values == 0, 0.0, found.errors + DATA * change))
 
-    def _felt(self, terms, entries, unit, left, right):
+    def _felt(self, terms: "Terms", entries: "Entries", unit: int, left: np.ndarray, right: np.ndarray) -> np.ndarray:
         """Σ |w| |s y| |s x|, each s rounded too, of rows y of `left` and columns x of `right`."""
         n, p = self.elements.n, self.scale.coordinates
         rows, weights = np.zeros((len(terms), n)), np.zeros(len(terms))
@@ -165,8 +174,8 @@ class _System:
             for i, x in row.items():
                 rows[place, i] = np.ldexp(float(x), p[i])
         (one, whole), (other, all_of_it) = ((abs(rows @ side), abs(rows) @ abs(side)) for side in (left.T, right))
-        found = (weights[:, None] * (one * other + one * all_of_it + whole * other)).sum(axis=0)
-        sums = {at: abs(x) for at, x in entries.items()}
+        found: np.ndarray = (weights[:, None] * (one * other + one * all_of_it + whole * other)).sum(axis=0)
+        sums: dict[tuple[int, int], Any] = {at: abs(x) for at, x in entries.items()}
         if unit == self.scale.stiffness:
             sums |= self.elements.K_size or {}
         for (i, j), x in sums.items():
@@ -174,22 +183,22 @@ class _System:
         return found
 
 
-def _complex_times(matrix: "BoundedProduct", x):
+def _complex_times(matrix: "BoundedProduct", x: np.ndarray) -> "tuple[Complex, np.ndarray]":
     """((real part, imaginary part) of a matrix times complex columns, what each entry may be off by)."""
     value, error = times(matrix, np.hstack([x.real, x.imag]))
-    parts = [tuple(np.hsplit(half, 2)) for half in value]
-    return tuple(DoubleDouble(hi, lo) for hi, lo in zip(*parts, strict=True)), sum(np.hsplit(error, 2))
+    real, imaginary = (DoubleDouble(hi, lo) for hi, lo in zip(*(np.hsplit(half, 2) for half in value), strict=True))
+    return (real, imaginary), np.add(*np.hsplit(error, 2))
 
 
-def _by(number, factor):
+def _by(number: "Complex", factor: np.ndarray) -> "Complex":
     """Complex pairs times complex floats."""
     (re, im), (a, b) = number, (factor.real, factor.imag)
     return (dd.added(dd.scaled(re, a), dd.scaled(im, -b)), dd.added(dd.scaled(re, b), dd.scaled(im, a)))
 
 
-def _plus(number, other):
-    return tuple(dd.added(one, two) for one, two in zip(number, other, strict=True))
+def _plus(number: "Complex", other: "Complex") -> "Complex":
+    return dd.added(number[0], other[0]), dd.added(number[1], other[1])
 
 
-def _size(number):
+def _size(number: "Complex") -> np.ndarray:
     return abs(number[0].hi) + abs(number[1].hi)

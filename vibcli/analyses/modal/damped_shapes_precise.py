@@ -30,13 +30,13 @@ def shapes(system: "ModalDamping | Follower", found: "Sequence[Eigenvalue]", sca
     return out
 
 
-def _stiffness(system):
+def _stiffness(system: "ModalDamping | Follower") -> np.ndarray:
     if hasattr(system, "k"):
         return Digits.array(system.k, system.bits)
     return np.diag(Digits.array(system.values, system.bits))
 
 
-def _vector(system, d, c, k):
+def _vector(system: "ModalDamping | Follower", d: "Eigenvalue", c: np.ndarray, k: np.ndarray) -> np.ndarray:
     """x with (λ² m + λ c + k) x = 0 and xᴴ m x = 1, next to the one known in floats."""
     n = len(c)
     massive = getattr(system, "massive", n)

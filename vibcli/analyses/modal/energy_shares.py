@@ -6,6 +6,7 @@ K and M are the sums of their parts, so the shares of a mode add up to one. A pa
 an inverted pendulum, has a negative share. Of gyroscopic and damped modes they are those of the mean over a period.
 """
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import mpmath
@@ -16,7 +17,10 @@ from vibcli.mechanics.element_contributions import owned_forms
 from vibcli.mechanics.inner_products import inner
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from vibcli.analyses.modal.modal_analysis import ModalAnalysis
+    from vibcli.mechanics.element_contributions import Owned
 
 NONE = 1e-20    # a share, or of its scale a sum, that is rounding
 
@@ -26,10 +30,10 @@ class Shares(NamedTuple):
     nothing damps. Where there is no such energy, as V of a rigid mode, there are no shares. coinciding: lists of the
     indices of modes of one frequency, whose shapes may be mixed at will."""
 
-    potential: dict
-    kinetic: dict
-    dissipation: list
-    coinciding: list
+    potential: dict[int, dict[str, Any]]
+    kinetic: dict[int, dict[str, Any]]
+    dissipation: list[tuple[Any, dict[str, Any]]] | None
+    coinciding: list[list[int]]
 
 
 def shares(modal: "ModalAnalysis", _: Any) -> Shares:
@@ -48,7 +52,8 @@ def shares(modal: "ModalAnalysis", _: Any) -> Shares:
     return Shares(potential, kinetic, dissipation, coinciding(modes))
 
 
-def _shares(parts, shape, scale=0):
+def _shares(parts: dict[str, tuple[list[tuple[mpmath.mpf, dict[int, Any]]], dict[tuple[int, int], mpmath.mpf]]],
+            shape: "list[mpmath.mpc] | np.ndarray", scale: int | mpmath.mpf = 0) -> dict[str, float]:
     """{name: share} of the quadratic forms of parts in their sum, as floats; nothing where that is none of `scale`."""
     sizes = _sizes(parts, shape)
     total = sum(sizes.values())
@@ -57,10 +62,11 @@ def _shares(parts, shape, scale=0):
     return {name: float(size / total) if abs(size) > NONE * abs(total) else 0.0 for name, size in sizes.items()}
 
 
-def _energy(owned, shape, rate):
+def _energy(owned: "Owned", shape: "list[mpmath.mpc] | np.ndarray", rate: float | mpmath.mpf) -> mpmath.mpf:
     """|λ|² φᴴMφ: what the forms of a mode are measured by."""
     return rate**2 * sum(_sizes(owned.kinetic, shape).values())
 
 
-def _sizes(parts, shape):
+def _sizes(parts: Mapping[str, tuple[list[tuple[mpmath.mpf, dict[int, Any]]], dict[tuple[int, int], mpmath.mpf]]],
+           shape: "list[mpmath.mpc] | np.ndarray") -> dict[str, mpmath.mpf]:
     return {name: inner(rows, matrix, shape, shape).real for name, (rows, matrix) in parts.items()}

@@ -7,7 +7,7 @@ Both hold where K is positive definite and nothing gyroscopic acts (Rayleigh 187
 coordinate that measures what the first one with inertia does, lengths or angles, and 0 in the others.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import mpmath
@@ -21,6 +21,8 @@ from vibcli.mechanics.inner_products import along
 
 if TYPE_CHECKING:
     from vibcli.analyses.modal.modal_analysis import ModalAnalysis
+    from vibcli.mechanics.factored_system import FactoredSystem
+    from vibcli.mechanics.system import MechanicalSystem
 
 ROUNDING = 1e-14        # relative, of what is evaluated in floats
 
@@ -32,8 +34,8 @@ class Estimates(NamedTuple):
     omega: float
     rayleigh: float
     dunkerley: float
-    deflection: dict
-    alone: dict
+    deflection: dict[str, float]
+    alone: dict[str, float]
     members: Any = None
     error: float = ROUNDING
 
@@ -58,14 +60,14 @@ def estimates(modal: "ModalAnalysis", _: Any) -> Estimates:
             {name: float(1 / mpmath.sqrt(square)) for name, square in alone.items() if square > 0})
 
 
-def _relative(modal, deflection, rounded):
+def _relative(modal: "ModalAnalysis", deflection: "Sequence[mpmath.mpf]", rounded: "mpmath.mpf") -> dict[str, float]:
     """{coordinate: its part of the largest}, 0 of what `rounded` is not beside it."""
     largest = max(deflection, key=abs, default=1.0)
     return {name: float(mpmath.chop(x / largest, rounded))
             for name, x in zip(modal.scene.coordinates, deflection, strict=True)}
 
 
-def _with_members(modal):
+def _with_members(modal: "ModalAnalysis") -> Estimates:
     """The Estimates of a scene with members."""
     import numpy as np
 
@@ -88,7 +90,7 @@ def _with_members(modal):
         {name: square**-0.5 for name, square in squares.items() if square > 0}, further(modal), max(error, ROUNDING))
 
 
-def _require_bounds(modal):
+def _require_bounds(modal: "ModalAnalysis") -> None:
     """Refuse a scene of which K is not positive definite, or which has gyroscopic terms."""
     what = "the estimates of Rayleigh and Dunkerley need "
     if any(modal.configuration.linear_system.G.values()):
@@ -101,7 +103,7 @@ def _require_bounds(modal):
         raise PhysicsError(what + "a stable equilibrium, and mode 1 is unstable", "see `vibcli frequencies`")
 
 
-def _flexibility(K):
+def _flexibility(K: mpmath.matrix) -> mpmath.matrix:
     """K⁻¹; PhysicsError where K is not positive definite, which massless coordinates may hide from the modes."""
     try:
         mpmath.cholesky(K)
@@ -111,7 +113,7 @@ def _flexibility(K):
     return mpmath.inverse(K)
 
 
-def _unit_displacement(system, elements):
+def _unit_displacement(system: "MechanicalSystem", elements: "FactoredSystem") -> list[int]:
     heavy = [i for i in range(elements.n) if i not in elements.massless]
     kinds = [system.dimension(name) for name in system.scene.coordinates]
     return [int(kind == kinds[heavy[0]]) for kind in kinds]
@@ -125,7 +127,8 @@ def matrix_of(entries: Mapping[tuple[int, int], Any], n: int) -> mpmath.matrix:
     return found
 
 
-def _trace(rows, matrix, flexibility):
+def _trace(rows: Sequence[tuple[mpmath.mpf, dict[int, mpmath.mpf]]], matrix: Mapping[Any, Any],
+           flexibility: mpmath.matrix) -> mpmath.mpf:
     """tr(K⁻¹M) of a part Σ w ∇s ∇sᵀ + M₊ of the inertia: the 1/ω² of that part alone."""
     n = flexibility.rows
     total = sum(entry * flexibility[i, j] for (i, j), entry in matrix.items())

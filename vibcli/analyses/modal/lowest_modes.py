@@ -38,7 +38,7 @@ class Counted(NamedTuple):
 class LowestModes:
     """A source of Modes: `numbered(first, last)`, `count(Omega)`, `counted_above(mode)`."""
 
-    def __init__(self, elements: "FactoredSystem"):
+    def __init__(self, elements: "FactoredSystem") -> None:
         self.elements = elements
         if form_of(elements) != SQUARES:
             require_dense(elements.n, "what turns, or a force that follows what it acts on,")
@@ -80,14 +80,15 @@ class LowestModes:
         """How many have at most the frequency of this one, certain."""
         known = self.numbered(1, mode.index)
         upper = mode.omega * (1 + mode.error)
-        return sum((other.omega or 0.0) * (1 - other.error) <= upper for other in self._modes[:len(known)]) + sum(
-            other.omega * (1 - other.error) <= upper for other in self._modes[len(known):])
+        found: int = sum((other.omega or 0.0) * (1 - other.error) <= upper for other in self._modes[:len(known)])
+        found += sum(other.omega * (1 - other.error) <= upper for other in self._modes[len(known):])
+        return found
 
     def require_all(self) -> None:
         """The refusal of what needs all of them."""
         require_dense(self.elements.n, "what needs all modes")
 
-    def _find(self, count):
+    def _find(self, count: int) -> None:
         """Find more modes."""
         start = self._slices[-1].end if self._slices else None
         try:
@@ -98,7 +99,7 @@ class LowestModes:
             self._slices.append(found)
             self._modes += self._of(found)
 
-    def _of(self, found):
+    def _of(self, found: "Slice") -> list[Mode]:
         """The Modes of a Slice."""
         (direction, full), out = in_units(found.vectors, self.scale), []
         errors = found.errors + DATA * (self.pencil.K.data_error(found.vectors)
@@ -116,7 +117,7 @@ class LowestModes:
             out.append(Mode(index, *rates, full[:, i], direction[:, i], relative))
         return out
 
-    def _grounded(self):
+    def _grounded(self) -> Counted:
         """The Counted of those that do not oscillate, by structure or by counts beside zero."""
         if self.zeros is not None:
             return Counted(0, self.zeros)
@@ -129,13 +130,13 @@ class LowestModes:
         raise _untold()
 
 
-def _untold():
+def _untold() -> PhysicsError:
     return PhysicsError("the lowest frequencies are not told apart in floats: stiffnesses or masses differ too much, "
                         "or too many frequencies coincide",
                         f"take parts of the scene by themselves, of at most {MOST_DENSE} coordinates")
 
 
-def _pencil(elements, scale):
+def _pencil(elements: "FactoredSystem", scale: Scaling) -> Pencil:
     """The Pencil of K̂ and M̂ in scaled coordinates."""
     K = _form(elements.n, elements.springs, elements.K, elements.K_size, scale, scale.stiffness)
     return Pencil(K, _form(elements.n, elements.inertias, elements.M, None, scale, scale.mass))
@@ -154,7 +155,7 @@ def _form(n: int, terms: Sequence[tuple[float, dict[int, float]]], entries: Mapp
     starts = np.concatenate([[0], np.cumsum(counts, dtype=int)])
     rows = csr_matrix((np.ldexp(values, powers[columns]), columns, starts), (len(weights), n))
 
-    def sparse(matrix):
+    def sparse(matrix: Mapping[tuple[int, int], float]) -> "csr_matrix | None":
         if not any(matrix.values()):
             return None
         i, j = np.array(list(matrix)).T

@@ -10,6 +10,7 @@ equations are taken along other columns than the coordinates.
 """
 
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -24,6 +25,7 @@ from vibcli.numerics.symmetric_eigenvalues import spectrum
 
 if TYPE_CHECKING:
     from vibcli.analyses.modal.scaling import Scaling
+    from vibcli.numerics.general_eigenvalues import Root
 
 LOOSE = 1e-13       # of the largest stiffness: what springs do not hold
 
@@ -49,7 +51,7 @@ class MassiveSystem:
 
     __slots__ = ("basis", "bits", "c", "coupled", "deep", "k", "left", "massive", "release", "symmetric", "zeros")
 
-    def __init__(self, elements: Any, scale: "Scaling", zeros: int | None, goal: int, deep: int):
+    def __init__(self, elements: Any, scale: "Scaling", zeros: int | None, goal: int, deep: int) -> None:
         n, p = elements.n, scale.coordinates
         self.bits = bits = 2 * goal + spread(elements, scale)
         self.coupled, self.deep, self.zeros = goal - 30, deep, zeros
@@ -72,7 +74,8 @@ class MassiveSystem:
         c = fx.product(left.T, fx.product(c, basis, bits), bits)
         self._scale(left, basis, m, c, k, heavy)
 
-    def _condense(self, basis, k, kept, still, bits):
+    def _condense(self, basis: np.ndarray, k: np.ndarray, kept: list[int], still: list[int],
+                  bits: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Lets the undamped massless directions follow."""
         gone = [j for j in range(basis.shape[1]) if j not in kept]
         free = np.zeros((len(basis), len(still)), object)
@@ -89,7 +92,8 @@ class MassiveSystem:
         left = basis if self.symmetric else whole[:, a] - fx.product(whole[:, z], lead, bits)
         return left, basis, k
 
-    def _scale(self, left, basis, m, c, k, heavy):
+    def _scale(self, left: np.ndarray, basis: np.ndarray, m: np.ndarray, c: np.ndarray, k: np.ndarray,
+               heavy: list[int]) -> None:
         """Takes the massive coordinates to M = I."""
         bits, h = self.bits, len(heavy)
         if h:
@@ -113,7 +117,7 @@ class MassiveSystem:
             return [Eigenvalue(0, 0, -math.inf, x, x) for x in np.eye(len(self.c), dtype=complex)]
         top = math.log2(np.abs(matrix).max())
 
-        def enough(root):
+        def enough(root: "Root") -> bool:
             return known(root, bits, wanted, self.deep, top - 2 * self.coupled + 60)
 
         found = eigenvalues(lambda y: fx.product(a, y, bits), matrix, bits, enough, top - 2 * self.coupled)
@@ -121,14 +125,14 @@ class MassiveSystem:
         moving = [self._full(root, h) for root, zero in marked if not zero]
         return self._still(len(marked) - len(moving)) + moving
 
-    def _still(self, zeros):
+    def _still(self, zeros: int) -> list[Any]:
         """Zero eigenvalues, with the motions that no spring resists."""
         _, sigma, v = np.linalg.svd(fx.floats(self.k, self.bits))
         free = max(1, int((sigma <= 1e-12 * max(sigma[0], 1e-300)).sum()))
         motions = [v[-1 - j % free].astype(complex) for j in range(zeros)]
         return [Eigenvalue(0, 0, -math.inf, x, x) for x in motions]
 
-    def _matrix(self):
+    def _matrix(self) -> np.ndarray:
         """y' = A y for y = (a', a, z)."""
         bits, h, n = self.bits, self.massive, len(self.c)
         out = np.zeros((n + h, n + h), object)
@@ -139,7 +143,7 @@ class MassiveSystem:
         out[range(h, 2 * h), range(h)] = 1 << bits
         return out
 
-    def _full(self, root, h):
+    def _full(self, root: "Root", h: int) -> Eigenvalue:
         """An Eigenvalue in the columns of the basis."""
         bits = self.bits
         x = root.right[h:]
@@ -150,7 +154,7 @@ class MassiveSystem:
         return Eigenvalue(root.re, root.im, root.radius, x / size, left)
 
 
-def _check_undamped(c, kept, bits):
+def _check_undamped(c: np.ndarray, kept: Sequence[int], bits: int) -> None:
     """Directions without inertia and damper may only follow: velocities must not drive them, nor they anything."""
     gone = [j for j in range(len(c)) if j not in kept]
     coupling = [abs(x) for j in gone for x in (*c[j].tolist(), *c[:, j].tolist())]
@@ -159,7 +163,7 @@ def _check_undamped(c, kept, bits):
                            hint="give it an inertia, or a damper")
 
 
-def _loose(c, bits):
+def _loose(c: np.ndarray, bits: int) -> tuple[np.ndarray, list[Any]]:
     """Orthonormal directions of the dragged coordinates, and which of them no damper resists after all."""
     if not len(c):
         return c, []

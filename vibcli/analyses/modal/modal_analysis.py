@@ -21,25 +21,26 @@ if TYPE_CHECKING:
     from vibcli.analyses.modal.undamped import Mode
     from vibcli.base.errors import T
     from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.factored_system import FactoredSystem
     from vibcli.scene.scene import Scene
 
-MOST = 10_000       # steps of a million products
-MORE = 20           # digits beyond those that are asked
+MOST, MORE = 10_000, 20     # steps of a million products; digits beyond those that are asked
 
 
 class ModalAnalysis:
     """The modes of a Configuration. `free`: the number of directions in which it is known to move freely, where it is
     one of a family of equilibria; `known`: modes that are known, natural ones and damped ones, else None."""
 
-    def __init__(self, configuration: "Configuration", free: int = 0, known: tuple = (None, None)):
+    def __init__(self, configuration: "Configuration", free: int = 0, known: tuple[Any, Any] = (None, None)) -> None:
         self.configuration, self.free, self._known = configuration, free, known
         self.numeric, self.system, self.spec = configuration.numeric, configuration.system, configuration.spec
-        self.work, self.costs = configuration.work, configuration.costs
-        self._results, self._scales, self._fields = {}, {}, {}
+        self.work, self.costs, self._results, self._scales = configuration.work, configuration.costs, {}, {}
+        self._fields: dict[int, ModeFields] = {}
 
     @cached_property
     def scene(self) -> "Scene":
-        return self.system.scene
+        found: Scene = self.system.scene
+        return found
 
     def once(self, what: str, find: Callable[[], Any]) -> Any:
         """What `find()` gives, found once of these modes."""
@@ -81,11 +82,10 @@ class ModalAnalysis:
         return len(self.scene.q) > MOST_DENSE
 
     @property
-    def _natural_data(self):
+    def _natural_data(self) -> "FactoredSystem":
         """The element data that natural modes are found of; of many coordinates without what `damping:` adds."""
-        if self.many and self.spec.get("damping") is not None:
-            return self.configuration.without_given_damping()
-        return self.configuration.element_data
+        given = self.many and self.spec.get("damping") is not None
+        return self.configuration.without_given_damping() if given else self.configuration.element_data
 
     @property
     def damps(self) -> bool:
@@ -119,7 +119,7 @@ class ModalAnalysis:
         found = member_damping(self.configuration, self.modes, Floats)
         return None if found is None or found.nothing else found
 
-    def _rated(self, modes, damping, digits=None):
+    def _rated(self, modes: Modes, damping: "MemberDamping", digits: int | None = None) -> Modes:
         """The damped modes of members whose modes are damped each by itself."""
         if self.configuration.rated_beside_dampers:
             from vibcli.analyses.continuous.rated_source import RatedDampedModes
@@ -129,7 +129,7 @@ class ModalAnalysis:
 
         return Modes((), RatedModes(modes, damping, digits), self.solved)
 
-    def _sequence(self, found):
+    def _sequence(self, found: Any) -> Modes | None:
         """The Modes of a list of them, or of what finds modes without end; None of None."""
         return None if found is None else Modes(found) if isinstance(found, list) else Modes((), found, self.solved)
 
@@ -166,7 +166,7 @@ class ModalAnalysis:
         return [cleaned(x if told is mode else complex(x) if x.imag else float(x.real)) for x in found]
 
     @cached_property
-    def _weights(self):
+    def _weights(self) -> list[float]:
         """Of each coordinate, by which amplitudes of different units are compared."""
         from vibcli.analyses.modal.normalisation import weights
 
@@ -176,7 +176,8 @@ class ModalAnalysis:
         """A Mode in more digits where another frequency is so close that its shape in floats is a mix of both."""
         from vibcli.analyses.modal import close_shapes
 
-        return close_shapes.told_apart(self, mode)
+        found: Mode = close_shapes.told_apart(self, mode)
+        return found
 
     def apart(self, mode: "DampedMode | Mode") -> float:
         """How far the eigenvalue of a mode is from the next, in parts of it, where its shape loses digits by that."""
@@ -237,7 +238,7 @@ class ModalAnalysis:
 
         return self._sharpened("damped", digits, damped_modes, lambda: self.modes_to(digits))
 
-    def _rated_to(self, digits):
+    def _rated_to(self, digits: int) -> Modes:
         """The damped modes of members whose modes are damped each by itself, to so many digits."""
         if self.configuration.rated_beside_dampers:
             raise PhysicsError("damped modes of members with distributed inertia are found in floats alone",
@@ -251,10 +252,11 @@ class ModalAnalysis:
             damping = member_damping(self.configuration, self.modes_to(digits), multiprecision())
         return self._rated(self.modes_to(digits), damping, digits)
 
-    def _sharpened(self, word, digits, solve, *natural):
-        return self.once(f"{word} to {digits} digits", lambda: self._sharp(digits, solve, *natural))
+    def _sharpened(self, word: str, digits: int, solve: Callable[..., Any], *natural: Callable[..., Any]) -> Modes:
+        found: Modes = self.once(f"{word} to {digits} digits", lambda: self._sharp(digits, solve, *natural))
+        return found
 
-    def _sharp(self, digits, solve, *natural):
+    def _sharp(self, digits: int, solve: Callable[..., Any], *natural: Callable[..., Any]) -> Modes:
         elements, sources = self.configuration.linear_system, self.configuration.sources
         if (settled := self.system.settled) is not None and settled.names:
             raise PhysicsError(f"the tension of '{settled.names[0]}', found in equilibrium, is known to the digits of "

@@ -44,7 +44,7 @@ class NearestFloats:
     def array(a: np.ndarray, bits: np.ndarray) -> np.ndarray:
         """An array of integers over 2^bits, an array of its shape."""
         top = int(bits.max())
-        out = np.ldexp(fx.floats(a, top), top - bits)
+        out: np.ndarray = np.ldexp(fx.floats(a, top), top - bits)
         if not np.isfinite(out).all():
             raise beyond()
         return out

@@ -39,7 +39,7 @@ class Selection(NamedTuple):
     up_to: float | None = None
 
 
-class Modes(Sequence):
+class Modes(Sequence[Any]):
     """Modes by ascending index, undamped or damped, their places counted from 0 as in a list. finite: are they a list?
 
     Where they are none a `source` finds them: source.numbered(first, last) those of the indices from `first` to
@@ -49,9 +49,11 @@ class Modes(Sequence):
 
     __slots__ = ("_apart", "_known", "_solved", "_source", "finite")
 
-    def __init__(self, known: "Sequence[Mode | DampedMode]", source: Any = None, solved: Callable | None = None):
+    def __init__(self, known: "Sequence[Mode | DampedMode]", source: Any = None,
+                 solved: Callable[..., Any] | None = None) -> None:
         """All of them, or the first and a source; `solved(find, *args)` runs what finds more as a task."""
-        self._known, self._source, self._apart = list(known), source, {}
+        self._known: list[Any] = list(known)
+        self._source, self._apart = source, {}
         self._solved, self.finite = solved or _run, source is None
 
     def __len__(self) -> int:
@@ -138,46 +140,52 @@ class Modes(Sequence):
     def counted_above(self, mode: "Mode") -> int | None:
         """How many modes have at most the frequency of this one, certain by a count just above it; None where that
         does not tell, or the modes are a list."""
-        return None if self.finite else self._solved(self._source.counted_above, mode)
+        found: int | None = None if self.finite else self._solved(self._source.counted_above, mode)
+        return found
 
     @property
     def region(self) -> "Region | None":
         """Of damped modes without end the circle up to which all are known; None where the modes are a list."""
-        return getattr(self._source, "region", None)
+        found: Region | None = getattr(self._source, "region", None)
+        return found
 
     def proof(self, found: "Sequence[DampedMode]") -> "Region | Annulus | None":
         """Of damped modes without end what tells that none of these is missing; None where the modes are a list."""
-        return self._source.proof(found[0].index, found[-1].index) if found and not self.finite else None
+        if not found or self.finite:
+            return None
+        proof: Region | Annulus | None = self._source.proof(found[0].index, found[-1].index)
+        return proof
 
-    def _between(self, first, last):
+    def _between(self, first: int, last: int) -> list[Any]:
         """Those known of the indices from `first` to `last`."""
         start = bisect_left(self._known, first, key=_index)
         return self._known[start:bisect_left(self._known, last + 1, start, key=_index)]
 
     @property
-    def _reached(self):
+    def _reached(self) -> int:
         """The index up to which all are known."""
         return self._known[-1].index if self._known else 0
 
-    def _jumped(self, first, last):
+    def _jumped(self, first: int, last: int) -> list[Any]:
         """Those of the indices from `first` to `last`, without those before."""
         if (first, last) not in self._apart:
             self._apart[first, last] = list(self._solved(self._source.numbered, first, last))
-        return self._apart[first, last]
+        found: list[Any] = self._apart[first, last]
+        return found
 
-    def _until(self, last):
+    def _until(self, last: int) -> list[Any]:
         """Those known, up to the index `last` at least."""
         if last > self._reached:
             ahead = getattr(self._source, "ahead", 0) if last <= FEW else 0
             self._known.extend(self._solved(self._source.numbered, self._reached + 1, last + ahead))
         return self._known
 
-    def _all(self):
+    def _all(self) -> list[Any]:
         if not self.finite:
             self._refuse_all()
         return self._known
 
-    def _refuse_all(self):
+    def _refuse_all(self) -> None:
         """The refusal of what needs all modes where they are found as they are asked for."""
         if hasattr(self._source, "require_all"):
             self._source.require_all()
@@ -185,10 +193,11 @@ class Modes(Sequence):
                            "found", "ask for some of them, as omega[1] or find: [{modes: 5}]")
 
 
-def _run(find, *args):
-    return find(*args)
+def _run(find: Callable[..., Any], *args: Any) -> Any:
+    found: int | list[Mode] = find(*args)
+    return found
 
 
-def _too_many(count):
+def _too_many(count: int) -> PhysicsError:
     return PhysicsError(f"{count} modes are asked for; at most {MOST} are found at once",
                         "ask for fewer, as find: [{modes: [990, 1000]}]")

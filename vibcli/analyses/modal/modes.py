@@ -6,7 +6,7 @@ while they oscillate. A rigid-body mode is one entry in both lists, though a mod
 zero twice.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,8 +17,13 @@ from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.factored_system import MOST_DENSE, require_dense, summed
 
 if TYPE_CHECKING:
+    from vibcli.analyses.continuous.damped_source import DampedModes
     from vibcli.analyses.modal.damped_modes import DampedMode
+    from vibcli.analyses.modal.mode_sequence import Modes
     from vibcli.language.spec import Spec
+    from vibcli.mechanics.factored_system import FactoredSystem
+
+    Evaluation = Callable[..., FactoredSystem | None]
 
 
 def chosen_at_limit(spec: "Spec") -> bool:
@@ -26,8 +31,9 @@ def chosen_at_limit(spec: "Spec") -> bool:
     return any(record["so"].is_limit for record in spec.choices.values())
 
 
-def natural_modes(elements: Any, precise: Callable | None = None, exact: Callable | None = None,
-                  digits: int | None = None, at_limit: bool = False) -> list[Mode] | Any:
+def natural_modes(elements: Any, precise: "Callable[..., FactoredSystem] | None" = None,
+                  exact: Callable[..., Any] | None = None, digits: int | None = None,
+                  at_limit: bool = False) -> list[Mode] | Any:
     """The modes of the system without its dampers: those that grow, the rigid ones, the others by ascending ω;
     at_limit: that of stability is chosen.
 
@@ -44,23 +50,23 @@ def natural_modes(elements: Any, precise: Callable | None = None, exact: Callabl
         if digits is not None:
             require_dense(elements.n, "more digits than those of floats")
         return LowestModes(_still(elements))
-    sources = _changed(_still, elements, precise, exact)
-    if form_of(sources[0]) == SQUARES:
+    still, following, exactly = _changed(_still, elements, precise, exact)
+    if form_of(still) == SQUARES:
         return undamped(elements, precise=precise, digits=digits)
     from vibcli.analyses.modal.damped import damped
 
     turning, follows = any(elements.G.values()), elements.circulatory
-    found = damped(*sources, digits)
+    found = damped(still, following, exactly, digits)
     if turning and any(not mode.omega for mode in found):
-        still = natural_modes(*_changed(lambda form: form.with_parts(G=None), *sources), digits)
-        found = _one_each(found, still)
+        still, following, exactly = _changed(lambda form: form.with_parts(G=None), still, following, exactly)
+        found = _one_each(found, natural_modes(still, following, exactly, digits))
     modes = [_natural(mode) for mode in found if (turning and follows) or not mode.eigenvalue.real < 0]
     modes.sort(key=lambda mode: (1, mode.omega) if mode.growth_rate is None else (0, -mode.growth_rate))
     return [mode._replace(index=index) for index, mode in enumerate(modes, 1)]
 
 
-def damped_modes(elements: Any, natural: Callable, precise: Callable | None = None, exact: Callable | None = None,
-                 digits: int | None = None) -> "list[DampedMode] | Any":
+def damped_modes(elements: Any, natural: Callable[..., Any], precise: "Callable[..., FactoredSystem] | None" = None,
+                 exact: Callable[..., Any] | None = None, digits: int | None = None) -> "list[DampedMode] | Any":
     """The damped modes, None where nothing damps; `natural()` gives the modes without dampers."""
     if any(placed.piece.inertia or placed.piece.drag for placed in elements.pieces):
         return _of_members(elements, natural, digits)
@@ -75,7 +81,8 @@ def damped_modes(elements: Any, natural: Callable, precise: Callable | None = No
     return _one_each(found, still) if still else found
 
 
-def _of_members(elements, natural, digits):
+def _of_members(elements: "FactoredSystem", natural: "Callable[..., Modes]",
+                digits: int | None) -> "DampedModes | list[DampedMode] | None":
     """The damped modes of a scene with members, found as they are asked for."""
     if not (damped_at_all(elements) or any(elements.drag.values())
             or any(placed.piece.drag for placed in elements.pieces)):
@@ -90,20 +97,21 @@ def _of_members(elements, natural, digits):
     return DampedModes(elements, natural) if dies_after(elements) is None else left_over(elements)
 
 
-def _still(elements):
+def _still(elements: "FactoredSystem") -> "FactoredSystem":
     """The same elements without dampers and what else loads add to C."""
     return elements.with_parts(dampers=(), C=None, drag=None)
 
 
-def _dragged(elements):
+def _dragged(elements: "FactoredSystem") -> "FactoredSystem":
     """The same elements, the skew part of what loads add to C among the gyroscopic terms."""
     return elements.with_parts(G=summed(elements.G, elements.drag), drag=None)
 
 
-def _changed(change, elements, *evaluations):
+def _changed(change: "Callable[[FactoredSystem], FactoredSystem]", elements: "FactoredSystem",
+             *evaluations: "Evaluation | None") -> tuple[Any, ...]:
     """The elements with a change, and their re-evaluations with it, of which any may be None or give None."""
-    def following(evaluate):
-        def changed(*args):
+    def following(evaluate: "Evaluation | None") -> "Evaluation | None":
+        def changed(*args: Any) -> "FactoredSystem | None":
             found = evaluate(*args)
             return None if found is None else change(found)
         return None if evaluate is None else changed
@@ -111,7 +119,7 @@ def _changed(change, elements, *evaluations):
     return change(elements), *map(following, evaluations)
 
 
-def _one_each(found, natural):
+def _one_each(found: "list[DampedMode]", natural: "Sequence[Mode]") -> "list[DampedMode]":
     """The list with one entry for each rigid-body mode, in the shape of that mode, numbered again."""
     shapes = [mode.shape for mode in natural if mode.rigid]
     resting = [mode for mode in found if not mode.omega][:len(shapes)]
@@ -121,7 +129,7 @@ def _one_each(found, natural):
                     for mode in found if mode.omega]
 
 
-def _natural(mode):
+def _natural(mode: "DampedMode") -> Mode:
     """An eigenvalue of the system without dampers as a mode: i ω, and a growth rate where Re λ is not zero."""
     growth, swing = mode.eigenvalue.real, mode.eigenvalue.imag
     omega = None if growth and not swing else swing
@@ -129,5 +137,5 @@ def _natural(mode):
     return Mode(mode.index, omega, growth or None, shape, shape, mode.error)
 
 
-def _real(shape):
+def _real(shape: np.ndarray) -> np.ndarray:
     return np.array([x.real for x in shape.tolist()])

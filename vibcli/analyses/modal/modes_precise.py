@@ -5,7 +5,7 @@ A spring 10¹² times as stiff as another stretches by 10⁻¹² of the amplitud
 
 import math
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.modal.modes import damped_modes, natural_modes
 from vibcli.base.errors import PhysicsError
@@ -29,7 +29,7 @@ def sharp_modes(configuration: "Configuration") -> "list[Mode]":
     return natural_modes(elements, configuration.precise_system, configuration.exact_system, digits=DIGITS)
 
 
-def sharp_damped(configuration: "Configuration", natural: Callable) -> "list[DampedMode]":
+def sharp_damped(configuration: "Configuration", natural: Callable[..., Any]) -> "list[DampedMode]":
     """The damped modes as precisely; `natural`: what gives those without dampers."""
     elements = configuration.linear_system
     if elements.drag or elements.circulatory:
@@ -39,7 +39,7 @@ def sharp_damped(configuration: "Configuration", natural: Callable) -> "list[Dam
     return damped_modes(elements, natural, configuration.precise_system, configuration.exact_system, digits=DIGITS)
 
 
-def _require_quick(configuration, damped):
+def _require_quick(configuration: "Configuration", damped: bool) -> None:
     n, hint = configuration.linear_system.n, "see `vibcli frequencies` for the modes themselves"
     if n > LARGEST:
         raise PhysicsError(f"shares, sensitivities and estimates are found for up to {LARGEST} coordinates; this scene "

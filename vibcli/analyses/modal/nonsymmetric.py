@@ -19,6 +19,7 @@ from vibcli.numerics.general_eigenvalues import block_diagonal
 
 if TYPE_CHECKING:
     from vibcli.analyses.modal.scaling import Scaling
+    from vibcli.numerics.general_eigenvalues import Root
 
 NEARLY_ONE = 0.9        # log2 |√a + √b|/|√a| for b next to a
 COARSE, ALIKE = 20, 1e-6
@@ -39,10 +40,11 @@ class Follower(MassiveSystem):
         self.top = math.log2(np.abs(matrix).max())
         noise = self.top - 2 * self.coupled
 
-        def enough(root):
+        def enough(root: "Root") -> bool:
             size = fx.magnitude(math.isqrt(root.re * root.re + root.im * root.im), bits)
             rate = fx.magnitude(root.im, bits) - wanted if root.im else -math.inf
-            return root.radius <= max(size - self.deep, rate, noise + 60)
+            found: bool = root.radius <= max(size - self.deep, rate, noise + 60)
+            return found
 
         self.form, self.norms = block_diagonal(lambda y: fx.product(a, y, bits), matrix, bits, enough, noise)
         return self._all(self.norms)
@@ -60,7 +62,7 @@ class Follower(MassiveSystem):
             norms.append(float(np.logaddexp2(norm, math.log2(size) + last_bit(unit))) if size else norm)
         return self._all(norms)
 
-    def _all(self, norms):
+    def _all(self, norms: list[float]) -> list[Eigenvalue]:
         found = [value for root in self.form.all_roots(norms) for value in self._of(root)]
         resting = [i for i, d in enumerate(found) if not d.re and not d.im]
         shapes = _chained(fx.floats(self.k, self.bits), [found[i].x for i in resting])
@@ -68,7 +70,7 @@ class Follower(MassiveSystem):
             found[i] = found[i]._replace(x=x)
         return found
 
-    def _of(self, root):
+    def _of(self, root: "Root") -> list[Eigenvalue]:
         """The λ of one μ: two for a pair that nothing tells from two real ones."""
         bits, re, im = self.bits, root.re, root.im
         square = math.isqrt(re * re + im * im)
@@ -89,7 +91,7 @@ class Follower(MassiveSystem):
         return [Eigenvalue(growth, swing, radius, shape, root.left) for growth, swing, shape in found]
 
 
-def _parts(x, im):
+def _parts(x: np.ndarray, im: int) -> list[np.ndarray]:
     """A real vector; of a pair two real ones, which are eigenvectors where its eigenvalues coincide."""
     if not im:
         return [x.real.astype(complex)]
@@ -100,7 +102,7 @@ def _parts(x, im):
             for part, size in zip(parts, sizes, strict=True)]
 
 
-def _chained(matrix, shapes):
+def _chained(matrix: np.ndarray, shapes: list[Any]) -> list[Any]:
     """The shapes of motions at rest; of those that coincide those of a chain, K x₁ = 0, K x₂ ~ x₁, …"""
     if not shapes or np.linalg.svd(np.array(shapes), compute_uv=False)[-1] >= ALIKE:
         return shapes
@@ -119,10 +121,10 @@ def rested(found: Sequence[Eigenvalue], bits: int) -> list[Eigenvalue]:
     return out
 
 
-def _vanishes(size, radius, top):
+def _vanishes(size: float, radius: float, top: float) -> bool:
     """Whether nothing tells |μ| = 2^size from zero, and 2^radius is little beside the largest, 2^top."""
     return size - 1 <= radius <= top - COARSE
 
 
-def _resting(x):
+def _resting(x: "np.ndarray | None") -> Eigenvalue:
     return Eigenvalue(0, 0, -math.inf, x, x)

@@ -31,7 +31,7 @@ def follower_floats(elements: Any) -> "list[DampedMode]":
     return numbered(_moving(c, c_size, k, size) if c.any() else _at_rest(k, size), back, scale)
 
 
-def _at_rest(k, size):
+def _at_rest(k: np.ndarray, size: np.ndarray) -> list[tuple[complex, np.ndarray, float]]:
     """(λ, vector, relative error) from q'' = −K q."""
     values, vectors = np.linalg.eig(k)
     radius, out = bounds(k, 2 * len(k) * UNIT * size, values, vectors), []
@@ -47,7 +47,8 @@ def _at_rest(k, size):
     return out
 
 
-def _moving(c, c_size, k, k_size):
+def _moving(c: np.ndarray, c_size: np.ndarray, k: np.ndarray,
+            k_size: np.ndarray) -> list[tuple[complex, np.ndarray, float]]:
     """(λ, vector, relative error) from q'' = −C q' − K q."""
     n = len(k)
     matrix, size = np.zeros((2 * n, 2 * n)), np.zeros((2 * n, 2 * n))
@@ -63,5 +64,6 @@ def _moving(c, c_size, k, k_size):
     return out
 
 
-def _unit(x):
-    return x / np.linalg.norm(x)
+def _unit(x: np.ndarray) -> np.ndarray:
+    found: np.ndarray = x / np.linalg.norm(x)
+    return found

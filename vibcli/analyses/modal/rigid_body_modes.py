@@ -6,7 +6,7 @@ dependent where what is left of them by complete pivoting is below 1e-14 n.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -30,7 +30,8 @@ def undamped_rigid(elements: Any, zeros: int | None, data: Any) -> int | None:
         return 0
     rows = [row for k, row in data.springs if k] + [row for c, row in data.dampers if c]
     rational = all(isinstance(x, (int, Fraction)) for row in rows for x in row.values())
-    return elements.n - rank(elements.n, rows, rows if rational else None)
+    found: int | None = elements.n - rank(elements.n, rows, rows if rational else None)
+    return found
 
 
 def rank(n: int, rows: Sequence[dict[int, float]], exact_rows: Sequence[dict[int, Fraction]] | None = None) -> int:
@@ -43,13 +44,13 @@ def rank(n: int, rows: Sequence[dict[int, float]], exact_rows: Sequence[dict[int
     return _rank_of_floats(n, rows)
 
 
-def _is_difference(row):
+def _is_difference(row: Mapping[int, float | Fraction]) -> bool:
     """Whether a row is a(qᵢ − qⱼ), a qᵢ, or nothing."""
     parts = [x for x in row.values() if x]
     return len(parts) < 2 or (len(parts) == 2 and parts[0] == -parts[1])
 
 
-def _floating_components(n, rows):
+def _floating_components(n: int, rows: Sequence[dict[int, float | Fraction]]) -> int:
     """How many connected parts of the coordinates no row ties to the ground."""
     head, count = list(range(n + 1)), n
     for row in rows:
@@ -61,14 +62,14 @@ def _floating_components(n, rows):
     return count
 
 
-def _head(head, i):
+def _head(head: list[int], i: int) -> int:
     """The one that stands for the part of i, the way there halved (Tarjan & van Leeuwen 1984)."""
     while head[i] != i:
         head[i] = i = head[head[i]]
     return i
 
 
-def _rank_modulo(rows, prime):
+def _rank_modulo(rows: Sequence[dict[int, Fraction | int]], prime: int) -> int:
     """Rank over the integers modulo a prime, sparse, the shortest row first; never more than the rank."""
     pivots = {}
     for row in sorted(rows, key=len):
@@ -93,7 +94,7 @@ def _rank_modulo(rows, prime):
     return len(pivots)
 
 
-def _rank_of_floats(n, rows):
+def _rank_of_floats(n: int, rows: Sequence[dict[int, float]]) -> int:
     """Rank of rows with rounding in their components, by Gaussian elimination with complete pivoting."""
     a = np.zeros((len(rows), n))
     for place, row in enumerate(rows):

@@ -6,7 +6,8 @@ Shapes constrain the motion, and constraints lower no frequency: ω̃ᵢ² ≥ �
 where M and K are symmetric and what has no inertia is held. One shape gives Rayleigh's quotient φᵀKφ/φᵀMφ.
 """
 
-from typing import Any
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.modal.assumed_motions import (
     NOTHING,
@@ -21,6 +22,13 @@ from vibcli.base.errors import PhysicsError
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Many, Quantity
 from vibcli.language.sections.equilibrium import ByCoordinate
+
+if TYPE_CHECKING:
+    import mpmath
+
+    from vibcli.analyses.modal.modal_analysis import ModalAnalysis
+    from vibcli.base.errors import Where
+    from vibcli.language.reader import ByName, Record
 
 ELEMENT = Element(
     "Ritz estimate",
@@ -68,11 +76,11 @@ def ritz(modal: Any, asked: Any) -> RitzEstimates:
                 square = mpmath.mpf(0)
             modes.append(RitzMode(i + 1, float(square), float(mpmath.sqrt(square)) if square >= 0 else None,
                                   _floats(shape), None if exact.omega is None else float(exact.omega)))
-        return RitzEstimates([_floats(shape) for shape in shapes], *(
-            [_floats(product_of(matrix, a, b) for b in shapes) for a in shapes] for matrix in (M, K)), modes)
+        mass, stiffness = ([_floats(product_of(matrix, a, b) for b in shapes) for a in shapes] for matrix in (M, K))
+        return RitzEstimates([_floats(shape) for shape in shapes], mass, stiffness, modes)
 
 
-def _shape(modal, written):
+def _shape(modal: "ModalAnalysis", written: "ByName") -> "list[mpmath.mpf]":
     """A shape that is written as numbers, one a coordinate."""
     found = [0] * len(modal.scene.coordinates)
     for name, expression in written.items():
@@ -81,14 +89,14 @@ def _shape(modal, written):
     return found
 
 
-def _place(written, asked):
+def _place(written: "ByName", asked: "Record") -> "Where":
     return next((expression.where for expression in written.values()), asked.where)
 
 
-def _combined(basis, weights):
+def _combined(basis: "Sequence[list[mpmath.mpf]]", weights: "mpmath.matrix") -> "list[mpmath.mpf]":
     return [sum(weight * shape[i] for weight, shape in zip(weights, basis, strict=True))
             for i in range(len(basis[0]))]
 
 
-def _floats(numbers):
+def _floats(numbers: "Iterator[Any] | Sequence[mpmath.mpf]") -> list[float]:
     return [float(x) for x in numbers]

@@ -4,7 +4,7 @@
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,6 +13,10 @@ from vibcli.analyses.modal.damped_in_modal_coordinates import Eigenvalue, ModalD
 from vibcli.numerics import fixed_point as fx
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
+    import mpmath
+
     from vibcli.analyses.modal.massless_coordinates import MassiveSystem
     from vibcli.analyses.modal.scaling import Scaling
 
@@ -26,7 +30,7 @@ def with_data_error(found: Sequence[Eigenvalue], system: "ModalDamping | Massive
     m, c, k = magnitudes(system, elements, scale, unit)
     unit = last_bit(unit)
 
-    def widened(d):
+    def widened(d: Eigenvalue) -> Eigenvalue:
         value = math.hypot(fx.to_float(d.re, system.bits), fx.to_float(d.im, system.bits))
         change = (value * value * m + value * c + k) @ np.abs(d.x)
         first = float(np.abs(d.left) @ change) if np.isfinite(d.left).all() else math.inf
@@ -55,7 +59,9 @@ def magnitudes(system: "ModalDamping | MassiveSystem", elements: Any, scale: "Sc
     return m, c, k
 
 
-def _size(terms, matrix, powers, scale, left, right):
+def _size(terms: "tuple[tuple[float | Fraction | mpmath.mpf, dict[int, float | Fraction | mpmath.mpf]], ...]",
+          matrix: "Mapping[tuple[int, int], float | Fraction | mpmath.mpf]", powers: Sequence[int], scale: int,
+          left: np.ndarray, right: np.ndarray) -> np.ndarray:
     """3 Σ |w| |sᵀ left|ᵀ|sᵀ right| + 3 |left|ᵀ |matrix| |right|, in scaled coordinates."""
     out = np.zeros((left.shape[1], right.shape[1]))
     for weight, row in terms:

@@ -6,7 +6,7 @@ and λ = 2^((k − m)/2) λ̂ is exact.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, Where
@@ -20,9 +20,11 @@ if TYPE_CHECKING:
 def exponent(x: "float | Fraction | mpmath.mpf") -> int:
     """e with 2^(e-1) <= |x| < 2^(e+1), for a float, an mpf or a Fraction that is not zero."""
     if hasattr(x, "_mpf_"):
-        return x._mpf_[2] + x._mpf_[3]
+        found: int = x._mpf_[2] + x._mpf_[3]
+        return found
     if hasattr(x, "numerator") and not isinstance(x, float):
-        return abs(x.numerator).bit_length() - x.denominator.bit_length() + 1
+        result: int = abs(x.numerator).bit_length() - x.denominator.bit_length() + 1
+        return result
     return math.frexp(x)[1]
 
 
@@ -31,7 +33,7 @@ class Scaling:
 
     __slots__ = ("coordinates", "mass", "stiffness", "time")
 
-    def __init__(self, coordinates: Sequence[int], mass: int, stiffness: int):
+    def __init__(self, coordinates: Sequence[int], mass: int, stiffness: int) -> None:
         self.coordinates, self.mass, self.stiffness = coordinates, mass, stiffness
         self.time = (stiffness - mass) // 2
 
@@ -69,7 +71,8 @@ def scaling(elements: Any) -> Scaling:
     return Scaling(p, mass, k)
 
 
-def _diagonal_exponents(terms, matrix):
+def _diagonal_exponents(terms: tuple[tuple[float, dict[int, float]], ...],
+                        matrix: Mapping[tuple[int, int], float]) -> dict[int, int]:
     """For each coordinate the exponent of its largest diagonal term Σ w sᵢ²."""
     found = [(i, exponent(weight) + 2 * exponent(x)) for weight, row in terms if weight for i, x in row.items() if x]
     found += [(i, exponent(value)) for (i, j), value in matrix.items() if i == j and value]
@@ -93,7 +96,7 @@ def check_finite(elements: Any) -> None:
                                    hint="look for a length, an angle or a law that is singular there")
 
 
-def _finite(x):
+def _finite(x: float) -> bool:
     if isinstance(x, (float, int)):
         return math.isfinite(x)
     if hasattr(x, "_mpf_"):
@@ -107,7 +110,8 @@ MECHANISM = "{} has no inertia and no spring ties it: it is a mechanism"
 class UnheldCoordinate(PhysicsError):
     """The refusal of a coordinate by its number; who knows its name tells it by that."""
 
-    def __init__(self, message: str, hint: str, number: int, name: str | None = None, where: Where | None = None):
+    def __init__(self, message: str, hint: str, number: int, name: str | None = None,
+                 where: Where | None = None) -> None:
         super().__init__(message.format(name or f"coordinate {number + 1}"), hint, where)
         self.text, self.number = message, number
 

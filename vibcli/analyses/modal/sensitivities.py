@@ -7,7 +7,7 @@ eigenvector, u itself where there is no G (R. L. Fox & M. P. Kapoor, AIAA Journa
 coincide split: their derivatives, as p grows, are the eigenvalues of φᵀ(K′ − ω²M′)φ/2ω over all shapes φ of them.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import mpmath
@@ -20,8 +20,12 @@ from vibcli.mechanics.parameter_derivatives import perturbed_system
 from vibcli.symbolic.dual_numbers import Dual, slope
 
 if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.analyses.modal.damped_modes import DampedMode
     from vibcli.analyses.modal.modal_analysis import ModalAnalysis
     from vibcli.analyses.modal.undamped import Mode
+    from vibcli.mechanics.factored_system import FactoredSystem
 
 ROUNDING = 1e-25    # of a frequency
 SIMPLE = 1e-10      # relative distance from the next eigenvalue below which one does not count as simple
@@ -35,20 +39,20 @@ class Sensitivities(NamedTuple):
     remark: why the damped modes are missing, or None.
     """
 
-    values: dict
-    omega: dict
-    damped: list
-    remark: str
-    coinciding: list
-    refused: dict
+    values: dict[str, Any]
+    omega: dict[str, dict[int, Any]]
+    damped: "list[DampedSensitivity] | None"
+    remark: str | None
+    coinciding: list[list[int]]
+    refused: dict[str, str]
 
 
 class DampedSensitivity(NamedTuple):
     """∂λ/∂p, ∂ζ/∂p of one damped mode, {parameter: number}; None of an eigenvalue that is not simple."""
 
     mode: Any
-    eigenvalue: dict
-    zeta: dict
+    eigenvalue: dict[str, Any] | None
+    zeta: dict[str, Any] | None
 
 
 def sensitivities(modal: "ModalAnalysis", _: Any) -> Sensitivities:
@@ -72,7 +76,7 @@ def sensitivities(modal: "ModalAnalysis", _: Any) -> Sensitivities:
     return Sensitivities(values, omega, found, remark, coinciding(modes), refused)
 
 
-def _rounded(rate, value, size):
+def _rounded(rate: mpmath.mpf, value: float, size: int | mpmath.mpf) -> float:
     """A rate of change as a float, exactly zero where it is only rounding."""
     return 0.0 if value and abs(rate * value) <= ROUNDING * abs(size) else float(rate)
 
@@ -80,7 +84,7 @@ def _rounded(rate, value, size):
 class _Group:
     """Modes of one frequency, and φᴴ(2ωM − iG)φ of the first."""
 
-    def __init__(self, modes: "Sequence[Mode]", elements: Any):
+    def __init__(self, modes: "Sequence[Mode]", elements: Any) -> None:
         self.modes, self.omega, self.turning = modes, modes[0].omega, any(elements.G.values())
         shape = modes[0].shape
         self.size = 2 * self.omega * inner(elements.inertias, elements.M, shape, shape)
@@ -97,14 +101,14 @@ class _Group:
         A = mpmath.matrix([[self._entry(change, a, b) / self.size for b in shapes] for a in shapes])
         return list(mpmath.eigsy(A, eigvals_only=True))
 
-    def _entry(self, change, y, x):
+    def _entry(self, change: "FactoredSystem", y: "np.ndarray", x: "np.ndarray") -> mpmath.mpf:
         """yᴴ(K′ − ω²M′ + iωG′)x."""
         total = slope(inner(change.springs, change.K, y, x))
         total -= self.omega**2 * slope(inner(change.inertias, change.M, y, x))
         return total + 1j * self.omega * slope(inner((), change.G, y, x)) if self.turning else total
 
 
-def _natural(groups, change, value):
+def _natural(groups: Sequence[_Group], change: "FactoredSystem", value: float) -> dict[int, float]:
     """{index of a mode: ∂ω/∂p}."""
     return {mode.index: None if rate is None else _rounded(rate, value, mode.omega)
             for group in groups for mode, rate in zip(group.modes, group.rates(change), strict=True)}
@@ -113,7 +117,7 @@ def _natural(groups, change, value):
 # damped
 
 
-def _damped_modes(modal):
+def _damped_modes(modal: "ModalAnalysis") -> "tuple[list[DampedMode] | None, str | None]":
     """(the damped modes or None, why there are none although something damps)."""
     if modal.damped is None:
         return None, None
@@ -125,7 +129,8 @@ def _damped_modes(modal):
         return None, error.message
 
 
-def _of_damped(modes, changes, elements, values):
+def _of_damped(modes: "Sequence[DampedMode]", changes: "dict[str, FactoredSystem]", elements: "FactoredSystem",
+               values: Mapping[str, float]) -> list[DampedSensitivity]:
     """A DampedSensitivity for each eigenvalue that is not zero."""
     moving = [mode for mode in modes if mode.omega]
     rates = {id(mode): _eigenvalue_rates(mode, changes, elements) for mode in moving if _is_simple(mode, moving)}
@@ -144,14 +149,15 @@ def _of_damped(modes, changes, elements, values):
     return found
 
 
-def _is_simple(mode, modes):
+def _is_simple(mode: "DampedMode", modes: "Sequence[DampedMode]") -> bool:
     """Is no other eigenvalue next to this one: of the list, and the conjugate of itself?"""
     near = [other.eigenvalue for other in modes if other is not mode]
     near += [conjugate(mode.eigenvalue)] if mode.eigenvalue.imag else []
     return all(abs(other - mode.eigenvalue) > SIMPLE * abs(mode.eigenvalue) for other in near)
 
 
-def _eigenvalue_rates(mode, changes, elements):
+def _eigenvalue_rates(mode: "DampedMode", changes: "Mapping[str, FactoredSystem]",
+                      elements: "FactoredSystem") -> dict[str, mpmath.mpc]:
     """{parameter: ∂λ/∂p}."""
     root, u = mode.eigenvalue, list(mode.shape)
     y = [conjugate(x) for x in (_left(root, elements) if any(elements.G.values()) else u)]
@@ -165,7 +171,7 @@ def _eigenvalue_rates(mode, changes, elements):
     return found
 
 
-def _left(root, elements):
+def _left(root: mpmath.mpc, elements: "FactoredSystem") -> list[mpmath.mpc]:
     """y with yᵀ(λ²M + λ(C + G) + K) = 0, by one step of inverse iteration next to λ."""
     M, C, G, K = elements.matrices()
     near = root * (1 + mpmath.mpf(SAME))
@@ -176,7 +182,7 @@ def _left(root, elements):
     return list(mpmath.lu_solve(D, mpmath.matrix([1 + mpmath.mpf(i) / 7 for i in range(elements.n)])))
 
 
-def _zeta_rate(pair, rates):
+def _zeta_rate(pair: "Sequence[DampedMode]", rates: list[mpmath.mpc]) -> mpmath.mpf:
     """∂ζ/∂p: ζ = −Re λ/|λ|, of the two real eigenvalues of one mode −(λ₁ + λ₂)/(2√(λ₁λ₂))."""
     roots = [mode.eigenvalue for mode in pair] * (3 - len(pair))
     rates = rates * (3 - len(pair))

@@ -5,7 +5,7 @@ them it may destroy a stability that gyroscopic terms alone give, and so may a d
 inertia: stability_of_stiffness.py.
 """
 
-from collections.abc import Sequence
+from collections.abc import Sequence, ValuesView
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +15,9 @@ from vibcli.base.named_tuple import NamedTuple
 if TYPE_CHECKING:
     from vibcli.analyses.modal.damped_modes import DampedMode
     from vibcli.analyses.modal.modal_analysis import ModalAnalysis
+    from vibcli.analyses.modal.stability_of_stiffness import Direction
     from vibcli.analyses.modal.undamped import Mode
+    from vibcli.mechanics.factored_system import FactoredSystem
 
 STABLE, HELD, NEUTRAL, UNSTABLE, FALLING = "stable", "held", "neutral", "unstable", "falling"
 OPEN, UNDECIDED = "open", "undecided"
@@ -59,7 +61,7 @@ def stability(modal: Any) -> Stability:
     return _by_zeros(kinds)
 
 
-def _by_zeros(kinds):
+def _by_zeros(kinds: set[str] | tuple[Any, ...] | ValuesView[Any]) -> Stability:
     """By what its directions without stiffness are."""
     if "falling" in kinds:
         return Stability(FALLING)
@@ -74,7 +76,7 @@ def inertless(elements: Any) -> bool:
         any(part.values()) for part in (elements.C, elements.drag, elements.G))
 
 
-def _of_potential(modal):
+def _of_potential(modal: "ModalAnalysis") -> Stability:
     """By the signs of K and, where one is zero, by the potential beyond it."""
     from vibcli.analyses.modal.stability_of_stiffness import signs_of_stiffness
 
@@ -84,7 +86,7 @@ def _of_potential(modal):
     return _by_zeros(_beyond(modal, signs.null) if signs.null else ())
 
 
-def _rate(modal):
+def _rate(modal: "ModalAnalysis") -> float | None:
     """The largest growth rate; None where what falls at once follows the rest, or has no equation of its own."""
     if inertless(modal.configuration.linear_system):
         return None
@@ -93,7 +95,7 @@ def _rate(modal):
     return None
 
 
-def _beyond(modal, null):
+def _beyond(modal: "ModalAnalysis", null: "list[Direction]") -> set[str]:
     """What directions without stiffness are: free, held or falling."""
     from vibcli.mechanics.equilibrium.zero_modes import FREE, zero_modes
 
@@ -115,7 +117,7 @@ def growing(modes: "Sequence[DampedMode | Mode]") -> list[float]:
     return [mode.growth_rate for mode in modes if mode.kind in ("flutter", "divergence")]
 
 
-def _dampers_decide(elements):
+def _dampers_decide(elements: "FactoredSystem") -> bool:
     """May dampers feed energy in, or take away what gyroscopic or circulatory terms hold?"""
     loads = any(any(part.values()) for part in (elements.C, elements.drag, elements.G))
     return loads or elements.circulatory or any(c < 0 for c, _ in elements.dampers)

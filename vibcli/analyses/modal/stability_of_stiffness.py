@@ -20,6 +20,7 @@ from vibcli.base.named_tuple import NamedTuple
 if TYPE_CHECKING:
     from vibcli.analyses.modal.modal_analysis import ModalAnalysis
     from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.factored_system import FactoredSystem
 
 FOLLOWS, FALLS, UNKNOWN = "follows", "falls", "unknown"
 ROUNDING = 2.0 ** -50       # of a sum in floats, relative to its terms
@@ -33,7 +34,7 @@ class Direction:
 
     __slots__ = ("index", "shape")
 
-    def __init__(self, index: int, shape: np.ndarray):
+    def __init__(self, index: int, shape: np.ndarray) -> None:
         self.index, self.shape = index, shape
 
 
@@ -57,7 +58,7 @@ def signs_of_stiffness(configuration: "Configuration") -> Signs:
     return Signs(int((values < -doubt).sum()), null)
 
 
-def _units(K):
+def _units(K: np.ndarray) -> np.ndarray:
     """Of the coordinates, so that the largest entry of each row is near 1."""
     sizes = np.abs(K).max(axis=1, initial=0.0)
     return 1 / np.sqrt(np.where(sizes == 0, 1.0, sizes))
@@ -78,14 +79,15 @@ def margins(modal: "ModalAnalysis") -> tuple[list[float], float]:
     return [-float(mode.eigenvalue.real) for mode in damped], max(float(abs(mode.eigenvalue)) for mode in damped) or 1.0
 
 
-def _relative(elements):
+def _relative(elements: "FactoredSystem") -> list[float]:
     """The eigenvalues of K, each coordinate in units in which the terms of its own stiffness add up to 1."""
     unit = 1 / np.sqrt(np.maximum(_sizes(elements).diagonal(), np.finfo(float).tiny))
     K = elements.stiffness_array()
-    return np.linalg.eigvalsh(unit[:, None] * (K + K.T) / 2 * unit).tolist()
+    found: list[float] = np.linalg.eigvalsh(unit[:, None] * (K + K.T) / 2 * unit).tolist()
+    return found
 
 
-def _sizes(elements):
+def _sizes(elements: "FactoredSystem") -> np.ndarray:
     """The sums of the magnitudes of the terms of K."""
     size = np.zeros((elements.n, elements.n))
     for weight, row in elements.springs:
@@ -97,14 +99,15 @@ def _sizes(elements):
     return size
 
 
-def _rounding(elements, unit, values):
+def _rounding(elements: "FactoredSystem", unit: np.ndarray, values: np.ndarray) -> float:
     """How far the eigenvalues may be off that floats give."""
     size = _sizes(elements)
     off = np.abs(unit[:, None] * size * unit).sum(axis=1).max(initial=0.0)
-    return ROUNDING * off + elements.n * ROUNDING * np.abs(values).max(initial=0.0)
+    found: float = ROUNDING * off + elements.n * ROUNDING * np.abs(values).max(initial=0.0)
+    return found
 
 
-def _precisely(elements, unit):
+def _precisely(elements: "FactoredSystem", unit: np.ndarray) -> tuple[np.ndarray, float]:
     """(eigenvalues in ascending order, what counts as zero) of elements in numbers of mpmath."""
     import mpmath
 
@@ -144,7 +147,7 @@ def of_what_follows(elements: Any) -> str:
     return FALLS if down else UNKNOWN
 
 
-def _following(elements):
+def _following(elements: "FactoredSystem") -> np.ndarray:
     """The directions without inertia and damping, as columns."""
     moved = dragged(elements)
     still = [i for i in sorted(elements.massless) if i not in moved]

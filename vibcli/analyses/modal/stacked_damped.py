@@ -40,7 +40,8 @@ class SwingingDampedModes(NamedTuple):
 
     @property
     def zeta(self) -> np.ndarray:
-        return self.decay / self.omega
+        found: np.ndarray = self.decay / self.omega
+        return found
 
     @property
     def bounds(self) -> tuple[np.ndarray, np.ndarray]:
@@ -51,7 +52,7 @@ class SwingingDampedModes(NamedTuple):
 class StackedDamped:
     """Of the systems whose StackedModes are settled: `settled`, N truths; `modes(i)` of one that is."""
 
-    def __init__(self, matrices: "StackedMatrices", natural: "StackedModes"):
+    def __init__(self, matrices: "StackedMatrices", natural: "StackedModes") -> None:
         self.settled, self._row = natural.settled.copy(), {}
         self._decay = self._omega_d = self._size = self._errors = np.empty((0, matrices.C.shape[1]))
         self._certain = np.empty(0, dtype=bool)
@@ -81,7 +82,7 @@ class StackedDamped:
         return Modes([SwingingDampedModes(k + 1, *columns)      # type: ignore[misc]
                       for k, columns in enumerate(found.transpose(2, 0, 1))])
 
-    def _solve(self, squares, shapes, C, C_size):
+    def _solve(self, squares: np.ndarray, shapes: np.ndarray, C: np.ndarray, C_size: np.ndarray) -> None:
         count, n = squares.shape
         omega = np.sqrt(np.where(squares > 0, squares, np.nan))
         c = np.einsum("kim,kij,kjl->kml", shapes, C, shapes)
@@ -117,11 +118,12 @@ class StackedDamped:
                          & (change <= SETTLED * self._omega_d).all(1)
                          & (np.abs(values.imag - self._omega_d) <= 1e-8 * size).all(1))
 
-    def _blur(self, A, values, left, vectors):
+    def _blur(self, A: np.ndarray, values: np.ndarray, left: np.ndarray, vectors: np.ndarray) -> np.ndarray:
         """A bound of the error of a vector: what is left of its equation, and that sum's rounding, over the distance of
         the next eigenvalue."""
         n = values.shape[1]
         apart = np.abs(values[:, :, None] - values[:, None, :]) + np.where(np.eye(n), np.inf, 0.0)
         gap = np.minimum(apart.min(2), 2 * values.imag)
         size = np.linalg.norm(A, axis=(1, 2))[:, None]
-        return (left + 2 * n * EPSILON * size) * np.linalg.cond(vectors)[:, None] / gap
+        found: np.ndarray = (left + 2 * n * EPSILON * size) * np.linalg.cond(vectors)[:, None] / gap
+        return found

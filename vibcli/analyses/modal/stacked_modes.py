@@ -42,7 +42,7 @@ class StackedModes:
     """Of N systems with n coordinates: `settled`, N truths; `modes(i)` of one that is. `free`: has each of them, by its
     structure, one mode without frequency?"""
 
-    def __init__(self, matrices: "StackedMatrices", free: bool = False):
+    def __init__(self, matrices: "StackedMatrices", free: bool = False) -> None:
         M, K = matrices.M, matrices.K
         diagonal = np.einsum("kii->ki", M)
         finite = np.isfinite(M).all((1, 2)) & np.isfinite(K).all((1, 2)) & (diagonal > 0).all(1)
@@ -86,7 +86,7 @@ class StackedModes:
         """(ω², shapes) of those that are settled, in order."""
         return self._squares[self._certain], self._shapes[self._certain]
 
-    def _solve(self, M, K, M_size, K_size):
+    def _solve(self, M: np.ndarray, K: np.ndarray, M_size: np.ndarray, K_size: np.ndarray) -> None:
         n = M.shape[1]
         d = np.sqrt(np.einsum("kii->ki", M))
         scale = d[:, :, None] * d[:, None, :]
@@ -116,7 +116,7 @@ class StackedModes:
         self._certain = (definite & order & symmetric & (self._errors <= SETTLED).all(1) & (blur <= SHAPED).all(1)
                          & (gap >= APART * np.abs(values)).all(1) & _told(sizes * d[:, :, None]))
 
-    def _at_rest(self, rounding, sizes, d):
+    def _at_rest(self, rounding: np.ndarray, sizes: np.ndarray, d: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """The one mode that rounding does not tell from rest has no frequency, and exactly none."""
         rest = np.abs(self._squares) <= rounding
         alone = rest & (rest.sum(1) == 1)[:, None]
@@ -127,18 +127,21 @@ class StackedModes:
         return np.where(alone, 0.0, rounding), np.abs(self._shapes)
 
 
-def _quotient(shapes, matrices):
+def _quotient(shapes: np.ndarray, matrices: np.ndarray) -> np.ndarray:
     """xᵀ A x of each column x."""
-    return np.einsum("kim,kij,kjm->km", shapes, matrices, shapes)
+    found: np.ndarray = np.einsum("kim,kij,kjm->km", shapes, matrices, shapes)
+    return found
 
 
-def _gaps(values):
+def _gaps(values: np.ndarray) -> np.ndarray:
     """How far each value is from the next, infinite of one alone."""
     steps = np.diff(values, axis=1)
     wide = np.full((len(values), 1), np.inf)
-    return np.minimum(np.hstack([wide, steps]), np.hstack([steps, wide]))
+    found: np.ndarray = np.minimum(np.hstack([wide, steps]), np.hstack([steps, wide]))
+    return found
 
 
-def _told(sizes):
+def _told(sizes: np.ndarray) -> np.ndarray:
     """Is every amplitude exactly zero, or larger than what rounding leaves?"""
-    return ((sizes == 0) | (sizes > LEFT * sizes.max(1, keepdims=True))).all((1, 2))
+    found: np.ndarray = ((sizes == 0) | (sizes > LEFT * sizes.max(1, keepdims=True))).all((1, 2))
+    return found

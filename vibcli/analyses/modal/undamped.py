@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
     from vibcli.analyses.modal.undamped_certified import EnclosedEigenvalues
     from vibcli.analyses.modal.undamped_large import Approximate
+    from vibcli.mechanics.factored_system import FactoredSystem
 
     T = TypeVar("T")
 
@@ -72,7 +73,8 @@ def kind(growth: float | None, omega: float | None) -> str:
     return OSCILLATION if omega else "decay" if growth else "rigid"
 
 
-def undamped(elements: Any, precise: Callable | None = None, digits: int | None = None) -> list[Mode]:
+def undamped(elements: Any, precise: "Callable[..., FactoredSystem] | None" = None,
+             digits: int | None = None) -> list[Mode]:
     """The modes by ascending ω²: unstable, then rigid, then the others, each with its relative error bound.
 
     `precise(dps)` evaluates the same elements to dps digits and is called where floats do not decide;
@@ -90,7 +92,8 @@ def within_floats(solve: "Callable[..., T]", *data: Any) -> "T":
         raise beyond() from None
 
 
-def _undamped(elements, precise, digits):
+def _undamped(elements: "FactoredSystem", precise: "Callable[..., FactoredSystem] | None",
+              digits: int | None) -> list[Mode]:
     scale, zeros = prepared(elements)
     arithmetic = choose(elements, digits).arithmetic
     if arithmetic == IN_DIGITS:
@@ -102,7 +105,8 @@ def _undamped(elements, precise, digits):
     return modes(certain(elements, scale, zeros, precise), scale, NearestFloats)
 
 
-def _in_floats(elements, scale, zeros, precise, many):
+def _in_floats(elements: "FactoredSystem", scale: Scaling, zeros: int, precise: "Callable[..., FactoredSystem]",
+               many: bool) -> "Approximate":
     """The modes in floats; with bounds by their residuals where those of the method are too wide."""
     from vibcli.analyses.modal.undamped_large import approximate
     from vibcli.numerics.factored_svd import ENOUGH_WHEN_MANY
@@ -130,13 +134,14 @@ def prepared(elements: Any, dragged: bool = False) -> tuple[Scaling, int | None]
     return scale, zeros
 
 
-def _loose(elements):
+def _loose(elements: "FactoredSystem") -> int:
     """The first coordinate that moves where no spring resists."""
     known = spring_rows(elements)[0]
     return next(i for i in range(elements.n) if rank(elements.n, [*known, {i: 1.0}]) > rank(elements.n, known))
 
 
-def certain(elements: Any, scale: Scaling, zeros: int | None, precise: Callable | None) -> "EnclosedEigenvalues":
+def certain(elements: Any, scale: Scaling, zeros: int | None,
+            precise: "Callable[..., FactoredSystem] | None") -> "EnclosedEigenvalues":
     """Enclosed eigenvalues of the floats, or of more digits where their rounding shows."""
     from vibcli.analyses.modal.undamped_certified import enclosed
 
@@ -153,7 +158,7 @@ def certain(elements: Any, scale: Scaling, zeros: int | None, precise: Callable 
     return answer
 
 
-def undamped_digits(elements: Any, scale: Scaling, zeros: int | None, precise: Callable | None,
+def undamped_digits(elements: Any, scale: Scaling, zeros: int | None, precise: "Callable[[int], FactoredSystem]",
                     digits: int) -> list[Mode]:
     """The modes to `digits` correct digits, in numbers of mpmath."""
     from vibcli.analyses.modal.undamped_certified import enclosed

@@ -27,13 +27,13 @@ class EnclosedEigenvalues:
 
     __slots__ = ("bits", "off", "shapes", "values", "zero", "zeros")
 
-    def __init__(self, found: Spectrum, reduced: "StandardForm", zeros: int | None):
+    def __init__(self, found: Spectrum, reduced: "StandardForm", zeros: int | None) -> None:
         self.values, self.bits, self.zeros = found.values, found.bits, zeros
         self.off = np.log2(np.maximum(found.radius, 1e-300)) - found.shift
         self.shapes = reduced.full(found.vectors)
         self._find_zeros()
 
-    def _find_zeros(self):
+    def _find_zeros(self) -> None:
         if self.zeros is None:
             self.zero = self.sizes() <= self.off + 1
         else:
@@ -43,7 +43,8 @@ class EnclosedEigenvalues:
     def sizes(self) -> np.ndarray:
         """log2 |λ̂|."""
         with np.errstate(divide="ignore"):
-            return np.log2(np.abs(fx.floats(self.values, self.bits)))
+            found: np.ndarray = np.log2(np.abs(fx.floats(self.values, self.bits)))
+            return found
 
     def add_data_error(self, elements: Any, scale: Scaling, unit: float) -> None:
         """Takes a relative rounding 2^unit of every weight and component into the bounds."""
@@ -58,7 +59,8 @@ class EnclosedEigenvalues:
         """log2 of the relative bounds of √|λ̂|, their last rounding not counted; −inf for zeros."""
         relative = self.off - self.sizes()
         relative[self.zero] = -np.inf
-        return np.where(relative < -2, relative - 1 + 2.0 ** np.minimum(relative + 1, 0), relative + 1)
+        found: np.ndarray = np.where(relative < -2, relative - 1 + 2.0 ** np.minimum(relative + 1, 0), relative + 1)
+        return found
 
     def settled(self, goal: float) -> bool:
         """Whether every value is known to `goal` and every zero follows from the structure."""
@@ -109,7 +111,7 @@ class StandardForm:
     __slots__ = ("bits", "follow", "lower", "massive", "massless", "n", "slack")
 
     def __init__(self, n: int, massive: Sequence[int], massless: Sequence[int], lower: np.ndarray,
-                 follow: np.ndarray | None, bits: int, growth: float):
+                 follow: np.ndarray | None, bits: int, growth: float) -> None:
         self.n, self.massive, self.massless, self.bits = n, massive, massless, bits
         self.lower, self.follow = lower, follow
         self.slack = 4 + 2 * math.log2(n) + growth
@@ -117,7 +119,7 @@ class StandardForm:
     def full(self, vectors: np.ndarray) -> np.ndarray:
         """Shapes of all coordinates, M̂-normalised."""
         if self.lower.ndim == 1:
-            a = (vectors << self.bits) // self.lower[:, None]
+            a: np.ndarray = (vectors << self.bits) // self.lower[:, None]
         else:
             a = fx.backward(self.lower, vectors, self.bits)
         if not self.massless:
@@ -195,7 +197,8 @@ def growth_bits(inverse: np.ndarray, bits: int) -> float:
     if not len(inverse):
         return 4.0
     largest = max(abs(x) for x in inverse.ravel().tolist())
-    return 4.0 * max(1.0, 1 + largest.bit_length() - bits + 2 * math.log2(len(inverse)))
+    found: float = 4.0 * max(1.0, 1 + largest.bit_length() - bits + 2 * math.log2(len(inverse)))
+    return found
 
 
 def sensitivity(elements: Any, scale: Scaling, shapes: np.ndarray, sizes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

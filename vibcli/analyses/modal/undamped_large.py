@@ -16,6 +16,8 @@ from vibcli.numerics.factored_svd import mass_factor, singular_vectors
 if TYPE_CHECKING:
     import mpmath
 
+    from vibcli.mechanics.factored_system import FactoredSystem
+
 UNIT = 2.0 ** -53
 
 
@@ -92,7 +94,8 @@ def mass_triangle(elements: Any, scale: Scaling, massive: Sequence[int] | range)
             raise unmoved(massive[int(np.argmin(np.linalg.eigh(m)[1][:, 0]))]) from None
     rows = scaled_rows(elements.inertias, p, scale.mass, n)[:, massive]
     if (np.count_nonzero(rows, axis=1) <= 1).all():
-        return np.linalg.norm(rows, axis=0)
+        found: np.ndarray = np.linalg.norm(rows, axis=0)
+        return found
     lower = mass_factor(rows) if len(rows) >= len(massive) else np.zeros((1, 1))
     weak = np.flatnonzero(lower.diagonal() <= 4 * len(massive) * UNIT)
     if len(weak):
@@ -100,13 +103,14 @@ def mass_triangle(elements: Any, scale: Scaling, massive: Sequence[int] | range)
     return lower
 
 
-def _solved(triangle, b):
+def _solved(triangle: np.ndarray, b: np.ndarray) -> np.ndarray:
     from scipy.linalg import solve_triangular
 
-    return solve_triangular(triangle, b, lower=not np.any(np.triu(triangle, 1)))
+    found: np.ndarray = solve_triangular(triangle, b, lower=not np.any(np.triu(triangle, 1)))
+    return found
 
 
-def _growth(triangle):
+def _growth(triangle: np.ndarray) -> float:
     """How much solving with a triangle may add to the rounding (Skeel 1979), free of the size of its rows."""
     inverse = _solved(triangle, np.eye(len(triangle)))
     return float(np.linalg.norm(np.abs(inverse) @ np.abs(triangle), 2))
@@ -117,7 +121,7 @@ def back_from(lower: np.ndarray, v: np.ndarray) -> np.ndarray:
     return v / lower[:, None] if lower.ndim == 1 else _solved(lower.T, v)
 
 
-def _assembled(elements, scale, zeros):
+def _assembled(elements: "FactoredSystem", scale: Scaling, zeros: int) -> Approximate:
     """The same from the assembled stiffness, massless coordinates condensed."""
     n = elements.n
     k, size = stiffness(elements, scale)
@@ -146,7 +150,8 @@ def _assembled(elements, scale, zeros):
     return Approximate(values, shapes, errors)
 
 
-def _condensed(k, size, massive, bare):
+def _condensed(k: np.ndarray, size: np.ndarray, massive: Sequence[int],
+               bare: Sequence[int]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Stiffness, following and magnitudes with the massless coordinates eliminated."""
     loose, held = np.ix_(massive, massive), np.ix_(massive, bare)
     if np.linalg.matrix_rank(k[np.ix_(bare, bare)]) < len(bare):

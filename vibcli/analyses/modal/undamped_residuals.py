@@ -61,15 +61,16 @@ def bettered(elements: Any, scale: "Scaling", zeros: int | None, start: Approxim
     return Approximate(np.where(lost, 0.0, values), shapes, errors)
 
 
-def _ratios(values, zero):
+def _ratios(values: np.ndarray, zero: np.ndarray) -> np.ndarray:
     """√(αᵢ/αⱼ), zeros counted as the smallest of the others."""
     size = abs(values)
     least = size[~zero & (size > 0)].min(initial=np.inf)
     root = np.sqrt(np.maximum(size, least if np.isfinite(least) else 1.0))
-    return root[:, None] / root[None, :]
+    found: np.ndarray = root[:, None] / root[None, :]
+    return found
 
 
-def _turn(e, skew, values, gap):
+def _turn(e: np.ndarray, skew: np.ndarray, values: np.ndarray, gap: np.ndarray) -> np.ndarray:
     """What takes the modes to better ones, to first order."""
     near = gap <= CLOSE * np.maximum(abs(values)[:, None], abs(values)[None, :])
     turn = np.where(near, -skew / 2, e / np.where(near, 1.0, values[None, :] - values[:, None]))

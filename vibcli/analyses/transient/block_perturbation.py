@@ -31,7 +31,7 @@ class BlockPerturbation:
     rounding of e^{λt} amounts to; decays: bounds of the errors of Re λ. X, W: (n, P), (P, n), of all blocks. ways: (i,
     j, |product|, nodes) of all paths within blocks."""
 
-    def __init__(self, blocks: "Sequence[ModalBlock]", matrices: Sequence[np.ndarray], data: "DataErrors"):
+    def __init__(self, blocks: "Sequence[ModalBlock]", matrices: Sequence[np.ndarray], data: "DataErrors") -> None:
         self.blocks = blocks
         self.stops = np.cumsum([0] + [len(block.B) for block in blocks]).tolist()
         self.places = [slice(*ends) for ends in zip(self.stops, self.stops[1:], strict=False)]
@@ -68,7 +68,7 @@ class BlockPerturbation:
             self.sizes.append(self.sizes[-1] @ np.abs(self.B))
         return self.signed[k], self.sizes[k]
 
-    def _of(self, matrices, data):
+    def _of(self, matrices: Sequence[np.ndarray], data: "DataErrors") -> np.ndarray:
         modal = all(block.accuracy is not None for block in self.blocks)
         found = np.zeros((self.count, self.count))
         for k, ((weights, rows), entries) in enumerate(zip(data.weights, data.entries, strict=True)):
@@ -89,7 +89,8 @@ class BlockPerturbation:
             found[at, at] *= 0.5 if block.half else 1.0     # the other half turns the other way and is never near
         return found + EXPONENT * EPSILON * np.abs(self.B)
 
-    def _certify(self, found, matrices, data):
+    def _certify(self, found: np.ndarray, matrices: Sequence[np.ndarray],
+                 data: "DataErrors") -> None:
         """Of undamped modes the known error of ω takes the place of that of K and M; what damping couples is left
         out of the blocks."""
         M, C, _ = matrices
@@ -106,8 +107,9 @@ class BlockPerturbation:
             found[at, at] = 2 * block.accuracy * square * np.abs(share[at, at]) + damping[at, at]
         found += coupling
 
-    def _unrefined(self, matrices):
+    def _unrefined(self, matrices: Sequence[np.ndarray]) -> np.ndarray:
         """What blocks of larger systems, which are not refined, miss the equations by."""
         M, C, K = matrices
         X = [self.power(k)[0] for k in range(3)]
-        return 2 * np.abs(self.W) @ np.abs(M @ X[2] + C @ X[1] + K @ X[0])
+        found: np.ndarray = 2 * np.abs(self.W) @ np.abs(M @ X[2] + C @ X[1] + K @ X[0])
+        return found

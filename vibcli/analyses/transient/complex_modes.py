@@ -24,7 +24,8 @@ def general(M: np.ndarray, C: np.ndarray, K: np.ndarray, rigid: np.ndarray | Non
     return [_in_units(block, unit, rate) for block in found]
 
 
-def _freely(found, M, C, K, rigid):
+def _freely(found: list[ModalBlock], M: np.ndarray, C: np.ndarray, K: np.ndarray,
+            rigid: np.ndarray) -> list[ModalBlock]:
     """Blocks that hold as many eigenvalues 0 as what moves freely has."""
     from vibcli.analyses.transient.rigid_motions import exact, freed
 
@@ -60,7 +61,7 @@ def scaling(M: np.ndarray, C: np.ndarray, K: np.ndarray) -> tuple[np.ndarray, in
     return powers, rate
 
 
-def _in_units(block, unit, rate):
+def _in_units(block: ModalBlock, unit: np.ndarray, rate: int) -> ModalBlock:
     """A block of the scaled system in the units of the given one."""
     return ModalBlock(block.X * unit[:, None], np.ldexp(block.B.real, rate) + 1j * np.ldexp(block.B.imag, rate),
                  block.P / unit, np.ldexp(1.0, -rate) * block.R / unit, np.ldexp(1.0, -rate) * block.W * unit,

@@ -30,14 +30,15 @@ WORTH = 8           # exponentials whose values take as long as one bound
 class Leaf:
     """An output of a linear motion."""
 
-    def __init__(self, pieces: Any, output: "LinearOutput"):
+    def __init__(self, pieces: Any, output: "LinearOutput") -> None:
         self.pieces, self.output, self.recorded = pieces, output, pieces.recorded
         self.starts = pieces.timeline.starts
         self.y, self.slope, self.curvature = (pieces.terms(output, order) for order in range(3))
         self.nodes = [nodes for terms in (self.y, self.slope, self.curvature) for nodes in terms.nodes()]
 
     def at(self, segment: np.ndarray, tau: np.ndarray) -> np.ndarray:
-        return self.y.at(segment, tau)
+        found: np.ndarray = self.y.at(segment, tau)
+        return found
 
     def size(self, segment: np.ndarray, early: np.ndarray, late: np.ndarray) -> Jet:
         """The value as any number up to its bound."""
@@ -54,7 +55,7 @@ class Leaf:
                    _within(*curvature, np.inf))
 
 
-def _within(value, bound, reach):
+def _within(value: np.ndarray, bound: np.ndarray, reach: float | np.ndarray) -> Interval:
     """What lies within a reach of its value in the middle, and within its bounds."""
     bound = bound * (1 + 4 * EPSILON)
     reach = reach + 16 * EPSILON * bound
@@ -92,14 +93,15 @@ class Composition:
     gives the values where all are finite."""
 
     def __init__(self, node: "Node", leaves: Mapping[str, Leaf], floats: Mapping[str, float], time: str,
-                 check: Callable, end: float, places: SegmentsOfLeaves | None = None):
+                 check: Callable[[np.ndarray, np.ndarray], np.ndarray], end: float,
+                 places: SegmentsOfLeaves | None = None) -> None:
         self.node, self.leaves, self.floats, self.time, self.check = node, leaves, floats, time, check
         self.timeline, self.segments, self.later = self.places = places or SegmentsOfLeaves.of(leaves)
         self.starts, self.end = self.timeline.starts, end
         self.recorded = any(leaf.recorded for leaf in leaves.values())
         self.nodes = [nodes for leaf in leaves.values() for nodes in leaf.nodes] or [(complex(FINEST / end),)]
         self.constants = {name: Jet(exact(value)) for name, value in floats.items() if isinstance(value, float)}
-        self._last: dict[str, tuple] = {}
+        self._last: dict[str, tuple[Any, ...]] = {}
 
     def among(self, segments: np.ndarray) -> "Composition":
         """The same on some segments."""
@@ -120,7 +122,7 @@ class Composition:
                 for end, time in (("starts", starts), ("ends", starts + lengths))]
         return OutputRanges(*(np.broadcast_to(row, starts.shape) for row in (*ends, whole.low, whole.high)))
 
-    def _ranges(self, name):
+    def _ranges(self, name: str) -> OutputRanges:
         """The OutputRanges of a leaf on the segments."""
         leaf, segment, later = self.leaves[name], self.segments[name], self.later[name]
         if leaf.recorded and not later.any():
@@ -149,14 +151,15 @@ class Composition:
     def size(self, segment: np.ndarray, early: np.ndarray, late: np.ndarray) -> Jet:
         return self._composed("size", segment, early, late)
 
-    def _composed(self, which, *where):
+    def _composed(self, which: str, *where: np.ndarray) -> Jet:
         """That of the last call where it is asked for again, as its slope and curvature are."""
         last = self._last.get(which)
         if last is None or not all(map(np.array_equal, last[0], where)):
             last = self._last[which] = tuple(part.copy() for part in where), self._found(which, *where)
-        return last[1]
+        found: Jet = last[1]
+        return found
 
-    def _found(self, which, segment, early, late):
+    def _found(self, which: str, segment: np.ndarray, early: np.ndarray, late: np.ndarray) -> Jet:
         values = {name: getattr(leaf, which)(self.segments[name][segment], *(
             tau + self.later[name][segment] for tau in (early, late))) for name, leaf in self.leaves.items()}
         values[self.time] = Jet(Interval(self.starts[segment] + early, self.starts[segment] + late), exact(1.0))
@@ -169,7 +172,7 @@ class Composition:
 class Derivative:
     """The order-th derivative of a Composition, 0, 1 or 2."""
 
-    def __init__(self, whole: Composition, order: int):
+    def __init__(self, whole: Composition, order: int) -> None:
         self.whole, self.order = whole, order
 
     def nodes(self) -> list[tuple[complex, ...]]:

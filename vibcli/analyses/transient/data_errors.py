@@ -68,7 +68,7 @@ def of_elements(elements: "FactoredSystem", matrices: Sequence[np.ndarray], star
     return DataErrors(weights, entries, DATA * np.abs(places) + 2 * rest, DATA * np.abs(speeds), rest)
 
 
-def _weights(rows, n):
+def _weights(rows: Sequence[tuple[float, dict[int, float]]], n: int) -> tuple[np.ndarray, np.ndarray]:
     dense = np.zeros((len(rows), n))
     for at, (_, row) in enumerate(rows):
         for i, x in row.items():
@@ -96,6 +96,6 @@ def _entries(rows: Sequence[tuple[float, Mapping[int, float]]], given: Any, size
     return found
 
 
-def _is_power(x):
+def _is_power(x: float) -> bool:
     """Is it a power of two, with which nothing is rounded?"""
     return abs(math.frexp(x)[0]) == 0.5 or not x

@@ -36,7 +36,7 @@ def spectrum(M: np.ndarray, C: np.ndarray, K: np.ndarray, modes: "Sequence[Mode]
     return _blocks(M, C, K, rigid)
 
 
-def _blocks(M, C, K, rigid=None):
+def _blocks(M: np.ndarray, C: np.ndarray, K: np.ndarray, rigid: np.ndarray | None = None) -> list[ModalBlock]:
     sets = components((M != 0) | (C != 0) | (K != 0) | ((M != 0) | (C != 0) | (K != 0)).T)
     return [apart(block, places, len(M)) for places in sets
             for block in _coupled(*(matrix[np.ix_(places, places)] for matrix in (M, C, K)),
@@ -61,7 +61,7 @@ def check_inertia(M: np.ndarray, heavy: Any) -> None:
                        hint="give what it moves a mass or inertia")
 
 
-def _coupled(M, C, K, rigid):
+def _coupled(M: np.ndarray, C: np.ndarray, K: np.ndarray, rigid: np.ndarray | None) -> list[ModalBlock]:
     if len(M) == 1:
         from vibcli.analyses.transient.single_degree import one_degree
 
@@ -83,7 +83,7 @@ def modal(M: np.ndarray, C: np.ndarray, modes: "Sequence[Mode]") -> list[ModalBl
             zip(modes, damping.diagonal().tolist(), shapes.T, strict=True)]
 
 
-def _mode(mode, c, shape, momentum):
+def _mode(mode: "Mode", c: float, shape: np.ndarray, momentum: np.ndarray) -> ModalBlock:
     from vibcli.analyses.transient.single_degree import pair, poles_of_mode
 
     slow, fast = poles_of_mode(float(mode.omega or 0.0), float(mode.growth_rate or 0.0), c / 2)

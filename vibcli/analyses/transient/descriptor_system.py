@@ -18,7 +18,7 @@ class Descriptor:
     resists; others follow the forces at once (condensed.py)."""
 
     def __init__(self, M: "Sequence[list[float | mpmath.mpf]]", C: "Sequence[list[float | mpmath.mpf]]",
-                 K: "Sequence[list[float | mpmath.mpf]]"):
+                 K: "Sequence[list[float | mpmath.mpf]]") -> None:
         n = len(M)
         _require_held(M, C, K)
         M, C, K = (np.array([[real(x) for x in row] for row in matrix], object) for matrix in (M, C, K))
@@ -43,7 +43,7 @@ class Descriptor:
 class SummingSystem:
     """A Descriptor with states ∫ r q dt at its end, r rows over the coordinates that need not follow the forces."""
 
-    def __init__(self, system: Any, rows: "list[list[mpmath.mpf]]"):
+    def __init__(self, system: Any, rows: "list[list[mpmath.mpf]]") -> None:
         self.places, self.heavy, self.F, count, n = system.places, system.heavy, system.F, len(rows), len(system.Q)
         A = np.concatenate([system.A, np.array(rows, object).reshape(count, n).dot(system.Q)])
         self.A, self.Q = (np.concatenate([part, np.zeros((len(part), count), object)], axis=1)
@@ -51,7 +51,7 @@ class SummingSystem:
         self.B = np.concatenate([system.B, np.zeros((count, n), object)])
 
 
-def _product(left, right):
+def _product(left: np.ndarray, right: np.ndarray) -> np.ndarray:
     """The product of two matrices, the left of which is mostly zeros."""
     found = np.zeros((len(left), right.shape[1]), object)
     for row, sums in zip(left, found, strict=True):
@@ -61,7 +61,7 @@ def _product(left, right):
     return found
 
 
-def _inverse(matrix):
+def _inverse(matrix: np.ndarray) -> np.ndarray:
     diagonal = matrix.diagonal()
     if len(matrix) and not np.any(matrix - np.diag(diagonal)):
         return np.diag(mpf(1) / diagonal)
@@ -69,7 +69,8 @@ def _inverse(matrix):
     return np.array(inverse.tolist(), object).reshape(matrix.shape)
 
 
-def _require_held(M, C, K):
+def _require_held(M: "Sequence[list[float | mpmath.mpf]]", C: "Sequence[list[float | mpmath.mpf]]",
+                  K: "Sequence[list[float | mpmath.mpf]]") -> None:
     """Refuses dampers that resist only some motions of the coordinates without inertia which they touch."""
     M, C, K = (np.array([[float(x) for x in row] for row in matrix]) for matrix in (M, C, K))
     found = condensed(M, C, K)

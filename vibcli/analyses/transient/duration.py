@@ -30,7 +30,8 @@ def fading(forcing: "Forcing") -> float:
                 for wave in waves if wave.exponent.real < 0 and wave.coefficient), default=0.0)
 
 
-def _moving(modes, damped, last, speeds):
+def _moving(modes: "Sequence[Mode]", damped: "Sequence[DampedMode] | None", last: float,
+            speeds: Sequence[float]) -> float:
     """That from `last` on, as far as the motion and what swings in the forcing tell."""
     frequencies = [mode.omega for mode in modes if mode.omega]
     decays = []
@@ -49,13 +50,13 @@ def _moving(modes, damped, last, speeds):
     return last or 1.0
 
 
-def _seen(mode):
+def _seen(mode: "DampedMode") -> float:
     """The damped frequency of a mode; of one that dies out long before it has swung once, of so long as it is seen."""
     decay = -float(mode.eigenvalue.real)
     return max(float(mode.omega_d), tau * decay / (GONE * DYING))
 
 
-def _beat(frequencies):
+def _beat(frequencies: Sequence[float]) -> float:
     """The longest beat period of neighbouring frequencies, 0 of one alone."""
     ordered = sorted(map(float, frequencies))
     gaps = [b - a for a, b in pairwise(ordered) if b > a]

@@ -72,7 +72,8 @@ def condition(values: np.ndarray, V: np.ndarray, n: int) -> np.ndarray:
     except np.linalg.LinAlgError:
         return np.full(len(V), np.inf)
     column = np.hypot(np.linalg.norm(V[:n], axis=0), np.linalg.norm(V[n:], axis=0) / rates)
-    return column * np.hypot(np.linalg.norm(N[:, :n], axis=1), np.linalg.norm(N[:, n:], axis=1) * rates)
+    found: np.ndarray = column * np.hypot(np.linalg.norm(N[:, :n], axis=1), np.linalg.norm(N[:, n:], axis=1) * rates)
+    return found
 
 
 def starting(M: np.ndarray, C: np.ndarray, K: np.ndarray,

@@ -33,7 +33,7 @@ class Decay:
 
     starts, period, recorded = np.zeros(1), None, False
 
-    def __init__(self, amplitude: float, rate: float):
+    def __init__(self, amplitude: float, rate: float) -> None:
         self.amplitude, self.rate, self.nodes = amplitude, rate, [(complex(rate),)]
 
     def values(self, times: np.ndarray) -> np.ndarray:
@@ -76,7 +76,7 @@ class Beats:
 
     starts, recorded, timeline = np.zeros(1), False, bare_timeline(np.zeros(1))
 
-    def __init__(self, one: "Part", two: "Part"):
+    def __init__(self, one: "Part", two: "Part") -> None:
         self.one, self.two = one, two
         self.apart, self.lag = two.omega - one.omega, two.phase - one.phase
         turning = 2 * one.amplitude * two.amplitude * np.exp(-1j * self.lag)
@@ -90,12 +90,14 @@ class Beats:
         return None if self.one.rate or self.two.rate else tau / abs(self.apart)
 
     def values(self, times: np.ndarray) -> np.ndarray:
-        return np.sqrt(self.square(times))
+        found: np.ndarray = np.sqrt(self.square(times))
+        return found
 
     def square(self, times: np.ndarray) -> np.ndarray:
         """E² at the times."""
         a, b = (abs(part.amplitude) * np.exp(part.rate * times) for part in (self.one, self.two))
-        return (a - b) ** 2 + 4 * a * b * np.cos((self.apart * times - self.lag) / 2) ** 2
+        found: np.ndarray = (a - b) ** 2 + 4 * a * b * np.cos((self.apart * times - self.lag) / 2) ** 2
+        return found
 
     def terms(self, output: None, order: int) -> "SquareRate":
         return SquareRate(self, order)
@@ -144,7 +146,7 @@ class Beats:
 class SquareRate:
     """The order-th derivative of E² of Beats."""
 
-    def __init__(self, beats: Beats, order: int):
+    def __init__(self, beats: Beats, order: int) -> None:
         self.beats, self.order = beats, order
         self.exponents = np.array([node for _, node in beats.waves])
         self.sizes = np.array([c for c, _ in beats.waves]) * self.exponents**order
@@ -159,4 +161,5 @@ class SquareRate:
 
     def bound(self, segment: np.ndarray, early: np.ndarray, late: np.ndarray) -> np.ndarray:
         ends = (np.multiply.outer(tau, self.exponents.real) for tau in (early, late))
-        return np.exp(np.maximum(*ends)) @ np.abs(self.sizes)
+        found: np.ndarray = np.exp(np.maximum(*ends)) @ np.abs(self.sizes)
+        return found

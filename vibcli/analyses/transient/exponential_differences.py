@@ -9,7 +9,7 @@ where that distance times t is small a series replaces it, so nothing cancels (M
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import lru_cache
 from typing import Any
 
@@ -18,6 +18,8 @@ import numpy as np
 NEAR = 2.0
 TERMS, SINH = 40, 8
 BEATING = 1 / 8     # of their size, the distance within which nodes beat slowly
+
+Known = dict[Any, Any]      # {nodes: what was found of them; the bytes of a mask of the times: the same there}
 
 
 def exponential(node: complex, t: np.ndarray) -> np.ndarray:
@@ -31,41 +33,48 @@ def exponential(node: complex, t: np.ndarray) -> np.ndarray:
     return out
 
 
-def real_wave(factor: complex | np.ndarray, node: complex, t: np.ndarray, known: dict) -> float | np.ndarray:
+def real_wave(factor: complex | np.ndarray, node: complex, t: np.ndarray,
+              known: Known) -> float | np.ndarray:
     """Re(factor e^{λt}); `known`: what was found at the same times."""
     if node not in known:
         decay, angle = np.exp(node.real * t) if node.real else 1.0, node.imag * t
         known[node] = (decay, np.cos(angle), np.sin(angle)) if node.imag else (decay, None, None)
     decay, cosine, sine = known[node]
     if cosine is None:
-        return np.real(factor) * decay
-    return decay * (np.real(factor) * cosine - np.imag(factor) * sine)
+        found: float | np.ndarray = np.real(factor) * decay
+        return found
+    result: float | np.ndarray = decay * (np.real(factor) * cosine - np.imag(factor) * sine)
+    return result
 
 
-def differences(nodes: Sequence[complex], t: np.ndarray, known: dict | None = None) -> np.ndarray:
+def differences(nodes: Sequence[complex], t: np.ndarray,
+                known: Known | None = None) -> np.ndarray:
     """E[nodes] at an array of times, exact to a few roundings of |node| t; `known`: what was found at the same times.
     """
     known = {} if known is None else known
 
-    def of(nodes):
+    def of(nodes: "tuple[complex, ...]") -> np.ndarray:
         if nodes not in known:
             known[nodes] = _difference(nodes, t, of)
-        return known[nodes]
+        found: np.ndarray = known[nodes]
+        return found
 
     return of(tuple(sorted(map(complex, nodes), key=lambda s: (s.real, s.imag))))
 
 
-def _difference(nodes, t, of):
+def _difference(nodes: tuple[complex, ...], t: np.ndarray,
+                of: Callable[[tuple[complex, ...]], np.ndarray]) -> np.ndarray:
     if len(nodes) == 1:
         return exponential(nodes[0], t)
     i, j = farthest(nodes)
     gap = nodes[i] - nodes[j]
     if not gap:
-        return t ** (len(nodes) - 1) / math.factorial(len(nodes) - 1) * exponential(nodes[0], t)
+        found: np.ndarray = t ** (len(nodes) - 1) / math.factorial(len(nodes) - 1) * exponential(nodes[0], t)
+        return found
     near = abs(gap) * t <= NEAR
     if near.all():
         return _series(nodes, t)
-    out = (of(nodes[:j] + nodes[j + 1:]) - of(nodes[:i] + nodes[i + 1:])) / gap
+    out: np.ndarray = (of(nodes[:j] + nodes[j + 1:]) - of(nodes[:i] + nodes[i + 1:])) / gap
     if near.any():
         out[near] = _series(nodes, t[near])
     return out
@@ -78,7 +87,7 @@ def farthest(nodes: tuple[complex, ...]) -> tuple[int, int]:
     return max(pairs, key=lambda pair: abs(nodes[pair[0]] - nodes[pair[1]]))
 
 
-def _series(nodes, t):
+def _series(nodes: tuple[complex, ...], t: np.ndarray) -> np.ndarray:
     """e^{at} Σ hₖ t^{m−1+k} / (m−1+k)! with the mean a of the nodes, hₖ the complete symmetric polynomials of λ − a."""
     m = len(nodes)
     if m == 2:
@@ -88,7 +97,7 @@ def _series(nodes, t):
     offsets = [(node - mean) * top for node in nodes]
     reach = max(map(abs, offsets))
     count = next((k for k in range(1, TERMS) if reach**k < 1e-18 * math.factorial(k)), TERMS)
-    h = [1.0] + [0.0] * (count - 1)
+    h: list[complex] = [1.0, *([0.0] * (count - 1))]
     for offset in offsets:
         for k in range(1, count):
             h[k] = h[k] + offset * h[k - 1]
@@ -98,10 +107,11 @@ def _series(nodes, t):
     for k in reversed(range(count)):
         total *= share
         total += (h[k].real if real else h[k]) * math.factorial(m - 1) / math.factorial(m - 1 + k)
-    return t ** (m - 1) / math.factorial(m - 1) * exponential(mean, t) * total
+    found: np.ndarray = t ** (m - 1) / math.factorial(m - 1) * exponential(mean, t) * total
+    return found
 
 
-def _pair(nodes, t):
+def _pair(nodes: tuple[complex, ...], t: np.ndarray) -> np.ndarray:
     """t e^{at} sinh(z)/z with the mean a of two nodes and z half their distance times t, |z| <= 1."""
     half = (nodes[0] - nodes[1]) / 2
     square = half * half
@@ -110,10 +120,12 @@ def _pair(nodes, t):
     for k in range(SINH, 0, -1):
         total *= z / (2 * k * (2 * k + 1))
         total += 1.0
-    return t * exponential(nodes[1] + half, t) * total
+    found: np.ndarray = t * exponential(nodes[1] + half, t) * total
+    return found
 
 
-def bounds(nodes: Any, early: Any, late: Any, known: dict | None = None) -> Any:
+def bounds(nodes: Any, early: Any, late: Any,
+           known: Known | None = None) -> Any:
     """Upper bounds of |E[nodes](t)| on the intervals early <= t <= late; `known`: those found on the same ones."""
     known = {} if known is None else known
     if nodes not in known:
@@ -121,10 +133,11 @@ def bounds(nodes: Any, early: Any, late: Any, known: dict | None = None) -> Any:
     return known[nodes]
 
 
-def _bounds(nodes, early, late, known):
+def _bounds(nodes: tuple[complex, ...], early: np.ndarray, late: np.ndarray,
+            known: Known) -> np.ndarray:
     m = len(nodes)
     fastest = np.exp(np.maximum(*(max(node.real for node in nodes) * t for t in (early, late))))
-    found = fastest * late ** (m - 1) / math.factorial(m - 1)
+    found: np.ndarray = fastest * late ** (m - 1) / math.factorial(m - 1)
     if m > 1:
         i, j = farthest(nodes)
         gap = abs(nodes[i] - nodes[j])
@@ -137,7 +150,7 @@ def _bounds(nodes, early, late, known):
     return found
 
 
-def _beat(nodes, early, late):
+def _beat(nodes: tuple[complex, ...], early: np.ndarray, late: np.ndarray) -> np.ndarray:
     """What |e^{at} − e^{bt}| does not exceed on the intervals beside the faster of the two, nor as it is found in
     floats: |1 − q e^{2iy}|² = (1 − q)² + 4 q sin²y, with the decay q of the one beside the other and half the angle y
     between them."""
@@ -146,11 +159,13 @@ def _beat(nodes, early, late):
     sine = np.maximum(*(np.abs(np.sin(math.pi * turns * t)) for t in (early, late)))
     sine = np.where(np.floor(turns * late - 0.5) > np.floor(turns * early - 0.5), 1.0, sine)
     beat = np.hypot(np.expm1(-apart * late), 2 * np.exp(-apart * early / 2) * sine)
-    return beat + 2**-51 * max(abs(a), abs(b)) * late * np.minimum(1.0, abs(a - b) * late)
+    found: np.ndarray = beat + 2**-51 * max(abs(a), abs(b)) * late * np.minimum(1.0, abs(a - b) * late)
+    return found
 
 
 def real_sum(terms: Sequence[tuple[int, tuple[complex, ...], np.ndarray | slice, complex | np.ndarray]],
-             known: dict, t: np.ndarray) -> np.ndarray:
+             known: Known,
+             t: np.ndarray) -> np.ndarray:
     """Σ Re(factor tᵏ E[nodes]) of terms (k, nodes, which of the times, factors there); `known`: what other sums found
     at the same times."""
     total = np.zeros(len(t))
@@ -163,7 +178,7 @@ def real_sum(terms: Sequence[tuple[int, tuple[complex, ...], np.ndarray | slice,
 
 
 def largest_sum(terms: Sequence[tuple[int, tuple[complex, ...], np.ndarray | slice, complex | np.ndarray]],
-                known: dict, early: np.ndarray, late: np.ndarray) -> np.ndarray:
+                known: Known, early: np.ndarray, late: np.ndarray) -> np.ndarray:
     """An upper bound of the magnitude of the same on the intervals early <= t <= late; `known`: what other sums found
     on the same ones."""
     total = np.zeros(len(early))
@@ -174,6 +189,7 @@ def largest_sum(terms: Sequence[tuple[int, tuple[complex, ...], np.ndarray | sli
     return total
 
 
-def _known_there(known, inside):
+def _known_there(known: Known,
+                 inside: np.ndarray | slice) -> Known:
     """What is known at those of the times that a term acts at."""
     return known if isinstance(inside, slice) else known.setdefault(inside.tobytes(), {})

@@ -15,6 +15,7 @@ from vibcli.analyses.transient.segments_held import highest
 
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.analyses.transient.isolating_intervals import BoundedOutput
     from vibcli.base.errors import PhysicsError
     from vibcli.base.work import Task, Work
 
@@ -46,7 +47,7 @@ class ExtremeSearch:
     ends of a segment)] of instants that may be those of the largest; bends: gives (the curvature, its timeline)."""
 
     def __init__(self, pieces: Any, output: "LinearOutput | None", ends: tuple[float, float], sense: str,
-                 margin: float = 0.0):
+                 margin: float = 0.0) -> None:
         self.which, self.sign = ("smallest", -1.0) if sense == "min" else ("largest", 1.0)
         self.value, self.time, self.scale, self.margin = -np.inf, ends[0], 0.0, margin
         self.curves, self.left, self.tops = highest(pieces, output, ends, self.sign, margin), [], []
@@ -73,7 +74,7 @@ class ExtremeSearch:
                 found = np.vstack([found, (t, width)])
         return np.sort(found[:, 0]).tolist() or [float(self.time)]
 
-    def _tops(self, task):
+    def _tops(self, task: "Task") -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """(values, times, whether these are peaks or ends of a segment) of what may be the largest."""
         alone = len(self.curves) == 1
         while self.curves:
@@ -87,7 +88,7 @@ class ExtremeSearch:
         near = values >= max(self.value, values.max(initial=-np.inf)) - self.rounding - self.margin
         return values[near], times[near], peaks[near]
 
-    def _along(self, curve, task):
+    def _along(self, curve: "BoundedOutput", task: "Task") -> None:
         """The tops of one curve."""
         cells = curve.first_cells()
         self.left = [(np.inf, 0, cells.divided(_parts(cells, 1)))]
@@ -101,12 +102,13 @@ class ExtremeSearch:
         self._keep(curve, np.concatenate([whole.segment, whole.segment]), np.concatenate([whole.early, whole.late]),
                    True)
 
-    def _next(self):
+    def _next(self) -> tuple[float, int, Cells]:
         """What is looked at next of that which is left."""
         many = sum(len(cells) for *_, cells in self.left) > WAITING
-        return max(self.left, key=lambda part: (part[1], part[0]) if many else part[0])
+        found: tuple[float, int, Cells] = max(self.left, key=lambda part: (part[1], part[0]) if many else part[0])
+        return found
 
-    def _flat(self, times):
+    def _flat(self, times: np.ndarray) -> np.ndarray:
         """How wide the top about each instant is within which values are one but for rounding."""
         curvature, timeline = self.bends()
         bend = np.abs(curvature.at(*timeline.place(times)))
@@ -116,7 +118,7 @@ class ExtremeSearch:
     def rounding(self) -> float:
         return 4 * EPSILON * self.scale
 
-    def _look(self, curve, level, cells):
+    def _look(self, curve: "BoundedOutput", level: int, cells: Cells) -> None:
         ends = [self.sign * values for values in curve.ends(cells)]
         for found, tau in zip(ends, (cells.early, cells.late), strict=True):
             top = np.argmax(found)
@@ -140,13 +142,13 @@ class ExtremeSearch:
             self.left += [(most[part].max(), level + 1, some) for part, some in curve.batches(
                 cells, _parts(cells, PARTS))]
 
-    def _narrow(self, curve, cells):
+    def _narrow(self, curve: "BoundedOutput", cells: Cells) -> None:
         """The peaks within the cells."""
         rises, falls = (self.sign * slopes for slopes in curve.ends(cells, slope=True))
         peaks = cells.where((rises >= 0) & (falls <= 0))
         self._keep(curve, peaks.segment, curve.turns(peaks), True)
 
-    def _keep(self, curve, segment, tau, peak=False):
+    def _keep(self, curve: "BoundedOutput", segment: np.ndarray, tau: np.ndarray, peak: bool = False) -> None:
         values = self.sign * curve.y.at(segment, tau)
         near = values >= max(self.value, values.max(initial=-np.inf)) - self.rounding - self.margin
         times = curve.times(segment[near], tau[near])

@@ -44,15 +44,15 @@ def final(motion: "LinearMotion", output: "LinearOutput") -> float:
                                hint="ask for max(x), min(x) or a value at a time")
         raise PhysicsError("the motion keeps vibrating: it comes to no rest",
                            hint="ask for max(x), min(x) or a value at a time, or add a damper")
-    return float(drift.get(0, (0.0,))[0])
+    return float(drift.get(0, (0.0,))[0].real)
 
 
-def _stays(total, size):
+def _stays(total: complex, size: float) -> bool:
     """Is a sum more than the rounding of its parts?"""
     return abs(total) > NOTHING * size
 
 
-def _add(found, factor, nodes, node):
+def _add(found: dict[int, tuple[complex, float]], factor: complex, nodes: tuple[complex, ...], node: complex) -> None:
     """Adds the coefficients of tᵏ e^{node t} in factor · E[nodes] to {k: (sum, sum of magnitudes)}; of conjugate nodes
     that of the upper one, and of real ones the real part."""
     for power, c in coefficients(nodes, node).items():
@@ -68,7 +68,7 @@ def coefficients(nodes: Sequence[complex], node: complex) -> dict[int, complex]:
     return dict(enumerate(expanded(node, len(nodes) - len(others), others))) if node in nodes else {}
 
 
-def _size(nodes):
+def _size(nodes: tuple[complex, ...]) -> float:
     """A measure of E[nodes], for telling what is only rounding: the product of the times of all nodes but one."""
     rates = sorted(abs(node) for node in nodes if node)
     return 1.0 / math.prod(rates[:len(nodes) - 1]) if rates else 1.0

@@ -53,20 +53,20 @@ def driven(motion: "LinearMotion", forces: np.ndarray) -> list[tuple[np.ndarray,
     return list(zip(Q[:count], loads, strict=False))
 
 
-def _residual(motion, Q, F):
+def _residual(motion: "LinearMotion", Q: np.ndarray, F: np.ndarray) -> np.ndarray:
     """K Qₖ + (k+1) C Qₖ₊₁ + (k+2)(k+1) M Qₖ₊₂ − Fₖ, in extended precision."""
     return sum((taken @ matrix.T.astype(np.longdouble) for taken, matrix in zip(
         _with_rates(Q.astype(np.longdouble)), (motion.K, motion.C, motion.M), strict=True)), -F).astype(float)
 
 
-def _with_rates(Q):
+def _with_rates(Q: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """The coefficients of Σ Qₖ tᵏ and of its first two derivatives."""
     k = np.arange(1, len(Q) + 1)[:, None]
     above = np.pad(Q, ((0, 2), (0, 0)))
     return Q, k * above[1:-1], k * (k + 1) * above[2:]
 
 
-def _followed(motion, F, unforced):
+def _followed(motion: "LinearMotion", F: np.ndarray, unforced: float) -> np.ndarray:
     """The Qₖ under Fₖ; what moves freely follows what is more than so much of its terms alone."""
     Q = np.zeros(F.shape) if motion.system is None else F @ motion.system.follow.T
     for block in motion.blocks:
@@ -74,7 +74,7 @@ def _followed(motion, F, unforced):
     return Q
 
 
-def _states(B, given, sizes, unforced):
+def _states(B: np.ndarray, given: np.ndarray, sizes: np.ndarray, unforced: float) -> np.ndarray:
     """The cₖ of Σ cₖ tᵏ with ċ = B c + given."""
     count, above = len(given), np.triu(B, 1)
     c = np.zeros(given.shape, complex)
@@ -108,7 +108,7 @@ def errors_of(motion: "LinearMotion", powers: "Sequence[tuple[np.ndarray, np.nda
     return found
 
 
-def _grown(B, given):
+def _grown(B: np.ndarray, given: np.ndarray) -> np.ndarray:
     """Bounds of the cₖ under bounds of what is given."""
     count, above = len(given), np.triu(B, 1)
     c = np.zeros(given.shape)

@@ -1,6 +1,6 @@
 """Forcing as arrays: for each kind of wave τᵏe^{sτ} the segments it is in, and its coefficients there."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -10,7 +10,7 @@ from vibcli.analyses.excitation.forcing import Segment
 from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
-    from vibcli.analyses.excitation.recorded_forcing import RecordedForcing
+    from vibcli.analyses.excitation.recorded_forcing import RecordedForcing, SharedBlow, SharedWave
 
 
 class Waves(NamedTuple):
@@ -51,16 +51,20 @@ class Waves(NamedTuple):
 
     def onto(self, row: np.ndarray) -> np.ndarray:
         """row · f of every row f."""
-        return self.coefficients @ (row if self.shares is None else self.shares @ row)
+        found: np.ndarray = self.coefficients @ (row if self.shares is None else self.shares @ row)
+        return found
 
     def size(self, A: np.ndarray, largest: bool = False) -> np.ndarray:
         """What |A f| is added from, |A| |f|, of every row: (len(A), segments); largest: the larger |A f| of f and of
         its conjugate."""
         rows, A = self._shared(A)
         if largest:
-            return np.maximum(*(np.abs(A @ one.T) for one in (rows, rows.conj()))) if np.iscomplexobj(rows) else (
-                np.abs(A @ rows.T))
-        return np.abs(A) @ np.abs(rows).T
+            found: np.ndarray = np.abs(A @ rows.T)
+            if np.iscomplexobj(rows):
+                found = np.maximum(found, np.abs(A @ rows.conj().T))
+            return found
+        total: np.ndarray = np.abs(A) @ np.abs(rows).T
+        return total
 
     def among(self, segments: np.ndarray | slice) -> "Waves":
         """The same on some of the segments, ascending, which are numbered anew; of what is shared, on each of them."""
@@ -72,24 +76,26 @@ class Waves(NamedTuple):
         held = self.at[place] == segments
         return self._replace(at=np.flatnonzero(held), coefficients=self.coefficients[place[held]])
 
-    def _shared(self, A):
+    def _shared(self, A: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """(rows, the matrix that makes A f of them)."""
         n = A.shape[1]
         return (self.coefficients[:, :n], A) if self.shares is None else (self.coefficients, A @ self.shares[:, :n].T)
 
 
-def _times(force, W):
+def _times(force: np.ndarray, W: np.ndarray) -> np.ndarray:
     """W f of every row f, without turning real numbers into complex ones."""
     if np.iscomplexobj(force):
-        return force @ W.T
-    return force @ W.real.T + 1j * (force @ W.imag.T)
+        found: np.ndarray = force @ W.T
+        return found
+    result: np.ndarray = force @ W.real.T + 1j * (force @ W.imag.T)
+    return result
 
 
 class Timeline:
     """starts: of the segments; lengths: of all, the last infinite; waves: a list of Waves; impulses: one row a
     segment, that act at its start."""
 
-    def __init__(self, starts: np.ndarray, lengths: np.ndarray, impulses: np.ndarray, waves: Sequence[Waves]):
+    def __init__(self, starts: np.ndarray, lengths: np.ndarray, impulses: np.ndarray, waves: Sequence[Waves]) -> None:
         self.starts, self.lengths, self.impulses, self.waves = starts, lengths, impulses, waves
 
     @cached_property
@@ -129,11 +135,11 @@ def bare_timeline(starts: np.ndarray) -> Timeline:
     return Timeline(starts, _lengths(starts), np.zeros((len(starts), 0)), [])
 
 
-def _lengths(starts):
+def _lengths(starts: np.ndarray) -> np.ndarray:
     return np.append(np.diff(starts), np.inf)
 
 
-def _waves(channels, power, exponent, there):
+def _waves(channels: int, power: int, exponent: complex, there: Mapping[int, dict[int, list[complex]]]) -> Waves:
     rows = np.zeros((len(there), channels), complex)
     for row, by_channel in zip(rows, there.values(), strict=True):
         for channel, parts in by_channel.items():
@@ -155,7 +161,7 @@ def timeline_of_records(forcing: "RecordedForcing") -> Timeline:
         for kind, same in kinds.items()])
 
 
-def _shares(forcing, parts):
+def _shares(forcing: "RecordedForcing", parts: "Sequence[SharedBlow | SharedWave]") -> np.ndarray:
     found = np.zeros((len(parts), forcing.channels))
     for row, part in zip(found, parts, strict=True):
         row[list(part.shares)] = list(part.shares.values())

@@ -22,8 +22,10 @@ if TYPE_CHECKING:
 
     import mpmath
 
-    from vibcli.analyses.excitation.forcing import Forcing
+    from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
     from vibcli.analyses.excitation.linear_output import LinearOutput
+
+    Matrix = Sequence[list[float | mpmath.mpf]]
 
 GUARD, MORE, TRIES = 64, 96, 12
 NOTHING = 4096      # bits to which what is zero is looked at: it may have died out
@@ -32,8 +34,8 @@ EPSILON = 2.0**-50
 ALIKE, KEPT = 2**20, 16     # rounding of a length of time between jumps; exponentials that are kept
 
 
-def precise_value(M: "Sequence[list[float | mpmath.mpf]]", C: "Sequence[list[float | mpmath.mpf]]",
-                  K: "Sequence[list[float | mpmath.mpf]]", forcing: "Forcing",
+def precise_value(M: "Matrix", C: "Matrix",
+                  K: "Matrix", forcing: "Forcing",
                   q0: "Sequence[float | mpmath.mpf] | np.ndarray", v0: "Sequence[float | mpmath.mpf] | np.ndarray",
                   output: "LinearOutput", time: "float | Fraction | mpmath.mpf", digits: int,
                   order: int = 0) -> "mpmath.mpf":
@@ -41,8 +43,8 @@ def precise_value(M: "Sequence[list[float | mpmath.mpf]]", C: "Sequence[list[flo
     return precise_values(M, C, K, forcing, q0, v0, [output], time, digits, order)[0]
 
 
-def precise_values(M: "Sequence[list[float | mpmath.mpf]]", C: "Sequence[list[float | mpmath.mpf]]",
-                   K: "Sequence[list[float | mpmath.mpf]]", forcing: "Forcing",
+def precise_values(M: "Matrix", C: "Matrix",
+                   K: "Matrix", forcing: "Forcing",
                    q0: "Sequence[float | mpmath.mpf] | np.ndarray", v0: "Sequence[float | mpmath.mpf] | np.ndarray",
                    outputs: "Sequence[LinearOutput]", time: "float | Fraction | mpmath.mpf", digits: int,
                    order: int = 0) -> "list[mpmath.mpf]":
@@ -62,8 +64,8 @@ def precise_values(M: "Sequence[list[float | mpmath.mpf]]", C: "Sequence[list[fl
     return found
 
 
-def precise_motion(M: "Sequence[list[float | mpmath.mpf]]", C: "Sequence[list[float | mpmath.mpf]]",
-                   K: "Sequence[list[float | mpmath.mpf]]", forcing: "Forcing",
+def precise_motion(M: "Matrix", C: "Matrix",
+                   K: "Matrix", forcing: "Forcing",
                    q0: "Sequence[float | mpmath.mpf] | np.ndarray",
                    v0: "Sequence[float | mpmath.mpf] | np.ndarray") -> "PreciseMotion":
     """The PreciseMotion of M q̈ + C q̇ + K q = f(t) from q(0) = q0, q̇(0) = v0, as of precise_values."""
@@ -76,8 +78,8 @@ class PreciseMotion:
     """A motion at the working precision of mpmath; start: the state of its system of first order at t = 0; reached:
     those at the starts of the stretches of its loads, as far as they were looked at."""
 
-    def __init__(self, matrices: tuple, system: Descriptor | SummingSystem, forcing: "Forcing",
-                 start: "list[mpmath.mpf]"):
+    def __init__(self, matrices: "tuple[Matrix, Matrix, Matrix]",
+                 system: Descriptor | SummingSystem, forcing: "Forcing", start: "list[mpmath.mpf]") -> None:
         self.matrices, self.system, self.forcing, self.start = matrices, system, forcing, start
         self.n, self.reached, self.found, self.exponentials = len(matrices[0]), [start], {}, []
 
@@ -99,9 +101,10 @@ class PreciseMotion:
         time = real(time)
         if (time, before) not in self.found:
             self.found = {(time, before): self._at(time, bits, before)}
-        return self.found[time, before]
+        found: PreciseState = self.found[time, before]
+        return found
 
-    def _at(self, time, bits, before):
+    def _at(self, time: "mpmath.mpf", bits: int, before: bool) -> "PreciseState":
         pieces = self.forcing.segments(math.nextafter(float(time), math.inf))
         starts = [real(piece.start) for piece in pieces]
         last = max(k for k, start in enumerate(starts) if not k or start < time or (start == time and not before))
@@ -110,7 +113,8 @@ class PreciseMotion:
             self.reached.append(list(z[:len(self.start)]))
         return PreciseState(*self._along(pieces[last], time - starts[last], self.reached[last], bits))
 
-    def _along(self, piece, length, state, bits):
+    def _along(self, piece: "Segment", length: "mpmath.mpf", state: "list[mpmath.mpf]",
+               bits: int) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         """G, rows of the forces, rows of q, and z a length of time after the start of a piece."""
         state = list(state)
         for channel, size in piece.impulses:
@@ -119,11 +123,13 @@ class PreciseMotion:
         G, z, forces, Q = _generator(self.system, piece.waves, state, self.forcing.channels, self.n)
         return G, forces, Q, _times(self._exponential(G, len(state), piece.waves, length, bits), z) if length else z
 
-    def _exponential(self, G, first, waves, length, bits):
+    def _exponential(self, G: np.ndarray, first: int, waves: "tuple[Wave, ...]", length: "mpmath.mpf",
+                     bits: int) -> tuple[np.ndarray, int]:
         """e^{Gτ} as of _exponential, known already where an equal stretch has been passed."""
         for known, tau, found in self.exponentials:
             if known is waves and abs(length - tau) <= tau * mp.eps * ALIKE:
-                return found
+                result: tuple[np.ndarray, int] = found
+                return result
         found = _exponential(G, first, length, bits)
         self.exponentials = [*self.exponentials[-KEPT:], (waves, length, found)]
         return found
@@ -161,7 +167,8 @@ class PreciseState(NamedTuple):
         return real(row.dot(self.z)) + (real(output.constant) if not order else 0)
 
 
-def _generator(system, waves, state, channels, n):
+def _generator(system: Descriptor | SummingSystem, waves: "tuple[Wave, ...]", state: "list[mpmath.mpf]", channels: int,
+               n: int) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """(G, z, rows of the forces, rows of q): z = (y, parts of the waves), f = forces z, q = Q z."""
     first = len(state)
     size = first + sum(2 * (wave.power + 1) for wave in waves)
@@ -183,7 +190,7 @@ def _generator(system, waves, state, channels, n):
     return G, z, forces, np.concatenate([system.Q, system.F.dot(loads)], axis=1)
 
 
-def _exponential(G, first, tau, bits):
+def _exponential(G: np.ndarray, first: int, tau: "mpmath.mpf", bits: int) -> tuple[np.ndarray, int]:
     """(e^{Gτ} in fixed point, its bits): Taylor's series in powers of a power of G, Paterson and Stockmeyer."""
     size = len(G)
     norm = np.abs(G).sum(axis=1).max(initial=0) * abs(tau)
@@ -203,7 +210,7 @@ def _exponential(G, first, tau, bits):
     return total, wide
 
 
-def _product(a, b, first, bits):
+def _product(a: np.ndarray, b: np.ndarray, first: int, bits: int) -> np.ndarray:
     """a b of what drives the first coordinates and does not feel them."""
     found = np.zeros_like(a)
     found[:first, :first] = fx.product(a[:first, :first], b[:first, :first], bits)
@@ -212,7 +219,7 @@ def _product(a, b, first, bits):
     return found
 
 
-def _times(exponential, z):
+def _times(exponential: tuple[np.ndarray, int], z: np.ndarray) -> np.ndarray:
     """e^{Gτ} z."""
     total, wide = exponential
     return np.array([mp.fsum(mp.ldexp(mp.mpf(int(x)), -wide) * y for x, y in zip(row, z, strict=True))

@@ -32,13 +32,13 @@ def steady_motion(motion: "PreciseMotion | SteadyWaves | TransientMotion") -> "P
     return SteadyWaves(motion) if motion.forcing.period is None else _repeating(motion)
 
 
-def _repeating(motion):
+def _repeating(motion: PreciseMotion) -> PreciseMotion:
     forcing = Forcing(motion.forcing.channels, turned(motion.forcing), motion.forcing.period)
     rests, system, size = _rests(motion), motion.system, len(motion.start)
     summed, bits, period = motion.summing([rest.mean for rest in rests]), mp.prec, motion.forcing.period
     beside = [[rest.damping[i] for i in system.places] + [rest.momentum[i] for i in system.heavy] for rest in rests]
 
-    def after(start):
+    def after(start: "list[mpmath.mpf]") -> "list[mpmath.mpf]":
         """What a period adds, and what of it is to vanish in the mean."""
         end = summed.under(forcing, start + [mp.mpf(0)] * len(rests)).at(period, bits, before=True).z
         return [y - x + mp.fdot([column[i] for column in beside], end[size:size + len(rests)])
@@ -60,7 +60,7 @@ class Rest(NamedTuple):
     mean: "list[mpmath.mpf]"
 
 
-def _rests(motion):
+def _rests(motion: PreciseMotion) -> list[Rest]:
     M, C, K = (mp.matrix([[real(x) for x in row] for row in matrix]) for matrix in motion.matrices)
     left, _ = _left_nulls(K, mp.mnorm(K))
     if not left.cols:
@@ -73,16 +73,17 @@ def _rests(motion):
     return found
 
 
-def _left_nulls(matrix, size):
+def _left_nulls(matrix: "mpmath.matrix", size: "mpmath.mpf") -> "tuple[mpmath.matrix, mpmath.matrix]":
     """(left null vectors of a square matrix of sums of such a size, those orthogonal to them), columns."""
     U, sizes, _ = mp.svd_r(matrix)
-    columns: tuple[list, list] = [], []
+    columns: tuple[list[list[Any]], list[list[Any]]] = [], []
     for i, length in enumerate(sizes):
         columns[length > size * mp.sqrt(mp.eps)].append(list(U[:, i]))
-    return tuple(mp.matrix(some).T if some else mp.matrix(len(U), 0) for some in columns)
+    rests, others = (mp.matrix(some).T if some else mp.matrix(len(U), 0) for some in columns)
+    return rests, others
 
 
-def _solved(matrix, right):
+def _solved(matrix: "mpmath.matrix", right: "list[mpmath.mpc]") -> "mpmath.matrix":
     try:
         return mp.lu_solve(matrix, mp.matrix(right))
     except (ZeroDivisionError, TypeError):      # TypeError: mpmath's, of a column of zeros
@@ -93,7 +94,7 @@ def _solved(matrix, right):
 class SteadyWaves:
     """waves: [(s, Q, F)] of Re(Q e^{sτ}) and of the forces Re(F e^{sτ}) that keep it up, τ counted from `since`."""
 
-    def __init__(self, motion: PreciseMotion):
+    def __init__(self, motion: PreciseMotion) -> None:
         last = motion.forcing.segments(math.inf)[-1]
         self.since, forces = real(last.start), {}
         for wave in last.waves:
@@ -153,7 +154,7 @@ def harmonic(motion: PreciseMotion, output: "LinearOutput", n: int) -> "mpmath.m
     return amplitude(output, s, kept_up(motion, s, F), F) + (real(output.constant) if not n else 0)
 
 
-def _integral(rate, power, length):
+def _integral(rate: "mpmath.mpc", power: int, length: "mpmath.mpf") -> "mpmath.mpc":
     """∫ τᵏ e^{rate τ} dτ from 0 to a length."""
     if not rate:
         return length ** (power + 1) / (power + 1)
@@ -173,7 +174,7 @@ def amplitude(output: "LinearOutput", s: "mpmath.mpc", Q: Any, F: Any) -> "mpmat
 class WavesAt:
     """SteadyWaves at an instant, read like a PreciseState."""
 
-    def __init__(self, waves: Any, tau: "mpmath.mpf"):
+    def __init__(self, waves: Any, tau: "mpmath.mpf") -> None:
         self.waves, self.tau = waves, tau
 
     def later(self, by: "mpmath.mpf") -> "WavesAt":
@@ -189,7 +190,7 @@ class WavesAt:
 class TransientMotion:
     """A motion less its steady state."""
 
-    def __init__(self, motion: PreciseMotion | SteadyWaves):
+    def __init__(self, motion: PreciseMotion | SteadyWaves) -> None:
         self.whole, self.steady = motion, steady_motion(motion)
 
     def breaks(self, until: float) -> "list[mpmath.mpf]":
@@ -204,7 +205,7 @@ class TransientMotion:
 class DifferenceAt:
     """The difference of two motions at an instant, read like a PreciseState."""
 
-    def __init__(self, whole: Any, steady: Any):
+    def __init__(self, whole: Any, steady: Any) -> None:
         self.whole, self.steady = whole, steady
 
     def later(self, by: "mpmath.mpf") -> "DifferenceAt":

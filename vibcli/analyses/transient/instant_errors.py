@@ -25,13 +25,13 @@ def of_top(motion: "LinearMotion | WaveMotion", output: "LinearOutput", t: float
     return 2 * EPSILON * t if abs(slope) > STEEP * doubt else _least(motion, output, t, 1)
 
 
-def _known(motion, output, t, order):
+def _known(motion: "LinearMotion | WaveMotion", output: "LinearOutput", t: float, order: int) -> tuple[float, float]:
     """(a derivative, its error) at an instant."""
     at = np.array([t])
     return float(motion.values(output, at, order)[0]), float(motion.errors(output, at, order)[0])
 
 
-def _least(motion, output, t, order):
+def _least(motion: "LinearMotion | WaveMotion", output: "LinearOutput", t: float, order: int) -> float:
     """δ with δ |y'| >= 2 δy for the derivative y of an order, or where y' is lost in its error δ² |y''| >= 8 δy; all of
     t where that is lost too."""
     rounding = 2 * EPSILON * t

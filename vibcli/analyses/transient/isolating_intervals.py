@@ -1,7 +1,7 @@
 """An output of a linear motion between two instants, and the stretches of time into which its searches divide that."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
@@ -26,7 +26,7 @@ class Cells:
 
     __slots__ = ("early", "late", "segment")
 
-    def __init__(self, segment: np.ndarray, early: np.ndarray, late: np.ndarray):
+    def __init__(self, segment: np.ndarray, early: np.ndarray, late: np.ndarray) -> None:
         self.segment, self.early, self.late = segment, early, late
 
     def __len__(self) -> int:
@@ -34,7 +34,8 @@ class Cells:
 
     @property
     def width(self) -> np.ndarray:
-        return self.late - self.early
+        found: np.ndarray = self.late - self.early
+        return found
 
     def where(self, mask: np.ndarray | slice) -> "Cells":
         """Those where the mask holds."""
@@ -71,7 +72,7 @@ class BoundedOutput:
 
     __slots__ = ("count", "curvature", "end", "fastest", "slope", "start", "timeline", "whole", "y")
 
-    def __init__(self, pieces: Any, output: "LinearOutput", start: float, end: float):
+    def __init__(self, pieces: Any, output: "LinearOutput", start: float, end: float) -> None:
         self.timeline, self.start, self.end = pieces.timeline, start, end
         self.y, self.slope, self.curvature = (pieces.terms(output, order) for order in range(3))
         nodes = self.y.nodes()
@@ -82,7 +83,14 @@ class BoundedOutput:
         """Cells that grow with time, the first a part of the fastest wave's period."""
         return self.whole.doubling(1 / self.fastest) if self.fastest else self.whole
 
-    def times(self, segment: int | np.ndarray, tau: Any) -> float | np.ndarray:
+    @overload
+    def times(self, segment: int, tau: float) -> float: ...
+
+    @overload
+    def times(self, segment: np.ndarray, tau: Any) -> np.ndarray: ...
+
+    def times(self, segment: Any, tau: Any) -> Any:
+        """Instants so long after the starts of segments."""
         return self.timeline.starts[segment] + tau
 
     def ends(self, cells: Cells, slope: bool = False) -> list[np.ndarray]:
@@ -92,11 +100,13 @@ class BoundedOutput:
 
     def bound(self, cells: Cells) -> np.ndarray:
         """What it does not exceed in each cell."""
-        return self.y.bound(cells.segment, cells.early, cells.late)
+        found: np.ndarray = self.y.bound(cells.segment, cells.early, cells.late)
+        return found
 
     def bend(self, cells: Cells) -> np.ndarray:
         """Eight times the most by which it strays from the straight line in each cell."""
-        return self.curvature.bound(cells.segment, cells.early, cells.late) * cells.width**2
+        found: np.ndarray = self.curvature.bound(cells.segment, cells.early, cells.late) * cells.width**2
+        return found
 
     def instants(self, cells: Cells) -> np.ndarray:
         """Which of the cells are so short that nothing changes within them but by rounding."""
@@ -133,12 +143,15 @@ def fastest(nodes: Sequence[tuple[complex, ...]]) -> float:
 def instants(timeline: Any, cells: Cells, speed: float) -> np.ndarray:
     """Which of the cells are so short that nothing of this speed changes within them but by rounding."""
     shortest = 1 / speed if speed else 0.0
-    return cells.width <= HAIR * EPSILON * np.maximum(timeline.starts[cells.segment] + cells.late, shortest)
+    found: np.ndarray = cells.width <= HAIR * EPSILON * np.maximum(timeline.starts[cells.segment] + cells.late,
+                                                                   shortest)
+    return found
 
 
 def opposite(left: np.ndarray, right: np.ndarray) -> np.ndarray:
     """Where the signs of two values differ, however large or small these are."""
-    return np.sign(left) * np.sign(right) < 0
+    found: np.ndarray = np.sign(left) * np.sign(right) < 0
+    return found
 
 
 def root(function: "ExponentialSum", derivative: "ExponentialSum", cells: Cells, starts: np.ndarray) -> np.ndarray:

@@ -7,7 +7,7 @@ curvature has no bound; at a jump the slope has none either.
 import math
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import numpy as np
 
@@ -26,7 +26,7 @@ class Jet:
 
     __slots__ = ("curvature", "slope", "value")
 
-    def __init__(self, value: Interval, slope: Interval | None = None, curvature: Interval | None = None):
+    def __init__(self, value: Interval, slope: Interval | None = None, curvature: Interval | None = None) -> None:
         self.value, self.slope, self.curvature = value, slope or exact(0.0), curvature or exact(0.0)
 
     def __add__(self, other: "Jet") -> "Jet":
@@ -43,81 +43,81 @@ class Jet:
         return Jet(value, first * self.slope, second * self.slope * self.slope + first * self.curvature)
 
 
-def _kept(found, one, other):
+def _kept(found: Interval, one: Interval, other: Interval) -> Interval:
     """A sum or product of what is nowhere negative is not, either."""
     return Interval(np.where((one.low >= 0) & (other.low >= 0), np.maximum(found.low, 0.0), found.low), found.high)
 
 
-def unbounded(where: np.ndarray, found: Interval) -> Interval:
+def unbounded(where: bool | np.ndarray, found: Interval) -> Interval:
     """The interval, any number where it has no bound."""
     return Interval(np.where(where, -np.inf, found.low), np.where(where, np.inf, found.high))
 
 
-def _smooth(rule):
+def _smooth(rule: Callable[..., Any]) -> Callable[..., Jet]:
     return lambda u: u.through(*rule(u.value))
 
 
-def _tan(u):
+def _tan(u: Interval) -> tuple[Interval, Interval, Interval]:
     t = TAN(u)
     first = ONE + t * t
     return t, first, TWO * t * first
 
 
-def _tanh(u):
+def _tanh(u: Interval) -> tuple[Interval, Interval, Interval]:
     t = TANH(u)
     first = ONE - t * t
     return t, first, exact(-2.0) * t * first
 
 
-def _atan(u):
+def _atan(u: Interval) -> tuple[Interval, Interval, Interval]:
     first = inverse(ONE + Intervals.power(u, Fraction(2)))
     return ATAN(u), first, exact(-2.0) * u * first * first
 
 
-def _asin(u):
+def _asin(u: Interval) -> tuple[Interval, Interval, Interval]:
     first = Intervals.power(ONE - Intervals.power(u, Fraction(2)), Fraction(-1, 2))
     return Intervals.functions["asin"](u), first, u * first * first * first
 
 
-def _acos(u):
+def _acos(u: Interval) -> tuple[Interval, Interval, Interval]:
     _, first, second = _asin(u)
     return Intervals.functions["acos"](u), exact(-1.0) * first, exact(-1.0) * second
 
 
-def _log(u):
+def _log(u: Interval) -> tuple[Interval, Interval, Interval]:
     first = inverse(u)
     return Intervals.functions["log"](u), first, exact(-1.0) * first * first
 
 
-def _jumping(u, value, jumps):
+def _jumping(u: Jet, value: Interval, jumps: np.ndarray) -> Jet:
     """A function that is constant between its jumps."""
     none = exact(np.zeros(np.shape(jumps)))
     return Jet(value, unbounded(jumps, none), unbounded(jumps, none))
 
 
-def _cornered(function, slope):
+def _cornered(function: Callable[..., Interval], slope: Callable[[Interval], Interval]) -> Callable[[Jet], Jet]:
     """A function with a corner at 0."""
-    def call(u):
+    def call(u: Jet) -> Jet:
         first, corner = slope(u.value), u.value.holds_zero()
         return Jet(function(u.value), first * u.slope, unbounded(corner, first * u.curvature))
     return call
 
 
-def _turns(u, length):
+def _turns(u: Interval, length: float) -> tuple[np.ndarray, np.ndarray]:
     """Which stretches may hold a multiple of a length, and the multiples below their ends."""
     near = 2.0**-46 * (1 + u.size)
     first, last = np.floor((u.low - near) / length), np.floor((u.high + near) / length)
     return first != last, first
 
 
-def _square(u, order=None):
+def _square(u: Jet, order: int | None = None) -> Jet:
     jumps, below = _turns(u.value, np.pi)
     sign = np.where(np.mod(below, 2) == 0, 1.0, -1.0)
     value = Interval(np.where(jumps, -1.0, sign), np.where(jumps, 1.0, sign))
     return _jumping(u, value if order is None else unbounded(jumps, exact(0.0 * sign)), jumps)
 
 
-def _sawtooth(u):
+def _sawtooth(u: Jet) -> Jet:
     jumps, below = _turns(u.value, math.tau)
     inside = u.value * inverse(Intervals.pi) + exact(-2 * below - 1)
     value = Interval(np.where(jumps, -1.0, inside.low), np.where(jumps, 1.0, inside.high))
@@ -125,15 +125,15 @@ def _sawtooth(u):
     return Jet(value, unbounded(jumps, first * u.slope), unbounded(jumps, first * u.curvature))
 
 
-def _least(sense):
+def _least(sense: int) -> Callable[[Jet, Jet], Jet]:
     """min (sense −1) or max (1) of two."""
-    def call(u, v):
+    def call(u: Jet, v: Jet) -> Jet:
         apart = u + Jets.number(Fraction(-1)) * v
         first = apart.value.low > 0 if sense > 0 else apart.value.high < 0
         second = apart.value.high < 0 if sense > 0 else apart.value.low > 0
-        either = ~first & ~second
+        either = np.logical_not(first) & np.logical_not(second)
 
-        def of(one, other):
+        def of(one: Interval, other: Interval) -> Interval:
             return Interval(np.where(first, one.low, np.where(second, other.low, np.minimum(one.low, other.low))),
                             np.where(first, one.high, np.where(second, other.high, np.maximum(one.high, other.high))))
         value = Intervals.functions["max" if sense > 0 else "min"](u.value, v.value)
@@ -141,10 +141,10 @@ def _least(sense):
     return call
 
 
-def _power(base, exponent):
+def _power(base: Jet, exponent: Fraction | int) -> Jet:
     p = Fraction(exponent)
 
-    def of(n):
+    def of(n: Fraction) -> Interval:
         return ONE if n == 0 else base.value if n == 1 else Intervals.power(base.value, n)
     second = exact(0.0) if p == 1 else Intervals.number(p * (p - 1)) * of(p - 2)
     return base.through(of(p), Intervals.number(p) * of(p - 1), second)
@@ -168,7 +168,7 @@ class Jets:
     def called(function: "DefinedFunction") -> NoReturn:
         raise KeyError(function.name)
 
-    functions: dict[str, Callable] = {
+    functions: dict[str, Callable[..., Jet]] = {
         "sin": _smooth(lambda u: (SIN(u), COS(u), exact(-1.0) * SIN(u))),
         "cos": _smooth(lambda u: (COS(u), exact(-1.0) * SIN(u), exact(-1.0) * COS(u))),
         "tan": _smooth(_tan), "asin": _smooth(_asin), "acos": _smooth(_acos), "atan": _smooth(_atan),

@@ -14,7 +14,7 @@ def largest_differences(nodes: np.ndarray, early: np.ndarray, late: np.ndarray) 
     """Bounds on the intervals early <= t <= late (U,) for the rows of nodes (N, m): (N, U)."""
     count = nodes.shape[1]
     top = nodes.real.max(axis=1)[:, None]
-    found = np.exp(np.maximum(top * early, top * late)) * (late ** (count - 1) / math.factorial(count - 1))
+    found: np.ndarray = np.exp(np.maximum(top * early, top * late)) * (late ** (count - 1) / math.factorial(count - 1))
     if count == 1:
         return found
     one, other, left = _pairs(count)
@@ -22,11 +22,12 @@ def largest_differences(nodes: np.ndarray, early: np.ndarray, late: np.ndarray) 
     widest, rows = gaps.argmax(axis=1), np.arange(len(nodes))
     apart = sum(largest_differences(nodes[rows[:, None], places[widest]], early, late) for places in left)
     gap = gaps[rows, widest][:, None]
-    return np.where(gap > 0, np.minimum(found, apart / np.where(gap > 0, gap, 1.0)), found)
+    result: np.ndarray = np.where(gap > 0, np.minimum(found, apart / np.where(gap > 0, gap, 1.0)), found)
+    return result
 
 
 @lru_cache
-def _pairs(count):
+def _pairs(count: int) -> tuple[np.ndarray, np.ndarray, list[np.ndarray]]:
     """The places of the one and of the other of each two of so many; those that are left without either, two arrays."""
     pairs = np.array(list(combinations(range(count), 2)))
     left = [np.array([[k for k in range(count) if k != pair[side]] for pair in pairs]) for side in (0, 1)]

@@ -55,20 +55,21 @@ class LinearMotion:
 
     def __init__(self, matrices: tuple[np.ndarray, np.ndarray, np.ndarray, Any], blocks: "Sequence[ModalBlock]",
                  forcing: "Forcing", q0: np.ndarray, v0: np.ndarray, work: Work | None = None, constants: bool = True,
-                 doubt: "Callable[[], DataErrors] | None" = None):
+                 doubt: "Callable[[], DataErrors] | None" = None) -> None:
         self.work, self.constants, self.doubt = work or Work(), constants, doubt
         self.matrices, self.blocks, self.forcing = matrices, blocks, forcing
         self.M, self.C, self.K, self.system = matrices
         self.q0, self.v0 = np.array(q0, float), np.array(v0, float)
         self._pieces: Any = None
-        self._extremes: dict[tuple, tuple[float, float]] = {}
+        self._extremes: dict[tuple[Any, ...], tuple[float, float]] = {}
 
     def values(self, output: "LinearOutput", times: Sequence[float] | np.ndarray, order: int = 0) -> np.ndarray:
         """The order-th derivative of the output at an array of times; just after what jumps there."""
         times = np.asarray(times, float)
         t = times.ravel()
         pieces = self.pieces(t.max(initial=0.0))
-        return pieces.terms(output, order).at(*pieces.timeline.place(t)).reshape(times.shape)
+        found: np.ndarray = pieces.terms(output, order).at(*pieces.timeline.place(t)).reshape(times.shape)
+        return found
 
     def errors(self, output: "LinearOutput", times: np.ndarray, order: int = 0) -> np.ndarray:
         """First-order bounds of the errors of the same values."""
@@ -127,7 +128,8 @@ class LinearMotion:
         for wave in self.forcing.segments(0.0)[0].waves:
             if wave.channel < len(forces) and not wave.power:
                 forces[wave.channel] += complex(wave.coefficient).real
-        return self.system.T @ (self.system.places @ self.q0) + self.system.follow @ forces
+        found: np.ndarray = self.system.T @ (self.system.places @ self.q0) + self.system.follow @ forces
+        return found
 
     def like(self, forcing: "Forcing", q0: np.ndarray, v0: np.ndarray,
              blocks: "Sequence[ModalBlock] | None" = None) -> "LinearMotion":
@@ -152,9 +154,10 @@ class LinearMotion:
                 if further == until:
                     raise
                 self._pieces = self._followed(until)
-        return self._pieces
+        found: Pieces = self._pieces
+        return found
 
-    def _followed(self, until):
+    def _followed(self, until: float) -> Pieces:
         if not self.forcing.recorded:
             return followed(self, until)
         from vibcli.analyses.transient.recorded_pieces import recorded
@@ -173,11 +176,11 @@ class SteadyMotion(LinearMotion):
 
     lost: Sequence[np.ndarray] | np.ndarray = ()
 
-    def __init__(self, motion: LinearMotion, forcing: "Forcing"):
+    def __init__(self, motion: LinearMotion, forcing: "Forcing") -> None:
         from vibcli.analyses.transient import steady_state
 
         self.lasting, self.period, self.waves = steady_state.undying(motion.blocks), forcing.period, None
-        self.powers: list = []
+        self.powers: list[tuple[np.ndarray, np.ndarray]] = []
         if self.period is None:
             self.waves = steady_state.amplitudes(motion, forcing)
             self.powers = steady_state.following(motion, forcing)
@@ -191,9 +194,9 @@ class SteadyMotion(LinearMotion):
             q0, v0 = (row + sum(Q for Q, _ in self.powers[order:order + 1]) for order, row in enumerate(self.repeated))
         super().__init__(motion.matrices, motion.blocks, forcing, q0, v0, motion.work, doubt=self._doubt(motion))
 
-    def _doubt(self, motion):
+    def _doubt(self, motion: LinearMotion) -> "Callable[[], DataErrors]":
         """Gives the DataErrors with those of the start that was found."""
-        def doubt():
+        def doubt() -> "DataErrors":
             if self.period is None:
                 from vibcli.analyses.transient.steady_errors import of_waves
 
@@ -221,7 +224,7 @@ class SteadyMotion(LinearMotion):
         still = self._mean(output)
         return [*([(0.0, complex(still))] if still else []), *self.oscillating(output)]
 
-    def _mean(self, output):
+    def _mean(self, output: "LinearOutput") -> float:
         """What a polynomial is that does not grow; PhysicsError of one that does."""
         still, *growing = self.polynomial(output)
         self.require_held(output)
@@ -234,7 +237,7 @@ class SteadyMotion(LinearMotion):
         if any(self.polynomial(output)[1:]) and self._sees_drift(output):
             raise not_held()
 
-    def _sees_drift(self, output):
+    def _sees_drift(self, output: "LinearOutput") -> bool:
         """Does an output that grows see what nothing holds?"""
         return sees_what_moves_freely(self.blocks, output)
 

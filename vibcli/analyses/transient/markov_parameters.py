@@ -16,6 +16,7 @@ from vibcli.analyses.transient.static_condensation import leading
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
     from vibcli.analyses.transient.linear_response import LinearMotion
+    from vibcli.analyses.transient.static_condensation import Condensed
 
 
 def markov(motion: "LinearMotion", count: int) -> list[np.ndarray]:
@@ -29,7 +30,7 @@ def markov(motion: "LinearMotion", count: int) -> list[np.ndarray]:
     return found
 
 
-def _without_inertia(system, count):
+def _without_inertia(system: "Condensed", count: int) -> list[np.ndarray]:
     (h, lead), n = leading(system.M, system.C), len(system.M)
     A = first_order(system.M, system.C, system.K)
     state = np.concatenate([np.zeros((h, n)), np.linalg.inv(lead)])

@@ -42,14 +42,15 @@ class ModalBlock(NamedTuple):
             for i, x in coefficients.items():
                 total, size = total + x * self.X[i], size + np.abs(x * self.X[i])
         total[np.abs(total) <= ROUNDINGS * EPSILON * size] = 0.0
-        return total @ np.linalg.matrix_power(self.B, order)
+        found: np.ndarray = total @ np.linalg.matrix_power(self.B, order)
+        return found
 
 
 def paths(B: Any) -> list[tuple[int, int, complex, tuple[complex, ...]]]:
     """(i, j, product, nodes) of every way up the triangle: (e^{Bt})ᵢⱼ = Σ product · E[nodes](t)."""
     found, nodes = [], tuple(map(complex, np.diagonal(B)))
     for i in range(len(B)):
-        ways: list = [((i,), 1.0)]
+        ways: list[tuple[tuple[int, ...], Any]] = [((i,), 1.0)]
         while ways:
             stops, product = ways.pop()
             j = stops[-1]

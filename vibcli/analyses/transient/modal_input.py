@@ -42,14 +42,16 @@ def blocks(M: np.ndarray, C: np.ndarray, bases: Sequence[tuple[np.ndarray, np.nd
     return found
 
 
-def _inputs(M, C, bases, rows):
+def _inputs(M: np.ndarray, C: np.ndarray, bases: Sequence[tuple[np.ndarray, np.ndarray, bool]],
+            rows: np.ndarray) -> np.ndarray:
     """W of all blocks, Re W above Im W, by the first two equations."""
     n, (h, lead) = len(M), leading(M, C)
     inverse = np.linalg.inv(lead)
     start = rows[:, h:] @ inverse
     W, size = fx.fixed(np.concatenate([start.real, start.imag]), BITS), np.abs(start).max(axis=1)
     if n > LARGEST:
-        return W
+        found: np.ndarray = W
+        return found
     left = _real_parts(lead, bases, h)
     goal = fx.fixed(np.concatenate([np.zeros((h, n)), np.eye(n)]), BITS)
     for _ in range(STEPS):
@@ -58,10 +60,11 @@ def _inputs(M, C, bases, rows):
         W = W + fx.fixed(np.concatenate([step.real, step.imag]), BITS)
         if (np.abs(step).max(axis=1) < ENOUGH * size).all():
             break
-    return W
+    result: np.ndarray = W
+    return result
 
 
-def _real_parts(lead, bases, h):
+def _real_parts(lead: np.ndarray, bases: Sequence[tuple[np.ndarray, np.ndarray, bool]], h: int) -> np.ndarray:
     """[X_a; C_z X_z + M_a X_a B] of all as a real matrix that acts on [Re W; Im W] and gives real parts."""
     both = [np.concatenate([X, times(X, B)]) * (2 if half else 1) for X, B, half in bases]
     re, im = (np.concatenate(sides, axis=1) for sides in zip(*map(parts, both), strict=True))
@@ -90,7 +93,7 @@ def triangle(B: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return Q, _clean(np.triu(T))
 
 
-def _clean(B):
+def _clean(B: np.ndarray) -> np.ndarray:
     """B without what is zero but for the rounding of many digits, in a system whose largest entries are near 1."""
     re, im = (np.where(np.abs(part) > NOTHING * np.abs(B), part, 0.0) for part in (B.real, B.imag))
     return np.where(np.abs(B) > NOTHING, re + 1j * im, 0.0)

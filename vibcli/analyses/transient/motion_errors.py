@@ -10,8 +10,9 @@ loads ε is carried on as c is. Rounding is counted by the sizes of the terms th
 """
 
 import math
+from collections.abc import Iterator, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -25,6 +26,7 @@ from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.analyses.transient.forcing_arrays import Timeline
     from vibcli.analyses.transient.pieces import Pieces
 
 EPSILON = 2.0**-52
@@ -47,10 +49,10 @@ class Drawn(NamedTuple):
 class MotionErrors:
     """Of the motion up to a time that Pieces hold."""
 
-    def __init__(self, pieces: "Pieces"):
+    def __init__(self, pieces: "Pieces") -> None:
         self.pieces, self.motion, self.timeline = pieces, pieces.motion, pieces.timeline
         self.known: dict[float, np.ndarray] = {}
-        self._factors: dict[tuple, np.ndarray] = {}
+        self._factors: dict[tuple[Any, ...], np.ndarray] = {}
         self.count = sum(len(block.B) for block in self.motion.blocks)
         if self.count:
             self.system = BlockPerturbation(self.motion.blocks, self.motion.matrices[:3], self.motion.data_errors)
@@ -91,7 +93,7 @@ class MotionErrors:
         return float(abs(row[j]) * (start + off) + self._turned(row, j)
                      + 2 * ROUNDINGS * EPSILON * rounded * state)
 
-    def _turned(self, row, j):
+    def _turned(self, row: np.ndarray, j: int) -> float:
         """Of the same amplitude, what its shape takes of neighbours and these of it: δA over the distance of the
         eigenvalues; those that are one but for rounding turn within what both span."""
         diagonal = self.system.B.diagonal()
@@ -99,9 +101,9 @@ class MotionErrors:
         gaps[gaps <= APART * np.abs(diagonal[j])] = np.inf
         c = np.abs(np.concatenate([states[-1] for states in self.pieces.states]))
         dA = self.system.dA
-        return (np.abs(row) * dA[:, j] / gaps).sum() * c[j] + abs(row[j]) * (dA[j] * c / gaps).sum()
+        return float((np.abs(row) * dA[:, j] / gaps).sum() * c[j] + abs(row[j]) * (dA[j] * c / gaps).sum())
 
-    def _moving(self, output, times, order):
+    def _moving(self, output: "LinearOutput", times: np.ndarray, order: int) -> np.ndarray:
         """What c brings."""
         errors, sizes, rates = self._at(times)
         row = np.concatenate([block.rows(output, order) for block in self.motion.blocks])
@@ -115,10 +117,11 @@ class MotionErrors:
                     for _ in range(m):
                         moved = np.abs(self.system.B) @ moved
                     jolt += abs(x) * (np.abs(kept) @ (self.system.dA @ moved))
-        return (np.abs(row) @ errors + (2 * ROUNDINGS * EPSILON * rounded) @ sizes + jolt
-                + EPSILON / 2 * (times + self.timeline.starts[self.timeline.place(times)[0]]) * (np.abs(row) @ rates))
+        late, size = EPSILON / 2 * (times + self.timeline.starts[self.timeline.place(times)[0]]), np.abs(row)
+        found: np.ndarray = size @ errors + (2 * ROUNDINGS * EPSILON * rounded) @ sizes + jolt + late * (size @ rates)
+        return found
 
-    def _direct(self, output, times, order):
+    def _direct(self, output: "LinearOutput", times: np.ndarray, order: int) -> np.ndarray:
         """What the forces bring at once."""
         motion, found = self.motion, np.zeros(len(times))
         if not (output.a or output.channels or (order and output.v) or order > 1 or motion.system is not None):
@@ -126,7 +129,8 @@ class MotionErrors:
         segment, tau = self.timeline.place(times)
         (timeline, _), local = self._near(segment)
         H = [np.abs(part) for part in markov(motion, order + 2)]
-        large = output._replace(**{kind: {i: abs(x) for i, x in getattr(output, kind).items()} for kind in "qva"})
+        q, v, a = ({i: abs(x) for i, x in row.items()} for row in (output.q, output.v, output.a))
+        large = output._replace(q=q, v=v, a=a)
         for i, row in direct(large, order, H, motion.forcing.channels).items():
             for waves in timeline.waves:
                 inside = np.isin(local, waves.at)
@@ -139,7 +143,7 @@ class MotionErrors:
                 found[inside] += size * grown * np.exp(s.real * here) * off
         return found
 
-    def _at(self, times):
+    def _at(self, times: np.ndarray) -> np.ndarray:
         """(ε, the size of what c is added from, and of its rate) at instants, (P, T) each."""
         missing = [t for t in dict.fromkeys(times.tolist()) if t not in self.known]
         if missing:
@@ -161,18 +165,19 @@ class MotionErrors:
         """Those of all segments."""
         return self._parts(self.timeline, self.pieces.states)
 
-    def _near(self, segment):
+    def _near(self, segment: np.ndarray) -> "tuple[tuple[Timeline, list[Drawn]], np.ndarray]":
         """((a timeline with these segments, its parts), their numbers in it)."""
         return (self.timeline, self.parts), segment
 
-    def _started(self, segment):
+    def _started(self, segment: np.ndarray) -> np.ndarray:
         """ε at the starts of segments."""
         return self.starts[:, segment]
 
-    def _parts(self, timeline, states):
+    def _parts(self, timeline: "Timeline", states: Sequence[np.ndarray]) -> list[Drawn]:
         return [self._free(states), *self._driven(timeline)] if self.count else []
 
-    def _brought(self, part, place, early, late, which):
+    def _brought(self, part: Drawn, place: np.ndarray, early: np.ndarray, late: np.ndarray,
+                 which: np.ndarray) -> np.ndarray:
         """(ε that a part brings, the sizes of c and of its rate) in intervals of time after the starts of its segments;
         place: of these among those of the part; which: of the intervals each has."""
         factor = math.factorial(part.power)
@@ -187,10 +192,10 @@ class MotionErrors:
         found[0] += ROUNDINGS * EPSILON * found[1]
         return found
 
-    def _chain(self):
+    def _chain(self) -> None:
         """All ways by which what one block does reaches another through δA, by the number of nodes on them: {m: (nodes
         (N, m), weights, places i·P + j)}."""
-        found: dict[int, list] = {}
+        found: dict[int, list[tuple[Any, ...]]] = {}
         ways, dA = self.system.ways, self.system.dA
         for i, k, product, nodes in ways:
             for first, j, other, further in ways:
@@ -199,12 +204,13 @@ class MotionErrors:
                     rows = found.setdefault(len(nodes) + len(further), [])
                     rows.append((nodes + further, weight, i * self.count + j))
         self.chains = [tuple(map(np.array, zip(*rows, strict=True))) for rows in found.values()]
-        plain: dict[int, list] = {}
+        plain: dict[int, list[tuple[Any, ...]]] = {}
         for i, j, product, nodes in ways:
             plain.setdefault(len(nodes), []).append((nodes, product, i * self.count + j))
         self.plain = [tuple(map(np.array, zip(*rows, strict=True))) for rows in plain.values()]
 
-    def _gains(self, tail, early, late):
+    def _gains(self, tail: tuple[complex, ...], early: np.ndarray,
+               late: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """(what δA and δs add to each c for each amplitude; |e^{Bτ}| with the tail; its rate), (U, P, P) on intervals
         of time. The rate of E[nodes, s] is s E[nodes, s] + E[nodes]."""
         plain = self._exponential(tail, early, late)
@@ -218,7 +224,7 @@ class MotionErrors:
                               abs(tail[0]) * plain + self._exponential(tail[1:], early, late))
         return perturbed, plain, rate
 
-    def _exponential(self, tail, early, late):
+    def _exponential(self, tail: tuple[complex, ...], early: np.ndarray, late: np.ndarray) -> np.ndarray:
         """|e^{Bτ}| with a tail on intervals, (U, P, P), of few once for all that is asked about the same instants."""
         if len(early) > FEW:
             return self._summed(self.plain, tail, early, late)
@@ -227,7 +233,8 @@ class MotionErrors:
             self._factors[key] = self._summed(self.plain, tail, early, late)
         return self._factors[key]
 
-    def _summed(self, rows, tail, early, late):
+    def _summed(self, rows: Sequence[tuple[np.ndarray, ...]], tail: tuple[complex, ...],
+                early: np.ndarray, late: np.ndarray) -> np.ndarray:
         total = np.zeros((len(early), self.count**2))
         for nodes, weights, places in rows:
             whole = np.concatenate([nodes, np.broadcast_to(np.array(tail, complex), (len(nodes), len(tail)))], axis=1)
@@ -236,18 +243,18 @@ class MotionErrors:
                 total[k] += np.bincount(places, bounds[:, k], self.count**2)
         return total.reshape(-1, self.count, self.count)
 
-    def _free(self, states):
+    def _free(self, states: Sequence[np.ndarray]) -> Drawn:
         sizes = np.abs(np.concatenate(states, axis=1)).T
         return Drawn((), 0, np.arange(sizes.shape[1]), sizes, sizes)
 
-    def _driven(self, timeline):
+    def _driven(self, timeline: "Timeline") -> Iterator[Drawn]:
         """The Drawn of each wave."""
         for waves in timeline.waves:
             if waves.pushes(len(self.motion.M)):
                 given, size = waves.size(self.system.W, largest=True), waves.size(self.system.W)
                 yield Drawn((waves.exponent,) * (waves.power + 1), waves.power, waves.at, given, size)
 
-    def _carried(self):
+    def _carried(self) -> np.ndarray:
         """ε at the start of every segment, (P, segments)."""
         lengths, buckets = buckets_of(self.timeline.lengths[:-1])
         last, first, added = len(self.timeline.starts) - 1, self._first(), self._struck(self.timeline)
@@ -262,16 +269,18 @@ class MotionErrors:
             found[rows] = marched(step[:, rows, rows], added[rows].T.copy(), first[rows]).T
         return found
 
-    def _first(self):
+    def _first(self) -> np.ndarray:
         """ε at the start."""
         data, motion = self.motion.data_errors, self.motion
         P, R = (np.abs(np.concatenate([getattr(block, kind) for block in motion.blocks])) for kind in "PR")
-        return P @ (data.q0 + 4 * EPSILON * np.abs(motion.q0)) + R @ (data.v0 + 4 * EPSILON * np.abs(motion.v0))
+        found: np.ndarray = P @ (data.q0 + 4 * EPSILON * np.abs(motion.q0))
+        found += R @ (data.v0 + 4 * EPSILON * np.abs(motion.v0))
+        return found
 
-    def _struck(self, timeline):
+    def _struck(self, timeline: "Timeline") -> np.ndarray:
         """What blows, and loads that jump or bend at instants that are rounded, add at the starts of segments."""
         late = EPSILON * timeline.starts
-        found = np.abs(self.system.W) @ (4 * EPSILON * np.abs(timeline.impulses[:, :len(self.motion.M)])).T
+        found: np.ndarray = np.abs(self.system.W) @ (4 * EPSILON * np.abs(timeline.impulses[:, :len(self.motion.M)])).T
         for waves in timeline.waves:
             size = waves.size(self.system.W)
             lengths = np.where(np.isfinite(timeline.lengths[waves.at]), timeline.lengths[waves.at], 0.0)

@@ -91,7 +91,7 @@ def _of_blocks(near: "Pieces", rows: list[np.ndarray]) -> Iterator[Share]:
         yield _share(near.timeline, row, W, c, np.abs(row) @ moved)
 
 
-def _share(timeline, row, W, c, bend):
+def _share(timeline: "Timeline", row: np.ndarray, W: np.ndarray, c: np.ndarray, bend: np.ndarray) -> Share:
     values = (row @ c).real
     ends, blows = values[1:], timeline.impulses[1:, :W.shape[1]]
     if blows.any():
@@ -115,7 +115,8 @@ def _bent(timeline: "Timeline", own: tuple[np.ndarray, np.ndarray], W: np.ndarra
         if waves.exponent:
             grown = sum(abs(factor) * lengths**power for power, factor in waves.derivative(2).items())
             found += lengths * grown * np.exp(max(waves.exponent.real, 0.0) * lengths) * waves.size(W)[:, :-1]
-    return found
+    result: np.ndarray = found
+    return result
 
 
 def _direct(near: "Pieces", output: "LinearOutput", H: list[np.ndarray]) -> Iterator[Share]:

@@ -27,7 +27,7 @@ class Pieces:
     recorded = False
 
     def __init__(self, motion: "LinearMotion", timeline: Timeline, states: Sequence[np.ndarray], until: float,
-                 driven: list[list[Drive]] | None = None):
+                 driven: list[list[Drive]] | None = None) -> None:
         self.motion, self.timeline, self.states, self.until, self._driven = motion, timeline, states, until, driven
 
     @cached_property
@@ -60,11 +60,11 @@ def followed(motion: "LinearMotion", until: float) -> Pieces:
     return Pieces(motion, timeline, _states(motion, timeline, driven), until, driven)
 
 
-def _driven(motion, timeline):
+def _driven(motion: "LinearMotion", timeline: Timeline) -> list[list[Drive]]:
     return drives(motion.blocks, timeline, len(motion.M) == 1)
 
 
-def _states(motion, timeline, driven):
+def _states(motion: "LinearMotion", timeline: Timeline, driven: Sequence[list[Drive]]) -> list[np.ndarray]:
     """c of each block at the starts of the segments: (segments, p)."""
     jumps, found = timeline.impulses[:, :len(motion.M)], []
     struck = np.flatnonzero(jumps.any(axis=1))

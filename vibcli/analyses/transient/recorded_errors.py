@@ -7,7 +7,8 @@ segment, and what they jump by at its start, by as much.
 """
 
 import math
-from typing import TYPE_CHECKING
+from collections.abc import ValuesView
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -15,6 +16,8 @@ from vibcli.analyses.transient.motion_errors import EPSILON, ROUNDINGS, MotionEr
 from vibcli.numerics.recurrences import ROW, recurrence, recurrence_of_matrices, row_maxima
 
 if TYPE_CHECKING:
+    from vibcli.analyses.transient.forcing_arrays import Timeline
+    from vibcli.analyses.transient.motion_errors import Drawn
     from vibcli.analyses.transient.recorded_pieces import RecordedPieces
 
 
@@ -23,16 +26,16 @@ class RecordedErrors(MotionErrors):
 
     pieces: "RecordedPieces"
 
-    def _near(self, segment):
+    def _near(self, segment: np.ndarray) -> "tuple[tuple[Timeline, list[Drawn]], np.ndarray]":
         segments, local = np.unique(segment, return_inverse=True)
         near = self.pieces.among(segments)
         return (near.timeline, self._parts(near.timeline, near.states)), local
 
-    def _started(self, segment):
+    def _started(self, segment: np.ndarray) -> np.ndarray:
         last = len(self.timeline.starts) - 1
         return self.starts[:, np.where(segment == last, -1, segment // ROW)]
 
-    def _carried(self):
+    def _carried(self) -> np.ndarray:
         lengths = self.timeline.lengths[:-1]
         if not len(lengths):
             return self._first()[:, None]
@@ -52,13 +55,13 @@ class RecordedErrors(MotionErrors):
         found[:, :-1] = np.einsum("rij,jr->ir", within[which], found[:, :-1]) + added
         return found
 
-    def _added(self, lengths, firsts):
+    def _added(self, lengths: np.ndarray, firsts: np.ndarray) -> np.ndarray:
         """What the segments of each row add."""
         ends, which = buckets_of(lengths)
         counts = np.stack([np.add.reduceat(which == k, firsts, dtype=float) for k in range(len(ends[0]))])
         free = np.concatenate([row_maxima(np.abs(c.T)) for c in self.pieces.states])
         perturbed, plain, _ = self._gains((), *ends)
-        found = np.einsum("kij,kr,jr->ir", perturbed + 2 * ROUNDINGS * EPSILON * plain, counts, free)
+        found: np.ndarray = np.einsum("kij,kr,jr->ir", perturbed + 2 * ROUNDINGS * EPSILON * plain, counts, free)
         W = self.system.W
         for waves in self.timeline.waves:
             perturbed, plain, _ = self._gains((waves.exponent,) * (waves.power + 1), *ends)
@@ -68,7 +71,7 @@ class RecordedErrors(MotionErrors):
             found += np.einsum("kij,kr,jr->ir", gains, counts, pushed @ most)
         return found
 
-    def _struck_in(self, firsts):
+    def _struck_in(self, firsts: np.ndarray) -> np.ndarray:
         """What blows and rounded instants add in each row."""
         timeline, n = self.timeline, len(self.motion.M)
         lengths, late = timeline.lengths[:-1], 2 * EPSILON * timeline.starts[1:]
@@ -80,12 +83,13 @@ class RecordedErrors(MotionErrors):
                 end += np.real(column[:-1] * waves.grown(lengths))
             changed = np.abs(np.diff(start)) + 2 * np.abs(start[1:] - end)
             pushed += np.multiply.outer(np.abs(shares[:n]), np.add.reduceat(late * changed, firsts))
-        return np.abs(self.system.W) @ pushed
+        found: np.ndarray = np.abs(self.system.W) @ pushed
+        return found
 
 
-def _by_shares(timeline):
+def _by_shares(timeline: "Timeline") -> ValuesView[Any]:
     """[(shares, [(Waves, column)])] of all that channels have the same shares in."""
-    found: dict = {}
+    found: dict[bytes, tuple[np.ndarray, list[tuple[Any, np.ndarray]]]] = {}
     for waves in timeline.waves:
         for column, shares in zip(waves.coefficients.T, waves.shares, strict=True):
             found.setdefault(shares.tobytes(), (shares, []))[1].append((waves, column))

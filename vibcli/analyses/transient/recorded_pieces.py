@@ -62,11 +62,12 @@ class RecordedSum:
     """The order-th derivative of an output of RecordedPieces, as an ExponentialSum of some of their segments at a
     time."""
 
-    def __init__(self, pieces: RecordedPieces, output: "LinearOutput", order: int):
+    def __init__(self, pieces: RecordedPieces, output: "LinearOutput", order: int) -> None:
         self.pieces, self.output, self.order = pieces, output, order
 
     def nodes(self) -> list[tuple[complex, ...]]:
-        return self.pieces.among(slice(1)).terms(self.output, self.order).nodes()
+        found: list[tuple[complex, ...]] = self.pieces.among(slice(1)).terms(self.output, self.order).nodes()
+        return found
 
     def at(self, segment: np.ndarray, tau: np.ndarray) -> np.ndarray:
         return self._of(segment, lambda terms, which, here: terms.at(which, tau[here]))
@@ -74,7 +75,7 @@ class RecordedSum:
     def bound(self, segment: np.ndarray, early: np.ndarray, late: np.ndarray) -> np.ndarray:
         return self._of(segment, lambda terms, which, here: terms.bound(which, early[here], late[here]))
 
-    def _of(self, segment, function: "Callable[[Any, np.ndarray, Any], np.ndarray]"):
+    def _of(self, segment: np.ndarray, function: "Callable[[Any, np.ndarray, Any], np.ndarray]") -> np.ndarray:
         segments, which = np.unique(segment, return_inverse=True)
         found = np.empty(len(segment))
         for start in range(0, len(segments), PART):

@@ -61,7 +61,7 @@ def recorded_states(motion: "LinearMotion", timeline: "Timeline") -> list[np.nda
     return list(found.values())
 
 
-def _apart(motion, block, timeline):
+def _apart(motion: "LinearMotion", block: "ModalBlock", timeline: "Timeline") -> np.ndarray:
     """c of one block of several eigenvalues."""
     step, added = ends(block, drives([block], timeline)[0], timeline)
     added += timeline.impulses[:, :len(motion.M)] @ block.W.T
@@ -69,7 +69,7 @@ def _apart(motion, block, timeline):
     return np.concatenate([first[None], recurrence_of_matrices(step, added[1:], first)])
 
 
-def _marched(motion, blocks: "Sequence[ModalBlock]", timeline: "Timeline", task: "Task") -> np.ndarray:
+def _marched(motion: "LinearMotion", blocks: "Sequence[ModalBlock]", timeline: "Timeline", task: "Task") -> np.ndarray:
     """c of blocks of one eigenvalue: (blocks, segments)."""
     count, (unlike, which) = len(timeline.starts), timeline.steps
     nodes, driven = [block.nodes[0] for block in blocks], _driven(blocks, timeline)
@@ -95,7 +95,7 @@ def _marched(motion, blocks: "Sequence[ModalBlock]", timeline: "Timeline", task:
     return found
 
 
-def _responses(nodes, driven, lengths):
+def _responses(nodes: list[complex], driven: "Sequence[SharedDrive]", lengths: np.ndarray) -> list[np.ndarray]:
     """[e^{λh}, and what each SharedDrive adds] for lengths h; under straight lines all blocks at once."""
     if not any(one.exponent or one.power > 1 for one in driven):
         kept, *lines = shapes(np.array(nodes), lengths)
@@ -104,7 +104,7 @@ def _responses(nodes, driven, lengths):
             *(one.responses(nodes, lengths) for one in driven)]
 
 
-def _driven(blocks, timeline) -> list[SharedDrive]:
+def _driven(blocks: "Sequence[ModalBlock]", timeline: "Timeline") -> list[SharedDrive]:
     """What drives blocks of one eigenvalue: of those that stand for two both e^{sτ} and its conjugate."""
     W, half = np.concatenate([block.W for block in blocks]), np.array([block.half for block in blocks])
     found = []

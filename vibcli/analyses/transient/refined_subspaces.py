@@ -61,7 +61,7 @@ def inverse_of_all(blocks: Sequence[tuple[np.ndarray, np.ndarray]], h: int) -> n
     return np.linalg.inv(np.concatenate([full, rates]))
 
 
-def _residual(data, Xs, Bs):
+def _residual(data: np.ndarray, Xs: Sequence[np.ndarray], Bs: Sequence[np.ndarray]) -> np.ndarray:
     """M X B² + C X B + K X of all blocks, in floats."""
     Ys = [times(X, B) for X, B in zip(Xs, Bs, strict=True)]
     columns = [np.concatenate([times(Y, B), Y, X]) for X, Y, B in zip(Xs, Ys, Bs, strict=True)]
@@ -69,7 +69,8 @@ def _residual(data, Xs, Bs):
     return narrow(fx.product(data, np.concatenate(sides, axis=1), BITS))
 
 
-def _corrections(S, blocks, count):
+def _corrections(S: np.ndarray, blocks: Sequence[np.ndarray],
+                 count: int) -> tuple[np.ndarray, list[tuple[slice, np.ndarray]]]:
     """E, and for each of the first `count` blocks (its columns, what is added to it): Bᵢ Eᵢⱼ − Eᵢⱼ Bⱼ = −Sᵢⱼ between
     different blocks."""
     stops = np.cumsum([0] + [len(B) for B in blocks]).tolist()

@@ -7,6 +7,7 @@ grows with the time, stands beside what the rest of them repeats.
 """
 
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -67,14 +68,14 @@ def errors_of(motion: "LinearMotion", steady: "SteadyMotion") -> tuple[np.ndarra
     return q, v
 
 
-def _once(forcing, powers):
+def _once(forcing: Forcing, powers: list[tuple[np.ndarray, np.ndarray]]) -> Forcing:
     """One period of it, less its mean where that drives what nothing holds, and nothing behind."""
     less = tuple(Wave(channel, complex(-F), 0, 0j) for _, row in powers[:1] for channel, F in enumerate(row) if F)
     pieces = [piece._replace(waves=piece.waves + less) for piece in forcing.pieces]
     return Forcing(forcing.channels, [*pieces, Segment(forcing.period)])
 
 
-def _state(motion, found):
+def _state(motion: "LinearMotion", found: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
     q, v = np.zeros((2, len(motion.M)))
     for block, c in zip(motion.blocks, found, strict=True):
         q += np.real(block.X @ c)
@@ -82,7 +83,7 @@ def _state(motion, found):
     return q, v
 
 
-def _returning(B, period):
+def _returning(B: np.ndarray, period: float) -> np.ndarray:
     """(1 − e^{BT})⁺, 0 for what returns whatever it is."""
     kept, size, term = -growth(B, period), np.eye(len(B)), np.eye(len(B))
     for power in range(1, len(B)):
@@ -92,18 +93,19 @@ def _returning(B, period):
     return np.linalg.pinv(kept, rcond=RESONANT)
 
 
-def _free(B, period):
+def _free(B: np.ndarray, period: float) -> list[complex]:
     """The s of the harmonics at which the block vibrates freely, 0 where it rests anywhere."""
     return [complex(0, math.tau * n / period) for n in sorted({
         round(node.imag * period / math.tau) for node in B.diagonal() if _meets(node, period)})]
 
 
-def _meets(node, period):
+def _meets(node: complex, period: float) -> bool:
     """Is e^{λT} = 1?"""
-    return abs(node * differences((complex(node), 0j), np.array([period]))[0]) <= RESONANT
+    found: bool = abs(node * differences((complex(node), 0j), np.array([period]))[0]) <= RESONANT
+    return found
 
 
-def _own(B, s, part, period):
+def _own(B: np.ndarray, s: complex, part: np.ndarray, period: float) -> np.ndarray:
     """The free vibration e^{st} that has the same share as c in the coordinates which move freely so."""
     found = np.zeros(len(B), complex)
     for i in reversed(range(len(B))):
@@ -114,13 +116,13 @@ def _own(B, s, part, period):
     return found
 
 
-def _summed(motion, forcing, start):
+def _summed(motion: "LinearMotion", forcing: Forcing, start: tuple[np.ndarray, np.ndarray]) -> "LinearMotion":
     """The motion from a start, its blocks headed by ∫ c e^{s(t − τ)} dτ for each s at which they vibrate freely."""
     period = forcing.segments(math.inf)[-1].start
     return motion.like(forcing, *start, [_headed(block, _free(block.B, period)) for block in motion.blocks])
 
 
-def _headed(block, rates):
+def _headed(block: ModalBlock, rates: Sequence[complex]) -> ModalBlock:
     p, more = len(block.B), len(block.B) * len(rates)
     B = np.zeros((more + p, more + p), complex)
     B[more:, more:] = block.B

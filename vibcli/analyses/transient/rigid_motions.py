@@ -67,14 +67,15 @@ def exact(blocks: "Sequence[ModalBlock]") -> int:
     return sum(not node for block in blocks for node in block.nodes)
 
 
-def _without(matrix, places):
+def _without(matrix: np.ndarray, places: list[int]) -> np.ndarray:
     """A matrix with zeros in some of its rows and columns."""
     kept = np.ones(len(matrix))
     kept[places] = 0.0
-    return kept[:, None] * matrix * kept
+    found: np.ndarray = kept[:, None] * matrix * kept
+    return found
 
 
-def _places(columns):
+def _places(columns: np.ndarray) -> list[int]:
     """As many rows as there are columns, on which they are far from dependent: each the longest one of what the others
     leave (QR with pivots, Golub and Van Loan 2013, 5.4.2), of those alike the first."""
     left, found = columns.copy(), []

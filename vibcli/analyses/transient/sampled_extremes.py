@@ -12,7 +12,7 @@ from vibcli.analyses.transient.isolating_intervals import refused
 from vibcli.numerics.bracketing import GOLDEN, maxima_between, zeros_between
 
 if TYPE_CHECKING:
-    from vibcli.base.work import Work
+    from vibcli.base.work import Task, Work
 
 SAMPLES, LIMIT = 4001, 3_000_000
 STRAIGHT = 2e-3                         # of the range, what a stretch may stray by
@@ -22,13 +22,13 @@ ROUNDING = 1e-14                        # of the range
 class SampledSearch:
     """times and values from `start` to `end`, `measure` giving the values at an array of times."""
 
-    def __init__(self, measure: Any, start: float, end: float, work: "Work | None"):
+    def __init__(self, measure: Any, start: float, end: float, work: "Work | None") -> None:
         self.measure = measure
         with work.task(f"the sampling of this signal until t = {end:.6g} s", LIMIT, refused) as task:
             self._sample(np.linspace(start, end, SAMPLES), task)
         self.range = np.ptp(self.values)
 
-    def _sample(self, times, task):
+    def _sample(self, times: np.ndarray, task: "Task") -> None:
         values, rough = self.measure(times), np.ones(len(times) - 1, bool)
         while rough.any():
             at, step = times[:-1][rough], np.diff(times)[rough]
@@ -63,7 +63,7 @@ class SampledSearch:
         best = alike[np.argmin(candidates[alike])]
         return float(candidates[best]), float(sense * tops[best])
 
-    def _beside(self, near):
+    def _beside(self, near: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """The samples before and after those at these places."""
         return self.times[np.maximum(near - 1, 0)], self.times[np.minimum(near + 1, len(self.times) - 1)]
 

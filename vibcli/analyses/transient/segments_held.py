@@ -10,6 +10,7 @@ from vibcli.analyses.transient.isolating_intervals import EPSILON, BoundedOutput
 
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.analyses.transient.recorded_pieces import RecordedPieces
 
 PART = 10_000       # segments that are searched together
 ROUNDINGS = 64      # of the largest value, in units of EPSILON, that are not told apart
@@ -49,10 +50,11 @@ def passing(pieces: Any, output: "LinearOutput | None",
             for i in range(0, len(segments), PART)], pieces.timeline.starts[crossed]
 
 
-def _some(pieces, output, ends, segments):
+def _some(pieces: "RecordedPieces", output: "LinearOutput", ends: tuple[float, float],
+          segments: np.ndarray) -> Callable[..., BoundedOutput]:
     return lambda: BoundedOutput(pieces.among(segments), output, *ends)
 
 
-def _between(pieces, ends):
+def _between(pieces: "RecordedPieces", ends: tuple[float, float]) -> np.ndarray:
     first, last = pieces.timeline.place(np.array(ends))[0]
     return np.arange(first, last + 1)

@@ -54,7 +54,7 @@ def condensed(M: np.ndarray, C: np.ndarray, K: np.ndarray) -> Condensed | None:
     return Condensed(M, C, K, T, left, places, follow)
 
 
-def _directions(C):
+def _directions(C: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Columns of the directions that dampers resist, and of those that they do not."""
     touched = np.flatnonzero(C.any(axis=0) | C.any(axis=1))
     free = np.setdiff1d(np.arange(len(C)), touched)
@@ -75,14 +75,14 @@ def _directions(C):
     return columns[:, touched] @ held, np.concatenate([columns[:, touched] @ slack, columns[:, free]], axis=1)
 
 
-def _check_undamped(C, U):
+def _check_undamped(C: np.ndarray, U: np.ndarray) -> None:
     """Directions without inertia and damper may only follow: velocities must not drive them, nor they anything."""
     if U.size and max(np.abs(C @ U).max(), np.abs(C.T @ U).max()) > NOTHING * np.abs(C).max(initial=0.0):
         raise PhysicsError("a coordinate without inertia is driven by velocities, and no damper of its own resists it",
                            hint="give it an inertia, or a damper")
 
 
-def _inverse(K):
+def _inverse(K: np.ndarray) -> np.ndarray:
     """K⁻¹ of what follows statically; refused where nothing holds it."""
     unit = np.exp2(-np.round(np.log2(np.maximum(np.abs(K).max(axis=1), np.finfo(float).tiny)) / 2))
     scaled = unit[:, None] * K * unit
@@ -90,7 +90,8 @@ def _inverse(K):
     if sizes[-1] <= 16 * len(K) * EPSILON * sizes[0]:
         raise PhysicsError("neither inertia, damper nor spring holds a coordinate: its motion in time is not "
                            "determined", hint="give what it moves a mass, a damper or a spring")
-    return unit[:, None] * np.linalg.inv(scaled) * unit
+    found: np.ndarray = unit[:, None] * np.linalg.inv(scaled) * unit
+    return found
 
 
 def whole(block: "ModalBlock", system: Condensed) -> "ModalBlock":

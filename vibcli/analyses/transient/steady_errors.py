@@ -29,10 +29,12 @@ def of_phasor(matrices: Sequence[np.ndarray], data: "DataErrors", s: complex, Q:
         missed += large**k * (np.abs(rows).T @ (weights * np.abs(rows @ Q)) + entries @ size)
     missed += (n + 4) * EPSILON * (large**2 * np.abs(M) + large * np.abs(C) + np.abs(K)) @ size
     missed += 2 * DATA * large * np.abs(2 * s * (M @ Q) + C @ Q)
-    return np.abs(np.linalg.pinv(s * s * M + s * C + K)) @ missed
+    found: np.ndarray = np.abs(np.linalg.pinv(s * s * M + s * C + K)) @ missed
+    return found
 
 
-def of_waves(motion: "LinearMotion", waves: list, powers: list) -> tuple[np.ndarray, np.ndarray]:
+def of_waves(motion: "LinearMotion", waves: Sequence[tuple[complex, np.ndarray, np.ndarray]],
+             powers: list[tuple[np.ndarray, np.ndarray]]) -> tuple[np.ndarray, np.ndarray]:
     """(δq, δq̇) at t = 0 of the waves [(s, Q, F)] and of Σ Qₖ tᵏ, powers [(Qₖ, Fₖ)]."""
     found = np.zeros((2, len(motion.M)))
     for s, Q, F in waves:
@@ -43,7 +45,7 @@ def of_waves(motion: "LinearMotion", waves: list, powers: list) -> tuple[np.ndar
     return found[0], found[1]
 
 
-def of_powers(motion: "LinearMotion", powers: list,
+def of_powers(motion: "LinearMotion", powers: list[tuple[np.ndarray, np.ndarray]],
               lost: Sequence[np.ndarray] | np.ndarray = ()) -> list[np.ndarray]:
     """|δQₖ| of K Qₖ = Fₖ − (k+1) C Qₖ₊₁ − (k+2)(k+1) M Qₖ₊₂; lost: how far the first Fₖ may be off beside a
     rounding."""

@@ -24,6 +24,7 @@ from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
     from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.analyses.transient.isolating_intervals import Cells
     from vibcli.analyses.transient.linear_response import LinearMotion, SteadyMotion
 
 RESONANT, DIGITS = 1e-12, 12      # relative: a frequency that counts as a natural one
@@ -50,7 +51,8 @@ def steady_forcing(forcing: Forcing) -> Forcing:
 def transient_forcing(forcing: Any, steady: Forcing) -> Forcing:
     """What drives the transient: the forcing less that of the steady state."""
     if forcing.recorded:
-        return forcing.less(steady.pieces[0].waves)
+        found: Forcing = forcing.less(steady.pieces[0].waves)
+        return found
     if forcing.period is not None:
         end, tail = forcing.since, []
     else:
@@ -93,11 +95,11 @@ def phasor(motion: "LinearMotion", s: complex, force: np.ndarray) -> np.ndarray:
     return total
 
 
-def _meets(node, s):
+def _meets(node: complex, s: complex) -> bool:
     return not node.real and abs(s - node) <= RESONANT * abs(s)
 
 
-def _kept_up(B, X, W, s, force):
+def _kept_up(B: np.ndarray, X: np.ndarray, W: np.ndarray, s: complex, force: np.ndarray) -> np.ndarray:
     """X c of c = (s − B)⁻¹ W f; where s is an eigenvalue that f does not reach, that part stays at rest."""
     given, c = W @ force, np.zeros(len(B), complex)
     for i in reversed(range(len(B))):
@@ -184,7 +186,8 @@ def lost_forces(forcing: Forcing, n: int) -> np.ndarray:
         for part in piece.waves:
             grown = math.exp(max(0.0, part.exponent.real * length))
             size[part.channel] += abs(part.coefficient) * length ** (part.power + 1) * grown
-    return 2 / forcing.period * size * EPSILON * (16 + 8 * math.pi * n)
+    found: np.ndarray = 2 / forcing.period * size * EPSILON * (16 + 8 * math.pi * n)
+    return found
 
 
 def mean_square(motion: "SteadyMotion", output: "LinearOutput", start: float, end: float) -> float:
@@ -206,7 +209,7 @@ def mean_square(motion: "SteadyMotion", output: "LinearOutput", start: float, en
     return sum(_square(y, batch) for batch in batches) / (end - start)
 
 
-def _square(y, cells):
+def _square(y: Any, cells: "Cells") -> float:
     """∫ y² dt over short Cells."""
     at, weights = np.polynomial.legendre.leggauss(POINTS)
     half = cells.width / 2

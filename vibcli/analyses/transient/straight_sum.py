@@ -30,7 +30,7 @@ def is_straight(pieces: "Pieces") -> bool:
 class StraightSum:
     """The order-th derivative of an output on segments: what ExponentialSum is of others."""
 
-    def __init__(self, pieces: "Pieces", output: "LinearOutput", order: int):
+    def __init__(self, pieces: "Pieces", output: "LinearOutput", order: int) -> None:
         motion, count = pieces.motion, len(pieces.timeline.starts)
         rows = [block.rows(output, order)[0] for block in motion.blocks]
         held = [(block, c, row) for block, c, row in zip(motion.blocks, pieces.states, rows, strict=True) if row]
@@ -56,7 +56,7 @@ class StraightSum:
     def at(self, segment: np.ndarray, tau: np.ndarray) -> np.ndarray:
         """The values at the times `tau` after the starts of the segments."""
         with np.errstate(all="ignore"):
-            y = np.einsum("kit,kit->t", self.parts[:, :, segment], shapes(self.exponents, tau)).real
+            y: np.ndarray = np.einsum("kit,kit->t", self.parts[:, :, segment], shapes(self.exponents, tau)).real
             y += self.lines[0, segment] + self.lines[1, segment] * tau
         if not np.isfinite(y).all():
             raise PhysicsError("the motion grows beyond the range of floating-point numbers",
@@ -74,10 +74,11 @@ class StraightSum:
             found += np.abs(self.lines[0, segment]) + np.abs(self.lines[1, segment]) * late
             own, lines, lost = (part[:, segment] for part in self._settled)
             other = np.einsum("it,it->t", own, free) + lines[0] + lines[1] * late + lost[0] + lost[1] * late
-        return np.fmin(found, other)
+        result: np.ndarray = np.fmin(found, other)
+        return result
 
     @cached_property
-    def _settled(self):
+    def _settled(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """(sizes of what is free beside what follows the loads, which is a line; that line; what it loses by
         rounding)."""
         node = self.exponents[:, None]

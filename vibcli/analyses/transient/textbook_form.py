@@ -4,7 +4,7 @@ forces add.
 
 import cmath
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,6 +13,7 @@ from vibcli.base.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vibcli.analyses.transient.linear_response import LinearMotion
+    from vibcli.analyses.transient.modal_block import ModalBlock
 
 SAME = 1e-6
 APART = 1e-12       # relative distance of exponents that are not one
@@ -87,18 +88,18 @@ def formula(motion: "LinearMotion", output: Any, segment: int = 0, same: float =
     return sorted(parts, key=lambda part: (part.forced, part.omega, -part.rate, part.power))
 
 
-def _upper(node, power, c):
+def _upper(node: complex, power: int, c: complex) -> tuple[complex, int, complex]:
     """The part with the conjugate exponent, of the same real part, where its own lies below the real axis."""
     return (node.conjugate(), power, c.conjugate()) if node.imag < 0 else (node, power, c)
 
 
-def _seen(nodes, until):
+def _seen(nodes: Sequence[complex], until: float | None) -> float | None:
     """Up to which instant a sum of exponentials is more than rounding."""
     slowest = -max(node.real for node in nodes)
     return min(until, DEAD / slowest) if slowest > 0 else until
 
 
-def _straight(node, power, c, same):
+def _straight(node: complex, power: int, c: complex, same: float) -> list[tuple[complex, int, complex]]:
     """The parts that one is, with a real exponent where nobody sees it turn: Re c e^{iεt} is Re c − ε t Im c."""
     if not 0 < node.imag <= same * abs(node):
         return [(node, power, c)]
@@ -106,7 +107,8 @@ def _straight(node, power, c, same):
     return [(real, power, complex(c.real)), (real, power + 1, complex(-c.imag * node.imag))]
 
 
-def _merged(parts, same, until):
+def _merged(parts: Sequence[tuple[complex, int, complex]], same: float,
+            until: float) -> tuple[dict[tuple[complex, int], complex], float]:
     """({(node, power): c} without what cancels, how much may be lost until an instant) of parts (node, power, c), those
     whose exponents are one added up; the highest powers first, whose exponents are means of two."""
     found, summed, lost = {}, {}, 0.0
@@ -124,7 +126,7 @@ def _merged(parts, same, until):
     return kept, lost
 
 
-def _known(found, node, power, same):
+def _known(found: Mapping[tuple[complex, int], complex], node: complex, power: int, same: float) -> tuple[complex, int]:
     """The key of an exponential that is there already, or that of a new one; a real one has an exponent that is there
     with another power, so that both are one polynomial in front of it."""
     near = [key for key in found if _same(key[0], node, same)]
@@ -132,20 +134,20 @@ def _known(found, node, power, same):
     return next((key for key in near if key[1] == power), (other, power))
 
 
-def _same(one, two, same):
+def _same(one: complex, two: complex, same: float) -> bool:
     return abs(one - two) <= same * max(abs(one), abs(two))
 
 
-def _multiplicity(blocks, node, same):
+def _multiplicity(blocks: "Sequence[ModalBlock]", node: complex, same: float) -> int:
     """How often an exponent is an eigenvalue of one block: so many powers of τ are in its free motion."""
-    def often(block):
+    def often(block: "ModalBlock") -> int:
         own = [*block.nodes, *(other.conjugate() for other in block.nodes if block.half)]
         return sum(_same(node, other, same) for other in own)
 
     return max(map(often, blocks), default=0)
 
 
-def _part(node, power, c, forced):
+def _part(node: complex, power: int, c: complex, forced: bool) -> Part:
     if node.imag:
         return Part(float(abs(c)), power, node.real, node.imag, -cmath.phase(c) or 0.0, forced)
     return Part(float(c.real), power, node.real, 0.0, 0.0, forced)

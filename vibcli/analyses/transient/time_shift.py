@@ -15,13 +15,14 @@ def later(wave: Wave, by: float) -> tuple[Wave, ...]:
     return tuple(Wave(wave.channel, c * math.comb(k, j) * by ** (k - j), j, wave.exponent) for j in range(k + 1))
 
 
-def _exponential(x):
+def _exponential(x: complex) -> complex:
     """e^x of a complex number of Python or of mpmath."""
     if not hasattr(x, "_mpc_"):
         return cmath.exp(x)
     import mpmath
 
-    return mpmath.exp(x)
+    found: complex = mpmath.exp(x)
+    return found
 
 
 def running(pieces: Sequence[Segment], time: float) -> Segment:

@@ -7,7 +7,7 @@ Each c has a first-order bound of its error: sums have the sum, products câ‚câ‚
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -28,7 +28,7 @@ class WaveSum:
 
     __slots__ = ("errors", "sizes", "speeds")
 
-    def __init__(self, speeds: np.ndarray, sizes: np.ndarray, errors: np.ndarray):
+    def __init__(self, speeds: np.ndarray, sizes: np.ndarray, errors: np.ndarray) -> None:
         order = np.argsort(speeds)
         speeds, sizes, errors = speeds[order], sizes[order], errors[order] + ROUNDING * np.abs(sizes[order])
         apart = np.diff(speeds) > SAME * np.abs(speeds).max(initial=0.0)
@@ -75,8 +75,8 @@ def wave_sum(value: "WaveSum | float") -> WaveSum:
                                                                    np.array([ROUNDING * abs(value)]))
 
 
-def _of_constants(function: Callable) -> Callable:
-    def call(*args):
+def _of_constants(function: Callable[..., Any]) -> Callable[..., Any]:
+    def call(*args: Any) -> Any:
         if any(isinstance(arg, WaveSum) for arg in args):
             raise KeyError(function)
         return function(*args)
@@ -90,11 +90,11 @@ class WaveSums:
     functions = {name: _of_constants(function) for name, function in Floats.functions.items()}
 
     @staticmethod
-    def record(name: str, samples: "Samples") -> Callable:
+    def record(name: str, samples: "Samples") -> Callable[..., float]:
         return _of_constants(samples.at)
 
     @staticmethod
-    def called(function: "DefinedFunction") -> Callable:
+    def called(function: "DefinedFunction") -> Callable[..., float]:
         return _of_constants(function.at)
 
     @staticmethod

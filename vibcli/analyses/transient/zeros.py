@@ -47,7 +47,7 @@ class PassageSearch:
     """found: arrays of times; closest: Cells in which the output turns at zero but for rounding; left: [(how often they
     were divided, Cells)], those of the earliest times last."""
 
-    def __init__(self, curve: BoundedOutput):
+    def __init__(self, curve: BoundedOutput) -> None:
         self.curve = curve
         cells = curve.first_cells()
         self.found, self.closest = [_jumps(curve, cells)], []
@@ -65,7 +65,7 @@ class PassageSearch:
             self.found.append(_touching(curve, closest))
         return _left_once(curve, self._times())
 
-    def _times(self):
+    def _times(self) -> np.ndarray:
         """Those found, ascending, of those that but rounding tells apart the first."""
         return _told_apart(np.concatenate(self.found), self.curve.start, self.curve.end)
 
@@ -75,7 +75,7 @@ class PassageSearch:
         cells = self.left[-1][1]
         return float(self.curve.times(cells.segment[0], cells.early[0])) if len(cells) else self.curve.start
 
-    def _look(self, level, cells):
+    def _look(self, level: int, cells: Cells) -> None:
         curve = self.curve
         cells = cells.where(curve.bound(cells) > FADED)
         left, right = curve.ends(cells)
@@ -102,22 +102,23 @@ class PassageSearch:
         return refused(task, f": before t = {self.reached:.6g} s it passes {passed} times")
 
 
-def _told_apart(times, start, end):
+def _told_apart(times: np.ndarray, start: float, end: float) -> np.ndarray:
     """The times, ascending, of those that but rounding tells apart the first."""
     times = np.sort(times)
     return times[np.append(True, np.diff(times) > 4 * EPSILON * max(abs(start), abs(end)))] if len(times) else times
 
 
-def _jumps(curve, cells):
+def _jumps(curve: BoundedOutput, cells: Cells) -> np.ndarray:
     """Times where one segment leaves the output on one side of zero and the next finds it on the other."""
     early, late = curve.times(cells.segment[1:], cells.early[1:]), curve.times(cells.segment[:-1], cells.late[:-1])
     follow = np.flatnonzero((cells.segment[1:] == cells.segment[:-1] + 1) & (early - late <= 4 * EPSILON * early))
     before = curve.y.at(cells.segment[follow], cells.late[follow])
     after = curve.y.at(cells.segment[follow + 1], cells.early[follow + 1])
-    return curve.timeline.starts[cells.segment[follow + 1][before * after < 0]]
+    found: np.ndarray = curve.timeline.starts[cells.segment[follow + 1][before * after < 0]]
+    return found
 
 
-def _left_once(curve, times):
+def _left_once(curve: BoundedOutput, times: np.ndarray) -> np.ndarray:
     """The times with one at most from each start of a segment on at which the output leaves zero, of whatever order,
     until it is more than rounding; the first start always counts."""
     whole, y = curve.whole, curve.y
@@ -133,7 +134,7 @@ def _left_once(curve, times):
     return np.sort(times)
 
 
-def _away(curve, whole):
+def _away(curve: BoundedOutput, whole: Cells) -> np.ndarray:
     """How long after the start of each stretch, at zero, the output is but rounding away from there; 0 where it
     rests."""
     length = np.minimum(whole.width, 1 / curve.fastest) if curve.fastest else whole.width
@@ -144,11 +145,13 @@ def _away(curve, whole):
     return np.where(clear.any(axis=1), length * SOONER[clear.argmax(axis=1)], 0.0)
 
 
-def _touching(curve, cells):
+def _touching(curve: BoundedOutput, cells: Cells) -> np.ndarray:
     """Times where the output turns but rounding away from zero, one in each run of undecided cells."""
     order = np.lexsort((cells.early, cells.segment))
     cells = cells.where(order)
     first = np.append(True, (np.diff(cells.segment) > 0) | (cells.early[1:] > cells.late[:-1]))
     runs = Cells(cells.segment[first], cells.early[first], cells.late[np.append(first[1:], True)])
     tau = curve.turns(runs)
-    return curve.times(runs.segment, tau)[np.abs(curve.y.at(runs.segment, tau)) <= 16 * EPSILON * curve.bound(runs)]
+    near: np.ndarray = np.abs(curve.y.at(runs.segment, tau)) <= 16 * EPSILON * curve.bound(runs)
+    found: np.ndarray = curve.times(runs.segment, tau)[near]
+    return found

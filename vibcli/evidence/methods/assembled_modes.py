@@ -21,7 +21,7 @@ def attempts(subject: Subject) -> Iterator[MethodRun]:
     yield MethodRun("scipy eig", "", lambda _: rates_of(scipy.linalg.eigvals(K, M)))
 
 
-def _by_cholesky(M, K):
+def _by_cholesky(M: np.ndarray, K: np.ndarray) -> np.ndarray:
     """eigh of L⁻¹ K L⁻ᵀ."""
     L = np.linalg.cholesky(M)
     A = np.linalg.solve(L, np.linalg.solve(L, K).T)

@@ -1,10 +1,14 @@
 """Derivatives by numbers alone: K and C + G by central differences of the forces, M by the kinetic energies of unit
 velocities, which are quadratic in them."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
+from typing import TYPE_CHECKING
 
 from vibcli.evidence.subject import BY_DIFFERENCES, Deadline, MethodAnswer, MethodRun, Subject
+
+if TYPE_CHECKING:
+    from vibcli.evidence.subjects.matrices import PlainForces
 
 STEPS = tuple(10.0**-k for k in range(1, 9))        # of the size of a coordinate
 
@@ -22,22 +26,22 @@ def attempts(subject: Subject) -> Iterator[MethodRun]:
         yield MethodRun("central differences", f"{step:.0e}", partial(run, plain, step))
 
 
-def _estimate(estimate, step, _: Deadline) -> MethodAnswer:
+def _estimate(estimate: Callable[[float], float], step: float, _: Deadline) -> MethodAnswer:
     return MethodAnswer([estimate(step)])
 
 
-def _energies(plain, _: Deadline) -> MethodAnswer:
+def _energies(plain: "PlainForces", _: Deadline) -> MethodAnswer:
     i, j = plain.pair
     rest = [0.0] * len(plain.units)
 
-    def energy(*moved):
+    def energy(*moved: int) -> float:
         return plain.at(rest, [float(moved.count(k)) for k in range(len(rest))])[0]
 
     T = (energy(i, j) - energy() if i == j else energy(i, j) + energy() - energy(i) - energy(j))
     return MethodAnswer([T / 2 if i == j else T])
 
 
-def _differences(plain, step, _: Deadline) -> MethodAnswer:
+def _differences(plain: "PlainForces", step: float, _: Deadline) -> MethodAnswer:
     i, j = plain.pair
     if plain.head == "K":
         return MethodAnswer([_slope(plain, i, j, step, 0)])
@@ -45,7 +49,7 @@ def _differences(plain, step, _: Deadline) -> MethodAnswer:
     return MethodAnswer([(one + other) / 2 if plain.head == "C" else (one - other) / 2])
 
 
-def _slope(plain, i, j, step, rate):
+def _slope(plain: "PlainForces", i: int, j: int, step: float, rate: int) -> float:
     """∂hᵢ/∂qⱼ, or by the velocity of that coordinate."""
     rest = [0.0] * len(plain.units)
     ends = []

@@ -1,6 +1,6 @@
 """Integrals over shapes as sums over cells of equal width, and by Gauss's quadratures of few points."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
@@ -21,12 +21,13 @@ def attempts(subject: Subject) -> Iterator[MethodRun]:
             yield MethodRun(method, str(n), _run(integral, rule, n))
 
 
-def _run(integral, rule, n):
+def _run(integral: Callable[..., float], rule: Callable[..., tuple[np.ndarray, np.ndarray]],
+         n: int) -> Callable[[Deadline], MethodAnswer]:
     def run(_: Deadline) -> MethodAnswer:
         return MethodAnswer([integral(lambda _: rule(n))])
 
     return run
 
 
-def _midpoints(n):
+def _midpoints(n: int) -> tuple[np.ndarray, np.ndarray]:
     return (2 * np.arange(n) + 1) / n - 1, np.full(n, 2 / n)

@@ -2,12 +2,16 @@
 
 from collections.abc import Iterator
 from functools import partial
+from typing import TYPE_CHECKING
 
 from vibcli.evidence.subject import Deadline, MethodAnswer, MethodRun, Subject
 from vibcli.symbolic.array_arithmetic import Arrays
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.evaluation_code import in_floats
 from vibcli.symbolic.expression_graph import evaluable
+
+if TYPE_CHECKING:
+    import numpy as np
 
 TOLERANCES = (1e-3, 1e-6, 1e-9, 1e-12, 1e-15)
 
@@ -26,7 +30,7 @@ def _root(subject: Subject, method: str, tolerance: float, deadline: Deadline) -
     known = dict(subject.problem.numeric.floats)
     function = in_floats(static.residuals, evaluable(static.residuals))
 
-    def residual(x):
+    def residual(x: "np.ndarray") -> "list[float]":
         deadline.check()
         known.update(zip(static.names, map(float, x), strict=True))
         return function(known, None)

@@ -22,7 +22,8 @@ def coefficient(function: Function, powers: Sequence[int], steps: Sequence[Any])
     return _differences(function, list(powers), list(steps), [])
 
 
-def _differences(function, powers, steps, place):
+def _differences(function: Callable[..., Any], powers: list[int], steps: list[float | mpmath.mpf],
+                 place: list[float | mpmath.mpf]) -> float | mpmath.mpf:
     if len(place) == len(powers):
         return function(place)
     n, h = powers[len(place)], steps[len(place)]
@@ -36,7 +37,7 @@ def true_coefficient(function: Callable[[], Function], powers: Sequence[int], un
                      size: float) -> TrueValues:
     """The same to many digits, of a function that is made at the working precision; units: of the variables; size: from
     which on digits count."""
-    def found() -> tuple[list, Any]:
+    def found() -> "tuple[list[mpmath.mpf], float | mpmath.mpf]":
         part = mpmath.mpf(10) ** (-mpmath.mp.dps / (sum(powers) + 2))
         value = coefficient(function(), powers, [part * mpmath.mpf(unit) for unit in units])
         return [value if abs(value) > size * part else mpmath.mpf(0)], max(size, abs(value))

@@ -16,7 +16,7 @@ from vibcli.evidence.reference.settled import TrueValues, settled
 
 def rayleigh(elements: Elements, alike: Sequence[int]) -> TrueValues:
     """alike: d."""
-    def found() -> tuple[list, Any]:
+    def found() -> "tuple[list[mpmath.mpf], None]":
         M, _, K = matrices(elements)
         bent = mpmath.lu_solve(K, M * mpmath.matrix(alike))
         return [mpmath.sqrt((bent.T * K * bent)[0] / (bent.T * M * bent)[0])], None
@@ -26,7 +26,7 @@ def rayleigh(elements: Elements, alike: Sequence[int]) -> TrueValues:
 
 def dunkerley(elements: Elements) -> TrueValues:
     """By the whole of M at once."""
-    def found() -> tuple[list, Any]:
+    def found() -> "tuple[list[mpmath.mpf], None]":
         M, _, K = matrices(elements)
         flexible = mpmath.inverse(K) * M
         return [1 / mpmath.sqrt(mpmath.fsum(flexible[i, i] for i in range(M.rows)))], None
@@ -36,7 +36,7 @@ def dunkerley(elements: Elements) -> TrueValues:
 
 def ritz(elements: Elements, shapes: Any, number: int) -> TrueValues:
     """The estimate of this number, counted from 1; shapes(): a list each, at the working precision."""
-    def found() -> tuple[list, Any]:
+    def found() -> "tuple[list[mpmath.mpf], None]":
         M, _, K = matrices(elements)
         Phi = mpmath.matrix(shapes()).T
         squares, _ = mpmath.eig(mpmath.inverse(Phi.T * M * Phi) * (Phi.T * K * Phi))

@@ -6,7 +6,7 @@ as the file gives them. Those side by side add up; those in series have one forc
 in numbers of any kind.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import mpmath
@@ -47,7 +47,7 @@ class LawInNumbers(NamedTuple):
             d = self._along(d, D * k / FOLLOWED)
         return self._joint(d, D)
 
-    def _along(self, d, D):
+    def _along(self, d: list[mpmath.mpf], D: mpmath.mpf) -> list[mpmath.mpf]:
         """The deflections of parts in series that add up to D, from others near by."""
         last = None
         for _ in range(STEPS):
@@ -61,10 +61,11 @@ class LawInNumbers(NamedTuple):
             last = size
         raise RuntimeError("Newton's method does not end")
 
-    def _joint(self, d, D):
+    def _joint(self, d: list[mpmath.mpf], D: mpmath.mpf) -> tuple[mpmath.mpf, mpmath.mpf]:
         return self._joint_of([part.at(x) for part, x in zip(self.parts, d, strict=True)], d, D)
 
-    def _joint_of(self, found, d, D):
+    def _joint_of(self, found: Sequence[tuple[mpmath.mpf, mpmath.mpf]], d: Sequence[mpmath.mpf],
+                  D: mpmath.mpf) -> tuple[mpmath.mpf, mpmath.mpf]:
         soft = sum(1 / slope for _, slope in found)
         return (D - sum(d) + sum(force / slope for force, slope in found)) / soft, 1 / soft
 
@@ -94,7 +95,7 @@ def true_law(problem: "Problem", record: "Record") -> LawInNumbers:
 
 def true_force(problem: "Problem", record: "Record", deflection: Callable[[], Any]) -> TrueValues:
     """At a deflection, which is given at the working precision."""
-    def found() -> tuple[list, Any]:
+    def found() -> "tuple[list[mpmath.mpf], mpmath.mpf]":
         force = true_law(problem, record).at(deflection())[0]
         return [force], abs(force) or mpmath.mpf(1)
 

@@ -5,7 +5,7 @@
 from the highest power on; a signal of it is such a sum, too, its limit the constant one where there is no other.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import mpmath
@@ -25,7 +25,7 @@ FAR, DIGITS, START = 16, 36, 80
 
 def value(motion: Motion, node: "Node", until: float, time: Callable[[], Any]) -> TrueValues:
     """Of a signal at an instant, after what dies out; until: an instant beyond which loads do not change their form."""
-    def found():
+    def found() -> "tuple[list[mpmath.mpf], mpmath.mpf]":
         row, instant = _signal(motion, node, until), time()
         terms = [c * instant**k for k, c in enumerate(row)]
         return [mpmath.fsum(terms)], max(map(abs, terms))
@@ -35,7 +35,7 @@ def value(motion: Motion, node: "Node", until: float, time: Callable[[], Any]) -
 
 def limit(motion: Motion, node: "Node", until: float) -> TrueValues:
     """The limit of a signal; PhysicsError where it has none."""
-    def found():
+    def found() -> "tuple[list[mpmath.mpf], int | mpmath.mpf]":
         row = _signal(motion, node, until)
         if any(row[1:]):
             raise PhysicsError("the reference finds that this signal has no limit")
@@ -44,12 +44,12 @@ def limit(motion: Motion, node: "Node", until: float) -> TrueValues:
     return settled(found, DIGITS, START, sized=True)
 
 
-def _signal(motion, node, until):
+def _signal(motion: Motion, node: "Node", until: float) -> list[mpmath.mpf]:
     """[coefficients] of a signal, at the working precision."""
     scene, numbers = motion.scene, motion.values(mpmath.mp.prec)
     rows = _motion(motion, numbers, until)
 
-    def at(t):
+    def at(t: mpmath.mpf) -> "list[mpmath.mpf]":
         known = {**numbers, scene.time.name: t}
         for primes in range(3):
             known |= {name + "'" * primes: _rate(row, t, primes)
@@ -60,7 +60,7 @@ def _signal(motion, node, until):
     return _fitted(at, until, mpmath.mpf(10) ** (-mpmath.mp.dps // 2) * max(1, largest))[0]
 
 
-def _motion(motion, numbers, until):
+def _motion(motion: Motion, numbers: Mapping[str, mpmath.mpf], until: float) -> list[list[mpmath.mpf]]:
     """[coefficients] of each coordinate."""
     scene, n = motion.scene, len(motion.scene.q)
     still = dict.fromkeys((*scene.q, *scene.v), scene.table.zero)
@@ -74,7 +74,7 @@ def _motion(motion, numbers, until):
     return [[column[i] for column in found[:DEGREE + 1]] for i in range(n)]
 
 
-def _rate(row, t, order):
+def _rate(row: Sequence[mpmath.mpf], t: mpmath.mpf, order: int) -> mpmath.mpf:
     return mpmath.fsum(c * mpmath.ff(k, order) * t ** (k - order) for k, c in enumerate(row) if k >= order)
 
 

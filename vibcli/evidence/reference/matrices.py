@@ -5,6 +5,7 @@
 by central differences in mpmath, whose steps fall with the digits; M as it stands, Tᵀ M T.
 """
 
+from collections.abc import Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -25,7 +26,7 @@ CLOSED = 60             # steps of Newton's method
 class TrueMatrices:
     """Of a Configuration at the working precision."""
 
-    def __init__(self, configuration: "Configuration", static: StaticEquations):
+    def __init__(self, configuration: "Configuration", static: StaticEquations) -> None:
         scene, self.static = static.scene, static
         self.arithmetic = multiprecision()
         self.values = configuration.numeric.values(self.arithmetic)
@@ -44,13 +45,13 @@ class TrueMatrices:
         one, other = self._drag(i, j), self._drag(j, i)
         return (one + other) / 2 if head == "C" else (one - other) / 2
 
-    def _known(self, place, speeds=()):
+    def _known(self, place: Sequence[mpmath.mpf], speeds: Sequence[mpmath.mpf] = ()) -> dict[str, mpmath.mpf]:
         scene = self.static.scene
         speeds = speeds or [mpmath.mpf(0)] * len(place)
         return {**self.values, scene.time.name: mpmath.mpf(0), **dict(zip(scene.coordinates, place, strict=True)),
                 **{name + "'": v for name, v in zip(scene.coordinates, speeds, strict=True)}}
 
-    def _slopes(self, place):
+    def _slopes(self, place: list[mpmath.mpf]) -> mpmath.matrix:
         """∂G/∂q of all coordinates."""
         parts = self.static.parts
         found = dict(zip(parts.slopes, evaluate(list(parts.slopes.values()), self.arithmetic, self._known(place)),
@@ -58,7 +59,7 @@ class TrueMatrices:
         return mpmath.matrix([[found.get((k, i), 0) for i in range(len(place))] for k in range(len(parts.gaps))])
 
     @cached_property
-    def ways(self) -> list[list]:
+    def ways(self) -> list[list[mpmath.mpf]]:
         """T: how all coordinates move with each that is free."""
         found = [[mpmath.mpf(int(i == k)) for i in range(len(self.place))] for k in self.q]
         if self.z:
@@ -68,13 +69,13 @@ class TrueMatrices:
                     way[i] = x
         return found
 
-    def _mass(self, i, j):
+    def _mass(self, i: int, j: int) -> mpmath.mpf:
         M = self.static.parts.M
         entries = zip(M, evaluate(list(M.values()), self.arithmetic, self._known(self.place)), strict=True)
         one, other = self.ways[i], self.ways[j]
         return mpmath.fsum(x * (one[a] * other[b] + (one[b] * other[a] if a != b else 0)) for (a, b), x in entries)
 
-    def _drag(self, i, j):
+    def _drag(self, i: int, j: int) -> mpmath.mpf:
         """∂h/∂q̇, both sides moved with free coordinates."""
         speeds = [x * self.step * self.units[self.q[j]] for x in self.ways[j]]
         up, down = (evaluate(self.static.parts.h, self.arithmetic, self._known(self.place, [way * v for v in speeds]))
@@ -82,11 +83,11 @@ class TrueMatrices:
         change = mpmath.fsum(x * (a - b) for x, a, b in zip(self.ways[i], up, down, strict=True))
         return change / (2 * self.step * self.units[self.q[j]])
 
-    def _stiffness(self, i, j):
+    def _stiffness(self, i: int, j: int) -> mpmath.mpf:
         step = self.step * self.units[self.q[j]]
         return (self._force(i, j, step) - self._force(i, j, -step)) / (2 * step)
 
-    def _force(self, i, j, step):
+    def _force(self, i: int, j: int, step: mpmath.mpf) -> mpmath.mpf:
         """r of a free coordinate where another one is moved, with all that follows it."""
         place = [x + step * way for x, way in zip(self.place, self.ways[j], strict=True)]
         h = self._at_rest(place)
@@ -105,11 +106,11 @@ class TrueMatrices:
         ties = mpmath.lu_solve(_columns(G, z).T, -mpmath.matrix([h[k] for k in z]))
         return h[self.q[i]] + mpmath.fsum(tie * G[k, self.q[i]] for k, tie in enumerate(ties))
 
-    def _at_rest(self, place):
+    def _at_rest(self, place: list[mpmath.mpf]) -> list[mpmath.mpf]:
         return evaluate(self.static.parts.h, self.arithmetic, self._known(place))
 
 
-def _columns(G, which):
+def _columns(G: mpmath.matrix, which: Sequence[int]) -> mpmath.matrix:
     return mpmath.matrix([[G[k, i] for i in which] for k in range(G.rows)])
 
 
@@ -119,7 +120,7 @@ def entry(configuration: "Configuration", static: StaticEquations, head: str, pa
     if configuration.spec.get("damping") is not None and head in "CG":
         raise PhysicsError("`damping:` gives C by modes: there is nothing to compare")
 
-    def found():
+    def found() -> "tuple[list[mpmath.mpf], float]":
         value = TrueMatrices(configuration, static).entry(head, *pair)
         nothing = abs(value) <= size * mpmath.mpf(10) ** (-mpmath.mp.dps // 2)
         return [mpmath.mpf(0) if nothing else value], max(size, abs(value))

@@ -10,6 +10,7 @@ them:
     S_D(σ) = Σ_p Res_p S_D / (σ − p)
 """
 
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
@@ -69,14 +70,14 @@ def signal_in_poles(problem: "Problem", signal: str, until: Any) -> "SignalInPol
 
 
 @lru_cache(maxsize=2)
-def _search(problem):
+def _search(problem: "Problem") -> PoleSearch:
     return PoleSearch(started_members(problem, next(iter(problem.scene.coordinates)), 1))
 
 
 class SignalInPoles:
     """A signal up to an instant, at the working precision."""
 
-    def __init__(self, members: StartedMembers, search: PoleSearch, until: Any):
+    def __init__(self, members: StartedMembers, search: PoleSearch, until: Any) -> None:
         self.members, self.held, self.until = members, members.held, until
         self._blocks, self._cost = 1, search.cost
         starts = [start for start, _ in sources(members, MemberImages(members, mpmath.mpc(1)))]
@@ -125,7 +126,7 @@ class SignalInPoles:
         each = [part + LIKELY * eps * np.abs(one.c).astype(float) for part, one in zip(each, self.sources, strict=True)]
         return mpmath.mpf(LIKELY * sum(float(np.linalg.norm(part)) for part in each))
 
-    def _circles(self, poles):
+    def _circles(self, poles: Sequence[mpmath.mpc]) -> list[tuple[mpmath.mpc, list[mpmath.mpc]]]:
         """[(place, [half of what S_D has there])] about 0 and what the inputs have."""
         rates = {mpmath.mpc(0)} | {rate for parts in self.members.inputs.values() for part in parts
                                    for rate, _ in part.function.terms}
@@ -141,7 +142,7 @@ class SignalInPoles:
                 found.append((s, [x * (s - centre) / points for x in self._residues.images(s)]))
         return found
 
-    def _require_all(self, least, most):
+    def _require_all(self, least: mpmath.mpf, most: float) -> None:
         """DoesNotSettle where the sum is not what the images are."""
         sigma = least
         while sigma <= max(least, most / 1000):

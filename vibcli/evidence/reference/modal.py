@@ -5,7 +5,7 @@ of the companion form of μ² P(σ) + μ P′(σ) + M, P(λ) = λ² M + λ (C + 
 λ = 0. What falls with the digits is zero.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import mpmath
@@ -36,7 +36,8 @@ def squares(elements: Elements, digits: int = DIGITS) -> TrueValues:
     return settled(lambda: _squares(first, elements), digits)
 
 
-def _squares(first, elements):
+def _squares(first: "FactoredSystem",
+             elements: "Callable[..., FactoredSystem]") -> tuple[list[mpmath.mpf], list[list[mpmath.mpf]] | None]:
     plain = not first.massless and not first.circulatory
     return (_symmetric if plain else _pencil)(*matrices(elements)[::2])
 
@@ -52,33 +53,33 @@ def as_rates(found: TrueValues) -> TrueValues:
         return found._replace(values=_upper_roots(found.values), digits=found.digits - 1)
 
 
-def rates_at_once(elements: Elements) -> list:
+def rates_at_once(elements: Elements) -> list[mpmath.mpc]:
     """λ = iω of a system without C, at the working precision, of which nothing tells how good they are."""
     first = elements(30)
     _require_few(first, LARGEST_DAMPED)
     return _quadratic(*matrices(elements)) if any(first.G.values()) else _upper_roots(_squares(first, elements)[0])
 
 
-def _upper_roots(squares):
+def _upper_roots(squares: Sequence[mpmath.mpf]) -> list[mpmath.mpc]:
     roots = [mpmath.sqrt(-x) for x in squares]
     return [-x if mpmath.im(x) < 0 else x for x in roots]
 
 
-def matrices(elements: Elements) -> tuple:
+def matrices(elements: Elements) -> tuple[mpmath.matrix, mpmath.matrix, mpmath.matrix]:
     """M, C + G and K of the element data at the working precision."""
     found = elements(mpmath.mp.dps)
     M, C, G, K = (_matrix(entries, found.n) for entries in found.matrices())
     return M, C + G, K
 
 
-def _matrix(entries, n):
+def _matrix(entries: Mapping[tuple[int, int], mpmath.mpf], n: int) -> mpmath.matrix:
     result = mpmath.zeros(n, n)
     for pair, x in entries.items():
         result[pair] = mpmath.mpf(x)
     return result
 
 
-def _require_few(elements, most):
+def _require_few(elements: "FactoredSystem", most: int) -> None:
     if elements.pieces:
         raise PhysicsError("members have no matrices: their frequencies are roots of a determinant")
     if elements.n > most:
@@ -86,7 +87,7 @@ def _require_few(elements, most):
                            f"coordinates, and these are {elements.n}", "ask for fewer coordinates")
 
 
-def _symmetric(M, K):
+def _symmetric(M: mpmath.matrix, K: mpmath.matrix) -> tuple[list[mpmath.mpf], list[list[mpmath.mpf]]]:
     """(ω², shapes) of a positive definite M."""
     L = mpmath.cholesky(M)
     inverse = L ** -1
@@ -96,19 +97,19 @@ def _symmetric(M, K):
     return cleaned([values[i] for i in order]), [_normalised(shapes.column(i)) for i in order]
 
 
-def _normalised(column):
+def _normalised(column: mpmath.matrix) -> list[mpmath.mpf]:
     largest = max(column, key=abs)
     return [x / largest for x in column]
 
 
-def _pencil(M, K):
+def _pencil(M: mpmath.matrix, K: mpmath.matrix) -> tuple[list[mpmath.mpf], None]:
     """ω² = 1/μ − σ, μ of (K + σ M)⁻¹ M."""
     shift = _size(K) / _size(M) * mpmath.mpf(SHIFT)
     found = finite(mpmath.eig(_solved(K + shift * M, M), left=False, right=False))
     return sorted(cleaned([1 / mu - shift for mu in found]), key=lambda x: (mpmath.re(x), mpmath.im(x))), None
 
 
-def _quadratic(M, C, K):
+def _quadratic(M: mpmath.matrix, C: mpmath.matrix, K: mpmath.matrix) -> list[mpmath.mpc | mpmath.mpf]:
     """λ of P(λ) q = 0."""
     n = M.rows
     shift = mpmath.mpf(SHIFT) * max(mpmath.sqrt(_size(K) / _size(M)), _size(C) / _size(M))
@@ -122,7 +123,7 @@ def _quadratic(M, C, K):
     return by_size([x for x in found if mpmath.im(x) >= 0])
 
 
-def by_size(values: Sequence) -> list:
+def by_size(values: Sequence[mpmath.mpc | mpmath.mpf]) -> list[mpmath.mpc | mpmath.mpf]:
     """Numbers by ascending magnitude, those of one magnitude by descending real part."""
     result, small = [], threshold()
     for x in sorted(values, key=abs):
@@ -134,23 +135,23 @@ def by_size(values: Sequence) -> list:
     return [x for group in result for x in sorted(group, key=lambda y: -mpmath.re(y))]
 
 
-def _solved(A, B):
+def _solved(A: mpmath.matrix, B: mpmath.matrix) -> mpmath.matrix:
     """A⁻¹ B."""
     return A ** -1 * B
 
 
-def _size(A):
+def _size(A: mpmath.matrix) -> mpmath.mpf:
     """The largest entry of a matrix, one where there is none."""
     return max(map(abs, A)) or mpmath.mpf(1)
 
 
-def finite(inverses: Sequence) -> list:
+def finite(inverses: Sequence[mpmath.mpc | mpmath.mpf]) -> list[mpmath.mpc | mpmath.mpf]:
     """The numbers but for those that fall with the digits."""
     least = threshold() * max(map(abs, inverses))
     return [x for x in inverses if abs(x) > least]
 
 
-def cleaned(values: Sequence) -> list:
+def cleaned(values: Sequence[mpmath.mpc | mpmath.mpf]) -> list[mpmath.mpc | mpmath.mpf]:
     """Each number with zero for itself where it is none beside the largest, and for each part where that is none beside
     the number."""
     small = threshold()
@@ -158,7 +159,7 @@ def cleaned(values: Sequence) -> list:
     return [_cleaned(x, small) if abs(x) > least else mpmath.mpf(0) for x in values]
 
 
-def _cleaned(x, small):
+def _cleaned(x: mpmath.mpc | mpmath.mpf, small: mpmath.mpf) -> mpmath.mpc | mpmath.mpf:
     re, im = mpmath.re(x), mpmath.im(x)
     if abs(im) <= small * abs(x):
         return re

@@ -5,6 +5,7 @@
 whose coefficients have as many digits as the element data.
 """
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import mpmath
@@ -24,7 +25,9 @@ from vibcli.symbolic.transfer_between_tables import copied
 if TYPE_CHECKING:
     from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction
     from vibcli.results.problem import Problem
+    from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import NameRef
 
 
 class FollowedScene(NamedTuple):
@@ -54,7 +57,8 @@ def with_output(problem: "Problem", motion: Motion, text: str) -> "tuple[Motion,
     return motion._replace(values=values, floats={**motion.floats, **floats}), node
 
 
-def _carried(problem, scene, row, keys):
+def _carried(problem: "Problem", scene: "Scene", row: "LinearFunction",
+             keys: "Mapping[tuple[str, int], Node]") -> "dict[tuple[str, int], Node]":
     """{key: what a coefficient stands before}: coordinates, driven displacements and their rates, functions of time."""
     opened, symbols = problem.configuration.with_inputs, {"q": scene.q, "v": scene.v, "a": scene.a}
     driven, found = list(opened.scene.inputs.values()), {}
@@ -78,7 +82,7 @@ def signal(problem: "Problem", motion: Motion, tree: Any) -> "tuple[Motion, Node
     stretches, of small ones of what is linear in the deviations, or in a linear scene."""
     scene = motion.scene
 
-    def symbol(name, primes, part):
+    def symbol(name: str, primes: int, part: "NameRef") -> "Node":
         nonlocal motion
         if name in scene.parameters.nodes and not primes and not isinstance(part, QuantityRef):
             return scene.parameters.nodes[name]
@@ -102,7 +106,7 @@ def signal(problem: "Problem", motion: Motion, tree: Any) -> "tuple[Motion, Node
     return motion, node
 
 
-def _of_small(problem, motion, name, primes):
+def _of_small(problem: "Problem", motion: Motion, name: str, primes: int) -> "tuple[Motion, Node]":
     """What is linear in the deviations, or else exact in a linear scene, with its coordinates counted from rest."""
     try:
         return with_output(problem, motion, name + "'" * primes)

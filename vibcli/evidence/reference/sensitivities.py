@@ -25,7 +25,7 @@ DIGITS, START, LIMIT = 28, 60, 240
 
 def sensitivity(configuration: Configuration, number: int, name: str) -> TrueValues:
     """That of a natural frequency, counted from 1; about: ω/p, or it, where that is larger."""
-    def found():
+    def found() -> "tuple[list[mpmath.mpf], mpmath.mpf]":
         arithmetic = multiprecision()
         p = configuration.numeric.values(arithmetic)[name]
         size = abs(p) or mpmath.mpf(1)
@@ -43,7 +43,7 @@ def rational(x: Any) -> Fraction:
     return Fraction(*map(int, mpmath.libmp.to_rational(x._mpf_)))
 
 
-def _frequency(configuration, given, number):
+def _frequency(configuration: Configuration, given: dict[str, Fraction], number: int) -> mpmath.mpf:
     """ω of a mode where parameters have these values, at the working precision."""
     found = modal.rates_at_once(lambda digits: undamped(_precise(configuration, given, digits)))
     known = sorted(found, key=mpmath.im)
@@ -52,7 +52,7 @@ def _frequency(configuration, given, number):
     return mpmath.im(known[number - 1])
 
 
-def _precise(configuration, given, digits):
+def _precise(configuration: Configuration, given: dict[str, Fraction], digits: int) -> "FactoredSystem":
     """Element data where it then rests: begun from as it is drawn, where that is its equilibrium."""
     numeric, near = configuration.numeric.sharing(given), configuration.equilibrium
     if near.drawn and not configuration.system.is_linear:

@@ -47,7 +47,7 @@ class StaticEquations(NamedTuple):
         """{name: number} of x at the working precision, {parameter: number} being known."""
         arithmetic = multiprecision()
 
-        def residual(*x: Any) -> list:
+        def residual(*x: Any) -> "list[mpmath.mpf]":
             return evaluate(self.residuals, arithmetic, {**known, **dict(zip(self.names, x, strict=True))})
 
         return dict(zip(self.names, newton(residual, self.near), strict=True))
@@ -87,7 +87,7 @@ def resting_place(configuration: "Configuration", static: StaticEquations, known
     return static.root(known)
 
 
-def _unloaded(configuration, released):
+def _unloaded(configuration: "Configuration", released: bool) -> "Scene":
     """The scene with all its coordinates, what drives it held as drawn, without loads in time."""
     system = configuration.system
     scene = configuration.scene.with_released_supports() if released else system.scene_with_multipliers
@@ -100,7 +100,7 @@ def _unloaded(configuration, released):
 
 def true_position(problem: "Problem", static: StaticEquations, node: "Node", size: float) -> TrueValues:
     """An expression of the coordinates there, whose digits count from a size on where it is smaller."""
-    def found() -> tuple[list, Any]:
+    def found() -> "tuple[list[mpmath.mpf], float | mpmath.mpf]":
         arithmetic = multiprecision()
         known = problem.numeric.values(arithmetic)
         value, = evaluate([node], arithmetic, {**known, **static.root(known)})

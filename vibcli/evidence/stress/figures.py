@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.written_digits import SHORT, digits_written, half_a_unit
@@ -11,6 +11,9 @@ from vibcli.evidence.stress.read_again import VALUE, replaced
 from vibcli.evidence.stress.rewritten import TOLD, decimal_of, with_numbers
 from vibcli.language.document.nodes import Mapping
 from vibcli.symbolic.syntax import Number
+
+if TYPE_CHECKING:
+    from vibcli.language.document.nodes import Scalar
 
 NOT_DATA = (*TOLD, "answers", "find", "cases", "variants", "mistakes")
 
@@ -32,7 +35,7 @@ def figures(top: Mapping) -> Iterator[GivenFigure]:
             yield from _of_entry(section, name, node if name is None else node.entries[name][1])
 
 
-def _of_entry(section, name, node):
+def _of_entry(section: str, name: str, node: "Mapping | Scalar") -> Iterator[GivenFigure]:
     found: list[str] = []
     with_numbers(_data(section, node), lambda number, text: found.append(_written(number, text)))
     for place, text in enumerate(found):
@@ -42,7 +45,7 @@ def _of_entry(section, name, node):
             yield GivenFigure(told, partial(_moved, section=section, name=name, place=place))
 
 
-def _data(section, node):
+def _data(section: str, node: "Mapping | Scalar") -> "Mapping | Scalar":
     """Of a parameter its value alone: ranges and words stand beside it."""
     if section == "parameters" and isinstance(node, Mapping):
         return node.entries[VALUE][1] if VALUE in node.entries else Mapping(node.where)

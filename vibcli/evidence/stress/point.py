@@ -2,9 +2,9 @@
 
 import math
 import warnings
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from importlib import import_module
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import mpmath
 
@@ -19,6 +19,9 @@ from vibcli.evidence.stress.watched import scene_problem
 from vibcli.evidence.subject import Deadline, Subject
 from vibcli.evidence.timing import reason
 from vibcli.results.problem import Problem
+
+if TYPE_CHECKING:
+    from vibcli.evidence.reference.settled import TrueValues
 
 HELD, ESCALATED, REFUSED, BROKEN, UNKNOWN = "held", "escalated", "refused", "broken", "no reference"
 IDLE, IDLE_ESTIMATE = 1e4, 1e6      # times the error and the rounding of the value
@@ -60,7 +63,7 @@ def measured(family: StressFamily, knob: str) -> StressPoint:
     return StressPoint(knob, known, worst.error, worst.bound, plain, verdict, idle, plain_why=none)
 
 
-def _subject(family: StressFamily, knob: str, scene: Mapping[str, Any]):
+def _subject(family: StressFamily, knob: str, scene: Mapping[str, Any]) -> tuple[Subject, str]:
     """(Subject with its true values, "") or (None, why there is none)."""
     problem, _ = scene_problem(scene)
     if family.truth is not None:
@@ -80,18 +83,18 @@ def _of_truth(problem: Problem, truth: Any, knob: str) -> Subject:
                    lambda found, known: _off(found, known, scale), scale)
 
 
-def _off(found, true, scale):
+def _off(found: Sequence[float], true: "TrueValues", scale: float) -> float:
     """The error of a number beside a size."""
     with mpmath.workdps(true.working):
         return float(abs(mpmath.mpf(float(found[0])) - true.values[0]) / scale)
 
 
-def _nobody():
+def _nobody() -> None:
     """Of a Subject that is asked for its true values alone."""
     raise NotImplementedError
 
 
-def _answered(scene: Mapping[str, Any], subject: Subject):
+def _answered(scene: Mapping[str, Any], subject: Subject) -> PhysicsError | tuple[list[Claim], bool]:
     """(Claims, were more digits taken?), or the PhysicsError that refuses."""
     problem, digits_taken = scene_problem(scene)
     try:

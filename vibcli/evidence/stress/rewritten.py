@@ -4,7 +4,7 @@ import re
 from collections.abc import Callable, Iterator
 from decimal import Context, Decimal
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.base.units import UNITS
@@ -12,6 +12,9 @@ from vibcli.evidence.stress.read_again import replaced
 from vibcli.language.document.nodes import Mapping, Scalar, Sequence
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.syntax import ExpressionError, Number, parts_of
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.syntax import SyntaxTree
 
 TOLD = ("title", "source", "question", "about", "hint", "tags")     # keys of words
 OF_ELEMENTS = ("bodies", "springs", "dampers", "forces")
@@ -61,7 +64,7 @@ def _numbers(text: str) -> Iterator[Number]:
         pending += [arg for quantity in parts.quantities for arg in quantity.args]
 
 
-def _trees(text):
+def _trees(text: str) -> "list[SyntaxTree]":
     try:
         return [parse(text, AN_EQUATION if "=" in text else None)]
     except ExpressionError:

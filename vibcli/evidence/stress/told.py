@@ -30,7 +30,7 @@ def section(one: FamilyPoints) -> Section:
         TableBlock(head, rows), paragraph(f"plain: {one.plain}"), *map(paragraph, refused)))
 
 
-def _shown(number):
+def _shown(number: float) -> str:
     return "" if number is None else "none" if math.isinf(number) else f"{number:.1e}"
 
 

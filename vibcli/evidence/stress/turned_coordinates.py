@@ -45,7 +45,7 @@ def drawn_members(top: Mapping) -> frozenset[str]:
                      if isinstance(record, Mapping) and "from" in record.entries)
 
 
-def _names(motion):
+def _names(motion: Scalar | Sequence | None) -> set[str]:
     """Of a motion, or of [x, y, phi], those that are counted by the axes."""
     parts = motion.items[::2] if isinstance(motion, Sequence) else [motion]
     return {part.text.strip() for part in parts if isinstance(part, Scalar) and PLAIN.fullmatch(part.text.strip())}

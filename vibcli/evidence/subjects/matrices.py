@@ -17,6 +17,7 @@ from vibcli.symbolic.evaluation_code import in_floats
 from vibcli.symbolic.expression_graph import evaluable
 
 if TYPE_CHECKING:
+    from vibcli.evidence.reference.static_positions import StaticEquations
     from vibcli.results.problem import Problem
     from vibcli.symbolic.syntax import QuantityRef
 
@@ -48,13 +49,13 @@ def of_entry(problem: "Problem", tree: "QuantityRef") -> Subject:
                      lambda: problem.about(Configuration(problem.numeric)))
 
 
-def _plain(problem, static, head, pair) -> PlainForces:
+def _plain(problem: "Problem", static: "StaticEquations", head: str, pair: tuple[int, int]) -> PlainForces:
     scene = static.scene
     nodes: list[Any] = [kinetic(scene), *static.parts.h]
     function, known = in_floats(nodes, evaluable(nodes)), {**problem.numeric.floats, scene.time.name: 0.0}
     near = static.near[:len(scene.q)]
 
-    def at(shift, speeds):
+    def at(shift: "Sequence[float]", speeds: "Sequence[float]") -> "list[float]":
         known.update(zip(scene.coordinates, (x + dx for x, dx in zip(near, shift, strict=True)), strict=True))
         known.update(zip((name + "'" for name in scene.coordinates), speeds, strict=True))
         return function(known, None)

@@ -43,7 +43,7 @@ class Arithmetic(NamedTuple):
 
 def _root(values: np.ndarray) -> np.ndarray:
     """√ of doubles: real ones ≥ 0 stay real."""
-    is_complex = values.dtype.kind == "c" or (values < 0).any()
+    is_complex = values.dtype.kind == "c" or np.count_nonzero(values < 0) > 0
     found: np.ndarray = np.sqrt(values.astype(complex) if is_complex else values)
     return found
 

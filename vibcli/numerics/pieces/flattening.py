@@ -38,9 +38,9 @@ class Flat(NamedTuple):
                graded: "Callable[..., np.ndarray]") -> np.ndarray:
         """An array (…, *size): uniform(piece, *values) of flat arrays where nothing varies, graded of the others, one
         piece at a time."""
-        even = self.piece.gradient == 0
-        if even.all():
+        if not np.count_nonzero(self.piece.gradient):
             return uniform(self.piece, *self.values).reshape((*self.shape, *size))
+        even = self.piece.gradient == 0
         found = np.zeros((len(even), *size), np.result_type(*self.values, float))
         if even.any():
             found[even] = uniform(_piece(values[even] for values in self.piece),

@@ -84,25 +84,24 @@ def _put(found: list[np.ndarray] | None, part: Sequence[np.ndarray], chosen: np.
 def _series(nu: np.ndarray, chi: np.ndarray, numbers: "Arithmetic",
             steep: bool) -> tuple[tuple[np.ndarray, ...], tuple[np.ndarray, ...]]:
     """By sums of Xₖ = (Aᵏ + Bᵏ)/2 and Yₖ = (Aᵏ − Bᵏ)/(A − B), both weighed by 1/(2k)! and by 1/(2k + 1)!."""
-    weights = [numbers.array(1)]
+    weights = [numbers.array(1)[()]]
     for k in range(1, 2 * terms(ALIKE, numbers) + 2):
         weights.append(weights[-1] / k)
-    even, odd = (_summed(nu, chi, weights[first::2], steep) for first in (0, 1))
-    (c, s), (d, sigma) = even[:2], odd[:2]
-    slopes = (sigma / 2, even[3], *odd[2:]) if steep else ()
+    (c, d), (s, sigma), *rates = _summed(nu, chi, numbers.array(weights).reshape(-1, 2, 1), steep)
+    slopes = (sigma / 2, rates[1][0], rates[0][1], rates[1][1]) if steep else ()
     return (c, s, d, sigma, c * d - chi * s * sigma, chi * sigma * sigma - d * d, c * sigma - d * s), slopes
 
 
-def _summed(nu: np.ndarray, chi: np.ndarray, weights: Sequence[np.ndarray], steep: bool) -> tuple[np.ndarray, ...]:
-    """(Σ wₖ Xₖ, 2 Σ wₖ Yₖ and, if it is `steep`, their derivatives by χ): both obey Xₖ₊₁ = (A + B) Xₖ − A B Xₖ₋₁, and
-    are summed by Clenshaw's recurrence from the last term on, which is least.
+def _summed(nu: np.ndarray, chi: np.ndarray, weights: np.ndarray, steep: bool) -> tuple[np.ndarray, ...]:
+    """(Σ wₖ Xₖ, 2 Σ wₖ Yₖ and, if it is `steep`, their derivatives by χ), each for both w, (2, N): Xₖ and Yₖ obey
+    Xₖ₊₁ = (A + B) Xₖ − A B Xₖ₋₁, and are summed by Clenshaw's recurrence from the last term on, which is least.
 
     Arrays stand before numbers in sums: a number of mpmath before an array writes it out in full to refuse it.
     """
     total, product = 2 * nu, 4 * chi - nu * nu      # A + B and −A B, of which the derivative is 4
     leaning, nothing = bool(total.any()), product * 0
     one, two, slope_one, slope_two = (nothing,) * 4
-    for weight in reversed(weights[1:]):
+    for weight in weights[:0:-1]:
         if steep:
             slope = product * slope_two + two * 4
             slope_one, slope_two = slope + total * slope_one if leaning else slope, slope_one

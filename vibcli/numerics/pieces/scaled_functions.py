@@ -31,9 +31,10 @@ class Even(NamedTuple):
 def even_functions(z: np.ndarray, numbers: "Arithmetic") -> Even:
     """C, S and S′ of an array."""
     near = np.abs(z) <= SMALL
-    if near.all():
+    count = np.count_nonzero(near)
+    if count == near.size:
         return _series(z, numbers)
-    if not near.any():
+    if not count:
         return _exponentials(z, numbers)
     series, closed = _series(z[near], numbers), _exponentials(z[~near], numbers)
     return Even(*(merged(near, one, other) for one, other in zip(series, closed, strict=True)))
@@ -70,14 +71,19 @@ def _terms(size: float, eps: float) -> int:
 
 
 def _series(z: np.ndarray, numbers: "Arithmetic") -> Even:
-    """By Horner's rule from the last term: C = Σ zᵏ/(2k)!, S = Σ zᵏ/(2k+1)!, S′ = Σ k zᵏ⁻¹/(2k+1)!."""
-    c = s = z * 0 + 1
-    slope = z * 0 + 1
-    for k in range(terms(SMALL, numbers), 0, -1):
-        c = 1 + c * z / (2 * k * (2 * k - 1))
-        s = 1 + s * z / (2 * k * (2 * k + 1))
-        slope = 1 + slope * z / (2 * k * (2 * k + 3))
+    """By Horner's rule from the last term, all at once: C = Σ zᵏ/(2k)!, S = Σ zᵏ/(2k+1)!, S′ = Σ k zᵏ⁻¹/(2k+1)!."""
+    found = np.stack([z * 0 + 1] * 3)
+    for divisors in _divisors(terms(SMALL, numbers), z.ndim):
+        found = 1 + found * z / divisors
+    c, s, slope = found
     return Even(c, s, slope / 6, np.abs(z) * 0)
+
+
+@cache
+def _divisors(count: int, dimensions: int) -> list[np.ndarray]:
+    """What each term of C, S and S′ is divided by beside the one before, the last first, (3, 1, …)."""
+    return [np.array([2 * k * (2 * k + more) for more in (-1, 1, 3)]).reshape(3, *[1] * dimensions)
+            for k in range(count, 0, -1)]
 
 
 def _exponentials(z: np.ndarray, numbers: "Arithmetic") -> Even:
@@ -95,11 +101,12 @@ def _exponentials(z: np.ndarray, numbers: "Arithmetic") -> Even:
 def _of_reals(z: np.ndarray) -> Even:
     """Cosines and sines where z < 0; doubles."""
     p, waves = np.sqrt(np.abs(z)), z < 0
-    if waves.all():
+    count = np.count_nonzero(waves)
+    if count == waves.size:
         c, s, r = np.cos(p), np.sin(p) / p, 0 * p
     else:
         fading = np.exp(-2 * p)
         c, s, r = (1 + fading) / 2, (1 - fading) / (2 * p), p
-        if waves.any():
+        if count:
             c, s, r = np.where(waves, np.cos(p), c), np.where(waves, np.sin(p) / p, s), np.where(waves, 0.0, r)
     return Even(c, s, (c - s) / (2 * z), r)

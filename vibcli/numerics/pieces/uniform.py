@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 def second_order(length: np.ndarray, tension: np.ndarray, kappa: np.ndarray, numbers: "Arithmetic",
                  steep: bool) -> np.ndarray:
-    """d and, if it is `steep`, ∂d/∂κ of −N u″ + κ u = 0, (…, 1 or 2, 2, 2), over flat arrays of equal shape.
+    """d and, if it is `steep`, ∂d/∂κ of −N u″ + κ u = 0, (N, 1 or 2, 2, 2), over flat arrays of equal shape.
 
     With z = κ a²/N, a = l/2: evenly N/a z S/C, oddly N/a C/S.
     """
@@ -37,7 +37,7 @@ def second_order(length: np.ndarray, tension: np.ndarray, kappa: np.ndarray, num
 
 def fourth_order(length: np.ndarray, bending: np.ndarray, tension: np.ndarray, kappa: np.ndarray,
                  numbers: "Arithmetic", steep: bool) -> np.ndarray:
-    """d and, if it is `steep`, ∂d/∂κ of B u⁗ − N u″ + κ u = 0, (…, 1 or 2, 4, 4), over flat arrays of equal shape.
+    """d and, if it is `steep`, ∂d/∂κ of B u⁗ − N u″ + κ u = 0, (N, 1 or 2, 4, 4), over flat arrays of equal shape.
 
     Right ends moving with (u, a θ), evenly (the left end: u, −θ) and oddly (−u, θ), are answered in B/a³ by
 
@@ -74,11 +74,11 @@ def _four(even: tuple[np.ndarray, np.ndarray, np.ndarray], odd: tuple[np.ndarray
 
 
 def _squares(*matrices: Sequence[Sequence[np.ndarray]]) -> np.ndarray:
-    """(…, number of matrices, m, m) of m rows of m arrays each."""
-    m, kind = len(matrices[0]), np.result_type(*(values for rows in matrices for row in rows for values in row))
+    """(N, number of matrices, m, m) of m rows of m flat arrays each."""
+    m, kind = len(matrices[0]), np.result_type(*{values.dtype for rows in matrices for row in rows for values in row})
     found = np.empty((len(matrices), m, m, *matrices[0][0][0].shape), kind)     # each entry in one run
     for which, rows in enumerate(matrices):
         for i, row in enumerate(rows):
             for j, values in enumerate(row):
                 found[which, i, j] = values
-    return np.moveaxis(found, (0, 1, 2), (-3, -2, -1))
+    return found.transpose(3, 0, 1, 2)

@@ -69,7 +69,7 @@ class MemberSteps:
         groups = [tied or hanging_alone(self.problem, pieces)
                   for pieces, tied, _ in tied_equations(self.problem.symbolic, left)]
         alone = [one for one in found if one is not None]
-        known = {i for one in (*alone, *groups) if one for i in one.hung} | {
+        known = {i for one in alone for i in one.hung} | {i for one in groups if one for i in one.hung} | {
             i for one in groups if one for piece in one.pieces for row in piece.rows for i in row}
         mixed = len(groups) + bool(alone) > 1 and not self.problem.numeric.has_free_symbols
         if not found or None in groups or (groups and mixed) or not known.issuperset(self._others()):

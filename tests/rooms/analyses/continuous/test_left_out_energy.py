@@ -7,7 +7,6 @@ from support.modes_found_once import modes_found_once  # noqa: F401
 from support.scenes import problem
 
 from vibcli.analyses.continuous.damped_energies import energies
-from vibcli.analyses.continuous.left_out_motions import AT_ONCE
 from vibcli.analyses.excitation.linear_output import FieldPoint, LinearOutput
 from vibcli.language.signals_of_places import with_places
 from vibcli.results.damped_modal_response import DampedModalResponse
@@ -43,7 +42,10 @@ forces: {push: {body: arm, per_length: 1 N/m*x/L*step(t), to: 0.3*L}, pull: {at:
                 "forces: {push: {at: aside, force: 1 N*step(t) + 1 N*cos(20*t/(1 s))}}", {ASIDE: 0, MID: 0}),
     "let go": (COMMON % "forces: {push: {at: aside, force: 1 N}}\ninitial: {released: push}",
                {ASIDE: 0.3**2 * 0.7**2 / 3}),
-    "thrown in a field": (COMMON % "initial: {arm.u': 1 mm/s*x*(L - x)/L^2}", {ASIDE: 0, MID: 0}),
+    "thrown in a field": (COMMON % "initial: {arm.u': 1 mm/s*x*(L - x)/L^2}",
+                          {ASIDE: 0, MID: 0, MOMENT: 0, RATE: 1e-3 * 0.3 * 0.7}),
+    "bent as its first mode is": (COMMON % "initial: {arm.u: 1 mm*sin(pi*x/L)}",
+                                  {MOMENT: -1e-3 * np.pi**2, RATE: 0, SHEAR: 1e-3 * np.pi**3 * np.sin(0.1 * np.pi)}),
     "bent in a field": (COMMON % "initial: {arm.u: 1 mm*(x/L)^2*(1 - x/L)^2}", {ASIDE: 1e-3 * 0.3**2 * 0.7**2}),
     "shaken from a velocity on": (SHAKEN.replace("SLIDE", "1 cm*sin(9*t/(1 s))").replace("ENDS", "pinned"),
                                   {ASIDE: 0, MID: 0, TURN: 0}),
@@ -60,7 +62,7 @@ RAMP = "forces: {push: {at: aside, force: 1 N*(ramp(t) - ramp(t - 0.2 s))/(0.2 s
 UNEVEN = "segments: [{length: 0.6*L, drag: 3 N*s/m^2}, {length: 0.4*L, drag: DRAG}]"
 SCENES |= {
     "dragged unevenly": (COMMON.replace("length: L", UNEVEN).replace("DRAG", "1 N*s/m^2") % STEP,
-                         {ASIDE: 0, MID: 0, TURN: 0}),
+                         {ASIDE: 0, MID: 0, TURN: 0, MOMENT: 0, RATE: 0}),
     "dragged on a part, loaded along it": (
         PINNED.replace("length: L", UNEVEN).replace("DRAG", "0 N*s/m^2").replace("c: DAMPER", "k: 2 N/m") %
         "forces: {push: {body: arm, per_length: 1 N/m*x/L*step(t), to: 0.45*L}}",
@@ -81,7 +83,7 @@ forces: {push: {body: arm, per_length: 1 N/m*x/L*step(t), to: 0.45*L}}""",
         {MOMENT: 0, FieldPoint(1, 0.0, 2, 1): 0, FieldPoint(1, 0.0, 0, 2): 0}),
     "thrown with a drag that differs": (
         COMMON.replace("length: L", UNEVEN).replace("DRAG", "1 N*s/m^2") % "initial: {arm.u': 1 mm/s*x*(L - x)/L^2}",
-        {ASIDE: 0, MID: 0}),
+        {ASIDE: 0, MID: 0, MOMENT: 0}),
 }
 FEW, MORE = 8, 24
 TIMES = np.linspace(0.0, 0.6, 25)
@@ -115,19 +117,6 @@ forces: {push: {at: end, force: 1 N*step(t)}}
     waves = WaveResponse(scene).signal(with_places(parse("rod.u(0.2*L)"), scene.spec.members))
     off = np.abs(motion.values(output, TIMES * 7) - waves.values(TIMES * 7))
     assert off.max() <= motion.bound(output, 4.2) <= 10 * off.max()
-
-
-def test_moments_and_what_is_struck_where_nothing_has_mass_are_estimated():
-    scene = problem(SCENES["step"][0])
-    motion = DampedModalResponse(scene).motion(FEW)
-    for place, why in ((MID, ""), (FieldPoint(2, 0.0, 2), AT_ONCE), (FieldPoint(2, 0.0, 0, 1), AT_ONCE)):
-        output = LinearOutput(places={place: 1.0})
-        left = motion.modes.disturbed(motion.forcing.pieces)
-        assert (motion.is_estimated(output), left.reason(output)) == (bool(why), why)
-    torn = problem(SHAKEN.replace("SLIDE", "1 cm*step(t)").replace("ENDS", "pinned"))
-    assert DampedModalResponse(torn).motion(FEW).is_estimated(LinearOutput(places={MID: 1.0}))
-    struck = problem(COMMON % "forces: {push: {at: aside, force: 1 N*s*impulse(t)}}")
-    assert DampedModalResponse(struck).motion(FEW).is_estimated(LinearOutput(places={MID: 1.0}))
 
 
 def test_what_energies_do_not_bound_is_refused_with_a_reason():

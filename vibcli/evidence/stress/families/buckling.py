@@ -3,7 +3,7 @@
 from vibcli.evidence.stress.family import StressFamily, powers
 
 
-def scene(value: str) -> dict:
+def scene(value: str) -> dict[str, dict[str, dict[str, dict[str, list[str] | str] | list[str] | str] | str]]:
     """Two rods, the one on the other, held by torsion springs; P_cr = (3 − √5)/2 k/L, L of each."""
     return {"parameters": {"m": "1 kg", "L": "0.5 m", "k": "20 N*m/rad", "off": value,
                            "P": "(1 - off)*(3 - sqrt(5))/2*k/L"},
