@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 
-def node_of_signal(tree: Any, table: "Table", symbol: Callable) -> "Node":
+def node_of_signal(tree: Any, table: "Table", symbol: "Callable[..., Node]") -> "Node":
     """The node of a signal; PhysicsError where a difference of what is one is divided by or has its logarithm taken."""
     try:
         node = lower(tree, table, symbol)
@@ -24,5 +24,5 @@ def node_of_signal(tree: Any, table: "Table", symbol: Callable) -> "Node":
     return node
 
 
-def _refused(verb, hint="look for a difference that vanishes"):
+def _refused(verb: str, hint: str = "look for a difference that vanishes") -> PhysicsError:
     return PhysicsError(f"this signal {verb} what is zero, or lost in rounding, all along", hint)

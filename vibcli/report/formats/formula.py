@@ -112,7 +112,7 @@ def rows_of_matrix(part: Matrix) -> list[str]:
     cells = [[formula(cell, plain) for cell in row] for row in part.rows]
     sizes = [max(map(width, column)) for column in zip(*cells, strict=True)]
     brackets = ["⎛⎞", *["⎜⎟"] * (len(cells) - 2), "⎝⎠"]
-    return [f"{left} {'  '.join(map(centred, row, sizes))} {right}" for (left, right), row in zip(
+    return [f"{pair[0]} {'  '.join(map(centred, row, sizes))} {pair[1]}" for pair, row in zip(
         brackets, cells, strict=True)]
 
 
