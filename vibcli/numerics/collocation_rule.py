@@ -55,8 +55,7 @@ class Rule:
         key = c.tobytes()
         if key not in self._known:
             self._known[key] = _rounded(self.basis(2 * c.astype(LONG) - 1))
-        found: np.ndarray = self._known[key]
-        return found
+        return np.asarray(self._known[key])
 
     def within(self, values: np.ndarray, part: float) -> np.ndarray:
         """The values at the points of the first part of a window, of polynomials through values at those of all."""

@@ -140,8 +140,7 @@ def _lanczos(pencil: Pencil, middle: ShiftedFactors, count: int, known: np.ndarr
         load = load - weighed @ (known.T @ load)
         x = middle.solve(load)
         x += middle.solve(load - pencil.K.product(x) + middle.shift * pencil.M.product(x))
-        found: np.ndarray = x - known @ (weighed.T @ x)
-        return found
+        return np.asarray(x - known @ (weighed.T @ x))
 
     operators = [LinearOperator((n, n), apply, dtype=float) for apply in (pencil.K.product, pencil.M.product, solved)]
     K, M, inverse = operators

@@ -76,8 +76,7 @@ class SparseForm:
         an entry changes by one unit relative to it (p)."""
         s, wide = self.rows @ x, abs(self.rows) @ abs(x)
         found = (abs(self.weights)[:, None] * (s * s + 2 * abs(s) * wide * self._rounded[:, None])).sum(axis=0)
-        result: np.ndarray = found if self.entries is None else found + (abs(x) * (self.size @ abs(x))).sum(axis=0)
-        return result
+        return np.asarray(found if self.entries is None else found + (abs(x) * (self.size @ abs(x))).sum(axis=0))
 
     @property
     def _rounded(self) -> np.ndarray:

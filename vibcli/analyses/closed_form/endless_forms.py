@@ -49,8 +49,7 @@ def _in_order(found: "FrequencyEquation", sample: dict[str, float]) -> bool:
     piece, first = found.pieces[0].piece, _root(found, 1)
     square = substitute([found.square], {found.wave_number: first})[0]
     lowest, tension = evaluate([square, piece.tension], Floats, sample)
-    result: bool = lowest > 0 and (tension >= 0 or piece.foundation.is_zero)
-    return result
+    return bool(lowest > 0 and (tension >= 0 or piece.foundation.is_zero))
 
 
 def _mode(found: "FrequencyEquation", number: int) -> ClosedMode:

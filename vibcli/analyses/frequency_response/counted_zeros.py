@@ -218,8 +218,7 @@ def _of_matrix(response: "MemberTransfer", s: np.ndarray) -> np.ndarray:
     system = response.system
     free, found = np.ix_(system.free, system.free), system.matrix.at(s, True, loaded=False)
     D, slope = (np.moveaxis(part[free], -1, 0) for part in (found.D, found.slope))
-    result: np.ndarray = np.trace(np.linalg.solve(D, slope), axis1=1, axis2=2)
-    return result
+    return np.asarray(np.trace(np.linalg.solve(D, slope), axis1=1, axis2=2))
 
 
 def _held(response: "MemberTransfer", high: float) -> np.ndarray:

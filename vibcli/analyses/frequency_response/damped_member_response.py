@@ -110,8 +110,7 @@ class DampedMemberTransfer(FrequencyResponseFunction):
         if resonant[0]:
             raise PhysicsError("responses of what moves freely beside driven supports are not found with damping by "
                                "modes", "write `proportional: [alpha, beta]`, or hold it")
-        found: complex = values[0]
-        return found
+        return complex(values[0])
 
     def _by_loads(self, sigma: np.ndarray) -> np.ndarray:
         return self.still.at(sigma)[0]

@@ -70,8 +70,7 @@ class DampersBesideRatios(DampedMemberTransfer):
             return s
         plain, read, forced, shared = self._parts(s, lambda one: one._values(s))
         pull = self._pulls(s, forced, shared)
-        found: np.ndarray = (-s * s)**self.turns * (plain - s * np.einsum("nt,nt->n", read, pull))
-        return found
+        return np.asarray((-s * s)**self.turns * (plain - s * np.einsum("nt,nt->n", read, pull)))
 
     def _pulls(self, s: np.ndarray, forced: np.ndarray, shared: np.ndarray) -> np.ndarray:
         """f, (N, T)."""

@@ -133,8 +133,7 @@ class CoupledModalSum:
         if self.left is None:
             found: np.ndarray = self._spread(self.right, self.shares(c))
             return found
-        result: np.ndarray = self._spread(self.left.T, self.right.T @ c, -1)
-        return result
+        return self._spread(self.left.T, self.right.T @ c, -1)
 
 
 class ModalSolution:

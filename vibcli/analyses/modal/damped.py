@@ -202,5 +202,4 @@ class CertifiedEigenvalues:
         basis = in_units(fx.floats(self.system.basis, self.system.bits), self.scale)[1]
         out = basis @ np.array([d.x for d in self.found]).T
         lead = out[np.argmax(np.abs(out), axis=0), range(out.shape[1])]
-        found: np.ndarray = out * np.where(lead == 0, 1.0, np.abs(lead) / np.where(lead == 0, 1.0, lead))
-        return found
+        return np.asarray(out * np.where(lead == 0, 1.0, np.abs(lead) / np.where(lead == 0, 1.0, lead)))

@@ -197,8 +197,7 @@ def growth_bits(inverse: np.ndarray, bits: int) -> float:
     if not len(inverse):
         return 4.0
     largest = max(abs(x) for x in inverse.ravel().tolist())
-    found: float = 4.0 * max(1.0, 1 + largest.bit_length() - bits + 2 * math.log2(len(inverse)))
-    return found
+    return float(4.0 * max(1.0, 1 + largest.bit_length() - bits + 2 * math.log2(len(inverse))))
 
 
 def sensitivity(elements: Any, scale: Scaling, shapes: np.ndarray, sizes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

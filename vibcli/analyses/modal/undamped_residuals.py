@@ -66,8 +66,7 @@ def _ratios(values: np.ndarray, zero: np.ndarray) -> np.ndarray:
     size = abs(values)
     least = size[~zero & (size > 0)].min(initial=np.inf)
     root = np.sqrt(np.maximum(size, least if np.isfinite(least) else 1.0))
-    found: np.ndarray = root[:, None] / root[None, :]
-    return found
+    return np.asarray(root[:, None] / root[None, :])
 
 
 def _turn(e: np.ndarray, skew: np.ndarray, values: np.ndarray, gap: np.ndarray) -> np.ndarray:

@@ -76,8 +76,7 @@ def _rounding_at(well: Well, places: np.ndarray) -> np.ndarray:
     some = np.unique(np.append(np.sort(places)[::1 + len(places) // SAMPLES], places.max()))
     known = np.array([well.rounding(q) for q in some.tolist()])
     i = np.searchsorted(some, places)
-    found: np.ndarray = np.maximum(known[i], known[np.maximum(i - 1, 0)])
-    return found
+    return np.asarray(np.maximum(known[i], known[np.maximum(i - 1, 0)]))
 
 
 def _pieces(well: Well, left: np.ndarray, right: np.ndarray, breaks: np.ndarray, rounding: np.ndarray) -> PiecesOfWell:

@@ -195,5 +195,4 @@ class RefinedWindows:
         H = np.array([window.length for window in windows])[:, None, None]
         scale = march.sizes.scale(H.max(), 0.0 * march.v, 0.0 * march.v)[:, None]
         series = np.array([window.series for window in windows])
-        found: np.ndarray = (np.abs(series) / march.resolved(H, scale, self.grids.fine, self.rtol)).max(axis=1)
-        return found
+        return np.asarray((np.abs(series) / march.resolved(H, scale, self.grids.fine, self.rtol)).max(axis=1))

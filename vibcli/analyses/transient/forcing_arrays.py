@@ -87,8 +87,7 @@ def _times(force: np.ndarray, W: np.ndarray) -> np.ndarray:
     if np.iscomplexobj(force):
         found: np.ndarray = force @ W.T
         return found
-    result: np.ndarray = force @ W.real.T + 1j * (force @ W.imag.T)
-    return result
+    return np.asarray(force @ W.real.T + 1j * (force @ W.imag.T))
 
 
 class Timeline:

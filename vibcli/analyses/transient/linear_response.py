@@ -68,8 +68,7 @@ class LinearMotion:
         times = np.asarray(times, float)
         t = times.ravel()
         pieces = self.pieces(t.max(initial=0.0))
-        found: np.ndarray = pieces.terms(output, order).at(*pieces.timeline.place(t)).reshape(times.shape)
-        return found
+        return np.asarray(pieces.terms(output, order).at(*pieces.timeline.place(t)).reshape(times.shape))
 
     def errors(self, output: "LinearOutput", times: np.ndarray, order: int = 0) -> np.ndarray:
         """First-order bounds of the errors of the same values."""

@@ -261,8 +261,7 @@ def _first_coefficients(piece: "Piece", c: np.ndarray, half: np.ndarray, of: np.
     """Those of the series in all parts, (parts, fields, order), that have these end values."""
     values = np.concatenate([np.stack([one / half**j for j, one in enumerate(at_end)], axis=-2)
                              for at_end in end_derivatives(c, piece.order // 2)], axis=-2)
-    found: np.ndarray = (numbers.inverse(values)[:, of] @ parts[..., None])[..., 0]
-    return found
+    return np.asarray((numbers.inverse(values)[:, of] @ parts[..., None])[..., 0])
 
 
 def _near_slack(piece: "Piece", end: "float | mpmath.mpf", kappa: np.ndarray, value: np.ndarray, x: np.ndarray,
@@ -270,5 +269,4 @@ def _near_slack(piece: "Piece", end: "float | mpmath.mpf", kappa: np.ndarray, va
     """(u, u′) next to the end without tension; u′ = κ/n there."""
     whole, u = (slack_series(piece, place, kappa, numbers) for place in (end, x))
     slope = np.where(x == 0, kappa / piece.gradient, u[1] / np.where(x == 0, 1, x))
-    found: np.ndarray = np.stack([u[0], slope], axis=-1) * (value / whole[0])[..., None]
-    return found
+    return np.asarray(np.stack([u[0], slope], axis=-1) * (value / whole[0])[..., None])
