@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     from vibcli.scene.builder import Builder
     from vibcli.symbolic.node import Node
 
+TAKEN = "E", "G", "rho", "A", "I", "Io"     # what is multiplied to coefficients
+
 
 class MemberSegment(NamedTuple):
     """From `start` to `end` along a member: its stiffness (EA, GI_o or EI; None of strings), inertia, foundation and
@@ -54,6 +56,7 @@ def segments_of(record: "Record", kind: MemberKind, line: "DrawnLine | None", sc
                                    own.per_length("foundation"), own.per_length("drag"), own.modulus(), own.section(),
                                    own.axial()))
         start = end
+    given.tell_idle()
     if "segments" in record and "length" in record:
         length = scene.positive(record["length"], f"the length of '{record.name}'")
         scene.require_equal(start, length, record["length"].where,
@@ -118,14 +121,13 @@ class _Given:
         for level in self.levels:
             if kind.inertia in level:
                 return self._positive(level, kind.inertia, zero=True)
-            if {"rho", area, "section"} & set(level):
-                density, size = self._nearest("rho"), self._geometry(area)
-                if density is not None and size is None:
-                    self._missing(f"the density of '{self.member.name}' needs its cross-section",
-                                  f"give {area} or a section, or {kind.inertia} instead", "rho")
-                    return self.scene.table.zero
-                if density is not None:
+            if {"rho", area, "section"} & set(level) and (density := self._nearest("rho")) is not None:
+                size = self._geometry(area)
+                if size is not None:
                     return density * size
+                self._missing(f"the density of '{self.member.name}' needs its cross-section",
+                              f"give {area} or a section, or {kind.inertia} instead", "rho")
+                return self.scene.table.zero
         return self.scene.table.zero
 
     def per_length(self, key: str) -> "Node":
@@ -141,6 +143,14 @@ class _Given:
         """The cross-section where one is drawn."""
         level = next((level for level in self.levels if "section" in level), None)
         return None if level is None else self._section(level)
+
+    def tell_idle(self) -> None:
+        """Report what the member or a segment gives and none of its coefficients takes: I beside EI."""
+        for level in (self.member, *self.member.get("segments", ())):
+            for key in TAKEN:
+                if key in level and (level, key) not in self.nodes:
+                    self.scene.report(level.place(key), f"'{key}' of '{self.member.name}' plays no part "
+                                      "beside what else is given", "leave it out")
 
     def _nearest(self, key: str, zero: bool = False) -> "Node | None":
         level = next((level for level in self.levels if key in level), None)
