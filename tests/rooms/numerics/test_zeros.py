@@ -185,7 +185,7 @@ def solved(node, x, scene, thorough=False):
 def test_equations_of_one_unknown(letters):
     a, b, c, x = letters.a, letters.b, letters.c, letters.x
     assert solved(a * x - b, x, letters.scene) == (["b/a"], True)
-    assert solved(a / (x + b) - c, x, letters.scene) == (["-(b*c - a)/c"], True)
+    assert solved(a / (x + b) - c, x, letters.scene) == (["(a - b*c)/c"], True)
     assert solved(letters.sqrt(a * x) - b, x, letters.scene) == (["b^2/a"], True)
     assert solved(letters.sqrt(x + a) - b, x, letters.scene)[0] == ["b^2 - a"]
     assert solved(x ** 4 - a, x, letters.scene) == (["sqrt(sqrt(a))"], True)

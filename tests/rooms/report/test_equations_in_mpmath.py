@@ -233,7 +233,7 @@ HANGING = {
         chain("left: pinned, attached: [{at: L, mass: M}]"),
     "J₁(z₁)·Y₀(z₂) − Y₁(z₁)·J₀(z₂) = z₁·(J₀(z₁)·Y₀(z₂) − Y₀(z₁)·J₀(z₂))/2":
         chain("right: pinned, attached: [{at: 0, mass: M}]", ""),
-    "J₀(z₁)·Y₁(z₂) − Y₀(z₁)·J₁(z₂) = −2·Z·(J₀(z₁)·Y₀(z₂) − Y₀(z₁)·J₀(z₂))/(μ·g·z₂)":
+    "J₀(z₁)·Y₁(z₂) − Y₀(z₁)·J₁(z₂) = 2·Z·(Y₀(z₁)·J₀(z₂) − J₀(z₁)·Y₀(z₂))/(μ·g·z₂)":
         chain("left: pinned, attached: [{at: L, mass: M}, {at: L, k: k}, {at: L, oscillator: {mass: m, k: k}}]"),
     "J₀(z₁)·Y₀(z₂) − Y₀(z₁)·J₀(z₂) = 0": chain("left: pinned, right: pinned, preload: N"),
     "J₁(z₁)·Y₁(z₂) − Y₁(z₁)·J₁(z₂) = M·z₁·z₂·(J₀(z₁)·Y₀(z₂) − Y₀(z₁)·J₀(z₂))/(4·(L·μ + m)) + "

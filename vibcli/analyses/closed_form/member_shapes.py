@@ -17,6 +17,7 @@ from vibcli.symbolic.common_denominator import single
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.node import UNITS
 from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
@@ -179,12 +180,12 @@ def rigid_motions(found: "FrequencyEquation") -> int:
 
 
 def roots(found: "FrequencyEquation", count: int) -> list[float] | None:
-    """The first positive βL that fulfil the equation; None where they hang on letters, or the first is so low that
-    rounding leaves few digits. Beside poles of impedances that stand as letters two may hide."""
+    """The first positive βL that fulfil the equation; None where they hang on letters but those of units, or the first
+    is so low that rounding leaves few digits. Beside poles of impedances that stand as letters two may hide."""
     x = found.wave_number
     whole = x.table.total(found.terms)
     letters = {node.name for node in reachable(found.by_wave_number(*sides(found))) if node.op == "symbol"}
-    if letters - {x.name}:
+    if letters - {x.name, *UNITS.values()}:
         return None
     values = {node.name: 1.0 for node in reachable([whole]) if node.op == "symbol"}
 
