@@ -10,7 +10,7 @@ from math import tau
 
 import numpy as np
 
-from vibcli.homework.rounding import Rounding, arrays
+from vibcli.homework.rounding import EXACT, Rounding, arrays
 from vibcli.report.blocks import Factor, Name, SumOfTerms, WithNumbers
 from vibcli.symbolic.array_arithmetic import Arrays
 from vibcli.symbolic.evaluation import evaluate
@@ -29,7 +29,7 @@ def rounded(x, figures):
 
 class Students:
     """As many as values of the parameters that are given, one variant each; the lines that each rounds are drawn by the
-    problem. problem: that of the first."""
+    problem, where there is something to round. problem: that of the first."""
 
     def __init__(self, problem, values):
         self.count, self.rounding = len(values), Rounding(problem)
@@ -68,8 +68,10 @@ class Students:
                 for j, weight in zip(self.rounding.uses[i], self.weights[i], strict=True):
                     some = self.values[j] != 0
                     value = value * np.where(some, found[j] / np.where(some, self.values[j], 1.0), 1.0) ** weight
-            rounds = self.draw.random(self.count) < 0.5 if i != end else False
-            found.append(np.where(rounds, rounded(value, figures), value))
+            shorter = rounded(value, figures)
+            is_exact = np.allclose(shorter, value, rtol=EXACT, atol=0)      # as most entries of matrices are
+            rounds = self.draw.random(self.count) < 0.5 if i != end and not is_exact else False
+            found.append(np.where(rounds, shorter, value))
             letters |= dict.fromkeys(_head(line), found[-1])
         return found, by_letters
 

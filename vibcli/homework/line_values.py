@@ -167,7 +167,8 @@ class LineValues:
             if not self._take(group, before, by_letter):
                 continue
             for i, line in enumerate(group, first):
-                numbered.setdefault(line.number, []).append(i)
+                if not line.aside:
+                    numbered.setdefault(line.number, []).append(i)
                 if _letter(line) not in taken:
                     by_letter[_letter(line)] = i
 

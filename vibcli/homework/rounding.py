@@ -109,7 +109,8 @@ class Rounding:
 
     def rounded(self, values: "Sequence[np.ndarray]", figures: int) -> "list[np.ndarray]":
         """Half a unit of the last figure of each line, relative to it; 0 where it, and what it is found from, has no
-        more figures. Of those that follow from no other and take few values, what these are off by counts."""
+        more figures. Of those that follow from none that is rounded and take few values, what these are off by
+        counts."""
         inexact: list[np.ndarray] = []
         found = []
         for i, (value, uses) in enumerate(zip(values, self.uses, strict=True)):
@@ -118,7 +119,7 @@ class Rounding:
                 unit = 2 * half * np.abs(value)
                 off = np.nan_to_num(np.abs(np.round(value / unit) * unit / value - 1))
             inexact.append(np.logical_or.reduce([off > EXACT, *(inexact[j] for j in uses)]))
-            half = half if uses else _of_few_values(value, half, off)
+            half = half if any(inexact[j].any() for j in uses) else _of_few_values(value, half, off)
             found.append(half * (inexact[-1] & (not self.known.again(i))))
         return found
 

@@ -102,6 +102,27 @@ def test_lines_follow_from_others_by_way_of_lines_without_numbers():
     assert known.number("J_O_upper") in known.uses[entry] and entry in known.uses[known.number("a2")]
 
 
+def test_no_line_follows_from_a_force_at_rest_beside_the_balance_that_it_uses():
+    """The moment of a preloaded spring stands in the line of ∂V/∂φ = 0, by which V has no terms of the first order."""
+    known = LineValues(problem_named("feeder_tray_driven_by_a_sawtooth"))
+    moment, inertia = known.number("N_s"), known.number("J_O₁")
+    assert moment is not None and not any(moment in uses for uses in known.uses)
+    assert inertia in known.uses[known.number("omega[1]")]
+
+
+def test_what_follows_from_exact_entries_and_takes_few_values_is_off_by_what_these_are():
+    """√(k₁/J₁) of three J₁, behind entries of M and K that four figures hold."""
+    problem = problem_named("three_discs_on_fixed_shaft")
+    rounding = Rounding(problem)
+    values = rounding.known.values(given(values_of(problem, 200)))
+    line = rounding.known.number("omega_alone[one]")
+    entries, rounded = rounding.uses[line], rounding.rounded(values, 4)
+    assert rounding.known.number("K[phi1,phi1]") in entries and not any(rounded[i].any() for i in entries)
+    off = np.round(values[line], 1) / values[line] - 1
+    half = 0.05 / values[line]
+    assert rounded[line] == pytest.approx(half * np.sqrt(3 * np.mean((off / half)**2)), rel=1e-6)
+
+
 def test_lines_with_units_of_numbers_in_the_file_have_values():
     """A mass m + 0.5 kg on a spring, damped by 24 N·s/m: ω² = k/3.5 kg, δ = 24/7 1/s."""
     known = LineValues(problem("""

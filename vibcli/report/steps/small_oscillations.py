@@ -156,7 +156,7 @@ class Derivation:
         self.sheet.write(Words(words), Name(one.shown.name), *told,
                          *(self._deflection(one, unit) if one.linear else ()), settles=one.shown.name,
                          node=one.tension, value=force, unit=unit, uses=balance if follows else places,
-                         joined=joined)
+                         joined=joined, aside=True)
 
     def _deflection(self, one, unit):
         """Parts of N/k of a linear spring."""

@@ -34,7 +34,8 @@ class WorkedLine(NamedTuple):
     node: the expression that it settles, None of words and of what a search found; value: that in SI units, None in
     letters; unit: of the value; letter: the name of the symbol that stands for it in later lines, where that is not
     what it settles; vanishes: of what a search found a function of the letter, and of those of lines before it and
-    joined to it, that is zero there, None where it is not known."""
+    joined to it, that is zero there, None where it is not known; aside: later lines that follow from the numbered line
+    do not follow from this, but where its letter stands in them."""
 
     number: int
     settles: str
@@ -45,6 +46,7 @@ class WorkedLine(NamedTuple):
     unit: str = ""
     letter: str = ""
     vanishes: Any = None
+    aside: bool = False
 
 
 class WorkedSolution:
@@ -90,12 +92,12 @@ class WorkedSolution:
 
     def write(self, *parts: Any, settles: str = "", uses: Sequence[int | None] = (), node: "Node | None" = None,
               value: float | None = None, unit: str = "", joined: bool = False, letter: str = "",
-              vanishes: "Node | None" = None, opens: bool = False) -> int:
+              vanishes: "Node | None" = None, opens: bool = False, aside: bool = False) -> int:
         """Write a line, or what is `joined` to the last one, and give its number; `opens`: the next one is joined to
         it."""
         number = self.last if joined or self.opened else self.last + 1
         known = tuple(sorted({use for use in uses if use and use < number}))
-        self.steps.append(WorkedLine(number, settles, known, parts, node, value, unit, letter, vanishes))
+        self.steps.append(WorkedLine(number, settles, known, parts, node, value, unit, letter, vanishes, aside))
         self._beside = self.steps[-1] if opens else None
         return number
 
