@@ -19,6 +19,7 @@ OTHERS = {"kg": 1.37, "m": 0.83, "s": 1.19}     # how much of an SI unit others 
 RAISED = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+")
 UNKNOWNS = re.compile(r"(omega|lambda|D|[acdnp]\d+|[MCGK]|[ABEFX]|theta|[ZF]|tau|n|u|alpha|kappa|𝔇)\d*′*")
 PRINTED = 1e-5      # relative: of numbers as they are printed
+ROUNDING = 1e-13    # the same, of the terms of a sum that cancel
 OF_MODE = re.compile(r"equation of (?:complex )?mode (\d+)")
 TELLS = " = ", "(τ) = ", "(0) = "        # behind a letter
 DIGITS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
@@ -80,12 +81,12 @@ class Checked:
     def matrices(self, line):
         """The matrices of a line, entry by entry; the unit of numbers stands behind them or behind each."""
         behind = (*line.parts[1:], None)
-        found = [[self.entry(cell, after) for row in part.rows for cell in row]
+        found = [[(self.entry(cell, after), self.rounding(cell[0])) for row in part.rows for cell in row]
                  for part, after in zip(line.parts, behind, strict=False) if isinstance(part, ShownMatrix)]
         for one, other in pairwise(found):
-            for x, y in zip(one, other, strict=True):
+            for (x, rounding), (y, _) in zip(one, other, strict=True):
                 self.count += 1
-                if not math.isclose(x, y, rel_tol=PRINTED):
+                if not math.isclose(x, y, rel_tol=PRINTED, abs_tol=rounding):
                     self.wrong.append((line.number, x, y))
 
     def entry(self, cell, after):
@@ -94,6 +95,12 @@ class Checked:
             return self.value(cell[0])
         unit = next((part.text for part in (*cell[1:], after) if isinstance(part, Words)), "")
         return float(cell[0].replace("−", "-")) * self.of_unit(unit.strip())
+
+    def rounding(self, node):
+        """What may be left of the terms of a sum that cancel, 0 of what is none."""
+        if getattr(node, "op", "") != "sum":
+            return 0.0
+        return ROUNDING * sum(abs(c * self.value(part)) for part, c in node.args)
 
     def of_unit(self, _):
         return 1.0

@@ -166,7 +166,8 @@ forces: {f: {at: one, force: F*sin(w*t)}}
 parameters: {m1: 4 kg, m2: 2 kg, m3: 1 kg, k1: 300 N/m, k2: 100 N/m, k3: 100 N/m}
 bodies: {a: {mass: m1, slide: x1}, b: {mass: m2, slide: x2}, c: {mass: m3, slide: x3}}
 springs: {p: {k: k1, between: [ground, a]}, q: {k: k2, between: [a, b]}, r: {k: k3, between: [b, c]}}
-""", ("mass matrix:", "stiffness matrix:", "a₃·ω⁶ − a₂·ω⁴ + a₁·ω²", "a₃ = ", "a₀ = ", "ω₂ = 10 rad/s", "1 : 0 : −1")),
+""", ("mass matrix, in the order  x₁, x₂, x₃:", "stiffness matrix:", "a₃·ω⁶ − a₂·ω⁴ + a₁·ω²",
+         "a₃ = ", "a₀ = ", "ω₂ = 10 rad/s", "1 : 0 : −1")),
     "over_damped": Source(
         "WizEdu 345317: 4 kg, 36 N·s/m, 72 N/m, from −3 m with 4 m/s: roots −3 and −6, constants −14/3 and 5/3",
         DAMPED % "m: 4 kg, k: 72 N/m, c: 36 N*s/m" + "initial: {x: -3 m, x': 4 m/s}\n", (

@@ -166,8 +166,11 @@ def _know_lag(degree, theta, steady, lag, lines):
 
 
 def _angle(degree, steady):
-    """θ = arg((R + iS)/(A + iB))."""
+    """θ = arg((R + iS)/(A + iB)), without the size of a load that is a sine or a cosine alone."""
     (real, ahead), Omega = _load(degree, steady), steady.formula.Omega
+    size = _size_of(real + ahead)
+    if (real.is_zero or ahead.is_zero) and degree.about.table.is_positive(size):
+        real, ahead = real / size, ahead / size
     R, S = degree.K - degree.M * Omega ** 2, degree.C * Omega
     return degree.about.table.call("atan2", S * real - R * ahead, R * real + S * ahead)
 
@@ -218,9 +221,8 @@ def _load(degree, steady):
 
 
 def _size(degree, parts):
-    if len(parts) == 1:
-        return parts[0]
-    return degree.root(single(textbook(degree.about.table.total([part ** 2 for part in parts]))))
+    return parts[0] if len(parts) == 1 else degree.root(single(textbook(degree.about.table.total([
+        part ** 2 for part in parts]))))
 
 
 def _resistance(degree, Omega: "Node") -> "Node":
@@ -275,8 +277,7 @@ def _series(degree, wave, argument, F):
     sheet, table = degree.sheet, degree.about.table
     Omega = gradient(argument)[degree.problem.scene.time]
     head, step, factor = SERIES[wave]
-    first = [table.call("sin", argument), *(table.call("sin", (1 + k * step) * argument) / (1 + k * step)
-                                             for k in (1, 2))]
+    first = [table.call("sin", (1 + k * step) * argument) / (1 + k * step) for k in range(3)]
     series = sheet.write(f"{wave}(", argument, ") = " + head, first[0], " + ", first[1], " + ", first[2], " + …)",
                          settles=f"series of {wave}")
     n, X = degree.about.letter(sheet.letter("n")), sheet.letter("X", "n")

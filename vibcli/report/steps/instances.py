@@ -10,6 +10,7 @@ from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.quantities.expression import value_of
 from vibcli.results.random_states import random_instances
 from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.node import UNITS
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -40,7 +41,7 @@ def instances(problem: "Problem", sheet: "WorkedSolution") -> "Iterator[tuple[Pr
             if one is None:
                 return
             drawn.append(one)
-        known = _with_lines(dict(drawn[i].numeric.floats), sheet.steps)
+        known = _with_lines({**dict.fromkeys(UNITS.values(), 1.0), **drawn[i].numeric.floats}, sheet.steps)
         if not any(map(isnan, known.values())):
             yield drawn[i], known
 

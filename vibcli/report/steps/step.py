@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 MARKED = "′", "′′", "′′′"
-MATRICES = {"M": "DHN", "C": "BRW", "G": "YXU", "K": "SEZ", "P": "QLJ", "Z": "AOV"}   # where the scene has these
+MATRICES = {"M": "DHN", "C": "BRW", "G": "YXU", "K": "SEZ", "P": "LJQ", "Z": "AOV"}   # where the scene has these
 ENTRY = re.compile(r"\d\d")      # indices of an entry of a matrix
 
 
