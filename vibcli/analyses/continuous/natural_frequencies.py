@@ -17,7 +17,7 @@ import numpy as np
 from vibcli.analyses.continuous.brackets import Bracket, KnownCounts, parted, reached
 from vibcli.analyses.continuous.counting import GUARD, SLACK, count, rounding, scales
 from vibcli.analyses.continuous.local_modes import local_modes
-from vibcli.analyses.continuous.rayleigh_steps import rayleigh_step, settled, start
+from vibcli.analyses.continuous.rayleigh_steps import beside, rayleigh_step, settled, start
 from vibcli.analyses.continuous.refinement import PARTS, divided_at_poles
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
@@ -101,20 +101,25 @@ def _ratio(bracket):
 
 
 def _polished(system, brackets):
-    """The roots of brackets with one frequency and no pole, all at a time; those that fail are left out."""
+    """The roots of brackets with one frequency and no pole, all at a time; those that fail are left out. Each step
+    tells by the signs of its pivots on which side of the root it lies, so that brackets narrow too."""
     if not brackets or not system.n:
         return {}
-    indices = list(brackets)
-    low, high = (system.numbers(getattr(brackets[i], end) for i in indices) for end in ("low", "high"))
+    indices = np.array(list(brackets))
+    low, high = (system.numbers(getattr(one, end) for one in brackets.values()) for end in ("low", "high"))
     z, x, last = (low + high) / 2, start(system, len(indices)), system.aside ** 1.5
+    held = system.held(z).sum(axis=0)
     for _ in range(STEPS):
-        z, x, moved = rayleigh_step(system, z, x)
+        here, before = beside(system, z), z
+        z, x, negative = rayleigh_step(system, here, x)
+        close = abs(z - before) <= last * abs(z)
+        above = held + negative >= indices
+        low, high = np.where(above, low, np.maximum(low, here)), np.where(above, np.minimum(high, here), high)
         z = np.where((z > low) & (z < high), z, (low + high) / 2)
-        if (abs(moved) <= last * abs(z)).all():
+        if close.all():
             break
-    within = (z > low) & (z < high) & (abs(moved) <= last * abs(z))
-    near = [i for i, good in zip(indices, within, strict=True) if good]
-    return {} if not near else certified(system, z[within], x[:, within], near, np.ones(len(near), bool))
+    within = (z > low) & (z < high) & close
+    return certified(system, z[within], x[:, within], indices[within].tolist(), within[within]) if within.any() else {}
 
 
 def _beside_poles(system, brackets):
