@@ -18,7 +18,8 @@ import numpy as np
 from vibcli.base.named_tuple import NamedTuple
 
 SAME = 1e-14        # of a place
-NEWTON = 8          # steps; from e = 0 five reach the last digit
+NEWTON = 8          # steps; from e = 0 five reach the last digit,
+FADED = 38.0        # where exp −x is no more than a rounding none is needed: e is then it, or twice it
 PINNED, GUIDED = (False, True), (True, False)
 SINES = frozenset({PINNED, GUIDED})
 
@@ -111,22 +112,24 @@ def _joined(placed):
 
 def _tangent(start, sign):
     """e of the roots of tan x = −sign·tanh x near x₀ = (n ∓ ¼)π: e = sign·arctan exp(−2x)."""
-    e = np.zeros_like(start)
+    e, near = sign * np.exp(-2 * start), 2 * start < FADED
+    e[near] = 0
     for _ in range(NEWTON):
-        fading = np.exp(-2 * (start + e))
-        value, slope = e - sign * np.arctan(fading), 1 + 2 * sign * fading / (1 + fading * fading)
-        e -= value / slope
+        fading = np.exp(-2 * (start[near] + e[near]))
+        value, slope = e[near] - sign * np.arctan(fading), 1 + 2 * sign * fading / (1 + fading * fading)
+        e[near] -= value / slope
     return e
 
 
 def _product(n, sign):
     """e of the roots of cos x cosh x = sign near x₀ = (n + ½ sign)π: sin e = −(−1)ⁿ sech x."""
     start, turn = np.pi * (n + 0.5 * sign), np.where(n % 2, -1.0, 1.0)
-    e = np.zeros_like(start)
+    e, near = -2 * turn * np.exp(-start), start < FADED
+    e[near], turn = 0, turn[near]
     for _ in range(NEWTON):
-        x = start + e
+        x = start[near] + e[near]
         fading = np.exp(-x)
         sech = 2 * fading / (1 + fading * fading)
-        value, slope = np.sin(e) + turn * sech, np.cos(e) - turn * sech * np.tanh(x)
-        e -= value / slope
+        value, slope = np.sin(e[near]) + turn * sech, np.cos(e[near]) - turn * sech * np.tanh(x)
+        e[near] -= value / slope
     return e
