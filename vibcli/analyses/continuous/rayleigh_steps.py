@@ -8,6 +8,7 @@ from vibcli.numerics.sparse_elimination import product, quadratic
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.system import ContinuousSystem
+    from vibcli.numerics.sparse_elimination import Elimination
 
 TAKEN_OUT, AT_MOST = 2, 8       # times; each leaves of another shape a millionth over the relative distance of its z
 NOTHING_LEFT = 64   # roundings
@@ -58,6 +59,6 @@ def beside(system: "ContinuousSystem", z: np.ndarray) -> Any:
     return z + (abs(z) + system.aside * system.scale) * system.aside
 
 
-def _factors(system, z):
+def _factors(system: "ContinuousSystem", z: np.ndarray) -> "Elimination":
     entries, sizes, _ = system.dynamic_stiffness(beside(system, z))
     return system.eliminated(entries, sizes)
