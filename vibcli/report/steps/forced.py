@@ -103,7 +103,7 @@ def _one_harmonic(degree):
         else:
             _know_lag(degree, theta, steady, lag, lines)
     degree.about.know(X, degree.about.value(formula.amplitude))
-    tell_of_one(degree.about, sheet, X, formula.Omega, lines)
+    tell_of_one(degree.about, sheet, (X, None if lag is None else theta), steady, lines)
     if not formula.ahead:
         tell_start(degree, KeptUp(steady, X, theta if lags else None, lag), lines)
 
