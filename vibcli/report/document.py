@@ -10,6 +10,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.notation.names_in_words import NAMED
 from vibcli.reader.read import QUOTE
 from vibcli.report.blocks import Document, Name, Section, explained, maths
 from vibcli.report.sections import SECTIONS
@@ -26,8 +27,6 @@ EVERYTHING = ("given", "chosen", "coordinates", "equilibrium", "virtual_work", "
 # sections of formulas, in which the numbers of the file keep their units; of modes they tell none beside members
 MEASURED = {"equilibrium", "reactions", "virtual_work", "energies", "equations", "matrices"}
 OF_MODES = {"frequencies", "damping", "modes"}
-
-NAMED = re.compile(r"(?<![\w.\[])((?<!')[^\W\d]\w*'*|(?<=')[^\W\d]\w*)(?![\w\[(]|\.\w)")  # in quotes it has no primes
 
 
 class Report:

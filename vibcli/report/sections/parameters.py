@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base import units
 from vibcli.base.enumeration import listed
 from vibcli.language.record_calls import own
+from vibcli.notation.names_in_words import with_symbols
 from vibcli.notation.numbers import figure, with_unit
 from vibcli.report.blocks import (
     Definition,
@@ -44,7 +45,7 @@ def given(problem: "Problem", _: "Report") -> Iterator[Section]:
         if name in problem.spec.choices:
             continue
         if "value" in record or "about" in record:
-            items.append(Definition(_valued(problem, name, record, names), record.get("about", "")))
+            items.append(Definition(_valued(problem, name, record, names), _about(problem, record)))
         else:
             letters.append(maths(Name(name)))
     known = Definitions(tuple(items), "   ", not any(item.about for item in items)) if items else None
@@ -110,8 +111,13 @@ def coordinates(problem: "Problem", _: "Report") -> Iterator[Section]:
 def words_of(problem: "Problem", name: str) -> str:
     """What a coordinate is, in words; a unit that stands in their place tells nothing beside that of the coordinate."""
     record = problem.spec.coordinates.get(name)
-    about = record and record.get("about")
+    about = _about(problem, record or {})
     return (about if about not in units.UNITS else "") or _moves(problem).get(name) or _on_member(name)
+
+
+def _about(problem: "Problem", record: Any) -> str:
+    """What the file says about a parameter or coordinate, the names in it by their symbols."""
+    return with_symbols(record.get("about", ""), {*problem.spec.parameters, *problem.spec.coordinates})
 
 
 def _on_member(name: str) -> str:
