@@ -26,6 +26,8 @@ from vibcli.symbolic.node import is_number
 from vibcli.symbolic.normal_form import is_zero, textbook
 
 if TYPE_CHECKING:
+    from vibcli.scene.energy_terms import Damper, Spring
+    from vibcli.scene.laws import Law
     from vibcli.symbolic.node import Node
 
 AT_ONCE = 4         # letters of a stretch or speed, up to which its energy stands in the same line
@@ -55,20 +57,20 @@ class Acting(NamedTuple):
 class Connections:
     """What the springs, weights, dampers and loads of a scene add; `others`: does something else add to V, too?"""
 
-    def __init__(self, about: AboutRest, sheet: WorkedSolution, others: bool):
+    def __init__(self, about: AboutRest, sheet: WorkedSolution, others: bool) -> None:
         self.about, self.sheet, self.scene = about, sheet, about.scene
         springs = {term.owner for term in self.scene.springs} | {law.owner for law in self.scene.laws if not law.damper}
         acting = [{term.owner for term in terms} for terms in (self.scene.weights, self.scene.forces)]
         self._several = others or len(springs) + sum(map(len, acting)) > 1
-        self._damping: list | None = None
-        self._stretched: list = []
+        self._damping: list[Any] | None = None
+        self._stretched: list[Any] = []
         self._located: set[str] = set()
 
-    def _letter(self, letter, owner):
+    def _letter(self, letter: str, owner: str) -> str:
         """That of an element, its name with it where there are several."""
         return self.sheet.letter(letter, owner if self._several else "")
 
-    def _of(self, term):
+    def _of(self, term: Any) -> str:
         """The name of an element in letters, numbered where several terms are its own."""
         own = [one for one in (*self.scene.springs, *self.scene.dampers) if one.owner == term.owner]
         return term.owner if len(own) < 2 else f"{term.owner}{own.index(term) + 1}"
@@ -82,11 +84,11 @@ class Connections:
                 yield self._spring(law, self._slope(law, still.s, "k", "stiffness"), still)
         yield from self._weights()
 
-    def _beside(self, kind):
+    def _beside(self, kind: str) -> Iterator[Any]:
         """[(term, the same as a function of driven displacements)]."""
         return zip(getattr(self.scene, kind), self.scene.undriven(kind), strict=True)
 
-    def _slope(self, law, at, letter, what):
+    def _slope(self, law: "Law", at: "Node", letter: str, what: str) -> "Node":
         """The slope of a law at rest, told with a letter of its own."""
         tell_parts(self.about.problem, self.sheet, law.owner)
         slope = gradient(law.derivative).get(law.x, self.scene.table.zero)
@@ -99,11 +101,11 @@ class Connections:
                          unit="" if value is None else unit)
         return node if is_number(node) else self.about.keep(self.about.letter(name), node)
 
-    def _unit(self, owner):
+    def _unit(self, owner: str) -> str:
         """That of the force of an element."""
         return "N·m" if "torsion" in self._elements.get(owner, {}) else "N"
 
-    def _spring(self, term, k, still):
+    def _spring(self, term: "Law | Spring", k: "Node", still: "Law | Spring") -> tuple[EnergyPart, Acting]:
         about, sheet = self.about, self.sheet
         small, tension = about.small(term.s), about.tension(still.force(self.scene))
         loaded = not tension.is_zero
@@ -128,7 +130,8 @@ class Connections:
         self._stretched.append((term, *found))
         return found
 
-    def _like_another(self, term, small, tension, k):
+    def _like_another(self, term: "Law | Spring", small: Small, tension: "Node",
+                      k: "Node") -> tuple[EnergyPart, Acting] | None:
         """V of a spring that is stretched like one before it, and as stiff; None of others."""
         for first, energy, acting in self._stretched:
             if (acting.k, acting.tension, acting.linear) == (k, tension, hasattr(term, "weight")) and is_zero(
@@ -139,7 +142,7 @@ class Connections:
                 return EnergyPart(V, energy.node, line), acting._replace(name=term.owner, s=small, line=line)
         return None
 
-    def _told(self, term, small, moves, letter, loaded):
+    def _told(self, term: "Law | Spring", small: Small, moves: "Node", letter: str, loaded: bool) -> tuple[int, bool]:
         """The line of a stretch, counted from rest, and whether it is told exactly."""
         s, exact = self._exactly(small, moves)
         s = by_sides(self.about, term.s, s)
@@ -148,7 +151,7 @@ class Connections:
         return self.sheet.write(*self._across(f"stretch of {term.owner}, from rest", term), Name(letter), " = ",
                                 *parts, moves, *more, settles=letter, node=moves), exact
 
-    def _across(self, words, term):
+    def _across(self, words: str, term: Any) -> "list[Node | str | Words]":
         """Words on an element, and the places of points between which it is, that no line before tells; none of points
         that go straight."""
         parts: list[Any] = [Words(words)]
@@ -164,21 +167,21 @@ class Connections:
         return [*parts, Words(":  ")]
 
     @property
-    def _elements(self):
+    def _elements(self) -> dict[str, Any]:
         """{name: record} of the springs and dampers."""
         spec = self.about.problem.spec
         return {**(spec.get("springs") or {}), **(spec.get("dampers") or {})}
 
-    def _exactly(self, small, moves):
+    def _exactly(self, small: Small, moves: "Node") -> "tuple[Node, bool]":
         """What a function of the coordinates is, counted from rest, and whether it is what is told of it."""
         s = textbook(self.about.shifted(small.s) - self.about.rest(small.still, named=False))
         return s, not small.bends and plain(s) == plain(textbook(moves))
 
-    def _turns(self, s):
+    def _turns(self, s: "Node") -> bool:
         """Does what moves along s turn in time, so that a weight is a load in time there?"""
         return any(textbook(slope).mask & self.scene.time.mask for x, slope in gradient(s).items() if x in self.scene.q)
 
-    def _weights(self):
+    def _weights(self) -> Iterator[tuple[EnergyPart, Acting]]:
         """The weight of each body, its height to the second order; of several all in a line."""
         acting = [Acting(term.owner, term.weight, term.weight, None, self.about.small(term.s), None)
                   for term in self.scene.weights if not self._turns(term.s)]
@@ -202,7 +205,7 @@ class Connections:
         for i, one in enumerate(acting):
             yield EnergyPart(V, node if not i else None, line), one._replace(line=line)
 
-    def _dampers(self):
+    def _dampers(self) -> "list[tuple[Damper, Node]]":
         """[(what damps, its coefficient at rest)]."""
         if self._damping is None:
             laws = [(law, self._slope(law, self.scene.table.zero, "c", "coefficient")) for law in self.scene.laws

@@ -1,7 +1,7 @@
 """The first lines: what the coordinates are, where they rest, what constraints leave of the others."""
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.in_motion import short_form
@@ -43,7 +43,7 @@ def tell_coordinates(problem: "Problem", scene: "Scene", sheet: WorkedSolution) 
         sheet.write(Words("and by the closed loop  " * (not i)), Name(name), Words(f":  {what}"), joined=True)
 
 
-def _sense(scene, name, what):
+def _sense(scene: "Scene", name: str, what: str) -> str:
     """Which way a body moves or turns where its coordinate grows; '' where that is no such direction."""
     kind, _, owner = what.partition(" of ")
     body, q, zero = scene.bodies.get(owner), scene.symbol(name), scene.table.zero
@@ -80,7 +80,7 @@ def tell_conditions(problem: "Problem", sheet: WorkedSolution) -> list[int]:
     leave of a coordinate; the numbers of their lines."""
     if problem.scene.loops is None:
         return []
-    found: dict = {}
+    found: dict[Any, Any] = {}
     scene, loose = problem.scene, problem.system.scene_with_multipliers
     names = [name for name in scene.dependent if name not in scene.loops.names]
     known = dict(zip(map(loose.symbol, names), copied([scene.dependent[name] for name in names], loose.table),

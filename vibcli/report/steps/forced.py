@@ -23,6 +23,8 @@ from vibcli.symbolic.normal_form import is_zero, textbook
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from vibcli.analyses.closed_form.dimensionless import Dimensionless
+    from vibcli.analyses.closed_form.steady_state import Steady
     from vibcli.symbolic.node import Node
 
 SERIES = {"square": ("4/π·(", 2, 4), "sawtooth": ("−2/π·(", 1, -2)}      # of 2π: its factor, step of n, π·factor
@@ -41,7 +43,7 @@ def tell_forced(degree: Degree) -> None:
         _growing(degree)
         return
     try:
-        found: dict = {}
+        found: dict[Any, Any] = {}
         for (argument, kind), node in waves_of_all(degree.problem.scene, {0: load})[0].items():
             found.setdefault(argument, {})[kind] = node
     except NotInLetters:
@@ -61,7 +63,7 @@ def tell_forced(degree: Degree) -> None:
                 _of_several(degree, number, argument, parts)
 
 
-def _growing(degree):
+def _growing(degree: Degree) -> None:
     """What follows a load that is a power of the time."""
     try:
         node = degree.problem.symbolic_following(degree.name)
@@ -71,7 +73,7 @@ def _growing(degree):
                        settles=f"following({degree.name})", node=node, uses=degree.found.lines)
 
 
-def _one_harmonic(degree):
+def _one_harmonic(degree: Degree) -> None:
     """X and θ, from the complex equation."""
     try:
         steady = degree.problem.symbolic_steady_state(degree.name)
@@ -105,7 +107,7 @@ def _one_harmonic(degree):
         tell_start(degree, KeptUp(steady, X, theta if lags else None, lag), lines)
 
 
-def _by_ratio(degree, X, steady, lines):
+def _by_ratio(degree: Degree, X: "Node", steady: "Steady", lines: list[int]) -> None:
     """The same amplitude by r = Ω/ω and ζ, where it is a product of these."""
     from vibcli.analyses.closed_form.dimensionless import CONSTANT, SQUARE, dimensionless
 
@@ -127,7 +129,7 @@ def _by_ratio(degree, X, steady, lines):
                 letter=r.name, uses=lines)
 
 
-def _product(degree, steady):
+def _product(degree: Degree, steady: "Steady") -> "Dimensionless | None":
     """The same of a frequency that is an expression: of a load F/K, of one proportional to Ω² by F/(MΩ²), and of a
     support that moves, whose load is K and iΩC times a place."""
     from vibcli.analyses.closed_form.dimensionless import BASE, CONSTANT, SQUARE, Dimensionless
@@ -145,12 +147,12 @@ def _product(degree, steady):
         degree.K / degree.M), None if degree.C.is_zero else degree.zeta)
 
 
-def _complex_equation(degree, X, steady):
+def _complex_equation(degree: Degree, X: "Node", steady: "Steady") -> None:
     """Beside the last line (K − M Ω² + i C Ω) X e^{−iθ} = A + i B of a load A sin + B cos; B − i A where cosines are
     counted from."""
     Omega = steady.formula.Omega
     real, ahead = load_of(degree, steady)
-    load = [real] if not real.is_zero or ahead.is_zero else []
+    load: list[Any] = [real] if not real.is_zero or ahead.is_zero else []
     if not ahead.is_zero:
         negative = ahead.op != "sum" and ahead.coefficient < 0
         sign = (" − " if load else "−") if negative else " + " if load else ""
@@ -162,20 +164,20 @@ def _complex_equation(degree, X, steady):
                        settles="complex equation", uses=degree.found.lines, joined=True)
 
 
-def _size(degree, parts):
+def _size(degree: Degree, parts: Any) -> "Node":
     return parts[0] if len(parts) == 1 else degree.root(single(textbook(degree.about.table.total([
         part ** 2 for part in parts]))))
 
 
-def _resistance(degree, Omega: "Node") -> "Node":
+def _resistance(degree: Degree, Omega: "Node") -> "Node":
     """√((K − M Ω²)² + C² Ω²); K − M Ω² where nothing damps."""
-    resists = degree.K - degree.M * Omega ** 2
+    resists: Node = degree.K - degree.M * Omega ** 2
     if degree.C.is_zero:
         return resists
     return degree.about.table.sqrt(resists ** 2 + degree.C ** 2 * Omega ** 2)
 
 
-def _of_several(degree, number: int, argument: "Node", parts: "Mapping[str, Node]"):
+def _of_several(degree: Degree, number: int, argument: "Node", parts: "Mapping[str, Node]") -> None:
     """The amplitude and lag under one of several harmonics."""
     sheet, table = degree.sheet, degree.about.table
     Omega = gradient(argument)[degree.problem.scene.time]
@@ -189,7 +191,7 @@ def _of_several(degree, number: int, argument: "Node", parts: "Mapping[str, Node
                        degree.C * Omega / (degree.K - degree.M * Omega ** 2), "", f"tan theta{number}", [line])
 
 
-def _other(degree, load):
+def _other(degree: Degree, load: "Node") -> None:
     """What is no sum of harmonics: a periodic wave by its series, what begins and ends by its pieces."""
     wave = _periodic(degree, load)
     if wave is not None:
@@ -202,7 +204,7 @@ def _other(degree, load):
         tell_pieces(degree, found)
 
 
-def _periodic(degree, load):
+def _periodic(degree: Degree, load: "Node") -> "tuple[str, Node, Node] | None":
     """(name of the wave, its argument, its factor) of F·square(Ωt) or F·sawtooth(Ωt) alone; else None."""
     atoms = [base for base, e in (load.args if load.op == "product" else ()) if base.op == "call" and e == 1
              and base.name in SERIES]
@@ -214,7 +216,7 @@ def _periodic(degree, load):
     return None if factor.mask else (atoms[0].name, atoms[0].args[0], factor)
 
 
-def _series(degree, wave, argument, F):
+def _series(degree: Degree, wave: str, argument: "Node", F: "Node") -> None:
     """F·square(Ωt) = F·4/π·(sin Ωt + sin 3Ωt/3 + …), and Xₙ of each."""
     sheet, table = degree.sheet, degree.about.table
     Omega = gradient(argument)[degree.problem.scene.time]

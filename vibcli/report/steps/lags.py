@@ -33,7 +33,7 @@ def told_lag(degree: Degree, theta: "Node", steady: "Steady", lag: float | None,
     return degree.settled([theta.table.call("tan", theta)], tangent, "", "tan theta", lines, more=more)
 
 
-def _by_parts(degree, steady, uses):
+def _by_parts(degree: Degree, steady: "Steady", uses: list[int]) -> "tuple[Node, list[int]] | None":
     """(tan θ of a load A + iB that is resisted by R + iS, the line that tells these); None where one of them is
     zero."""
     about, sheet, found = degree.about, degree.sheet, list[Any]()
@@ -61,7 +61,7 @@ def know_lag(degree: Degree, theta: "Node", steady: "Steady", lag: float, lines:
     degree.about.know(theta, lag)
 
 
-def _angle(degree, steady):
+def _angle(degree: Degree, steady: "Steady") -> "Node":
     """θ = arg((R + iS)/(A + iB)), without the size of a load that is a sine or a cosine alone, or whose parts have a
     ratio in numbers."""
     (real, ahead), Omega = load_of(degree, steady), steady.formula.Omega

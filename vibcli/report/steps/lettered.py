@@ -39,7 +39,7 @@ def is_told_by_number(node: "Node", value: float | None) -> bool:
 class LetteredCoefficients:
     """The letters of a problem about its rest; `searched`: did a search find the place?"""
 
-    def __init__(self, about: "AboutRest", sheet: WorkedSolution, searched: bool):
+    def __init__(self, about: "AboutRest", sheet: WorkedSolution, searched: bool) -> None:
         self.about, self.sheet, self.searched = about, sheet, searched
         self.known: dict[Node, Node] = {}
         self._dimensions: dict[str, Dimension | None] = {}

@@ -4,6 +4,7 @@ linear function of the motion, as the force of a spring or a distance:
     s = Σ αⱼqⱼ + βⱼq̇ⱼ + s₀(t),   S = Σ (αⱼ + iΩβⱼ) Xⱼ + S₀.
 """
 
+from collections.abc import Callable
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
@@ -36,6 +37,7 @@ if TYPE_CHECKING:
     from vibcli.language.reader import Expression
     from vibcli.report.steps.steady_states import SteadyState
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import SyntaxTree
 
 CLOSE = 1e-8        # relative: of an amplitude by the lines and the engine's
 READABLE = 20       # letters of what stands between bars
@@ -44,7 +46,7 @@ READABLE = 20       # letters of what stands between bars
 class Phasors:
     """Those of all coordinates under loads of one frequency; known: have they letters, none of the parts being zero?"""
 
-    def __init__(self, steady: "SteadyState", values: "Sequence[complex]"):
+    def __init__(self, steady: "SteadyState", values: "Sequence[complex]") -> None:
         self.steady, self.sheet, self.about, self.table = steady, steady.sheet, steady.about, steady.table
         self.parts = ("a",) if steady.undamped else ("a", "b")
         self.values = [part for X in values for part in ((X.real,) if steady.undamped else (X.real, X.imag))]
@@ -106,14 +108,14 @@ class Phasors:
             else:
                 tell_amplitude(self.about, self.sheet, asked, self._abs(S), shown, uses)
 
-    def _tell_phase(self, asked, S, shown, uses):
+    def _tell_phase(self, asked: "Expression", S: ComplexNode, shown: list[Any] | None, uses: list[int]) -> None:
         """The line of the lag behind a sine of what has the complex amplitude S."""
         lag, quarter = self.table.call("atan2", -S.imaginary, S.real), self.table.pi / 2
         what = [Words("the lag of  "), *([Words("its complex amplitude")] if shown is None else shown)]
         turned = [(lag - quarter, [*what, " − π/2"]), (lag + 3 * quarter, [*what, " + 3·π/2"])]
         tell_found(self.about.problem, self.sheet, asked, [(lag, what)] if self.steady.wave == "sin" else turned, uses)
 
-    def _abs(self, S) -> "Node":
+    def _abs(self, S: ComplexNode) -> "Node":
         if self.by_cramer and S.imaginary.is_zero:
             return self.table.call("abs", S.real)
         return _size(S.real, S.imaginary, self.about.value)
@@ -136,7 +138,7 @@ class Phasors:
         told = [whole] if plainly and letters(whole) <= READABLE else self._by_factors(drive, factors)
         return ComplexNode(self.table.total(real), self.table.total(imaginary)), told
 
-    def _by_factors(self, drive, factors) -> "list[Any] | None":
+    def _by_factors(self, drive: Any, factors: "Sequence[Any]") -> "list[Any] | None":
         """Parts of (α + iβ) X₁ + … where these are short."""
         terms = [(factor, [Name(self.sheet.letter(f"X{j + 1}"))]) for j, factor in enumerate(factors)]
         told: list[Any] = []
@@ -177,7 +179,7 @@ def asked_of_signals(about: AboutRest, answers: bool = False) -> "Iterator[tuple
                 yield one.asked, _linear(about, tree.args[0])
 
 
-def _linear(about, tree):
+def _linear(about: AboutRest, tree: "SyntaxTree") -> SignalAboutRest:
     """A signal about rest; what coordinates do not tell, as a force of the ground, by the rows of the engine."""
     zero, system, n = about.table.zero, about.problem.system, len(about.scene.q)
     with suppress(PhysicsError, SpecError):
@@ -192,7 +194,7 @@ def _linear(about, tree):
     return SignalAboutRest(q, v, copied([direct], about.table)[0], a)
 
 
-def _named(signal):
+def _named(signal: SignalAboutRest) -> Any:
     return signal.name + "'" * signal.primes if isinstance(signal, NameRef) else signal
 
 
@@ -207,7 +209,7 @@ def tell_amplitude(about: AboutRest, sheet: WorkedSolution, asked: "Expression",
                 *number(value, unit), settles=asked.text, node=node, value=value, unit=unit, uses=uses)
 
 
-def _driven(about, node, steady) -> "ComplexNode | None":
+def _driven(about: AboutRest, node: "Node", steady: "SteadyState") -> "ComplexNode | None":
     """What a signal is driven with by the argument and wave of a steady state; None of another frequency."""
     if node.is_zero:
         return ComplexNode(node, node)
@@ -235,13 +237,14 @@ def tell_of_one(about: AboutRest, sheet: WorkedSolution, of: "tuple[Node, Node |
             tell_found(about.problem, sheet, asked, [_beside(about, factor, of, drive)], uses)
 
 
-def _is_long(about, asked):
+def _is_long(about: AboutRest, asked: "Expression") -> bool:
     """Is an amplitude by itself too long to be read?"""
     steady = about.problem.symbolic_steady_state(_named(asked.tree.args[0]))
     return letters(steady.formula.amplitude) > READABLE
 
 
-def _beside(about, factor, of, drive):
+def _beside(about: AboutRest, factor: ComplexNode, of: "tuple[Node, Node | None]",
+            drive: ComplexNode) -> "tuple[Node, list[Factor | Node | str]]":
     """(the size of (α + iβ) X exp(−iθ) + S₀, parts that tell it)."""
     (X, theta), call = of, about.table.call
     if factor.real.coefficient < 0 == (factor.real.op == "sum"):
@@ -253,7 +256,7 @@ def _beside(about, factor, of, drive):
     return about.table.sqrt((S.real + drive.real) ** 2 + (S.imaginary + drive.imaginary) ** 2), ["|", *shown, "|"]
 
 
-def _in_brackets(factor) -> list[Any]:
+def _in_brackets(factor: ComplexNode) -> list[Any]:
     """Parts of a + ib before a dot."""
     both = not (factor.real.is_zero or factor.imaginary.is_zero)
     parts = complex_parts(*factor)
@@ -274,7 +277,7 @@ def by_cramer(steady: "SteadyState") -> list[ComplexNode]:
     return [determinant_of(column).over(below) for column in columns]
 
 
-def _size(a, b, value_of_node) -> "Node":
+def _size(a: "Node", b: "Node", value_of_node: "Callable[[Node], float | None]") -> "Node":
     """√(a² + b²)."""
     if b.is_zero:
         return -a if value_of_node(a) < 0 else a

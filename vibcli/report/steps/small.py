@@ -7,7 +7,7 @@ against what it came from:
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.mechanics.linearise import row_of, slopes_of
 from vibcli.report.steps.agreement import LEFT, agree_in_motion, same, samples_of, tidy
@@ -31,7 +31,7 @@ class Small:
     """A function s about rest, each part found where it is first asked for: so no coefficient has a letter that no
     line needs."""
 
-    def __init__(self, about: "AboutRest", s: "Node"):
+    def __init__(self, about: "AboutRest", s: "Node") -> None:
         self._about, self.s, self.still = about, s, about.undriven.get(s, s)
 
     @cached_property
@@ -60,11 +60,11 @@ class Small:
         return self._about.driven(self.s, self.still)
 
     @cached_property
-    def _row(self):
+    def _row(self) -> "dict[int, Node]":
         return row_of(self.still, self._about.index)
 
     @cached_property
-    def _bends(self):
+    def _bends(self) -> "dict[tuple[int, int], Node]":
         return slopes_of(self._row, self._about.index)
 
 
@@ -76,7 +76,7 @@ class AboutRest:
     order_of_speeds = " to the first order"
 
     def __init__(self, problem: "Problem", place: "Mapping[Node, Node]", values: Mapping[str, float],
-                 sheet: WorkedSolution | None = None):
+                 sheet: WorkedSolution | None = None) -> None:
         self.problem, self.scene, self.table = problem, problem.scene.written, problem.scene.table
         scene, zero = self.scene, self.table.zero
         drives = scene.held_drives
@@ -100,7 +100,7 @@ class AboutRest:
         return textbook(substitute([node], moved)[0] if moved else node)
 
     @cached_property
-    def _in_loops(self):
+    def _in_loops(self) -> "list[Node]":
         """What follows from the coordinates in closed loops."""
         loops, dependent = self.scene.loops, self.scene.dependent
         return [dependent[name] for name in (loops.names if loops is not None else ())]
@@ -112,7 +112,7 @@ class AboutRest:
         place = {symbol: node for symbol, node in self.place.items() if symbol is not self.scene.time}
         return textbook(self._unrooted(substitute([s], place)[0]) - self.rest(still))
 
-    def _begun(self, node):
+    def _begun(self, node: "Node") -> "Node":
         """The same with 0 and 1 for steps and ramps of instants that are known to be before or after their begin, and
         signs that are known."""
         known = {}
@@ -127,7 +127,7 @@ class AboutRest:
                     known[call] = low if before else argument if call.name == "ramp" else self.table.one
         return substitute([node], known)[0] if known else node
 
-    def _unrooted(self, node):
+    def _unrooted(self, node: "Node") -> "Node":
         """A function of the time with H − u for √((H − u)²), where that is so while anything acts."""
         terms = node.args if node.op == "sum" else ((node, ONE),)
         for part, _ in terms:
@@ -160,7 +160,7 @@ class AboutRest:
         """A force at rest, which has the letter of its element."""
         return self.rest(node, named=False)
 
-    def _letter_for(self, node):
+    def _letter_for(self, node: "Node") -> "Node":
         """A letter for a number; zero for what rounding leaves at a searched place."""
         if self._lettered is None:
             return node
@@ -172,7 +172,7 @@ class AboutRest:
             return False
         terms = [part * c for part, c in node.args] if node.op == "sum" else [node]
         found = evaluate(terms, Floats, self.samples[0])
-        return abs(sum(found)) <= ROUNDING * sum(map(abs, found))
+        return cast("bool", abs(sum(found)) <= ROUNDING * sum(map(abs, found)))
 
     @property
     def abbreviates(self) -> bool:
@@ -229,7 +229,7 @@ class AboutRest:
     def known_value(self, node: "Node") -> float | None:
         """The same of one whose letters all have numbers, although others may have none."""
         with suppress(KeyError):
-            return evaluate([node], Floats, self.numbers())[0]
+            return cast("float | None", evaluate([node], Floats, self.numbers())[0])
         return None
 
     def square(self, speeds: "Sequence[Node]") -> "Node":
@@ -267,7 +267,7 @@ class AboutRest:
 
     def sum_of_squares(self, parts: "Sequence[tuple[Node, Small]]") -> "dict[tuple[int, int], Node]":
         """{(i, j): Σ w aᵢ aⱼ}."""
-        found: dict = {}
+        found: dict[Any, Any] = {}
         for weight, small in parts:
             for i, a in small.slopes.items():
                 for j, b in small.slopes.items():
@@ -280,4 +280,4 @@ def value_of(problem: "Problem", node: "Node", known: Mapping[str, float]) -> fl
     """The number of an expression of parameters and known letters; None where they have none."""
     if problem.numeric.has_free_symbols:
         return None
-    return evaluate([node], Floats, {**problem.numeric.floats, **known})[0]
+    return cast("float | None", evaluate([node], Floats, {**problem.numeric.floats, **known})[0])
