@@ -150,7 +150,7 @@ def _complex_equation(degree, X, steady):
     counted from."""
     Omega = steady.formula.Omega
     real, ahead = load_of(degree, steady)
-    load = [real] if not real.is_zero or ahead.is_zero else []
+    load: list[Any] = [real] if not real.is_zero or ahead.is_zero else []
     if not ahead.is_zero:
         negative = ahead.op != "sum" and ahead.coefficient < 0
         sign = (" − " if load else "−") if negative else " + " if load else ""
