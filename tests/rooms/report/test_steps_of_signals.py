@@ -128,7 +128,7 @@ def test_lags_and_responses_at_a_frequency_with_a_unit():
                   mean(d.power): 1 W, mean(x^4): 1 m^4}
     """)
     assert plain(lines["phase(x)"].node) == "atan2(c·W, k − m·W²)"
-    assert text_of(lines["abs(frf[x, f](40 Hz))"]).endswith("with  Ω = 80·π rad/s:  1/√((m·Ω² − k)² + c²·Ω²)")
+    assert text_of(lines["abs(frf[x, f](40 Hz))"]).endswith("with  Ω₁ = 80·π rad/s:  1/√((m·Ω₁² − k)² + c²·Ω₁²)")
     assert plain(lines["peak[1](frf[x, f]).Omega"].node) == "√(k/m − c²/(2·m²))"
     assert plain(lines["mean(d.power)"].node) == "c·W²·X²/2" and plain(lines["mean(x^4)"].node) == "3·X⁴/8"
     assert not any("told in numbers alone" in text_of(line) for line in lines.values())

@@ -41,7 +41,7 @@ if TYPE_CHECKING:
 
 BY_LETTERS = (tell_direction, tell_instant, tell_of_free, tell_of_overdamped, tell_root, tell_average,
               tell_period, tell_of_kept_up, tell_of_pieces)       # that have lines of their own
-OF_EXPRESSIONS = tell_average, tell_receptance
+OF_EXPRESSIONS = tell_average, tell_receptance, tell_of_kept_up
 CLOSE = 1e-9        # relative: of an expression and the engine's number
 OF_SPRINGS = "stiffness", "damping", "law", "stiffness_correction"       # of springs, dashpots, and what these hold
 ENERGIES = "V", "T", "Phi"      # of expansions, told by the factor of a power

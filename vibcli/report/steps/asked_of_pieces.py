@@ -21,7 +21,7 @@ from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.parser import VALUE
-from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.semantics import lower, lower_measured
 from vibcli.symbolic.syntax import NameRef, parts_of
 from vibcli.symbolic.transfer_between_tables import copied
 
@@ -55,7 +55,7 @@ def tell_of_pieces(problem: "Problem", sheet: WorkedSolution, asked: "Expression
 def _at_instant(problem: "Problem", sheet: WorkedSolution, signal: "_Signal",
                 tree: Any) -> "Iterator[tuple[Node, list[Any]]]":
     """The value by the pieces that have begun, in letters by its simplest form as well."""
-    t = lower(tree, problem.scene.table, lambda name, *_: problem.scene.parameters.nodes[name])
+    t = lower_measured(tree, problem.scene.table, lambda name, *_: problem.scene.parameters.nodes[name])
     if t.op == "number" and not t.is_zero and problem.numeric.has_free_symbols:
         return      # its unit would not stand beside letters
     at, = evaluate([t], Floats, signal.known)

@@ -22,7 +22,6 @@ from vibcli.report.steps.step import WorkedSolution, number, place_told
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters
-from vibcli.symbolic.node import is_number
 from vibcli.symbolic.normal_form import is_zero, textbook
 
 if TYPE_CHECKING:
@@ -99,7 +98,7 @@ class Connections:
         self.sheet.write(Words(f"{what} of {law.owner} at rest, the slope of its law:  "), Name(name), *shown,
                          *(() if value is None else number(value, unit)), settles=name, node=node, value=value,
                          unit="" if value is None else unit)
-        return node if is_number(node) else self.about.keep(self.about.letter(name), node)
+        return self.about.keep(self.about.letter(name), node) if self.about.is_long(node) else node
 
     def _unit(self, owner: str) -> str:
         """That of the force of an element."""

@@ -22,10 +22,11 @@ from vibcli.report.steps.searched_extremes import INSTANTS, tell_searched
 from vibcli.report.steps.step import WorkedSolution
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.node import is_number
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.parser import VALUE, parse
 from vibcli.symbolic.rationals import HALF
-from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.semantics import lower, lower_measured
 from vibcli.symbolic.syntax import NameRef, QuantityRef, parts_of
 
 if TYPE_CHECKING:
@@ -136,10 +137,10 @@ def _at_instant(problem: "Problem", sheet: WorkedSolution, tree: QuantityRef) ->
             return
     else:
         node = value_at(problem, sheet, first, time)
-    t = lower(instant, problem.scene.table, _parameters(problem))
+    t = lower_measured(instant, problem.scene.table, _parameters(problem))
     found, = substitute([node], {time: t})
     found = min(found, textbook(substitute([found], _in_file(problem, sheet))[0]), key=letters)
-    if t.op == "number" and not t.is_zero:
+    if is_number(t) and not t.is_zero:
         given = as_printed(tree.text[instant.start - tree.start:instant.end - tree.start])
         yield found, [Words("with  "), time, Words(f" = {given}:  "), node]
     else:

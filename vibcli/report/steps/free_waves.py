@@ -12,7 +12,7 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.symbolic_linear import outputs
 from vibcli.quantities.responses_in_letters import at_rest
 from vibcli.symbolic.normal_form import textbook
-from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.semantics import lower_measured
 from vibcli.symbolic.syntax import NameRef, QuantityRef
 from vibcli.symbolic.transfer_between_tables import copied
 
@@ -106,7 +106,7 @@ def value_at(problem: "Problem", sheet: "WorkedSolution", tree: Any, t: "Node") 
         waves = waves_of(problem, sheet, NameRef(0, 0, name, primes))
         return at_rest(problem, name, primes) + table.total([wave.at(t) for wave in waves])
 
-    return lower(tree, table, signal)
+    return lower_measured(tree, table, signal)
 
 
 def lines_of(sheet: "WorkedSolution") -> "Sequence[int]":

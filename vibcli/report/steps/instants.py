@@ -16,7 +16,7 @@ from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.node import is_number
 from vibcli.symbolic.parser import VALUE
-from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.semantics import lower_measured
 from vibcli.symbolic.syntax import NameRef, parts_of
 
 if TYPE_CHECKING:
@@ -70,7 +70,7 @@ def _forms(problem: "Problem", sheet: WorkedSolution, tree: "QuantityRef") -> "l
     """(its expression, the line that tells the motion) that may be: of the start, and of the motion, which lines may
     count from rest."""
     (name, primes), scene = (tree.args[0].name, tree.args[0].primes), problem.scene
-    t = lower(tree.args[1], scene.table, lambda name, *_: scene.parameters.nodes[name])
+    t = lower_measured(tree.args[1], scene.table, lambda name, *_: scene.parameters.nodes[name])
     if t.op == "number" and not t.is_zero and problem.numeric.has_free_symbols:
         return []       # its unit would not stand beside letters
     found: list[Any] = [(node, None) for node in _start(problem, name, primes)] if t.is_zero else []

@@ -15,8 +15,10 @@ section 3.10; Rao 2011, section 3.6)."""
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters
+from vibcli.notation.plain import plain
 from vibcli.quantities.in_letters import frequency_of, size_of
 from vibcli.report.blocks import Words
+from vibcli.report.measured import without_units
 from vibcli.report.steps.agreement import samples_of
 from vibcli.report.steps.held_against import tell_found
 from vibcli.report.steps.instances import found_at, is_found
@@ -25,6 +27,7 @@ from vibcli.report.steps.step import WorkedSolution
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.node import UNITS, is_measure
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.radicals import without_bars
 from vibcli.symbolic.syntax import Call, NameRef, QuantityRef
@@ -62,16 +65,21 @@ def _at_a_frequency(problem: "Problem", sheet: WorkedSolution, tree: Call,
                     response: QuantityRef) -> "Iterator[tuple[Node, list[Node | str | Words]]]":
     """That by the expression of H; the frequency has a letter where it is a number with a unit."""
     given = frequency_of(problem, response.args[0])
-    fixed = not any(part.op == "symbol" for part in reachable([given]))
-    Omega = problem.scene.table.parameter(sheet.letter("Omega")) if fixed else given
+    fixed = all(is_measure(part) for part in reachable([given]) if part.op == "symbol")
+    told = given in sheet.frequencies
+    Omega = sheet.frequencies.setdefault(given, problem.scene.table.parameter(sheet.letter(
+        f"Omega{len(sheet.frequencies) + 1}"))) if fixed else given
     formula = problem.symbolic_frequency_response(*response.indices, Omega)
     head = tree.name if isinstance(tree, Call) else tree.head
     node = textbook(_part(problem, formula, head)) if head in PARTS else size_of(problem, formula)
     samples = [{**one, Omega.name: value} for one in samples_of(problem, {}) for value in evaluate(
-        [given], Floats, one)] if fixed else samples_of(problem, {})
+        [given], Floats, {**dict.fromkeys(UNITS.values(), 1.0), **one})] if fixed else samples_of(problem, {})
     node = without_bars(node, samples)
     if fixed:
-        yield substitute([node], {Omega: given})[0], [Words("with  "), Omega, " = ", given, Words(" rad/s:  "), node]
+        if not told:
+            sheet.write(settles=Omega.name, node=given, letter=Omega.name, joined=True)
+        head = [] if told else [Words("with  "), Omega, Words(f" = {plain(without_units(given))} rad/s:  ")]
+        yield substitute([node], {Omega: given})[0], [*head, node]
     else:
         yield node, [node]
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 READABLE, ROOTED, LONG = 8, 20, 50      # letters, up to which one stands itself: at a searched place, with roots, else
-SHOWN = 40                              # letters of what a letter stands for, up to which it is written out
+SHOWN, FORCE = 40, 50                   # letters of what a letter, or a force, is, up to which it is written out
 
 
 def is_long(node: "Node", searched: bool) -> bool:
@@ -31,9 +31,9 @@ def _has_roots(node: "Node") -> bool:
                for part in reachable([node]))
 
 
-def is_told_by_number(node: "Node", value: float | None) -> bool:
+def is_told_by_number(node: "Node", value: float | None, most: int = SHOWN) -> bool:
     """Is an expression with this value a number, or too long to be written out?"""
-    return value is not None and (is_number(node) or letters(node) > SHOWN)
+    return value is not None and (is_number(node) or letters(node) > most)
 
 
 class LetteredCoefficients:

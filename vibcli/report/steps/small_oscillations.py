@@ -8,7 +8,7 @@ from vibcli.report.blocks import Name, SumOfTerms, Words
 from vibcli.report.steps.bodies import Bodies, EnergyPart
 from vibcli.report.steps.connections import Acting, Connections
 from vibcli.report.steps.held import HINT, UNTOLD, SmallEquations, Untold, drive_of, held, left, row
-from vibcli.report.steps.lettered import is_told_by_number
+from vibcli.report.steps.lettered import FORCE, SHOWN, is_told_by_number
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, momentum, number, slope_by
 from vibcli.report.steps.turning import TurningFrames
@@ -155,7 +155,8 @@ class Derivation:
         places = [step.number for step in self.sheet.steps if step.settles.startswith("equilibrium[")]
         force = about.value(one.tension)
         told = () if force is None else number(force, unit)
-        told = told if is_told_by_number(one.tension, force) else (" = ", one.tension, *told)
+        most = FORCE if one.linear else SHOWN
+        told = told if is_told_by_number(one.tension, force, most) else (" = ", one.tension, *told)
         self.sheet.write(Words(words), Name(one.shown.name), *told,
                          *(self._deflection(one, unit) if one.linear else ()), settles=one.shown.name,
                          node=one.tension, value=force, unit=unit, uses=balance if follows else places,

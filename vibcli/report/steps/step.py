@@ -64,6 +64,7 @@ class WorkedSolution:
         self.responses: dict[Node, LetteredStiffness] = {}      # of K − Ω²M + iΩC by Ω
         self.lengths: dict[Node, Node] = {}         # the letters of long roots and of turns, by what they stand for
         self.turns: dict[Node, Node] = {}
+        self.frequencies: dict[Node, Node] = {}     # the letters of those in numbers, at which something is asked
         self.by_pieces: dict[str, MotionByPieces | MotionByModes] = {}      # of coordinates under pieces of loads
 
     @property
