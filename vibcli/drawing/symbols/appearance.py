@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.drawing.canvas.primitives import BODY, Polygon, Polyline, Primitive
 from vibcli.drawing.layout import plane
+from vibcli.drawing.layout.strips import THICK
 from vibcli.drawing.symbols import hulls
 from vibcli.drawing.symbols.look import BALL, Look, ball, teeth
 from vibcli.drawing.symbols.posts import with_posts
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
     from vibcli.elements.rigid_body import Body
     from vibcli.language.reader import Record
 
-RIM, CORNER, KNOT, JOINED = 8.0, 4.5, 2.4, 4.0       # points; from a pin to what it lies on
+RIM, KNOT, JOINED = 8.0, 2.4, 4.0       # points; from a pin to what it lies on
 
 
 def looks(sketch: "Sketch", ties: "Ties") -> dict[str, Look]:
@@ -136,12 +137,12 @@ def _wheel(centre: tuple[float, float], radii: Sequence[float], toothed: bool) -
 
 
 def _loose(body: "Body", centre: tuple[float, float], sketch: "Sketch", ties: "Ties") -> Look:
-    """A body that moves freely: a bar through the places that it carries, else a ball, small where it is a corner
-    of a frame, which has no mass."""
+    """A body that moves freely: a bar through the places that it carries, else a ball; as thick as the members that
+    it joins where it is a corner of a frame, which has no mass."""
     carried = [place for place in ties.carried.get(body.name, ()) if plane.distance(place, centre) > 1e-6]
     turns = body.inertia is not None and {"inertia", "gyration"} & set(body.record)
     if (len(carried) > 1 or (carried and turns)) and hulls.straight([*carried, centre]):
         return hulls.bar([*carried, centre], centre)
     corner = all(node is None or node.is_zero for node in (body.mass, body.inertia))
-    found = ball(centre, CORNER if corner else 14.0 if turns else BALL + 2.5)
+    found = ball(centre, THICK if corner else 14.0 if turns else BALL + 2.5)
     return Look([found], "ball", found.points)
