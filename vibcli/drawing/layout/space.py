@@ -166,7 +166,7 @@ def _columns(box: tuple[float, float, float, float]) -> Iterator[tuple[int, rang
         yield i, range(i * COLUMN + first, i * COLUMN + last)
 
 
-def _lines(part: Any) -> Iterator[Sequence[tuple[float, float]]]:
+def _lines(part: Any) -> Iterator[tuple[tuple[float, float], ...]]:
     """The strokes of a primitive, and the edges of one that is straight and thick."""
     for stroke in part.strokes():
         yield stroke
