@@ -18,6 +18,7 @@ answers:
 """
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("right, estimated", [("{c: 3 N*s/m}", True), ("free", False)])
 def test_only_errors_that_are_estimates_are_said_to_be(tmp_path, capsys, right, estimated):
     path = tmp_path / "arm.yaml"
@@ -40,6 +41,7 @@ initial: {arm.u: FIELD}
 """
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("field, estimated", [
     ("1 mm*(6*(x/L)^2 - 4*(x/L)^3 + (x/L)^4)/3", False),
     ("1 mm*(x/L)^2", True)])        # its moment at the free end is not zero

@@ -123,6 +123,7 @@ find: [{response: {of: [s.energy, t.energy, t.force], until: 2 s}}]
 """
 
 
+@pytest.mark.sweep
 def test_energies_are_in_joules_and_moments_in_newton_metres(tmp_path):
     heads = text.render([told(ENERGETIC)])
     assert all(head in heads for head in ("s.energy [J]", "t.energy [J]", "t.force [N·m]"))

@@ -26,6 +26,7 @@ bars: {b: {length: L, EA: EA, mass_per_length: mu, left: clamped, attached: [{ma
 """
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("path", PROBLEMS, ids=lambda path: path.stem)
 def test_lines_of_problems_are_homogeneous_and_none_says_what_another_one_does(path):
     found = kept_problem_of(path)

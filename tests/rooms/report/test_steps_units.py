@@ -71,6 +71,7 @@ def test_it_stands_so_in_all_notations(scene):
     assert plain.with_values({"k": "1200"})(node) == "0.03·1200"
 
 
+@pytest.mark.sweep
 def test_balances_in_numbers_have_units():
     """Of moments forces have arms in metres, of forces they have none."""
     found = kept_problem_of(Path("problems/1_statics_and_energy/jib_crane_with_winch.yaml"))

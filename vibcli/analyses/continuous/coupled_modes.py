@@ -7,7 +7,7 @@ modes: Craig & Kurdila, Fundamentals of Structural Dynamics, 2006): R(s) = G −
 R₀ y = ω² R₂ y, yᵀ R₂ y = 1, so that dampers are answered to s⁴/ω⁴ of the first ω that is left out.
 """
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -35,7 +35,7 @@ POWERS = 3          # of s in an output
 class FollowingShapes:
     """The ψ of a ModeBasis: squares (p,), felt (p, r) of the dampers, inputs (p, channels) of the loads."""
 
-    def __init__(self, basis: "ModeBasis", inputs: np.ndarray, still: "ExactTransfer", dampers: "Dampers"):
+    def __init__(self, basis: "ModeBasis", inputs: np.ndarray, still: "ExactTransfer", dampers: "Dampers") -> None:
         self.basis, self.still, self.dampers = basis, still, dampers
         highest = float(np.sqrt(np.abs(basis.squares).max(initial=0.0)))
         self.s = highest / INSIDE * np.exp(2j * np.pi * (np.arange(POINTS) + 0.5) / POINTS)
@@ -59,7 +59,7 @@ class FollowingShapes:
         return found
 
 
-def _followed(R0, R2, whole, highest):
+def _followed(R0: np.ndarray, R2: np.ndarray, whole: float, highest: float) -> tuple[np.ndarray, np.ndarray]:
     """(ω², y) of the pencil R₀ − ω² R₂, without what is only rounding."""
     flexible, turn = np.linalg.eigh(R0)
     turn = turn[:, flexible > NOTHING * whole] / np.sqrt(flexible[flexible > NOTHING * whole])
@@ -85,7 +85,7 @@ class TiedModes:
 
     def __init__(self, basis: "ModeBasis", inputs: np.ndarray, start: tuple[np.ndarray, np.ndarray],
                  damping: "tuple[np.ndarray, Callable[[np.ndarray], np.ndarray]]", following: FollowingShapes,
-                 creeping: bool):
+                 creeping: bool) -> None:
         self.basis, self.following, self.count = basis, following, len(basis.squares)
         given, of_squares = np.asarray(damping[0], float), damping[1]
         squares = np.append(basis.squares, following.squares)
@@ -116,7 +116,7 @@ class TiedModes:
 
     def lost_rows(self, output: "LinearOutput") -> np.ndarray:
         """What rounding leaves of the rows over states."""
-        return self.basis.lost(output) @ abs(self._shares[:self.count])
+        return cast("np.ndarray", self.basis.lost(output) @ abs(self._shares[:self.count]))
 
     def amplitudes(self, output: "LinearOutput", order: int, free: np.ndarray) -> np.ndarray:
         """What each mode brings to the order-th rate of an output that starts with states `free`, (N,)."""
@@ -125,10 +125,10 @@ class TiedModes:
         size = np.where(pace, np.hypot(eta, rate / np.where(pace, pace, 1.0)), 0.0)
         factors = 1.0, pace, pace * (pace + self._damping), pace**2 * (pace + self._damping)
         rows = abs(self.basis.rows(output))
-        return sum(row * size * factors[min(power + order, 3)] for power, row in enumerate(rows))
+        return cast("np.ndarray", sum(row * size * factors[min(power + order, 3)] for power, row in enumerate(rows)))
 
 
-def _rigid_apart(D, rigid):
+def _rigid_apart(D: np.ndarray, rigid: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(turn, free): η = turn η′, D diagonal over rigid motions; which η′ are neither held nor damped."""
     at, turn, free = np.flatnonzero(rigid), np.eye(len(D)), np.zeros(len(D), bool)
     if len(at):
@@ -138,7 +138,8 @@ def _rigid_apart(D, rigid):
     return turn, free
 
 
-def _states(squares, D, chosen, b, begin):
+def _states(squares: np.ndarray, D: np.ndarray, chosen: np.ndarray, b: np.ndarray,
+            begin: list[np.ndarray]) -> tuple[Motions, np.ndarray]:
     """(Motions of the chosen η, the number of the mode that is most of each state)."""
     held = np.flatnonzero(chosen & (squares != 0))[::-1]
     loose = np.flatnonzero(chosen & (squares == 0))
@@ -166,7 +167,7 @@ def _states(squares, D, chosen, b, begin):
     return _resting(found, loose, eta), np.concatenate([most, loose])
 
 
-def _resting(found, loose, eta):
+def _resting(found: Motions, loose: np.ndarray, eta: np.ndarray) -> Motions:
     """With λ = 0 of each η that is damped and not held: η less what the other states show of it."""
     shown = found.shares[loose]
     own = np.zeros((len(found.shares), len(loose)))

@@ -8,6 +8,8 @@ from vibcli.analyses.continuous.modal_motion import ModalMotion
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.coupled_modes import TiedModes
+    from vibcli.analyses.continuous.modal_reads import Read
+    from vibcli.analyses.continuous.modal_states import FreeStretch
     from vibcli.analyses.excitation.forcing import Forcing
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
@@ -17,7 +19,7 @@ INSTANTS = np.linspace(-0.5, 0.5, 9)    # in periods of the slowest mode, about 
 class EstimatedMotion(ModalMotion):
     """Of TiedModes; fewer: the same by half as many modes. bound: an estimate."""
 
-    def __init__(self, modes: "TiedModes", *parts: Any, fewer: ModalMotion):
+    def __init__(self, modes: "TiedModes", *parts: Any, fewer: ModalMotion) -> None:
         super().__init__(modes, *parts)
         self.tied, self.fewer, self._built_of = modes, fewer, parts
 
@@ -30,5 +32,5 @@ class EstimatedMotion(ModalMotion):
         apart = self.values(output, times, order) - self.fewer.values(output, times, order)
         return super().bound(output, t, order, modes) + float(np.abs(apart).max())
 
-    def _amplitudes(self, read, stretch):
+    def _amplitudes(self, read: "Read", stretch: "FreeStretch") -> np.ndarray:
         return self.tied.amplitudes(read.output, read.order, stretch.free)
