@@ -5,7 +5,6 @@ from typing import TYPE_CHECKING
 
 from vibcli.drawing.canvas.primitives import BODY, Polygon, Polyline, Primitive
 from vibcli.drawing.layout import plane
-from vibcli.drawing.layout.strips import THICK
 from vibcli.drawing.symbols import hulls
 from vibcli.drawing.symbols.look import BALL, Look, ball, teeth
 from vibcli.drawing.symbols.posts import with_posts
@@ -143,6 +142,10 @@ def _loose(body: "Body", centre: tuple[float, float], sketch: "Sketch", ties: "T
     turns = body.inertia is not None and {"inertia", "gyration"} & set(body.record)
     if (len(carried) > 1 or (carried and turns)) and hulls.straight([*carried, centre]):
         return hulls.bar([*carried, centre], centre)
-    corner = all(node is None or node.is_zero for node in (body.mass, body.inertia))
-    found = ball(centre, THICK if corner else 14.0 if turns else BALL + 2.5)
+    radius = 14.0 if turns else BALL + 2.5
+    if all(node is None or node.is_zero for node in (body.mass, body.inertia)):
+        from vibcli.drawing.layout.strips import THICK
+
+        radius = THICK
+    found = ball(centre, radius)
     return Look([found], "ball", found.points)
