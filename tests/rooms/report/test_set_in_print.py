@@ -167,3 +167,13 @@ def test_a_value_in_a_question_is_not_parted_from_its_unit():
     lines = text.render([document]).splitlines()
     assert any(line.startswith("0.25 kg·m of") for line in lines) and "\N{NO-BREAK SPACE}" not in "".join(lines)
     assert "900~N/m" in latex.render([document], Path()) and "900\N{NO-BREAK SPACE}N/m" in html.render([document])
+
+
+def test_names_in_what_the_file_says_of_coordinates_are_symbols():
+    shown = text.render([told("""
+        parameters: {m1: {about: mass of the one that phi1 turns}, k2: , r: }
+        coordinates: {phi1: turn of m1 against k2}
+        bodies: {b: {inertia: m1*r^2, turn: phi1}}
+        springs: {s: {torsion: k2*r^2, between: [ground, b]}}
+    """)])
+    assert "turn of m₁ against k₂" in shown and "mass of the one that φ₁ turns" in shown

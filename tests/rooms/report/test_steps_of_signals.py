@@ -5,8 +5,8 @@ import math
 from pathlib import Path
 
 import pytest
-from support.scenes import kept_problem_of, problem
-from support.worked_lines import told_later
+from support.scenes import kept_problem_of, kept_settled_of, problem
+from support.worked_lines import Checked, told_later
 
 from vibcli.notation.plain import plain
 from vibcli.report.formats.formula import formula
@@ -262,3 +262,20 @@ def test_the_force_of_a_thread_that_swings_wide_is_derived():
     assert found == pytest.approx(m * (speed**2 / L + g * math.cos(alpha)), rel=1e-12)
     assert text_of(lines["thread.force"]).startswith("by these and the equations  thread.force = λ_thread = ")
     assert text_of(lines["rate[thread]"]).endswith("x·ẍ/L − ÿ + y·ÿ/L + ẋ²/L + ẏ²/L = 0")
+
+
+@pytest.mark.parametrize(("name", "asked", "told"), [
+    ("motor_raised_on_a_hinged_beam", "amplitude(s.force + d.force)", "L·X·√(k² + c²·Ω²) = "),
+    ("seismograph_with_level_boom", "amplitude(weight.y - frame.y)", "L·X"),
+    ("compressor_to_be_isolated", "amplitude(ground.force)", "4·X·√(c²·Ω² + k²) = 90 N"),
+    ("inerter_under_a_machine", "amplitude(ground.force)", "|k₂·X₁| = "),
+    ("inerter_under_a_machine", "amplitude(i.force)", "|b·Ω²·(X₁ − X₂)| = "),
+    ("block_between_two_shaken_walls", "amplitude(s1.force)", "|k₁·X·exp(−i·θ) − k₁·Y₁| = ")])
+def test_amplitudes_of_signals_go_by_the_letter_of_that_of_the_coordinate(name, asked, told):
+    """A force of the ground too, and one that accelerations add to."""
+    path, = Path("problems").glob(f"*/{name}.yaml")
+    found = kept_settled_of(path)
+    lines = worked(found)
+    line = next(line for line in lines if line.settles == asked)
+    assert formula(line.parts, plain).partition(":  ")[2].startswith(told)
+    assert not Checked(found, lines).wrong
