@@ -124,8 +124,10 @@ def assert_latex(text):
             assert opened[-1] in ("align*", "aligned", "longtable", "tabular")
         elif word == "^":
             assert dollars % 2 or opened[-1] == "align*" or body[:token.start()].endswith(("{", "{}", "}", ")"))
+        elif word == "~":
+            assert re.search(r"\d~[\w\\]", body[token.start() - 1:token.end() + 1])      # before a unit
         else:
-            assert word not in "%#~"
+            assert word not in "%#"
             depth += (word == "{") - (word == "}")
         assert depth >= 0
     assert depth == 0 and not opened and dollars % 2 == 0

@@ -28,6 +28,8 @@ EVERYTHING = ("given", "chosen", "coordinates", "equilibrium", "virtual_work", "
 MEASURED = {"equilibrium", "reactions", "virtual_work", "energies", "equations", "matrices"}
 OF_MODES = {"frequencies", "damping", "modes"}
 
+NO_BREAK = "\N{NO-BREAK SPACE}"        # between a number and its unit
+
 
 class Report:
     """Sections about one problem, `pictures` with pictures. `roots`: {sum: symbol} of the lengths that have a symbol
@@ -91,7 +93,7 @@ def title_of(spec: "Spec", case: str | None) -> str:
 
 
 def _quoting(spec: "Spec", text: str) -> Iterator[Any]:
-    """The words of a question, its quoted parameters as their values or symbols."""
+    """The words of a question, its quoted parameters as their values, on one line with their units, or symbols."""
     from vibcli.report.sections.parameters import as_given
 
     words = re.split(QUOTE, text)
@@ -104,7 +106,8 @@ def _quoting(spec: "Spec", text: str) -> Iterator[Any]:
             continue
         record = spec.parameters[plain_name(part)]
         known = "value" in record and plain_name(part) not in spec.choices
-        yield as_given(record["value"], frozenset(spec.parameters)) if known else maths(Name(plain_name(part)))
+        found = as_given(record["value"], frozenset(spec.parameters)) if known else maths(Name(plain_name(part)))
+        yield found.replace(" ", NO_BREAK) if isinstance(found, str) else found
 
 
 def _with_symbols(text: str, names: tuple[str, ...]) -> Iterator[str]:

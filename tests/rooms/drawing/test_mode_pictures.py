@@ -213,3 +213,18 @@ def test_a_page_says_which_modes_it_does_not_draw(scene, tmp_path):
     assert run(["solve", scene(LETTERS), "--pictures", "-o", str(tmp_path / "r.md")]) == 0
     told = (tmp_path / "r.md").read_text()
     assert "## Mode shapes on the scene at rest\n\nnot drawn: these parameters have no values: m, k, L\n" in told
+
+
+@pytest.mark.parametrize("index", [1, 2])
+def test_the_dashed_line_between_two_strings_follows_their_joined_ends(index):
+    """The wire ends at the tip of the gut, in motion too; both are drawn as far aside, each in its own row."""
+    found = kept_problem_of(ROOT / "problems" / "8_continuous" / "two_strings.yaml")
+    stage = compose.Scenery(found.scene)
+    motion = vibration.Vibration(found, index, stage)
+    bends = motion.bends(0.0)
+    dashed, = [part.points for part in compose.figure(stage, motion.at(0.0), motion.unit, bends=bends)[0]
+               if isinstance(part, Polyline) and part.dashed]
+    joined = [place(strip, bends[strip.name], x) for strip in stage.strips for x in (0.0, strip.metres)]
+    assert all(any(plane.distance(end, one) < 1e-9 for one in joined) for end in dashed)
+    still = [strip.at(x) for strip in stage.strips for x in (0.0, strip.metres)]
+    assert min(plane.distance(end, one) for end in dashed for one in still) > 3.0

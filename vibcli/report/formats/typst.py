@@ -53,7 +53,7 @@ HEAD = """\
 
 def escaped(text: str) -> str:
     """Words that Typst shows as they are; blanks at which no line is broken stay so."""
-    return "~".join(_SPECIAL.sub(r"\\\g<0>", on_one_line(part)) for part in text.split("\N{NO-BREAK SPACE}"))
+    return _SPECIAL.sub(r"\\\g<0>", on_one_line(text)).replace("\N{NO-BREAK SPACE}", "~")
 
 
 def beginning(text: str) -> str:
