@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.results.signal import Signal
-from vibcli.results.without_bound import without_bound
+from vibcli.results.without_bound import why_estimated, without_bound
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -80,9 +80,7 @@ class ModalSignal(Signal):
 
     @property
     def why_estimated(self) -> str:
-        disturbed = self.modal.modes.disturbed
-        known = disturbed and disturbed(self.modal.forcing.pieces)
-        return known.reason(self.reads) if known else ""
+        return why_estimated(self.modal, self.reads)
 
     def told_zero(self, t: float) -> float:
         """A share of what is alike elsewhere on the members."""

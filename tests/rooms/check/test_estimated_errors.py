@@ -58,3 +58,28 @@ def test_of_damped_modes_errors_of_moments_are_bounds_where_a_start_fits_the_end
     told = json.loads(capsys.readouterr().out)["response"]
     assert told["estimated"] == estimated
     assert [one["estimated"] for one in told["signals"]] == [False, estimated]
+
+
+def _told(tmp_path, capsys, text, *names):
+    path = tmp_path / "arm.yaml"
+    path.write_text(text, encoding="utf-8")
+    assert run(["response", str(path), *(part for name in names for part in ("--of", name)), "--until", "20 ms"]) == 0
+    return " ".join(capsys.readouterr().out.split())
+
+
+def test_why_dampers_beside_damping_leave_an_estimate_is_said(tmp_path, capsys):
+    text = ARM[:ARM.index("answers")].replace("RIGHT", "{c: 3 N*s/m}")
+    told = _told(tmp_path, capsys, text, "arm.u(L)", "arm.u(L/2)")
+    assert "what those left out add is estimated, as dampers couple the modes that `damping:` damps)" in told
+
+
+def test_each_signal_has_its_reason_and_what_has_no_bound_too(tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr(DampedModalResponse, "most", 128)
+    text = STARTED.replace("FIELD", "1 mm*(x/L)^2") + (
+        "points: {mid: {body: arm, at: L/2}}\nforces: {push: {at: mid, force: 1 N*step(t)}}\n")
+    told = _told(tmp_path, capsys, text, "arm.u(L)", "arm.moment(0 m)", "arm.shear(0 m)", "arm.shear(0 m) + 1 N")
+    unfit = ("as it is a force, or a rate, after a start in a field that is not smooth, or does not fit all ends and "
+             "joints")
+    assert (f"estimated in arm.moment(0 m), {unfit}; in arm.shear(0 m), arm.shear(0 m) + 1 N, {unfit}, and as a load, "
+            "or a rate of it, sets in or lets go at once where nothing has mass)") in told
+    assert f"fall too slowly or too unevenly, {unfit}; let it start in a shape whose moments and forces fit" in told

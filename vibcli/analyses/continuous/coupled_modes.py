@@ -82,6 +82,7 @@ class TiedModes:
     creeping: do modes creep the more slowly the higher they are?"""
 
     disturbed = None
+    UNBOUNDED = "as dampers couple the modes that `damping:` damps"
 
     def __init__(self, basis: "ModeBasis", inputs: np.ndarray, start: tuple[np.ndarray, np.ndarray],
                  damping: "tuple[np.ndarray, Callable[[np.ndarray], np.ndarray]]", following: FollowingShapes,

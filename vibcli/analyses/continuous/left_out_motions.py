@@ -7,20 +7,17 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from vibcli.analyses.continuous.disturbances import FALL, ROUNDING
+from vibcli.analyses.continuous.left_out_causes import causes
 from vibcli.analyses.continuous.left_out_columns import Column
 from vibcli.analyses.continuous.left_out_energy import LeftOutEnergy
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from vibcli.analyses.excitation.forcing import Segment
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
-AT_ONCE = "as a load, or a rate of it, sets in or lets go at once where nothing has mass"
 FALLS, SAFE = 0.6, 2.0      # of one term to the next, τ growing four times: up to there; times what those beyond add
-MOVED = "as a driven end, or a rate of its displacement, jumps"
-IN_FIELD = "as it is a force, or a rate, after a start in a field"
-UNFIT = f"{IN_FIELD} that is not smooth, or does not fit all ends and joints"
 
 
 class LeftOutMotions:
@@ -44,7 +41,7 @@ class LeftOutMotions:
 
     def bounds(self, output: "LinearOutput", _: float, order: int = 0) -> bool:
         """Is that bound finite?"""
-        return self.energy.valid and all(map(self._is_bounded, self.energy.readings(output, order)))
+        return not self.energy.flaw and all(map(self._is_bounded, self.energy.readings(output, order)))
 
     def _of(self, reading, faded):
         if self._is_finite(reading.level):
@@ -77,19 +74,29 @@ class LeftOutMotions:
         return reach * (begun + tau[0] * sizes[0]) + float(terms.sum()) + SAFE * float(terms[-1]) * fall / (1 - fall)
 
     def reason(self, output: "LinearOutput") -> str:
-        """Why no bound is known of it, in words, where the energy that something leaves is infinite or not known; "" of
-        all else."""
-        known = self.energy.readings(output, 0) if self.energy.valid else []
-        levels = {one.level for one in known if not self._is_bounded(one)}
-        parts = [part for k in levels for part in self._rated(k)]
-        beyond = {key for part in parts for key in part if not self.energy.takes(*key)}
-        if any(power >= 0 for *_, power in beyond):
-            return ""
-        if self.energy.in_fields and any(levels):
-            return UNFIT if levels == {1} else IN_FIELD
-        if any(channel in self.energy.loads.driven for channel, *_ in beyond) or any(map(self._jumps, parts)):
-            return MOVED
-        return AT_ONCE if beyond else ""
+        """Why no bound is known of it, in words."""
+        return causes(self, output)
+
+    def only(self, start: bool, chosen: "Callable[[int], bool]") -> "LeftOutMotions":
+        """Of what starts in fields, or not so, under loads on some channels."""
+        energy, none = self.energy, np.zeros(self.energy.n)
+        if energy.in_fields and not start:
+            energy = LeftOutEnergy(energy.modes, energy.transfer, (none, none))
+        return LeftOutMotions(energy, [segment._replace(
+            waves=tuple(wave for wave in segment.waves if chosen(wave.channel)),
+            impulses=tuple(one for one in segment.impulses if chosen(one[0]))) for segment in self._segments])
+
+    def beyond(self, output: "LinearOutput") -> "set[tuple[int, complex, int]]":
+        """(channel, exponent, power) of what leaves what an output reads an energy that is infinite or not known."""
+        return {key for part in self._unbounded(output) for key in part if not self.energy.takes(*key)}
+
+    def jumps(self, output: "LinearOutput") -> bool:
+        """Is a jump of a driven end among it?"""
+        return any(map(self._jumps, self._unbounded(output)))
+
+    def _unbounded(self, output):
+        levels = {one.level for one in self.energy.readings(output, 0) if not self._is_bounded(one)}
+        return [part for k in levels for part in self._rated(k)]
 
     def obstacle(self, _: "LinearOutput", __: float) -> str:
         """Why it is not, where amplitudes tell nothing either."""
