@@ -95,9 +95,9 @@ class ModalSignal(Signal):
     def error_of_mean(self, start: float, end: float) -> float:
         """Of its mean: what modes left out add are free vibrations on each stretch, |∫ e^{λt} dt| ≤ 2/|λ|; of what is
         bounded by energies no amplitudes are known."""
-        from vibcli.analyses.continuous.complex_modes import ComplexModes
+        from vibcli.analyses.continuous.real_modes import RealModes
 
-        by_energy = isinstance(self.modal.modes, ComplexModes) and not self.is_estimated
+        by_energy = not isinstance(self.modal.modes, RealModes) and not self.is_estimated
         slowest = 0.0 if by_energy else min(self.modal.modes.left_out)
         begins = [start, *(one.start for one in self.modal.stretches(end) if start < one.start < end)]
         left = [self.modal.bound(self.reads, t) for t in begins]

@@ -1,7 +1,7 @@
 """What modes that are not counted add to a motion, by the energy that each jump, bend or blow of a load leaves them."""
 
 from functools import cached_property
-from math import comb, inf
+from math import inf
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,6 +10,7 @@ from vibcli.analyses.continuous.disturbances import FALL, ROUNDING
 from vibcli.analyses.continuous.left_out_causes import causes
 from vibcli.analyses.continuous.left_out_columns import Column
 from vibcli.analyses.continuous.left_out_energy import LeftOutEnergy
+from vibcli.analyses.continuous.load_changes import Changes, changes
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -149,45 +150,16 @@ class LeftOutMotions:
 
     def _begun(self, number):
         """That of one."""
-        found = _Changes()
-        segment = self._segments[number]
-        for wave in segment.waves:
-            found.add((wave.channel, complex(wave.exponent), wave.power), -wave.coefficient)
-        for channel, size in segment.impulses:
-            found.add((channel, 0j, -1), size)
-        if not number:
-            for channel in range(self.energy.n):
-                found.add((channel, 0j, 0), self.energy.held[channel])
-                found.add((channel, 0j, -1), self.energy.struck[channel])
-            return found.kept()
-        tau = segment.start - self._segments[number - 1].start
-        for wave in self._segments[number - 1].waves:
-            s = complex(wave.exponent)
-            for i in range(wave.power + 1):
-                found.add((wave.channel, s, i), comb(wave.power, i) * tau ** (wave.power - i) * np.exp(s * tau)
-                          * wave.coefficient)
+        found = changes(self._segments, number)
+        for channel in range(self.energy.n if not number else 0):
+            found.add((channel, 0j, 0), self.energy.held[channel])
+            found.add((channel, 0j, -1), self.energy.struck[channel])
         return found.kept()
-
-
-class _Changes:
-    """Sums by keys, those of blows real, without what is only rounded."""
-
-    def __init__(self):
-        self._terms: dict[tuple[int, complex, int], list[complex]] = {}
-
-    def add(self, key: tuple[int, complex, int], size: complex) -> None:
-        """To the sum of a key."""
-        self._terms.setdefault(key, []).append(complex(size))
-
-    def kept(self) -> dict[tuple[int, complex, int], complex]:
-        """{key: sum}."""
-        sums = {key: sum(terms) if key[-1] >= 0 else sum(terms).real + 0j for key, terms in self._terms.items()}
-        return {key: c for key, c in sums.items() if abs(c) > ROUNDING * max(map(abs, self._terms[key]))}
 
 
 def _rate(part, fading):
     """Of (s + δ) f̂(s): an onset is a blow of its rate, and what is smoother begins less smoothly."""
-    found = _Changes()
+    found = Changes()
     for (channel, s, power), c in part.items():
         if power >= 0:
             found.add((channel, s, power), c * (s + fading))
@@ -197,7 +169,7 @@ def _rate(part, fading):
 
 def _with_blows(part, blows):
     """A part beside blows on coordinates."""
-    found = _Changes()
+    found = Changes()
     for key, c in [*part.items(), *(((i, 0j, -1), size) for i, size in enumerate(blows.tolist()) if size)]:
         found.add(key, c)
     return found.kept()
