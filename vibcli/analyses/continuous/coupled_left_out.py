@@ -42,7 +42,7 @@ NEXT = 1e12         # κ of states next to which others are
 LOAD = f"as a load is none of few steps, ramps, blows on a mass and slow oscillations, {COUPLED}"
 
 
-class FreeMotion(NamedTuple):
+class FreeCoupledMotion(NamedTuple):
     """states as they begin; forces: |f| of each that w has; rest: ‖y₀‖ among others; off: among the first modes."""
 
     states: np.ndarray
@@ -165,13 +165,13 @@ class CoupledLeftOut:
         return ROUNDED * (left + followed + ((basis.shapes.T @ rows) ** 2 / basis.squares[:, None]).sum())
 
     def _free(self, static, states, forces, more):
-        """A FreeMotion: static loads that held the others (1/ω²-sizes, an array), states as they begin, steady forces
-        of dampers, and what else ‖y₀‖ holds."""
+        """A FreeCoupledMotion: ‖·‖ of static loads on the others, states as they begin, steady f of dampers, and what
+        else ‖y₀‖ holds."""
         acting = np.where(self._kept, -self._strokes * self._rates * states, 0.0)
         size = np.linalg.norm(acting, axis=0)
         left = np.linalg.norm(forces - acting.sum(axis=1).real)
         rest = static + left * self._of_dampers[0] + float(size[self._kept] @ self._energies[self._kept])
-        return FreeMotion(states, size, rest + more, float(self.modes.energies(states)[~self._kept].sum()))
+        return FreeCoupledMotion(states, size, rest + more, float(self.modes.energies(states)[~self._kept].sum()))
 
     @cached_property
     def _kept(self):
@@ -184,7 +184,7 @@ class CoupledLeftOut:
         return self.beyond.energies(self._rates, self._of_dampers)
 
     def _motion(self, number):
-        """The FreeMotion that begins with a segment."""
+        """The FreeCoupledMotion that begins with a segment."""
         channels, begun = len(self.uncounted.begins), self._begun[number]
         static, forces, more, off = np.zeros(channels), np.zeros(len(self._roots)), 0.0, 0.0
         states = np.zeros(len(self._rates), complex)
@@ -266,8 +266,8 @@ class CoupledLeftOut:
             return sum(np.minimum(2 / np.abs(one[:, None] - s), most) for one in (s, s.conj())) / 2
 
     def _dual(self, output):
-        """(what is read of w less what is followed of a unit f of each state, the FreeMotion that begins as a unit load
-        there holds it, √ of what that load moves itself, the largest of ‖w‖ among others in that motion)."""
+        """(what is read of w less what is followed of a unit f of each state, the FreeCoupledMotion that begins as a
+        unit load there holds it, √ of what that load moves itself, the largest of ‖w‖ among others in that motion)."""
         key = key_of(output)
         if key not in self._reads:
             basis, following, low = self.modes.basis, self.modes.following, self._of_dampers
