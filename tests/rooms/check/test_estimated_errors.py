@@ -18,6 +18,7 @@ answers:
 """
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("right, name, answer, estimated", [
     ("{c: 3 N*s/m}", "arm.u'(L)", "max(arm.u'(L)): {value: 51.5 mm/s, rtol: 1 %}", True),
     ("{c: 3 N*s/m}", "arm.u(L)", "max(arm.u(L)): {value: 1 mm, rtol: 1 %}", False),
@@ -43,6 +44,7 @@ initial: {arm.u: FIELD}
 """
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("field, estimated", [
     ("1 mm*(6*(x/L)^2 - 4*(x/L)^3 + (x/L)^4)/3", False),
     ("1 mm*(x/L)^2", True)])        # its moment at the free end is not zero

@@ -156,6 +156,7 @@ def test_forces_and_moments_balance_at_a_corner_without_mass():
         [-girder["shear"], girder["force"], girder["moment"]], rel=1e-9)
 
 
+@pytest.mark.sweep
 def test_members_in_the_plane_stand_where_they_are():
     scene, which = scene_of("frame")
     drawn, stage = force_drawing(scene, which), Scenery(scene.scene)

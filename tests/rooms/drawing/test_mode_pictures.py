@@ -116,6 +116,7 @@ def test_arrows_are_as_long_as_the_mode_tells(name):
         assert tips == pytest.approx([start + length for start, length in told if abs(length) > 2.0])
 
 
+@pytest.mark.sweep
 def test_the_shape_of_a_member_is_found_once_for_all_frames(monkeypatch):
     asked, shape_along = [], mode_fields.shape_along
 
@@ -141,6 +142,7 @@ def test_bodies_close_together_in_a_row_leave_room_for_the_springs_between_them(
         assert min(gaps) > KEPT - 1e-9 and max(gaps) > KEPT + 5.0
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("index", [1, 2])
 def test_springs_of_a_bed_follow_the_member_that_rests_on_them(index):
     """Each reaches from the ground to the edge of the rail, which stays above the ground."""

@@ -106,6 +106,7 @@ def test_a_spring_lies_above_the_floor_on_which_a_ladder_slides():
     assert grounded(drawn) == [] and [1 for part in drawn if isinstance(part, Hatch) and part.layer == SURFACE]
 
 
+@pytest.mark.sweep
 def test_a_bed_is_open_where_springs_lead_through_it():
     drawn = kept_drawing_of(ROOT / "vibcli/examples/beams.yaml")
     small = [part for part in drawn if isinstance(part, Polyline) and part.role == "spring" and part.width < 1.0]
@@ -304,6 +305,7 @@ def test_lengths_beside_each_other_are_read_at_their_own_lines():
     assert boxes["L"][2] < outer < boxes["a"][0] and boxes["a"][2] < inner
 
 
+@pytest.mark.sweep
 def test_a_name_stands_in_no_way_of_a_length():
     """The line from the place of what is attached at L₁/2 reaches the beam: the name of the beam is elsewhere."""
     legs = [part for part in kept_drawing_of(ROOT / "vibcli/examples/beams.yaml")
@@ -344,6 +346,7 @@ def test_the_name_of_a_damper_stands_beside_it_above_that_of_the_support_that_mo
     assert min(heights) < words["c"][1] < words["c"][3] < max(heights) and words["wheel"][3] < words["c"][1]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("path", ["1_statics_and_energy/toggle_press", "3_free_undamped/drum_on_a_slope_with_a_cord"])
 def test_names_keep_clear_of_pins_and_bearings(path, monkeypatch):
     monkeypatch.setattr(overlaps, "CLOSE", 2.0)

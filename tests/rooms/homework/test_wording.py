@@ -42,6 +42,7 @@ def test_what_is_asked_in_words(text, words, alone):
     assert quantity_in_words(spec, parse(text), text) == (words, alone)
 
 
+@pytest.mark.sweep
 def test_a_key_tells_each_mistake_once_with_what_it_gives_in_each_answer():
     path = next(path for path in WITH_VARIANTS if path.stem == "bell_crank_dashpot")
     source, _, document, found = kept_variants_of(path)

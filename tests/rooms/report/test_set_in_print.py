@@ -123,6 +123,7 @@ find: [{response: {of: [s.energy, t.energy, t.force], until: 2 s}}]
 """
 
 
+@pytest.mark.sweep
 def test_energies_are_in_joules_and_moments_in_newton_metres(tmp_path):
     heads = text.render([told(ENERGETIC)])
     assert all(head in heads for head in ("s.energy [J]", "t.energy [J]", "t.force [N·m]"))
@@ -148,3 +149,13 @@ def test_no_row_of_text_ends_with_an_equality_or_begins_with_its_zero(name, sect
     rows = text.render([report(found, sections or solution(found)).document()]).split("\n")
     assert any(row.strip().startswith("= ") for row in rows)
     assert not [row for row in rows if row.endswith((" =", ",  T")) or row.strip() == "0"]
+
+
+def test_names_in_what_the_file_says_of_coordinates_are_symbols():
+    shown = text.render([told("""
+        parameters: {m1: {about: mass of the one that phi1 turns}, k2: , r: }
+        coordinates: {phi1: turn of m1 against k2}
+        bodies: {b: {inertia: m1*r^2, turn: phi1}}
+        springs: {s: {torsion: k2*r^2, between: [ground, b]}}
+    """)])
+    assert "turn of m₁ against k₂" in shown and "mass of the one that φ₁ turns" in shown

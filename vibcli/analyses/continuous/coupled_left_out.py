@@ -13,7 +13,7 @@ but products of what is left out of both is felt. Sums over others are by Cauchy
 
 from functools import cached_property
 from math import inf
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -58,7 +58,7 @@ class CoupledLeftOut:
     ALONE = False
 
     def __init__(self, modes: "TiedModes", transfer: "CoupledTransfer", beyond: "GivenDenominators",
-                 known: "Disturbances", segments: "Sequence[Segment]"):
+                 known: "Disturbances", segments: "Sequence[Segment]") -> None:
         self.modes, self.transfer, self.beyond, self._known = modes, transfer, beyond, known
         self._segments, self.times = segments, np.array([one.start for one in segments])
         self.uncounted, self._rates = known.modes, modes.states.rates
@@ -83,55 +83,56 @@ class CoupledLeftOut:
         """Why it is not, where amplitudes tell nothing either."""
         return FALL
 
-    def _is_displacement(self, output):
+    def _is_displacement(self, output: "LinearOutput") -> bool:
         return not any((*output.v.values(), *output.a.values())) and not any(
             place.rates for place in output.places) and self.uncounted.reaches(output, 1.0, 0) < inf
 
-    def _takes(self, key):
+    def _takes(self, key: tuple[int, complex, int]) -> bool:
         channel, s, power = key
         begins = self.uncounted.begins[channel]
         if power < 0:
-            return begins < 0
-        return begins < 1 and abs(s) <= FAST * self.beyond.omega and (power == 0 or (power == 1 and s == 0))
+            return bool(begins < 0)
+        return bool(begins < 1 and abs(s) <= FAST * self.beyond.omega and (power == 0 or (power == 1 and s == 0)))
 
     @cached_property
-    def _begun(self):
+    def _begun(self) -> list[dict[tuple[int, complex, int], complex]]:
         """What each segment begins with."""
         return [changes(self._segments, number).kept() for number in range(min(len(self._segments), MOST + 1))]
 
     @cached_property
-    def _taken(self):
+    def _taken(self) -> bool:
         return len(self._begun) <= MOST and all(self._takes(key) for part in self._begun for key in part)
 
-    def _until_the_end(self, output):
+    def _until_the_end(self, output: "LinearOutput") -> float:
         key = key_of(output), None
         if key not in self._reads:
             self._reads[key] = sum(self._of(output, number) for number in range(len(self._segments)))
-        return self._reads[key]
+        return float(self._reads[key])
 
     @cached_property
-    def _roots(self):
+    def _roots(self) -> np.ndarray:
         """√Λ of the dampers, (r,)."""
-        return np.sqrt(self.transfer.dampers.rates)
+        return cast("np.ndarray", np.sqrt(self.transfer.dampers.rates))
 
     @cached_property
-    def _strokes(self):
+    def _strokes(self) -> np.ndarray:
         """√Λ times how far each state moves the dampers, (r, states)."""
         rows = [self.modes.rows(one)[0][0] for one in self.transfer.dampers.outputs]
-        return self._roots[:, None] * np.array(rows).reshape(len(self._roots), -1 if rows else len(self._rates))
+        moved = np.array(rows).reshape(len(self._roots), -1 if rows else len(self._rates))
+        return cast("np.ndarray", self._roots[:, None] * moved)
 
     @cached_property
-    def _sums(self):
+    def _sums(self) -> dict[float, np.ndarray]:
         """Σ b bᵀ/ω²ᵖ of all channels."""
         return self.uncounted.load_sums(range(len(self.uncounted.begins)))
 
-    def _sizes(self, b, powers=(1.0, 2.0)):
+    def _sizes(self, b: np.ndarray, powers: "Sequence[float]" = (1.0, 2.0)) -> np.ndarray:
         """√Σ b²/ω²ᵖ of a vector over channels, inf where it is not finite."""
         acting = self.uncounted.begins[np.abs(b) > 0]
         return np.array([size_of(b, self._sums[p]) if (acting < p).all() else inf for p in powers])
 
     @cached_property
-    def _of_dampers(self):
+    def _of_dampers(self) -> np.ndarray:
         """The same of U √Λ together."""
         n = len(self.transfer.dampers.rows)
         acting = self.transfer.dampers.rows * self._roots
@@ -139,7 +140,7 @@ class CoupledLeftOut:
                         for p in (1.0, 2.0)])
 
     @cached_property
-    def _paces(self):
+    def _paces(self) -> tuple[np.ndarray, np.ndarray]:
         """(|√Λ g| of a unit f of each state, √∫ of its square over all t)."""
         s, low, following = self._rates, self._of_dampers, self.modes.following
         felt = np.linalg.norm(following.felt * self._roots, axis=1)
@@ -147,7 +148,7 @@ class CoupledLeftOut:
         with np.errstate(divide="ignore"):
             return size, size / np.sqrt(-2 * s.real)
 
-    def _apart(self, first, second, followed):
+    def _apart(self, first: np.ndarray, second: np.ndarray, followed: np.ndarray) -> np.ndarray:
         """How far what two sizes show of others in each state is from what `followed`, of following shapes, do."""
         squares, s = self.modes.following.squares, self._rates
         still, answers = 1 + self.beyond.beta * s, 1 / self.beyond.at(np.sqrt(squares), s)
@@ -155,16 +156,17 @@ class CoupledLeftOut:
         beside = np.abs(answers - 1 / (squares * still[:, None])) @ followed
         with np.errstate(divide="ignore", invalid="ignore"):
             found = self.beyond.from_rest(s, first, second) + beside + missed / np.abs(still)
-        return np.fmin(found, self.beyond.inverse(s) * first[0] * second[0] + np.abs(answers) @ followed)
+        whole = self.beyond.inverse(s) * first[0] * second[0] + np.abs(answers) @ followed
+        return cast("np.ndarray", np.fmin(found, whole))
 
-    def _missed(self, left, followed):
+    def _missed(self, left: float, followed: float) -> float:
         """What following shapes lack of a flexibility at rest."""
         if len(self.modes.following.squares) < len(self._roots):
             return left + followed
         basis, rows = self.modes.basis, self.transfer.dampers.rows * self._roots
-        return ROUNDED * (left + followed + ((basis.shapes.T @ rows) ** 2 / basis.squares[:, None]).sum())
+        return float(ROUNDED * (left + followed + ((basis.shapes.T @ rows) ** 2 / basis.squares[:, None]).sum()))
 
-    def _free(self, static, states, forces, more):
+    def _free(self, static: float, states: np.ndarray, forces: np.ndarray, more: float) -> FreeCoupledMotion:
         """A FreeCoupledMotion: ‖·‖ of static loads on the others, states as they begin, steady f of dampers, and what
         else ‖y₀‖ holds."""
         acting = np.where(self._kept, -self._strokes * self._rates * states, 0.0)
@@ -174,16 +176,16 @@ class CoupledLeftOut:
         return FreeCoupledMotion(states, size, rest + more, float(self.modes.energies(states)[~self._kept].sum()))
 
     @cached_property
-    def _kept(self):
+    def _kept(self) -> np.ndarray:
         """Which states w has: not those next to which others are."""
         return ~self.modes.follows & (self.beyond.inverse(self._rates) < NEXT)
 
     @cached_property
-    def _energies(self):
+    def _energies(self) -> np.ndarray:
         """‖·‖ of what a unit f of each state moves others by, beside what it does at rest."""
         return self.beyond.energies(self._rates, self._of_dampers)
 
-    def _motion(self, number):
+    def _motion(self, number: int) -> FreeCoupledMotion:
         """The FreeCoupledMotion that begins with a segment."""
         channels, begun = len(self.uncounted.begins), self._begun[number]
         static, forces, more, off = np.zeros(channels), np.zeros(len(self._roots)), 0.0, 0.0
@@ -213,25 +215,25 @@ class CoupledLeftOut:
         found = self._free(float(self._sizes(static)[0]), states, forces, more)
         return found._replace(off=found.off + off)
 
-    def _of_start(self):
+    def _of_start(self) -> float:
         """‖y₀‖ of what a motion starts with."""
         start, spread = self._known.start, self._known.start.spread
         held = [self._sizes(part)[k] for k, part in enumerate(start.held)]
         return float(sum(held) + spread[0, POWERS.index(1.0)] + spread[1, POWERS.index(2.0)])
 
-    def _steady(self, channel, s, power):
+    def _steady(self, channel: int, s: complex, power: int) -> np.ndarray:
         """f in a motion under a unit load, as states tell it and as it is, (2, r); of a ramp those of its rate."""
         if (channel, s, power) in self._reads:
-            return self._reads[channel, s, power]
+            return cast("np.ndarray", self._reads[channel, s, power])
         at = np.array([s])
         exact = np.array([self.transfer.at(one, at)[channel, 0] for one in self.transfer.dampers.outputs])
         own = self.modes.states.inputs[:, channel]
         told = sum((strokes / (s - rates)) @ inputs for strokes, rates, inputs in (
             (self._strokes, self._rates, own), (self._strokes.conj(), self._rates.conj(), own.conj()))) / 2
         self._reads[channel, s, power] = -(1.0 if power else s) * np.array([told, self._roots * exact])
-        return self._reads[channel, s, power]
+        return cast("np.ndarray", self._reads[channel, s, power])
 
-    def _of_forces(self, s):
+    def _of_forces(self, s: complex) -> float:
         """‖·‖ of all modes that a unit f at a place s moves."""
         basis, at = self.modes.basis, np.array([s])
         felt = np.linalg.norm((basis.shapes.T @ self.transfer.dampers.rows) * self._roots, axis=1)
@@ -240,10 +242,10 @@ class CoupledLeftOut:
         return float(own + self._of_dampers[0] + self.beyond.energies(at, self._of_dampers)[0])
 
     @cached_property
-    def _motions(self):
+    def _motions(self) -> list[FreeCoupledMotion]:
         return [self._motion(number) for number in range(len(self._segments))]
 
-    def _of(self, output, number):
+    def _of(self, output: "LinearOutput", number: int) -> float:
         """What is read of e, and of w, of one."""
         key = key_of(output), number
         if key not in self._reads:
@@ -255,17 +257,18 @@ class CoupledLeftOut:
             rest = (reach + begun + shown / np.sqrt(2)) * motion.rest + flexibility * motion.off
             fast = (2 * shown + begun / np.sqrt(2)) * moved
             self._reads[key] = float(motion.forces @ read + dropped) + rest + slow + fast
-        return self._reads[key]
+        return float(self._reads[key])
 
     @cached_property
-    def _overlaps(self):
+    def _overlaps(self) -> np.ndarray:
         """The largest |∫ Re e^{λ(T − t)} Re e^{λ′ t} dt| of any T, (states, states)."""
         s, slower = self._rates, np.minimum.outer(-self._rates.real, -self._rates.real)
         with np.errstate(divide="ignore"):
             most = 1 / (np.e * slower)
-            return sum(np.minimum(2 / np.abs(one[:, None] - s), most) for one in (s, s.conj())) / 2
+            both = [np.minimum(2 / np.abs(one[:, None] - s), most) for one in (s, s.conj())]
+            return cast("np.ndarray", (both[0] + both[1]) / 2)
 
-    def _dual(self, output):
+    def _dual(self, output: "LinearOutput") -> tuple[np.ndarray, FreeCoupledMotion, float, float]:
         """(what is read of w less what is followed of a unit f of each state, the FreeCoupledMotion that begins as a
         unit load there holds it, √ of what that load moves itself, the largest of ‖w‖ among others in that motion)."""
         key = key_of(output)
@@ -280,4 +283,4 @@ class CoupledLeftOut:
             reach = float(found.forces @ np.where(self._kept, self._energies + low[0], 0.0))
             flexibility = float(np.sqrt((row**2 / basis.squares).sum() + own[0] ** 2))
             self._reads[key] = read, found, flexibility, reach
-        return self._reads[key]
+        return cast("tuple[np.ndarray, FreeCoupledMotion, float, float]", self._reads[key])

@@ -8,7 +8,7 @@ R₀ y = ω² R₂ y, yᵀ R₂ y = 1, so that dampers are answered to s⁴/ω�
 """
 
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -39,7 +39,7 @@ POWERS = 3          # of s in an output
 class FollowingShapes:
     """The ψ of a ModeBasis: squares (p,), felt (p, r) of the dampers, inputs (p, channels) of the loads."""
 
-    def __init__(self, basis: "ModeBasis", inputs: np.ndarray, still: "ExactTransfer", dampers: "Dampers"):
+    def __init__(self, basis: "ModeBasis", inputs: np.ndarray, still: "ExactTransfer", dampers: "Dampers") -> None:
         self.basis, self.still, self.dampers = basis, still, dampers
         highest = float(np.sqrt(np.abs(basis.squares).max(initial=0.0)))
         self.s = highest / INSIDE * np.exp(2j * np.pi * (np.arange(POINTS) + 0.5) / POINTS)
@@ -63,7 +63,7 @@ class FollowingShapes:
         return found
 
 
-def _followed(R0, R2, whole, highest):
+def _followed(R0: np.ndarray, R2: np.ndarray, whole: float, highest: float) -> tuple[np.ndarray, np.ndarray]:
     """(ω², y) of the pencil R₀ − ω² R₂, without what is only rounding."""
     flexible, turn = np.linalg.eigh(R0)
     turn = turn[:, flexible > NOTHING * whole] / np.sqrt(flexible[flexible > NOTHING * whole])
@@ -91,7 +91,8 @@ class TiedModes:
 
     def __init__(self, basis: "ModeBasis", inputs: np.ndarray, start: tuple[np.ndarray, np.ndarray],
                  damping: "tuple[np.ndarray, Callable[[np.ndarray], np.ndarray]]", following: FollowingShapes,
-                 creeping: bool, left: "Callable[[TiedModes, Sequence[Segment]], CoupledLeftOut] | None" = None):
+                 creeping: bool,
+                 left: "Callable[[TiedModes, Sequence[Segment]], CoupledLeftOut] | None" = None) -> None:
         self.basis, self.following, self.count = basis, following, len(basis.squares)
         given, of_squares = np.asarray(damping[0], float), damping[1]
         squares = np.append(basis.squares, following.squares)
@@ -125,11 +126,11 @@ class TiedModes:
         """‖·‖ that the first modes have at most in each of the states `free`, (states,)."""
         parts = np.abs(self._shares[:self.count]) ** 2
         twice = np.abs(self.basis.squares) @ parts + np.abs(self.states.rates) ** 2 * parts.sum(axis=0)
-        return np.abs(free) * np.sqrt(twice)
+        return cast("np.ndarray", np.abs(free) * np.sqrt(twice))
 
     def lost_rows(self, output: "LinearOutput") -> np.ndarray:
         """What rounding leaves of the rows over states."""
-        return self.basis.lost(output) @ abs(self._shares[:self.count])
+        return cast("np.ndarray", self.basis.lost(output) @ abs(self._shares[:self.count]))
 
     def amplitudes(self, output: "LinearOutput", order: int, free: np.ndarray) -> np.ndarray:
         """What each mode brings to the order-th rate of an output that starts with states `free`, (N,)."""
@@ -138,10 +139,10 @@ class TiedModes:
         size = np.where(pace, np.hypot(eta, rate / np.where(pace, pace, 1.0)), 0.0)
         factors = 1.0, pace, pace * (pace + self.given), pace**2 * (pace + self.given)
         rows = abs(self.basis.rows(output))
-        return sum(row * size * factors[min(power + order, 3)] for power, row in enumerate(rows))
+        return cast("np.ndarray", sum(row * size * factors[min(power + order, 3)] for power, row in enumerate(rows)))
 
 
-def _rigid_apart(D, rigid):
+def _rigid_apart(D: np.ndarray, rigid: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(turn, free): η = turn η′, D diagonal over rigid motions; which η′ are neither held nor damped."""
     at, turn, free = np.flatnonzero(rigid), np.eye(len(D)), np.zeros(len(D), bool)
     if len(at):
@@ -151,7 +152,8 @@ def _rigid_apart(D, rigid):
     return turn, free
 
 
-def _states(squares, D, chosen, b, begin):
+def _states(squares: np.ndarray, D: np.ndarray, chosen: np.ndarray, b: np.ndarray,
+            begin: list[np.ndarray]) -> tuple[Motions, np.ndarray, np.ndarray]:
     """(Motions of the chosen η, the number of the mode that is most of each state, phase and size of their Doubt)."""
     held = np.flatnonzero(chosen & (squares != 0))[::-1]
     loose = np.flatnonzero(chosen & (squares == 0))
@@ -177,7 +179,7 @@ def _states(squares, D, chosen, b, begin):
     return _resting(found, loose, eta), np.concatenate([most, loose]), off
 
 
-def _resting(found, loose, eta):
+def _resting(found: Motions, loose: np.ndarray, eta: np.ndarray) -> Motions:
     """With λ = 0 of each η that is damped and not held: η less what the other states show of it."""
     shown = found.shares[loose]
     own = np.zeros((len(found.shares), len(loose)))

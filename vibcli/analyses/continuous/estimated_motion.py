@@ -11,6 +11,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from vibcli.analyses.continuous.coupled_modes import TiedModes
+    from vibcli.analyses.continuous.modal_reads import Read
+    from vibcli.analyses.continuous.modal_states import FreeStretch
     from vibcli.analyses.excitation.forcing import Forcing
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
@@ -20,7 +22,7 @@ INSTANTS = np.linspace(-0.5, 0.5, 9)    # in periods of the slowest mode, about 
 class EstimatedMotion(ModalMotion):
     """Of TiedModes; half(): the same by half as many modes. bound: an estimate where no true one is known."""
 
-    def __init__(self, modes: "TiedModes", *parts: Any, half: "Callable[[], ModalMotion]"):
+    def __init__(self, modes: "TiedModes", *parts: Any, half: "Callable[[], ModalMotion]") -> None:
         super().__init__(modes, *parts)
         self.tied, self._half, self._built_of = modes, half, parts
 
@@ -41,5 +43,5 @@ class EstimatedMotion(ModalMotion):
         apart = self.values(output, times, order) - self.fewer.values(output, times, order)
         return super().bound(output, t, order, modes) + float(np.abs(apart).max())
 
-    def _amplitudes(self, read, stretch):
+    def _amplitudes(self, read: "Read", stretch: "FreeStretch") -> np.ndarray:
         return self.tied.amplitudes(read.output, read.order, stretch.free)

@@ -44,7 +44,7 @@ def causes(motions: "LeftOutMotions", output: "LinearOutput") -> str:
     return ", and ".join(dict.fromkeys(found)) or TOGETHER
 
 
-def _nothing(_):
+def _nothing(_: int) -> bool:
     return False
 
 

@@ -1,8 +1,9 @@
 """What modes that are not counted add to a motion, by the energy that each jump, bend or blow of a load leaves them."""
 
+from collections.abc import Mapping
 from functools import cached_property
 from math import inf
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -15,6 +16,7 @@ from vibcli.analyses.continuous.load_changes import Changes, changes
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
+    from vibcli.analyses.continuous.left_out_readings import Reading
     from vibcli.analyses.excitation.forcing import Segment
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
@@ -27,7 +29,7 @@ class LeftOutMotions:
 
     ALONE = False
 
-    def __init__(self, energy: LeftOutEnergy, segments: "Sequence[Segment]"):
+    def __init__(self, energy: LeftOutEnergy, segments: "Sequence[Segment]") -> None:
         self.energy, self.times = energy, np.array([segment.start for segment in segments])
         self._segments, self._finite, self._sizes = segments, {}, {}
 
@@ -44,22 +46,22 @@ class LeftOutMotions:
         """Is that bound finite?"""
         return not self.energy.flaw and all(map(self._is_bounded, self.energy.readings(output, order)))
 
-    def _of(self, reading, faded):
+    def _of(self, reading: "Reading", faded: np.ndarray) -> float:
         if self._is_finite(reading.level):
             return self.energy.reach(reading) * float(self._sizes_of(reading.level) @ faded)
         return self._by_smoothing(reading, faded)
 
-    def _is_bounded(self, reading):
+    def _is_bounded(self, reading: "Reading") -> bool:
         return self._is_finite(reading.level) or self._is_smooth(reading)
 
-    def _is_smooth(self, reading):
+    def _is_smooth(self, reading: "Reading") -> bool:
         """Does what is left out have a bound by (τ − A)⁻¹ of it?"""
         k = reading.level
         return reading.rate <= k and self.energy.begun(k) < inf and all(
             self.energy.takes_smooth(*key) for part in self._rated(k) for key in part
             ) and self._by_smoothing(reading, np.ones(len(self.times))) < inf
 
-    def _by_smoothing(self, reading, faded):
+    def _by_smoothing(self, reading: "Reading", faded: np.ndarray) -> float:
         """With Jτ = τ (τ − A)⁻¹, which tend to 1, [a, z] = [a, J₀ z] + Σ [a, (Jₙ₊₁ − Jₙ) z], each by the energies of
 
             (Jₙ₊₁ − Jₙ) = (τₙ − τₙ₊₁) A (τₙ₊₁ − A)⁻¹ (τₙ − A)⁻¹
@@ -72,7 +74,8 @@ class LeftOutMotions:
         if not fall <= FALLS:
             return inf
         begun = energy.begun(k) * faded[0]
-        return reach * (begun + tau[0] * sizes[0]) + float(terms.sum()) + SAFE * float(terms[-1]) * fall / (1 - fall)
+        later = terms.sum() + SAFE * terms[-1] * fall / (1 - fall)
+        return float(reach * (begun + tau[0] * sizes[0]) + later)
 
     def reason(self, output: "LinearOutput") -> str:
         """Why no bound is known of it, in words."""
@@ -95,7 +98,7 @@ class LeftOutMotions:
         """Is a jump of a driven end among it?"""
         return any(map(self._jumps, self._unbounded(output)))
 
-    def _unbounded(self, output):
+    def _unbounded(self, output: "LinearOutput") -> list[dict[tuple[int, complex, int], complex]]:
         levels = {one.level for one in self.energy.readings(output, 0) if not self._is_bounded(one)}
         return [part for k in levels for part in self._rated(k)]
 
@@ -104,11 +107,11 @@ class LeftOutMotions:
         return FALL
 
     @cached_property
-    def _parts(self):
+    def _parts(self) -> list[list[dict[tuple[int, complex, int], complex]]]:
         """Of each segment {(channel, exponent, power): coefficient} of the change of the free part at its start."""
         return [[self._begun(number) for number in range(len(self._segments))]]
 
-    def _rated(self, k):
+    def _rated(self, k: int) -> list[dict[tuple[int, complex, int], complex]]:
         """The same of the k-th rate."""
         while len(self._parts) <= k:
             self._parts.append([_rate(part, self.energy.fading) for part in self._parts[-1]])
@@ -116,20 +119,20 @@ class LeftOutMotions:
                 self._parts[1][0] = _with_blows(self._parts[1][0], self.energy.begun_by)
         return self._parts[k]
 
-    def _is_finite(self, k):
+    def _is_finite(self, k: int) -> bool:
         """Is the energy of all of them known? It is infinite where a driven end jumps."""
         if k not in self._finite:
             self._finite[k] = self.energy.begun(k) < inf and all(
                 self.energy.takes(*key) for key in {key for part in self._rated(k) for key in part}) and not any(
                     self._jumps(part) for part in self._rated(k))
-        return self._finite[k]
+        return cast("bool", self._finite[k])
 
-    def _jumps(self, part):
+    def _jumps(self, part: Mapping[tuple[int, complex, int], complex]) -> bool:
         """Does a driven end, which the free part leaves at rest?"""
         return any(abs(sum(own)) > ROUNDING * sum(map(abs, own)) for channel in self.energy.loads.driven
                    for own in [[c.real for (at, _, power), c in part.items() if at == channel and not power]])
 
-    def _sizes_of(self, k, smooth=False):
+    def _sizes_of(self, k: int, smooth: bool = False) -> np.ndarray:
         """‖Π Aᵏ z‖ of what begins with each segment; or ‖Π (τ − A)⁻¹ Aᵏ z‖ of the same, (τ, segments)."""
         if (k, smooth) not in self._sizes:
             parts = self._rated(k)
@@ -146,9 +149,9 @@ class LeftOutMotions:
                 found = self.energy.norms(channels, columns, e) if columns else np.zeros(len(parts))
                 found[0] += self.energy.begun(k)
             self._sizes[k, smooth] = found
-        return self._sizes[k, smooth]
+        return cast("np.ndarray", self._sizes[k, smooth])
 
-    def _begun(self, number):
+    def _begun(self, number: int) -> dict[tuple[int, complex, int], complex]:
         """That of one."""
         found = changes(self._segments, number)
         for channel in range(self.energy.n if not number else 0):
@@ -157,7 +160,7 @@ class LeftOutMotions:
         return found.kept()
 
 
-def _rate(part, fading):
+def _rate(part: Mapping[tuple[int, complex, int], complex], fading: float) -> dict[tuple[int, complex, int], complex]:
     """Of (s + δ) f̂(s): an onset is a blow of its rate, and what is smoother begins less smoothly."""
     found = Changes()
     for (channel, s, power), c in part.items():
@@ -167,7 +170,8 @@ def _rate(part, fading):
     return found.kept()
 
 
-def _with_blows(part, blows):
+def _with_blows(part: Mapping[tuple[int, complex, int], complex],
+                blows: np.ndarray) -> dict[tuple[int, complex, int], complex]:
     """A part beside blows on coordinates."""
     found = Changes()
     for key, c in [*part.items(), *(((i, 0j, -1), size) for i, size in enumerate(blows.tolist()) if size)]:

@@ -43,7 +43,7 @@ def local_modes(system: "ContinuousSystem", bracket: "Bracket"
     return system, values, x[:, near], indices
 
 
-def _within(bracket, z):
+def _within(bracket: "Bracket", z: np.ndarray) -> np.ndarray:
     """The places of z, those within the bracket first, of others the nearest; ascending where there are enough."""
     middle = (bracket.low + bracket.high) / 2
     wanted = bracket.above - bracket.below
@@ -68,7 +68,7 @@ def projected(system: "ContinuousSystem", entries: np.ndarray, slope: np.ndarray
     return moved, x @ basis
 
 
-def _pencil(stiff: Any, mass: Any):
+def _pencil(stiff: Any, mass: Any) -> tuple[np.ndarray, np.ndarray]:
     """The eigenvalues and vectors of stiff y = λ mass y, yᵀ mass y = 1."""
     if stiff.dtype.kind == "O":
         return _precise_pencil(stiff, mass)
@@ -81,7 +81,7 @@ def _pencil(stiff: Any, mass: Any):
     return values, basis @ vectors
 
 
-def _precise_pencil(stiff, mass):
+def _precise_pencil(stiff: np.ndarray, mass: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     import mpmath
 
     values, basis = mpmath.eigsy(mpmath.matrix(mass.tolist()))

@@ -14,6 +14,7 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.notation.plain import plain
 from vibcli.report.blocks import Name, SumOfTerms, Words
 from vibcli.report.steps.bodies import LONG, EnergyPart
+from vibcli.report.steps.lettered import is_told_by_number
 from vibcli.report.steps.parts_in_series import tell_parts
 from vibcli.report.steps.sides import by_sides
 from vibcli.report.steps.small import AboutRest, Small
@@ -89,14 +90,14 @@ class Connections:
         """The slope of a law at rest, told with a letter of its own."""
         tell_parts(self.about.problem, self.sheet, law.owner)
         slope = gradient(law.derivative).get(law.x, self.scene.table.zero)
-        node = self.about.rest(substitute([slope], {law.x: at})[0])
+        node = self.about.rest(substitute([slope], {law.x: at})[0], named=False)
         name = self.sheet.letter(letter, law.owner)
         value, unit = self.about.value(node), SLOPES[letter, self._unit(law.owner)]
-        shown = [" = ", node] if value is None or not is_number(node) else []
+        shown = [] if is_told_by_number(node, value) else [" = ", node]
         self.sheet.write(Words(f"{what} of {law.owner} at rest, the slope of its law:  "), Name(name), *shown,
                          *(() if value is None else number(value, unit)), settles=name, node=node, value=value,
                          unit="" if value is None else unit)
-        return node
+        return node if is_number(node) else self.about.keep(self.about.letter(name), node)
 
     def _unit(self, owner):
         """That of the force of an element."""
@@ -121,7 +122,7 @@ class Connections:
         more += [Words(",  "), Name(N), Words(f" its {what} at rest")] if loaded and not node.is_zero else []
         line = sheet.write(Name(V), *([] if formula.is_zero else [" = ", formula]), " = ", node, *more, settles=V,
                            node=node, uses=[told], joined=exact and letters(moves) <= AT_ONCE)
-        kept = shown if loaded and about.know(shown, about.value(tension)) else tension
+        kept = about.keep(shown, tension) if loaded else tension
         found = EnergyPart(V, node, line), Acting(term.owner, tension, shown, k, small, line, hasattr(term, "weight"),
                                                   kept)
         self._stretched.append((term, *found))
@@ -251,7 +252,7 @@ class Connections:
             for pair, b in one.s.second.items():
                 found.setdefault(pair, []).append((one.kept or one.tension) * b)
         entries = {pair: self.about.tidy(table.total(nodes)) for pair, nodes in found.items()}
-        return {pair: node for pair, node in entries.items() if not node.is_zero}
+        return {pair: node for pair, node in entries.items() if not (node.is_zero or self.about.is_rounding(node))}
 
     def damping_matrix(self) -> "dict[tuple[int, int], Node]":
         """C = Σ c ∇s ∇sᵀ."""

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.in_motion import short_form
+from vibcli.report.steps.lengths import with_lengths
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution
 from vibcli.symbolic.derivatives import gradient, substitute
@@ -64,10 +65,12 @@ def tell_constraints(problem: "Problem", sheet: WorkedSolution) -> None:
     why = WHY.get(forms.pop(), TIED) if len(forms) == 1 else TIED
     known = {name: short_form(node) for name, node in scene.dependent.items() if name not in loops}
     short = {name: node for name, node in known.items() if letters(node) <= SHORT}
-    for group in ([short] if short else []) + [{name: node} for name, node in known.items() if name not in short]:
+    long = {name: node for name, node in known.items() if name not in short}
+    shown = dict(zip(long, with_lengths(sheet, list(long.values())), strict=True))
+    for group in ([short] if short else []) + [{name: node} for name, node in long.items()]:
         about = {name: f"{what}  " if (what := words_of(problem, name)) else "" for name in group}
         told = [part for name, node in group.items() for part in (
-            Words(",  "), Words(about[name]), Name(name), " = ", node)][1:]
+            Words(",  "), Words(about[name]), Name(name), " = ", shown.get(name, node))][1:]
         sheet.write(*told, Words(f"   ({why})"), settles=", ".join(group),
                     node=next(iter(group.values())) if len(group) == 1 else None)
 
@@ -85,8 +88,9 @@ def tell_conditions(problem: "Problem", sheet: WorkedSolution) -> list[int]:
     for constraint in loose.constraints:
         if not is_zero(substitute([constraint.node], known)[0]):
             found.setdefault(constraint.whole, []).append(textbook(constraint.node))
+    shown = {whole: with_lengths(sheet, copied(nodes, scene.table)) for whole, nodes in found.items()}
     return [sheet.write(Words(f"'{whole}' holds:  "), *[part for node in nodes for part in (
-        Words(",  "), node, " = 0")][1:], settles=f"condition {whole}") for whole, nodes in found.items()]
+        Words(",  "), node, " = 0")][1:], settles=f"condition {whole}") for whole, nodes in shown.items()]
 
 
 def tell_loops(about: AboutRest, sheet: WorkedSolution, conditions: Iterable[int]) -> None:

@@ -43,13 +43,12 @@ class FullEnergies:
 
     def __init__(self, motion: InMotion, sheet: WorkedSolution):
         self.motion, self.sheet, self.scene = motion, sheet, motion.scene
-        self._roots: dict = {}
         self._letters = [term.owner for kind in ("springs", "laws", "weights") for term in getattr(self.scene, kind)]
 
     def short(self, *nodes: "Node") -> "list[Any]":
         """The expressions with symbols for long lengths, those that are new told before; words for what is too long to
         read."""
-        shown, lengths = abbreviated(list(nodes), self._roots)
+        shown, lengths = abbreviated(list(nodes), self.sheet.lengths)
         for symbol, length in lengths:
             self.sheet.write(symbol, " = ", brief(length), settles=symbol.name, node=length)
         return [brief(short_form(node) if letters(node) > LONG else node) for node in shown]

@@ -9,16 +9,13 @@ from contextlib import suppress
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from vibcli.base import units
 from vibcli.mechanics.linearise import row_of, slopes_of
-from vibcli.notation.units_in_sums import dimension_of
-from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.agreement import LEFT, agree_in_motion, same, samples_of, tidy
-from vibcli.report.steps.step import WorkedSolution, number
+from vibcli.report.steps.lettered import LetteredCoefficients, is_long
+from vibcli.report.steps.step import WorkedSolution
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
-from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import root_of_square, textbook
 from vibcli.symbolic.radicals import without_bars
 from vibcli.symbolic.rationals import HALF, ONE
@@ -27,7 +24,6 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
-READABLE, SHOWN, TOO_LONG = 8, 40, 50        # letters of a coefficient: at a searched place, written out, elsewhere
 ROUNDING = 1e-13        # relative: of a sum that is zero where a search found the place
 
 
@@ -88,8 +84,8 @@ class AboutRest:
         self.place = {**place, **dict.fromkeys((*scene.v, *scene.a), zero), **dict(zip(drives, begun, strict=True))}
         self.undriven = {one.s: other.s for kind, terms in scene.shaken.items()
                          for one, other in zip(getattr(scene, kind), terms, strict=True)}
-        self._known, self._sheet, self._named, self._dimensions = dict(values), sheet, {}, {}
-        self._searched = bool(values)
+        self._known, self._searched, self._keeps = dict(values), bool(values), False
+        self._lettered = LetteredCoefficients(self, sheet, self._searched) if sheet is not None else None
         self.index = {q: i for i, q in enumerate(self.scene.q)}
         self.samples = samples_of(problem, self._known)
 
@@ -152,46 +148,28 @@ class AboutRest:
     def rest(self, node: "Node", named: bool = True) -> "Node":
         """An expression at rest, in its simplest form; where `named` a letter for a long one that has a number, at a
         place that a search found for one that is not short."""
-        found = self.tidy(self._begun(substitute([node], self.place)[0]))
-        found = self.tidy(without_bars(found, self.samples))
-        most = READABLE if self._searched else TOO_LONG
-        if not named or self.problem.numeric.has_free_symbols or letters(found) <= most:
-            return found
-        return self._letter_for(found)
+        found = self._begun(substitute([node], self.place)[0])
+        found = self.tidy(without_bars(self.tidy(without_bars(found, self.samples)), self.samples))
+        return self._letter_for(found) if named and self.is_long(found) else found
+
+    def is_long(self, node: "Node") -> bool:
+        """Has an expression at rest a letter of its own, being long and having a number?"""
+        return not self.problem.numeric.has_free_symbols and is_long(node, self._searched)
 
     def tension(self, node: "Node") -> "Node":
-        """A force at rest, which has a letter of its own where a search found the place."""
-        return self.rest(node, named=not self._searched)
+        """A force at rest, which has the letter of its element."""
+        return self.rest(node, named=False)
 
     def _letter_for(self, node):
-        """A letter for a number, told with what it stands for; zero for what rounding leaves at a searched place."""
-        if self._sheet is None or node.op == "symbol":
+        """A letter for a number; zero for what rounding leaves at a searched place."""
+        if self._lettered is None:
             return node
-        if self._searched and self._rounded_away(node):
-            return self.table.zero
-        if node not in self._named:
-            other = textbook(-node)
-            if other in self._named:
-                return -self._named[other]
-            name, value = self._sheet.letter(f"b{len(self._named) + 1}"), self.value(node)
-            shown = [" = ", node] if letters(node) <= SHOWN else []
-            words = [] if self._sheet.opened else [Words("with " if self._searched else "for short:  ")]
-            self._dimensions[name] = dimension_of(node, self._dimension)
-            unit = units.text(self._dimensions[name] or units.NONE)
-            self._sheet.write(*words, Name(name), *shown, *number(value, unit), settles=name, node=node, value=value,
-                              unit=unit, opens=True)
-            self._named[node] = self.table.parameter(name, positive=False)
-            self.know(self._named[node], value)
-        return self._named[node]
+        return self.table.zero if self.is_rounding(node) else self._lettered.letter_for(node)
 
-    def _dimension(self, name):
-        """That of a letter of the scene, of a place or of one of its own."""
-        if name in self._dimensions:
-            return self._dimensions[name]
-        q = next((q for q, at in self.place.items() if getattr(at, "name", None) == name), None)
-        return self.table.dimension(name) if q is None else self.problem.system.dimension(q.name)
-
-    def _rounded_away(self, node):
+    def is_rounding(self, node: "Node") -> bool:
+        """Is a sum at a searched place zero but for rounding?"""
+        if not self._searched:
+            return False
         terms = [part * c for part, c in node.args] if node.op == "sum" else [node]
         found = evaluate(terms, Floats, self.samples[0])
         return abs(sum(found)) <= ROUNDING * sum(map(abs, found))
@@ -199,7 +177,14 @@ class AboutRest:
     @property
     def abbreviates(self) -> bool:
         """Have long coefficients letters of their own?"""
-        return bool(self._named)
+        return self._keeps or bool(self._lettered and self._lettered.known)
+
+    def keep(self, letter: "Node", node: "Node") -> "Node":
+        """What stands in the sums for a force or slope at rest, which has a letter: this where it is long, or was found
+        by a search, else itself."""
+        kept = self.know(letter, self.value(node))
+        self._keeps |= not kept and self.is_long(node)
+        return letter if kept or self.is_long(node) else node
 
     def know(self, letter: "Node", value: float | None) -> bool:
         """Give a letter its number; is the place of rest known in numbers alone, so that it stands in the sums?"""

@@ -8,13 +8,13 @@ from vibcli.report.blocks import Name, SumOfTerms, Words
 from vibcli.report.steps.bodies import Bodies, EnergyPart
 from vibcli.report.steps.connections import Acting, Connections
 from vibcli.report.steps.held import HINT, UNTOLD, SmallEquations, Untold, drive_of, held, left, row
+from vibcli.report.steps.lettered import is_told_by_number
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, momentum, number, slope_by
 from vibcli.report.steps.turning import TurningFrames
 from vibcli.report.steps.written_out import WrittenOut
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.nested_form import letters
-from vibcli.symbolic.node import is_number
 from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
@@ -152,7 +152,7 @@ class Derivation:
         places = [step.number for step in self.sheet.steps if step.settles.startswith("equilibrium[")]
         force = about.value(one.tension)
         told = () if force is None else number(force, unit)
-        told = told if told and is_number(one.tension) else (" = ", one.tension, *told)
+        told = told if is_told_by_number(one.tension, force) else (" = ", one.tension, *told)
         self.sheet.write(Words(words), Name(one.shown.name), *told,
                          *(self._deflection(one, unit) if one.linear else ()), settles=one.shown.name,
                          node=one.tension, value=force, unit=unit, uses=balance if follows else places,
@@ -160,7 +160,7 @@ class Derivation:
 
     def _deflection(self, one, unit):
         """Parts of N/k of a linear spring."""
-        delta = self.about.tidy(one.tension / one.k)
+        delta = self.about.tidy((one.kept if self.about.is_long(one.tension) else one.tension) / one.k)
         value = self.about.value(delta)
         told = () if value is None else (*number(value, "rad" if unit == "N·m" else "m"),
                                          Words(" (lengthened)" if value > 0 else " (shortened)"))

@@ -61,6 +61,8 @@ class WorkedSolution:
         self.waves: dict[str, ToldMotion] = {}      # of coordinates that move freely by the letters of lines
         self.in_numbers: dict[str, float] = {}      # of letters in whose place lines have the number
         self.responses: dict[Node, LetteredStiffness] = {}      # of K − Ω²M + iΩC by Ω
+        self.lengths: dict[Node, Node] = {}         # the letters of long roots and of turns, by what they stand for
+        self.turns: dict[Node, Node] = {}
         self.by_pieces: dict[str, MotionByPieces | MotionByModes] = {}      # of coordinates under pieces of loads
 
     @property

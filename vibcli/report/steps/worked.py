@@ -40,7 +40,7 @@ def worked(problem: "Problem") -> list[WorkedLine]:
     """The steps of a scene: to its equations of motion where these are asked, or small oscillations are not told apart
     element by element; then to its small oscillations."""
     _require_told(problem)
-    problem = problem if problem.scene.pieces else with_units(problem)
+    problem = with_units(problem)
     sheet = _sheet_of(problem)
     tell_expansion(problem, sheet)
     tell_by_amplitude(problem, sheet)

@@ -70,6 +70,7 @@ def _expected(x, bent, t):
     return _summed(b, own, t) + (np.sin(np.outer(t, n**2)) * still).sum(axis=1)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("force", "place", "x", "bent"), [
     (STEP, FieldPoint(2, 0.0, 2), 0.5, True), (STEP, FieldPoint(2, 0.2, 2), 0.7, True),
     (BLOW, FieldPoint(1, 0.0), 0.3, False), (BLOW, FieldPoint(2, 0.1), 0.6, False)])
@@ -82,6 +83,7 @@ def test_a_moment_after_a_step_and_a_displacement_after_a_blow(force, place, x, 
     assert motion.bound(output, 0.3) <= share * off.max()
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("along", [2, 3])
 def test_moments_and_shears_after_a_start_in_a_field(along):
     """û = (s u₀ + c G(x, ½) π⁴/(1 + s c G(½, ½)))/(s² + π⁴) of u₀ = sin πx; u‴ by u″ left and right of x."""
@@ -96,12 +98,14 @@ def test_moments_and_shears_after_a_start_in_a_field(along):
     assert off.max() <= motion.bound(output, 0.3) <= 8 * off.max()
 
 
+@pytest.mark.sweep
 def test_a_field_that_does_not_fit_an_end_leaves_moments_estimated():
     text = BEAM[:BEAM.index("forces:")] + "initial: {arm.u: 1 m*x*(L - x)/L^2}\n"
     motion, output = DampedModalResponse(problem(text)).motion(8), LinearOutput(places={FieldPoint(1, 0.2, 2): 1.0})
     assert motion.is_estimated(output) and motion.modes.disturbed(motion.forcing.pieces).reason(output) == UNFIT
 
 
+@pytest.mark.sweep
 def test_shears_after_steps_and_slopes_after_blows_are_estimated():
     motions = [DampedModalResponse(problem(BEAM % force)).motion(8) for force in (STEP, BLOW)]
     for motion, place in zip(motions, (FieldPoint(2, 0.1, 3), FieldPoint(2, 0.1, 1)), strict=True):
@@ -109,6 +113,7 @@ def test_shears_after_steps_and_slopes_after_blows_are_estimated():
         assert motion.is_estimated(output) and motion.modes.disturbed(motion.forcing.pieces).reason(output) == AT_ONCE
 
 
+@pytest.mark.sweep
 def test_displacements_after_a_clamp_turns_at_once_are_bounded_and_forces_are_not():
     motion = DampedModalResponse(problem(SHAKEN % "turn: 0.01*step(t)")).motion(8)
     more = DampedModalResponse(problem(SHAKEN % "turn: 0.01*step(t)")).motion(64)
@@ -119,6 +124,7 @@ def test_displacements_after_a_clamp_turns_at_once_are_bounded_and_forces_are_no
     assert motion.is_estimated(bent) and motion.modes.disturbed(motion.forcing.pieces).reason(bent) == MOVED
 
 
+@pytest.mark.sweep
 def test_a_driven_end_that_jumps_is_estimated():
     pinned = SHAKEN.replace("clamped: hand", "pinned: hand").replace("attached", "right: pinned, attached")
     motion = DampedModalResponse(problem(pinned % "slide: 1 cm*step(t)")).motion(8)
