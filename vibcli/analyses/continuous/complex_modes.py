@@ -80,6 +80,8 @@ class ComplexModes:
     left(of these): the LeftOutEnergy of those left out. gaps: how far each λ is from the next; shown_by_start: ⟨zₙ, z⟩
     and ⟨zₙ, A z⟩ of the start."""
 
+    UNBOUNDED = "as a load along a member is let go"       # where nothing is known of those left out
+
     def __init__(self, basis: DampedBasis, inputs: np.ndarray,
                  start: tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray],
                  left: "Callable[[ComplexModes], LeftOutEnergy] | None" = None) -> None:

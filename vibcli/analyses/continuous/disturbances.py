@@ -58,7 +58,7 @@ class Disturbances:
         channels = modes.inputs.shape[1]
         self.times = np.array([segment.start for segment in segments])
         orders = (_rows_of_waves if creeping else _orders)(segments, self.damping)
-        self._start, self._sizes, self._loads = start, {}, None
+        self.start, self._sizes, self._loads = start, {}, None
         if orders is not None:
             loads = _ends_of_waves if creeping else _bends
             self._loads = loads(segments, channels, orders, start.held, self.damping.unit)
@@ -79,7 +79,7 @@ class Disturbances:
         sums = self.modes.load_sums(active.tolist()) if len(active) else {}
         for power, among in sums.items():
             self._add(found, power, among, self.modes.begins[active] < power, bends[..., active], struck[:, active])
-        found[0, 2:4] += self._start.spread
+        found[0, 2:4] += self.start.spread
         return found
 
     def _add(self, sizes: np.ndarray, power: float, sums: np.ndarray, finite: np.ndarray, bends: np.ndarray,
@@ -116,9 +116,9 @@ class Disturbances:
         if self.damping.creeping is not None:
             return FALL
         rest = [segment._replace(waves=(), impulses=()) for segment in self._segments]
-        still = Start(0 * self._start.held, 0 * self._start.spread)
+        still = Start(0 * self.start.held, 0 * self.start.spread)
         of_field, of_loads = (Disturbances(self.modes, start, segments, self._creeping).bound(output, t) == inf
-                              for start, segments in ((self._start, rest), (still, self._segments)))
+                              for start, segments in ((self.start, rest), (still, self._segments)))
         return (BOTH if of_loads else FIELD) if of_field else SERIES
 
     def _total(self, output: "LinearOutput", t: float, order: int,

@@ -24,6 +24,7 @@ import numpy as np
 from vibcli.analyses.continuous.damped_energies import ROUNDED, DampedSwings, OwnEnergies, energies
 from vibcli.analyses.continuous.dragged_pieces import DraggedPieces
 from vibcli.analyses.continuous.free_fading import fading
+from vibcli.analyses.continuous.left_out_causes import flaw_of
 from vibcli.analyses.continuous.left_out_columns import MANY, SHARES, Column, PlacesOnCircles, places_on
 from vibcli.analyses.continuous.left_out_readings import Reading, readings
 from vibcli.analyses.continuous.modal_reads import key_of
@@ -78,9 +79,7 @@ class LeftOutEnergy:
         size = np.sqrt(np.maximum(np.diagonal(C), 0.0))
         values, vectors = np.linalg.eigh(C / np.outer(*[np.where(size, size, 1.0)] * 2))
         self._strokes = (size[:, None] * vectors * np.sqrt(np.maximum(values, 0.0)))[:, values > INDEFINITE]
-        self.valid = bool((C == C.T).all() and (values >= -INDEFINITE).all() and not C[size == 0].any()
-                          and not self._grows() and (start is None or start.twice(0) < inf)
-                          and not any(one.retardation for one in transfer.pieces))
+        damps = bool((C == C.T).all() and (values >= -INDEFINITE).all() and not C[size == 0].any())
         apart = min(APART, (BALANCE / max(1, len(rates))) ** 0.5)
         half = int(PLACES / apart / 2) + 1
         turn = np.exp(1j * np.pi * (np.arange(half) + 0.5) / half)
@@ -89,8 +88,9 @@ class LeftOutEnergy:
                          for circle, share in zip(circles, SHARES, strict=True)] for smooth in range(2)]
         least = (1 - 1.5 * apart) * (1 - apart) * self.basis.radius
         self.chosen = np.flatnonzero(np.abs(rates) > least)
-        self.valid &= self.basis.of_points <= (least if start is None else 0.0) and (
-            start is None or len(rates) <= MOST)
+        told_apart = self.basis.of_points <= least if start is None else not self.basis.of_points and len(rates) <= MOST
+        self.flaw = flaw_of(damps, any(one.retardation for one in transfer.pieces), self._grows(),
+                            start is not None and start.twice(0) == inf, told_apart)
         self.loads, self._start = UnitLoadsOf(transfer), start
         self._known: dict[Any, Any] = {}
 

@@ -22,6 +22,7 @@ from vibcli.numerics.sums_of_exponentials import sum_of_exponentials
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.complex_modes import ComplexModes
+    from vibcli.analyses.continuous.coupled_left_out import CoupledLeftOut
     from vibcli.analyses.continuous.coupled_modes import TiedModes
     from vibcli.analyses.continuous.coupled_transfer import CoupledTransfer
     from vibcli.analyses.continuous.damped_transfer import DampedTransfer
@@ -54,7 +55,7 @@ class ModalMotion:
         self._rows: dict[Any, Any] = {}
         self._known: dict[int, tuple[Stroke, list[Any]]] = {}        # {id: (stroke, its parts)}, the oldest first
         self._until, self._stretches, self._aged = -1.0, [], []
-        self._disturbances: Disturbances | LeftOutMotions | None = None
+        self._disturbances: Disturbances | LeftOutMotions | CoupledLeftOut | None = None
 
     def under(self, forcing: "Forcing") -> "ModalMotion":
         """The same motion, whose outputs read further channels of the loads."""

@@ -27,6 +27,8 @@ class RealModes:
     lost: rounding of the start, in each state; doubt: the Doubt of the states.
     """
 
+    UNBOUNDED = "as supports are driven beside `damping:` of members"       # where nothing is known of those left out
+
     def __init__(self, basis: "ModeBasis", inputs: np.ndarray, start: "Sequence[tuple[np.ndarray, np.ndarray]]",
                  damping: np.ndarray, creeping: bool = False,
                  disturbed: "Callable[[Sequence[Segment]], Disturbances] | None" = None,

@@ -178,10 +178,14 @@ def precise_text(value: "mpmath.mpf", digits: int) -> str:
 def _kind(motion: "Response", asked: Sequence[RequestedSignal]) -> str:
     """What kind of motion it is, and in which signals what modes left out add is only estimated."""
     estimated = [one for one in asked if motion.estimated and one.signal.is_estimated]
-    among = "" if len(estimated) == len(asked) else f" in {', '.join(one.text for one in estimated)}"
-    reasons = {one.signal.why_estimated for one in estimated}
-    why = f", {reasons.pop()}" if len(reasons) == 1 and "" not in reasons else ""
-    return f"{motion.words}; what those left out add is estimated{among}{why}" if estimated else motion.words
+    if not estimated:
+        return motion.words
+    told: dict[str, list[str]] = {}
+    for one in estimated:
+        told.setdefault(one.signal.why_estimated, []).append(one.text)
+    all_alike = len(told) == 1 and len(estimated) == len(asked)
+    parts = [("" if all_alike else f" in {', '.join(names)}") + (why and f", {why}") for why, names in told.items()]
+    return f"{motion.words}; what those left out add is estimated" + ";".join(parts)
 
 
 def _start(problem: "Problem", motion: "Response", kind: str, drive: Sequence[None]) -> Iterator[Section]:
