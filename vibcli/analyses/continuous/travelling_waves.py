@@ -12,7 +12,8 @@ import numpy as np
 from vibcli.analyses.continuous.travelling_waves_curves import EVEN, LEVELS, SAME, Loads, PiecewiseSeries
 from vibcli.analyses.continuous.travelling_waves_fields import straight
 from vibcli.analyses.continuous.travelling_waves_loads import LoadAlong
-from vibcli.analyses.continuous.travelling_waves_march import WaveMarch, WavePiece
+from vibcli.analyses.continuous.travelling_waves_march import WaveMarch
+from vibcli.analyses.continuous.travelling_waves_piece import WavePiece
 from vibcli.analyses.continuous.travelling_waves_station import EPSILON, WaveEnd, WaveStation
 from vibcli.base.errors import PhysicsError
 from vibcli.base.work import Work

@@ -26,7 +26,7 @@ from vibcli.numerics.pieces.panels import POINTS as RULE
 from vibcli.numerics.pieces.panels import SPAN, plain_rule
 
 if TYPE_CHECKING:
-    from vibcli.analyses.continuous.travelling_waves_march import WavePiece
+    from vibcli.analyses.continuous.travelling_waves_piece import WavePiece
     from vibcli.base.work import Task
     from vibcli.numerics.pieces.loads import LoadForm, LoadStretch
 

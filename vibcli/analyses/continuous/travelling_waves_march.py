@@ -15,8 +15,8 @@ import numpy as np
 from vibcli.analyses.continuous.travelling_waves_curves import LEVELS, SAME, Loads, PiecewiseSeries, series_of
 from vibcli.analyses.continuous.travelling_waves_fields import starting_waves
 from vibcli.analyses.continuous.travelling_waves_loads import GatheredWave, LoadAlong, LoadInTime
+from vibcli.analyses.continuous.travelling_waves_piece import WavePiece
 from vibcli.analyses.continuous.travelling_waves_station import NotByWaves, WaveStation
-from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.chebyshev import POINTS, WIDTH, N
 
 if TYPE_CHECKING:
@@ -27,39 +27,6 @@ if TYPE_CHECKING:
 
 MOST = 6_000       # stretches of time of all stations
 FINEST = 1e-10      # of the time, and of the shortest delay: the shortest stretch
-
-
-class WavePiece(NamedTuple):
-    """A uniform piece of a bar, shaft or string: N u″ = μ ü over its length. left, right: ({coordinate: slope}, channel
-    of the loads that moves the end beside these or None)."""
-
-    length: float
-    tension: float
-    inertia: float
-    left: tuple[dict[int, float], int | None]
-    right: tuple[dict[int, float], int | None]
-
-    @property
-    def speed(self) -> float:
-        return cast("float", (self.tension / self.inertia) ** 0.5)
-
-    @property
-    def impedance(self) -> float:
-        return cast("float", (self.tension * self.inertia) ** 0.5)
-
-
-def wave_piece(placed: Any, left: tuple[dict[int, float], int | None],
-               right: tuple[dict[int, float], int | None]) -> WavePiece:
-    """The WavePiece of a PlacedPiece between two ends; NotByWaves where waves change their form along it."""
-    length, bending, tension, gradient, inertia, drag, foundation = map(float, placed.piece)
-    reasons = (("beams disperse their waves", bending), ("its tension varies along it", gradient),
-               ("drag damps its waves on their way", drag), ("its foundation disperses its waves", foundation))
-    for reason, coefficient in reasons:
-        if coefficient:
-            raise NotByWaves(f"'{placed.owner}' is not followed by travelling waves: {reason}")
-    if not inertia > 0 or not tension > 0:
-        raise NotByWaves(f"no waves travel along '{placed.owner}'")
-    return WavePiece(length, tension, inertia, left, right)
 
 
 class WaveMarch:

@@ -9,7 +9,7 @@ import pytest
 
 from vibcli.analyses.continuous import travelling_waves_march
 from vibcli.analyses.continuous.travelling_waves import wave_motion
-from vibcli.analyses.continuous.travelling_waves_march import WavePiece
+from vibcli.analyses.continuous.travelling_waves_piece import WavePiece
 from vibcli.analyses.continuous.travelling_waves_search import extreme, stretches, zeros
 from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
 from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
