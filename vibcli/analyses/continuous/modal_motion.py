@@ -286,9 +286,7 @@ class ModalMotion:
             early += float((read.off * np.abs(stretch.free) + np.abs(read.states) * old) @ np.exp(rates.real * tau))
             early += sum(float(lost_by(self.modes.rigid_inputs, stretch, np.array([tau]), order)[0] @ np.abs(row))
                          for order, row in enumerate(read.rigid) if row.any())
-            found: float = early + late * tau + sum(
-                        np.exp(pace * tau) * polynomial(tau, own) for pace, own in driven)
-            return found
+            return early + late * tau + sum(float(np.exp(pace * tau) * polynomial(tau, own)) for pace, own in driven)
         return rounded
 
 
