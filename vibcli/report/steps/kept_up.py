@@ -78,8 +78,8 @@ def _at_a_frequency(problem: "Problem", sheet: WorkedSolution, tree: Call,
     if fixed:
         if not told:
             sheet.write(settles=Omega.name, node=given, letter=Omega.name, joined=True)
-        beside: list[Any] = [] if told else [Words("with  "), Omega, Words(f" = {plain(without_units(given))} rad/s:  ")]
-        yield substitute([node], {Omega: given})[0], [*beside, node]
+        at: list[Any] = [] if told else [Words("with  "), Omega, Words(f" = {plain(without_units(given))} rad/s:  ")]
+        yield substitute([node], {Omega: given})[0], [*at, node]
     else:
         yield node, [node]
 
