@@ -61,6 +61,17 @@ class Pattern:
         return all(len(step.after) < 2 for step in self.steps)
 
     @property
+    def parts(self) -> list[list[int]]:
+        """The rows that entries tie to one another, directly or by others, in the order of their first."""
+        homes: dict[int, int] = {}
+        for step in reversed(self.steps):
+            homes[step.pivot] = homes[step.after[0]] if step.after else step.pivot
+        found: dict[int, list[int]] = {}
+        for row in range(self.n):
+            found.setdefault(homes[row], []).append(row)
+        return list(found.values())
+
+    @property
     def size(self) -> int:
         """How many entries are kept."""
         return len(self.places)

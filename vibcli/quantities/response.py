@@ -239,7 +239,7 @@ def _size(problem: "Problem", tree: QuantityRef) -> float:
 
         end = max(number_of(problem, tree.args[1]), 1.0)
     signal = response.signal(tree.args[0])
-    signal = signal.steady if response.KIND == "steady" else signal
+    signal = signal.steady if response.KIND == "steady" else signal.coarse
     return cast("float", max(abs(signal.extreme(0.0, end, sense)[1]) for sense in (1, -1)))
 
 

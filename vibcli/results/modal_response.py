@@ -131,9 +131,9 @@ class ModalResponse(ResponseOfMembers):
     def apart(self, count: int) -> "tuple[ModeBasis, np.ndarray, np.ndarray, tuple[np.ndarray, np.ndarray]]":
         """(the ModeBasis of the first modes, what each feels of each channel of `loaded`, c of each, (η, η̇) at t = 0);
         NotByModes where what damps couples them."""
+        damping = damping_of_modes(self, self._transfer.pieces, count)
         basis = self._basis(count)
-        felt, damping = self._felt(basis), damping_of_modes(self, self._transfer.pieces, len(basis.squares))
-        return basis, felt, damping, self._start(basis)
+        return basis, self._felt(basis), damping, self._start(basis)
 
     def _basis(self, count: int) -> "ModeBasis":
         """The ModeBasis of the first modes, shapes of near ones orthogonal."""

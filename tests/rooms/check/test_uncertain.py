@@ -243,3 +243,18 @@ def test_what_is_found_as_zero_is_no_other_number_but_within_its_bound(monkeypat
 
     monkeypatch.setattr(ModalSignal, "extreme", in_vain)
     assert [one.agrees for one in check(scene)] == [True, None, False, True]
+
+
+def test_what_counts_as_zero_is_told_without_the_many_modes_of_a_value(monkeypatch):
+    """The largest of a signal, of which zero is a share, was searched for by as many modes as a value is read by."""
+    scene = problem("""
+        beams: {arm: {length: 1 m, EI: 2 N*m^2, mass_per_length: 0.5 kg/m, left: clamped}}
+        forces: {push: {body: arm, per_length: 1 N/m*step(t)}}
+        find: [{response: {until: 1 s}}]
+        answers: {arm.u'(0 m)(0.1 s): 0 m/s, arm.u'(1 m)(0.1 s): 0 m/s}
+        """)
+    read = []
+    monkeypatch.setattr(ModalSignal, "read_at", lambda self, _: self.coarse)
+    monkeypatch.setattr(ModalSignal, "extreme", lambda self, *_: (0.0, float(read.append(self._finest) or 1.0)))
+    assert [one.agrees for one in check(scene)] == [True, False]
+    assert read == [None] * len(read) != []

@@ -21,26 +21,45 @@ def local_modes(system: "ContinuousSystem", bracket: "Bracket"
                 ) -> "tuple[ContinuousSystem, np.ndarray, np.ndarray, list[int]]":
     """The system with further nodes, z ascending, shapes in columns, indices of the modes within a bracket.
 
-    D(z) x = 0 is D(z₀) x = (z − z₀) D′ x close to z₀: iterated in a subspace.
+    D(z) x = 0 is D(z₀) x = (z − z₀) D′ x close to z₀: iterated in a subspace of each part that nothing ties to others,
+    so that each shape is one of a part; of modes that coincide those of the first part come first.
     """
     system = away_from_poles(system, bracket.low, bracket.high)
     wanted = bracket.above - bracket.below
     indices = list(range(bracket.below + 1, bracket.above + 1))
-    size = min(wanted + SPARE, system.n)
     middle, width = (bracket.low + bracket.high) / 2, (bracket.high - bracket.low) / 2
-    x, near = start(system, size), np.zeros(0)
+    parts, near = _subspaces(system, wanted + SPARE), np.zeros(0)
     for _ in range(STEPS):
-        z = system.numbers([middle])
-        entries, _, slope = system.dynamic_stiffness(z)
-        x = nearer(system, z, product(system.pattern, slope, x))
-        moved, x = projected(system, entries, slope, x)
+        moved, parts = _stepped(system, system.numbers([middle]), parts)
         before, near = near, _within(bracket, middle + moved)[:wanted]
         steady = len(before) and max(abs(moved[near])) <= STEADY * system.unit * abs(middle)
         values = middle + moved[near]
         if steady:
             break
         middle = sum(values) / wanted if all(abs(values - middle) <= 2 * width) else middle
-    return system, values, x[:, near], indices
+    if max(values) - min(values) <= STEADY * system.unit * abs(middle):
+        near = np.sort(near)
+    return system, values, np.hstack(parts)[:, near], indices
+
+
+def _subspaces(system, size):
+    """At most `size` vectors of each part that has inertia and that nothing ties to others."""
+    found, inertia = [], system.dynamic_stiffness(system.numbers([system.scale]))[2]
+    for part in system.pattern.parts:
+        held = np.zeros((system.n, 1), bool)
+        held[part] = True
+        if inertia[part].any():
+            found.append(np.where(held, start(system, min(size, len(part))), system.number(0)))
+    return found
+
+
+def _stepped(system, z, parts):
+    """The eigenvalues by which z moves, and the vectors of each part, after one step."""
+    entries, _, slope = system.dynamic_stiffness(z)
+    x = nearer(system, z, product(system.pattern, slope, np.hstack(parts)))
+    own = np.split(x, np.cumsum([part.shape[1] for part in parts])[:-1], axis=1)
+    moved, parts = zip(*(projected(system, entries, slope, part) for part in own), strict=True)
+    return np.concatenate(moved), parts
 
 
 def _within(bracket: "Bracket", z: np.ndarray) -> np.ndarray:

@@ -94,7 +94,8 @@ class ModeFields:
 
     def _times(self, row: "Mapping[int, float | mpmath.mpf]", shape: np.ndarray) -> "float | mpmath.mpf":
         total = sum((self.number(x) * shape[i] for i, x in row.items()), self.number(0))
-        return total if self.number is not float else complex(total) if total.imag else float(total.real)
+        total = total if total.imag else total.real
+        return total if self.number is not float else complex(total) if total.imag else float(total)
 
     def at(self, member: str, x: Any) -> list[Any]:
         """u and its derivatives by x, of bars, shafts and strings up to the second, of beams to the third; at a jump
@@ -194,7 +195,7 @@ class ModeFields:
             found = self.at(member, x)
             if not found[order + 1]:
                 break
-            x = x - found[order] / found[order + 1]
+            x = x - (found[order] / found[order + 1]).real
         return x
 
     def scale(self, how: str, weights: Sequence[float], named: int) -> Any:

@@ -120,3 +120,31 @@ def test_nodes_are_counted_as_far_as_modes():
         quantity_value(scene, f"node[4][cord, {LAST}]")
     with pytest.raises(SpecError, match=f"expected a whole number from 1 to {LAST} in square brackets"):
         quantity_value(scene, f"node[4][cord, {LAST + 1}]")
+
+
+TURNING = """
+    parameters: {m: 2 kg, Om: 2 rad/s, k: 100 N/m}
+    coordinates: {x: m, y: m}
+    bodies: {a: {mass: 1 kg, slide: x}, b: {mass: 1 kg, slide: y}}
+    energies: {T: "m*Om*(x*y' - y*x')/2"}
+    springs: {s: {k: k, between: [a, ground]}, t: {k: k, between: [b, ground]}}
+    beams: {r: {length: 1 m, EI: 10 N*m^2, mass_per_length: 1 kg/m, left: clamped, right: {clamped: a}},
+            apart: {length: 1 m, EI: 10 N*m^2, mass_per_length: 1 kg/m, left: clamped}}
+    find: [{modes: 3}]
+"""
+
+
+def test_shapes_beside_gyroscopic_terms_in_more_digits():
+    """Numbers of mpmath without an imaginary part are complex by their kind, which ended in a TypeError."""
+    scene = problem(TURNING)
+    for near, fine in zip(scene.modal.modes.shown(), scene.modal.modes_to(30).shown(), strict=True):
+        for member in ("r", "apart"):
+            place = scene.modal.fields(near).largest(member)[0]
+            assert scene.modal.fields(fine).largest(member)[0] == pytest.approx(place, abs=1e-9)
+
+
+def test_a_motion_beside_gyroscopic_terms_is_refused_before_shapes_are_taken_for_real(recwarn):
+    scene = problem(TURNING + "    initial: {x: 1 mm, r.u: 1 mm*x^2/(1 m)^2*(3 - 2*x/(1 m))}")
+    with pytest.raises(PhysicsError, match="gyroscopic terms couple"):
+        quantity_value(scene, "r.u(0.5 m)(1 s)")
+    assert not recwarn.list

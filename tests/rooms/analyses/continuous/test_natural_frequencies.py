@@ -79,8 +79,18 @@ def test_a_bar_without_a_coordinate_and_two_alike_that_do_not_touch():
     two = NaturalModes(FactoredSystem(2, pieces=[placed(bar(), {}, {i: 1.0}) for i in (0, 1)])).numbered(1, 4)
     exact = [math.pi / 2] * 2 + [3 * math.pi / 2] * 2
     assert [mode.omega for mode in two] == pytest.approx(exact, rel=2 * EPS)
-    inertia = np.array([[mode.shape @ other.shape for other in two[:2]] for mode in two[:2]])
-    assert inertia == pytest.approx(2 * np.eye(2), abs=1e-12)
+    assert abs(np.array([mode.shape for mode in two[:2]])) == pytest.approx(2**0.5 * np.eye(2), abs=1e-15)
+
+
+@pytest.mark.parametrize("digits", [None, 40])
+def test_modes_that_coincide_are_each_one_of_a_part_that_nothing_ties_to_others(digits):
+    """Three equal cantilevers, one of them in two halves, beside a spring without inertia."""
+    pieces = [placed(beam(), {}, {}, {i: 1.0}, {i + 1: 1.0}) for i in (0, 2)]
+    pieces += [placed(beam(0.5), {}, {}, {4: 1.0}, {5: 1.0}), placed(beam(0.5), {4: 1.0}, {5: 1.0}, {6: 1.0}, {7: 1.0})]
+    modes = NaturalModes(FactoredSystem(9, springs=[(1.0, {8: 1.0})], pieces=pieces), digits=digits).numbered(1, 7)
+    moved = [np.flatnonzero(abs(mode.shape.astype(float)) > 0).tolist() for mode in modes]
+    assert moved == [[0, 1], [2, 3], [4, 5, 6, 7]] * 2 + [[0, 1]]
+    assert [float(abs(mode.shape).max()) for mode in modes[1:3]] == pytest.approx([float(max(abs(modes[0].shape)))] * 2)
 
 
 @pytest.mark.sweep
