@@ -42,7 +42,7 @@ def local_modes(system: "ContinuousSystem", bracket: "Bracket"
     return system, values, np.hstack(parts)[:, near], indices
 
 
-def _subspaces(system, size):
+def _subspaces(system: "ContinuousSystem", size: int) -> list[np.ndarray]:
     """At most `size` vectors of each part that has inertia and that nothing ties to others."""
     found, inertia = [], system.dynamic_stiffness(system.numbers([system.scale]))[2]
     for part in system.pattern.parts:
@@ -53,7 +53,7 @@ def _subspaces(system, size):
     return found
 
 
-def _stepped(system, z, parts):
+def _stepped(system: "ContinuousSystem", z: np.ndarray, parts: Any) -> tuple[np.ndarray, Any]:
     """The eigenvalues by which z moves, and the vectors of each part, after one step."""
     entries, _, slope = system.dynamic_stiffness(z)
     x = nearer(system, z, product(system.pattern, slope, np.hstack(parts)))
